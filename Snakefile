@@ -1,0 +1,114 @@
+"""From studies to cubes to figures: `uv run snakemake --cores 2`, or `snakemake -n` to see what would be done."""
+
+from pathlib import Path
+
+from silostudy.config.load import load_project
+from silostudy.errors import BadInput
+from silostudy.figures import OUTPUTS
+from silostudy.scene.expand import expand_file
+from silostudy.stamp import stamp
+
+PROJECT = Path(config.get("project", "config/config.yaml"))
+RESULTS = config.get("results", "results")
+
+try:  # every mistake of every study is told before any job starts
+    STUDIES = load_project(PROJECT)
+    EXPANSIONS = {name: expand_file(path) for name, path in STUDIES.items()}
+except BadInput as error:
+    raise WorkflowError(str(error)) from None
+
+SCENE = ("catalogue", "errors", "tables", "config", "scene", "pressure")
+
+
+wildcard_constraints:
+    study="|".join(STUDIES),
+    figure="|".join(key for key, row in OUTPUTS.items() if row.kind == "figure"),
+    table="|".join(key for key, row in OUTPUTS.items() if row.kind == "table"),
+
+
+def study_files(wildcards):
+    """The study file and the user's materials file, if it names one."""
+    path = STUDIES[wildcards.study]
+    materials = EXPANSIONS[wildcards.study].study.materials
+    return [path, path.parent / materials] if materials else [path]
+
+
+def wanted(name):
+    """Every file that a study asks for."""
+    files = [f"{RESULTS}/{name}/cases.csv", f"{RESULTS}/{name}/pressure.nc"]
+    for key in EXPANSIONS[name].study.outputs:
+        kind = OUTPUTS[key].kind
+        endings = ("png", "svg", "csv") if kind == "figure" else ("csv",)
+        files += [f"{RESULTS}/{name}/{kind}s/{key}.{ending}" for ending in endings]
+    return files
+
+
+rule all:
+    input:
+        [file for name in STUDIES for file in wanted(name)],
+
+
+rule cases:
+    input:
+        study_files,
+    output:
+        RESULTS + "/{study}/cases.csv",
+    params:
+        code=stamp(*SCENE),
+    log:
+        RESULTS + "/{study}/logs/cases.log",
+    shell:
+        "python -m silostudy cases {input[0]} {output} > {log} 2>&1"
+
+
+rule pressure:
+    input:
+        study_files,
+    output:
+        RESULTS + "/{study}/pressure.nc",
+    params:
+        code=stamp(*SCENE, "compute", "cube"),
+    log:
+        RESULTS + "/{study}/logs/pressure.log",
+    shell:
+        "python -m silostudy pressure {input[0]} {output} > {log} 2>&1"
+
+
+rule figure:
+    input:
+        RESULTS + "/{study}/pressure.nc",
+    output:
+        report(RESULTS + "/{study}/figures/{figure}.png", category="{study}"),
+        RESULTS + "/{study}/figures/{figure}.svg",
+        RESULTS + "/{study}/figures/{figure}.csv",
+    params:
+        code=stamp("cube", "figures", "tables"),
+        stem=RESULTS + "/{study}/figures/{figure}",
+    log:
+        RESULTS + "/{study}/logs/{figure}.log",
+    shell:
+        "python -m silostudy draw {wildcards.figure} {input} {params.stem} > {log} 2>&1"
+
+
+rule table:
+    input:
+        RESULTS + "/{study}/pressure.nc",
+    output:
+        report(RESULTS + "/{study}/tables/{table}.csv", category="{study}"),
+    params:
+        code=stamp("cube", "figures", "tables"),
+        stem=RESULTS + "/{study}/tables/{table}",
+    log:
+        RESULTS + "/{study}/logs/{table}.log",
+    shell:
+        "python -m silostudy draw {wildcards.table} {input} {params.stem} > {log} 2>&1"
+
+
+rule gallery:
+    """Refreshes the few pictures that the front README shows: `snakemake --cores 1 gallery`."""
+    input:
+        RESULTS + "/wheat-silo/figures/fig_4_2_11.png",
+    output:
+        "results/gallery/fig_4_2_11.png",
+    shell:
+        "cp {input} {output}"

@@ -1,0 +1,105 @@
+"""`silostudy compare`: one silo, from flags or a study file, by every method: a table in the terminal and a figure."""
+
+import argparse
+from math import isfinite
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from silostudy.errors import BadInput
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+FLAGS = "--diameter --depth --solid, and as needed --wall --hopper-half-angle --methods"
+
+
+def add(sub) -> None:
+    command = sub.add_parser("compare", help="compare the methods on one silo, given by flags or by a study file")
+    command.add_argument("study", type=Path, nargs="?", help="study file without sweep, in place of the flags")
+    command.add_argument("--diameter", type=float, metavar="M", help="inner diameter (m)")
+    command.add_argument("--depth", type=float, metavar="M", help="depth of the cylinder (m)")
+    command.add_argument("--solid", help="see `silostudy list solids`")
+    command.add_argument("--wall", help="see `silostudy list walls`; left out: the solid's own wall friction")
+    command.add_argument("--hopper-half-angle", type=float, metavar="DEG", help="left out: a flat bottom")
+    command.add_argument("--methods", nargs="+", default="all", help="see `silostudy list methods`")
+    command.add_argument("--figure", type=Path, metavar="STEM", help="also draw STEM.png, STEM.svg and STEM.csv")
+    command.set_defaults(run=run)
+
+
+def run(chosen: argparse.Namespace) -> None:
+    from silostudy.compute.pressure import pressure_cube
+    from silostudy.scene.expand import expand, expand_file
+
+    if chosen.study:
+        expansion = expand_file(chosen.study)
+        if expansion.shape:
+            raise BadInput("study", str(chosen.study), "has a sweep; compare takes one silo")
+    else:
+        expansion = expand(_study(chosen), "compare", "compare", Path())
+    cube = pressure_cube(expansion)
+    print("\n".join(table(cube)))
+    if chosen.figure:
+        from silostudy.figures.fig_4_2_11 import draw
+
+        draw(cube, chosen.figure)
+        print(f"drawn: {chosen.figure}.png, {chosen.figure}.svg, {chosen.figure}.csv")
+
+
+def _study(chosen: argparse.Namespace) -> dict[str, Any]:
+    """The flags as the content of a study file."""
+    for flag in ("diameter", "depth", "solid"):
+        if getattr(chosen, flag) is None:
+            raise BadInput(f"--{flag}", None, f"is missing; give a study file, or {FLAGS}", "compare")
+    silo = {"plan": "circular", "diameter_m": chosen.diameter, "cylinder_depth_m": chosen.depth}
+    if chosen.hopper_half_angle is not None:
+        silo["hopper"] = {"half_angle_deg": chosen.hopper_half_angle}
+    methods = chosen.methods if chosen.methods == "all" else list(dict.fromkeys(["janssen", *chosen.methods]))
+    return {
+        "title": f"{chosen.solid} in a silo of {chosen.diameter:g} m by {chosen.depth:g} m",
+        "scene": {"silo": silo, "solid": chosen.solid, "wall": chosen.wall},
+        "methods": methods,
+        "relative_depth": {"start": 0.0, "stop": 1.0, "count": 289},
+    }
+
+
+def table(cube: "xr.Dataset") -> list[str]:
+    """Wall pressure (kPa) at the quarters of the depth, its maximum, and what the wall carries, a line for each curve."""
+    from numpy import nanargmax
+
+    depth = cube["depth"].values
+    quarters = [abs(depth - share * float(cube["cylinder_depth"])).argmin() for share in (0.25, 0.5, 0.75, 1.0)]
+    head = "".join(f"{depth[i]:8.2f}m" for i in quarters)
+    lines = [f"wall normal pressure (kPa) at depth {'':9}{head}   largest  at depth  factor  wall carries  balance"]
+    for method in map(str, cube["method"].values):
+        for phase in map(str, cube["phase"].values):
+            one = cube.sel({"method": method, "phase": phase})
+            pressure = one["wall_normal_pressure"].values / 1e3
+            if not one["wall_normal_pressure"].isnull().all():
+                name = f"{method}, {phase}"
+                values = "".join(f"{_cell(pressure[i]):>9}" for i in quarters)
+                peak = int(nanargmax(pressure))
+                factor = float(one["overpressure_factor"][peak])
+                lines.append(
+                    f"{name:44}{values}{pressure[peak]:10.2f}{depth[peak]:9.2f}m{factor:8.2f}"
+                    f"{_carried(one):>14}{_balance(one):>9}"
+                )
+    masked = "'-': the method's source does not cover it (see the scope variables of a cube, or `silostudy explain METHOD`)"
+    return [*lines, masked]
+
+
+def _cell(value: float) -> str:
+    return f"{value:.2f}" if isfinite(value) else "-"
+
+
+def _carried(one: "xr.Dataset") -> str:
+    """Share of the cylinder's contents that hangs on the wall by friction."""
+    weight = float(one["unit_weight"]) * float(one["cylinder_depth"]) * float(one["hydraulic_radius"])
+    share = float(one["axial_wall_force"][-1]) / weight
+    return f"{share:.1%}" if isfinite(share) else "-"
+
+
+def _balance(one: "xr.Dataset") -> str:
+    """Weight less vertical pressure and wall friction, over the weight, at the transition."""
+    weight = float(one["unit_weight"]) * float(one["cylinder_depth"])
+    carried = float(one["vertical_pressure"][-1]) + float(one["axial_wall_force"][-1]) / float(one["hydraulic_radius"])
+    return f"{1 - carried / weight:.0e}" if isfinite(carried) else "-"

@@ -1,0 +1,35 @@
+"""`silostudy explain METHOD`: formula, symbols, source, range, and what its source gets wrong."""
+
+
+def add(sub) -> None:
+    command = sub.add_parser("explain", help="explain a method: formula, symbols, source, range, known errors of the source")
+    command.add_argument("method")
+    command.set_defaults(run=run)
+
+
+def run(chosen) -> None:
+    print("\n".join(explanation(chosen.method)))
+
+
+def explanation(key: str) -> list[str]:
+    """The lines that explain a pressure method; BadInput lists the known ones."""
+    from silostudy.pressure import PRESSURE
+    from silostudy.pressure.family import PARAMETERS
+    from silostudy.tables.handbook import errata
+    from silostudy.tables.references import cite
+
+    row = PRESSURE[key]
+    lines = [f"{row.title} ({row.key})", f"  formula   {row.formula}", f"  range     {row.validity}"]
+    lines.append(f"  plans     {', '.join(sorted(row.plans))}")
+    for phase, quantities in row.phases.items():
+        lines.append(f"  {phase:9} gives {', '.join(quantities)}")
+    lines.append("  needs     " + ", ".join(f"{name} ({PARAMETERS[name]})" for name in PARAMETERS if name in row.needs))
+    if row.equilibrium:
+        lines.append(f"  weight = vertical pressure + wall friction, to rounding, in {' and '.join(row.equilibrium)}")
+    lines.append(f"  source    {row.source}, {row.locator}: {cite(row.source)}")
+    for erratum in (erratum for erratum in errata() if erratum.method == key):
+        lines.append(f"  error of the source, {erratum.place}: printed {erratum.printed}; right: {erratum.right}")
+        lines.append(f"            known because {erratum.evidence}")
+    if row.has_misprint:
+        lines.append(f"  to see the print's own reading, list the method under `as_printed` in a study: [{key}]")
+    return lines

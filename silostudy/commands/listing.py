@@ -1,0 +1,61 @@
+"""`silostudy list`: what there is to choose from."""
+
+from pathlib import Path
+
+
+def add(sub) -> None:
+    command = sub.add_parser("list", help="list methods, solids, walls, studies or outputs")
+    command.add_argument("what", choices=LISTS)
+    command.add_argument("--studies", type=Path, default=Path("config/studies"), help="folder of study files")
+    command.set_defaults(run=run)
+
+
+def run(chosen) -> None:
+    for cells in LISTS[chosen.what](chosen):
+        print("  ".join(cells))
+
+
+def _methods(chosen):
+    from silostudy.pressure import PRESSURE
+
+    for row in PRESSURE.values():
+        yield f"{row.key:22}", f"{row.title:32}", f"{', '.join(row.phases):20}", f"{row.source}, {row.locator}"
+
+
+def _solids(chosen):
+    from math import degrees
+
+    from silostudy.tables.solids import SOLIDS
+
+    for row in SOLIDS.values():
+        properties = f"{row.unit_weight / 1e3:6.2f} kN/m3  phi {degrees(row.internal_friction_angle):4.1f} deg"
+        yield f"{row.key:18}", f"{row.title:36}", f"{row.grain:12}", properties, f"{row.source}, {row.locator}"
+
+
+def _walls(chosen):
+    from silostudy.tables.walls import WALLS
+
+    for row in WALLS.values():
+        yield f"{row.key:18}", f"{row.title:38}", f"{row.rule:14}", f"{row.source}, {row.locator}"
+
+
+def _studies(chosen):
+    from silostudy.config.load import load_study
+    from silostudy.errors import BadInput
+
+    files = sorted(chosen.studies.glob("*.yaml"))
+    if not files:
+        raise BadInput("studies", str(chosen.studies), "holds no study files (*.yaml)")
+    for file in files:
+        yield f"{file.stem:18}", load_study(file).title
+
+
+def _outputs(chosen):
+    from silostudy.figures import OUTPUTS
+
+    for row in OUTPUTS.values():
+        wants = "one silo" if row.single_case else f"axes {', '.join(row.axes)}"
+        yield f"{row.key:30}", f"{row.kind:7}", f"{wants:28}", row.title
+
+
+LISTS = {"methods": _methods, "solids": _solids, "walls": _walls, "studies": _studies, "outputs": _outputs}

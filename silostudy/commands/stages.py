@@ -1,0 +1,111 @@
+"""`silostudy check`, `cases`, `pressure`, `draw`, `schema`: what the pipeline's rules call, and can be called by hand."""
+
+from pathlib import Path
+
+
+def add(sub) -> None:
+    check = sub.add_parser("check", help="validate a study and count its cases, without computing anything")
+    check.add_argument("study", type=Path, help="a study file, or its name in config/studies")
+    check.set_defaults(run=run_check)
+
+    cases = sub.add_parser("cases", help="write the table of cases of a study")
+    pressure = sub.add_parser("pressure", help="compute the pressure cube of a study")
+    for command, run, what in ((cases, run_cases, "CSV"), (pressure, run_pressure, "netCDF")):
+        command.add_argument("study", type=Path)
+        command.add_argument("output", type=Path, help=f"{what} file to write")
+        command.set_defaults(run=run)
+
+    draw = sub.add_parser("draw", help="draw a figure or table from a cube")
+    draw.add_argument("key", help="see `silostudy list outputs`")
+    draw.add_argument("cube", type=Path)
+    draw.add_argument("stem", type=Path, help="file to write, without its ending")
+    draw.set_defaults(run=run_draw)
+
+    schema = sub.add_parser("schema", help="write the JSON schema of study files, for editors")
+    schema.add_argument("output", type=Path)
+    schema.set_defaults(run=run_schema)
+
+
+def run_check(chosen) -> None:
+    from silostudy.scene.expand import expand_file
+
+    path = chosen.study if chosen.study.suffix else Path("config/studies") / f"{chosen.study}.yaml"
+    expansion = expand_file(path)
+    study = expansion.study
+    axes = " x ".join(f"{axis.axis} {len(axis.settings())}" for axis in study.sweep) or "no sweep"
+    methods = len(study.method_keys) + len(study.as_printed)
+    values = len(expansion.cases) * methods * len(study.phases) * len(expansion.depths)
+    print(f"{path}: {study.title}")
+    print(f"  {len(expansion.cases)} case(s): {axes}")
+    print(f"  {methods} method(s) x {len(study.phases)} phase(s) x {len(expansion.depths)} depths: {values} values a quantity")
+    for line in cautions(expansion):
+        print(f"  note: {line}")
+
+
+def cautions(expansion) -> list[str]:
+    """What a study's author should know although it is no mistake."""
+    from silostudy.scene.scene import solid_parameters
+
+    found: dict[str, int] = {}
+    for case in expansion.cases:
+        parameters = solid_parameters(case.scene, "")
+        wall = case.scene.wall.key if case.scene.wall else "its own wall friction"
+        if parameters["wall_friction"] < parameters["wall_friction_uncapped"]:
+            text = f"{case.scene.solid.key} on {wall}: wall friction {parameters['wall_friction_uncapped']:.3g} capped at "
+            found[f"{text}tan(phi) = {parameters['wall_friction']:.3g}"] = 1
+        for name in ("wall_friction", "poisson_ratio"):
+            if parameters[name] != parameters[name]:
+                text = f"{case.scene.solid.key} on {wall}: no {name} in the tables; methods that need it are masked"
+                found[text] = 1
+    return list(found)
+
+
+def run_cases(chosen) -> None:
+    import csv
+    import json
+
+    from silostudy.cube.io import replacing
+    from silostudy.scene.expand import expand_file
+
+    expansion = expand_file(chosen.study)
+    keys = list(expansion.cases[0].settings)
+    with replacing(chosen.output) as temporary, temporary.open("w", newline="", encoding="utf-8") as stream:
+        table = csv.writer(stream)
+        table.writerow(["case", *keys])
+        for case in expansion.cases:
+            values = (case.settings[key] for key in keys)
+            table.writerow([case.id, *(value if isinstance(value, (str, int, float)) else json.dumps(value) for value in values)])
+
+
+def run_pressure(chosen) -> None:
+    import time
+
+    from silostudy.compute.pressure import pressure_cube
+    from silostudy.cube.io import write
+    from silostudy.scene.expand import expand_file
+
+    expansion = expand_file(chosen.study)
+    start = time.perf_counter()
+    cube = pressure_cube(expansion)
+    seconds = time.perf_counter() - start
+    write(cube, chosen.output)
+    size = cube["wall_normal_pressure"].size
+    print(f"{expansion.name}: {len(expansion.cases)} case(s), {size} values a quantity in {seconds:.2f} s -> {chosen.output}")
+
+
+def run_draw(chosen) -> None:
+    from importlib import import_module
+
+    from silostudy.cube.io import read
+    from silostudy.figures import OUTPUTS
+
+    row = OUTPUTS[chosen.key]
+    import_module(f"silostudy.figures.{row.key}").draw(read(chosen.cube), chosen.stem)
+
+
+def run_schema(chosen) -> None:
+    from silostudy.config.schema import study_schema
+    from silostudy.cube.io import replacing
+
+    with replacing(chosen.output) as temporary:
+        temporary.write_text(study_schema(), encoding="utf-8")

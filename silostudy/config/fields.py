@@ -1,0 +1,44 @@
+"""Small pieces that every configuration model shares: strict frozen models, units, and lists of values."""
+
+from typing import Annotated, Literal
+
+import numpy as np
+from pydantic import BaseModel, ConfigDict, Field, model_validator
+
+
+class Strict(BaseModel):
+    """A frozen model that refuses unknown keys."""
+
+    model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)
+
+
+def described(text: str, unit: str = "1", **constraints):
+    """A field with its description and unit, both in the JSON schema."""
+    return Field(description=text, json_schema_extra={"unit": unit}, **constraints)
+
+
+class Range(Strict):
+    """Evenly spaced values, both ends included."""
+
+    start: float = described("first value")
+    stop: float = described("last value")
+    count: int = described("how many values", ge=2, le=1_000_000)
+    spacing: Literal["linear", "log"] = described("linear: equal steps; log: equal ratios", default="linear")
+
+    @model_validator(mode="after")
+    def _log_needs_positive(self):
+        if self.spacing == "log" and not (self.start > 0 and self.stop > 0):
+            raise ValueError("spacing log needs start and stop above 0")
+        return self
+
+    def expand(self) -> list[float]:
+        space = np.linspace if self.spacing == "linear" else np.geomspace
+        return [float(value) for value in space(self.start, self.stop, self.count)]
+
+
+Numbers = Annotated[tuple[float, ...], Field(min_length=1)]
+
+
+def expand(values: "Numbers | Range | tuple") -> list:
+    """The plain list behind a list or a range."""
+    return values.expand() if isinstance(values, Range) else list(values)

@@ -1,0 +1,111 @@
+"""Reads YAML files into models and turns every mistake into one line: file, key, value, what is allowed."""
+
+from pathlib import Path
+from typing import Any, TypeVar
+
+import yaml
+from pydantic import BaseModel, ValidationError
+
+from silostudy.config.fields import Strict, described
+from silostudy.config.study import Study
+from silostudy.errors import BadInput
+from silostudy.tables.units import SUFFIXES
+
+M = TypeVar("M", bound=BaseModel)
+
+
+class Project(Strict):
+    """config.yaml: which studies the pipeline builds."""
+
+    studies: tuple[str, ...] = described("names of files in config/studies, without .yaml", "", min_length=1)
+
+
+class _NoTwins(yaml.SafeLoader):
+    """A safe loader that refuses a key written twice, which YAML readers otherwise drop in silence."""
+
+    def construct_mapping(self, node, deep=False):
+        keys = [key.value for key, _ in node.value]
+        for key in keys:
+            if keys.count(key) > 1:
+                raise yaml.constructor.ConstructorError(None, None, f"key {key!r} is written twice", node.start_mark)
+        return super().construct_mapping(node, deep)
+
+
+def read_yaml(path: Path) -> dict[str, Any]:
+    """The mapping in a YAML file; BadInput when it cannot be read."""
+    try:
+        with path.open(encoding="utf-8") as stream:
+            content = yaml.load(stream, _NoTwins)  # noqa: S506 (a SafeLoader)
+    except (OSError, UnicodeDecodeError, yaml.YAMLError) as error:
+        raise BadInput("file", str(path), "must be readable YAML: " + " ".join(str(error).split())) from None
+    if not isinstance(content, dict):
+        raise BadInput("file", str(path), "must hold `key: value` lines")
+    return content
+
+
+def validated(model: type[M], content: Any, where: str) -> M:
+    """The content as a model; BadInput with one line for each mistake."""
+    try:
+        return model.model_validate(content)
+    except ValidationError as error:
+        raise Mistakes([_line(item, content, where) for item in error.errors()]) from None
+
+
+class Mistakes(BadInput):
+    """All mistakes of one file, a line each."""
+
+    def __init__(self, lines: list[str]):
+        self.lines = lines
+        ValueError.__init__(self, "\n".join(lines))
+
+    def __reduce__(self):
+        return type(self), (self.lines,)
+
+
+def _line(item: Any, content: Any, where: str) -> str:
+    """`file: key = value: what is allowed`, leaving out the names pydantic gives to branches of a union."""
+    path, node = [], content
+    for part in item["loc"]:
+        if isinstance(node, dict) and part in node:
+            node = node[part]
+        elif isinstance(node, list) and isinstance(part, int) and part < len(node):
+            node = node[part]
+        elif part is not item["loc"][-1] or item["type"] != "missing":
+            continue
+        path.append(str(part))
+    key, value = ".".join(path) or "file", item["input"]
+    if item["type"] == "missing":
+        return f"{where}: {key}: is missing{_unit_hint(str(item['loc'][-1]), value)}"
+    shown = f" = {value!r}" if not isinstance(value, (dict, list)) else ""
+    return f"{where}: {key}{shown}: {_allowed(item)}"
+
+
+def _allowed(item: Any) -> str:
+    if item["type"] == "extra_forbidden":
+        return "unknown key" + _unit_hint(str(item["loc"][-1]), None)
+    return item["msg"].removeprefix("Value error, ").replace("Input should be", "must be")
+
+
+def _unit_hint(key: str, siblings: Any) -> str:
+    """Where a key differs from a known one only by its unit, say so."""
+    if isinstance(siblings, dict):
+        bare = next((key.removesuffix(suffix) for suffix in SUFFIXES if key.endswith(suffix)), key)
+        if bare != key and bare in siblings:
+            return f" (the unit belongs to the name: write {key} in place of {bare})"
+    return ""
+
+
+def load_study(path: Path) -> Study:
+    """A study from its YAML file; BadInput lists every mistake."""
+    return validated(Study, read_yaml(path), str(path))
+
+
+def load_project(path: Path) -> dict[str, Path]:
+    """Study name -> file, for the studies that config.yaml names; BadInput for a file that is not there."""
+    project = validated(Project, read_yaml(path), str(path))
+    folder = path.parent / "studies"
+    known = sorted(file.stem for file in folder.glob("*.yaml"))
+    for name in project.studies:
+        if name not in known:
+            raise BadInput("studies", name, f"unknown; known: {', '.join(known)}", str(path))
+    return {name: folder / f"{name}.yaml" for name in project.studies}

@@ -1,0 +1,109 @@
+"""What a user writes to describe one silo with its contents, in the user's units."""
+
+from typing import Annotated, Literal, Self
+
+from pydantic import Field, model_validator
+
+from silostudy.config.fields import Strict, described
+from silostudy.tables.walls import WALLS
+
+WallKey = Literal[tuple(WALLS)]  # type: ignore[valid-type]
+
+
+class Hopper(Strict):
+    """A hopper below the cylinder."""
+
+    half_angle_deg: float = described("hopper half angle from the vertical", "deg", gt=0, lt=90)
+    outlet_width_m: float = described("inner width (diameter) of the outlet; 0: the apex", "m", ge=0, default=0.0)
+
+
+class AnySilo(Strict):
+    """What every plan shares."""
+
+    cylinder_depth_m: float | None = described(
+        "depth of the vertical part, from the highest contact of solid and wall to the transition", "m", gt=0, default=None
+    )
+    slenderness: float | None = described(
+        "cylinder depth over the diameter of the circle inscribed in the plan, in place of cylinder_depth_m",
+        gt=0,
+        default=None,
+    )
+    top_cone_height_m: float = described(
+        "height of the heap above the highest wall contact; the equivalent flat surface lies a third of it up",
+        "m",
+        ge=0,
+        default=0.0,
+    )
+    hopper: Hopper | None = described("the hopper; null: a flat bottom", "", default=None)
+
+    @model_validator(mode="after")
+    def _one_depth(self) -> Self:
+        if (self.cylinder_depth_m is None) == (self.slenderness is None):
+            raise ValueError("give either cylinder_depth_m or slenderness, and not both")
+        return self
+
+
+class CircularSilo(AnySilo):
+    """A circular cylinder."""
+
+    plan: Literal["circular"] = described("shape of the plan", "")
+    diameter_m: float = described("inner diameter", "m", gt=0)
+
+
+class SquareSilo(AnySilo):
+    """A square cell."""
+
+    plan: Literal["square"] = described("shape of the plan", "")
+    width_m: float = described("inner side", "m", gt=0)
+
+
+class RectangularSilo(AnySilo):
+    """A rectangular cell."""
+
+    plan: Literal["rectangular"] = described("shape of the plan", "")
+    width_m: float = described("shorter inner side", "m", gt=0)
+    length_m: float = described("longer inner side", "m", gt=0)
+
+    @model_validator(mode="after")
+    def _ordered(self) -> Self:
+        if self.length_m < self.width_m:
+            raise ValueError("length_m must not be smaller than width_m")
+        return self
+
+
+class PolygonalSilo(AnySilo):
+    """A regular polygon."""
+
+    plan: Literal["polygonal"] = described("shape of the plan", "")
+    sides: int = described("number of sides", ge=3, le=1000)
+    inscribed_diameter_m: float = described("diameter of the inscribed circle (across the flats)", "m", gt=0)
+
+
+Silo = Annotated[CircularSilo | SquareSilo | RectangularSilo | PolygonalSilo, Field(discriminator="plan")]
+
+
+class SolidProperties(Strict):
+    """Values that replace the table's for the solid of this study."""
+
+    unit_weight_kN_m3: float | None = described("unit weight", "kN m-3", gt=0, le=1000, default=None)
+    internal_friction_angle_deg: float | None = described("internal friction angle", "deg", gt=0, lt=90, default=None)
+    wall_friction: float | None = described("wall friction coefficient; replaces the wall kind's", ge=0, default=None)
+    lateral_pressure_ratio: float | None = described("lateral pressure ratio K = p_h / p_v", ge=0, default=None)
+    poisson_ratio: float | None = described("Poisson's ratio of the solid", ge=0, lt=0.5, default=None)
+
+
+class SceneConfig(Strict):
+    """One silo, its wall and its contents."""
+
+    silo: Silo = described("shape and size", "")
+    solid: str = described("key of the stored solid (`silostudy list solids`, or of the study's materials file)", "")
+    wall: WallKey | None = described(
+        "wall kind, from which the wall friction follows; null: the solid's own tabulated wall friction", "", default=None
+    )
+    lateral_pressure_ratio_rule: Literal["rankine", "one_minus_sine"] | None = described(
+        "K from the internal friction angle: rankine (1 - sin)/(1 + sin), one_minus_sine 1 - sin; "
+        "null: the table's K, and rankine where it has none",
+        "",
+        default=None,
+    )
+    properties: SolidProperties = described("values that replace the table's", "", default=SolidProperties())

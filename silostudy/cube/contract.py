@@ -1,0 +1,78 @@
+"""One table of every variable a cube may hold, and the check that a dataset keeps to it."""
+
+from dataclasses import dataclass
+
+import xarray as xr
+
+from silostudy.errors import BadInput
+
+@dataclass(frozen=True)
+class Variable:
+    """Name, unit, what it is, and its dimensions; '...' are the sweep axes, 'depth' also a relative depth."""
+
+    name: str
+    units: str
+    long_name: str
+    dims: tuple[str, ...]
+
+
+def _v(name: str, units: str, long_name: str, *dims: str) -> Variable:
+    return Variable(name, units, long_name, dims)
+
+
+OVER_DEPTH = ("method", "phase", "...", "depth")
+VARIABLES = {
+    variable.name: variable
+    for variable in (
+        _v("wall_normal_pressure", "Pa", "pressure of the stored solid normal to the wall", *OVER_DEPTH),
+        _v("wall_friction_traction", "Pa", "friction traction on the wall, downward on the wall", *OVER_DEPTH),
+        _v("vertical_pressure", "Pa", "mean vertical pressure in the stored solid", *OVER_DEPTH),
+        _v("axial_wall_force", "N m-1", "axial wall force per metre of perimeter, compression positive", *OVER_DEPTH),
+        _v("overpressure_factor", "1", "wall normal pressure over the method's own static Janssen pressure", *OVER_DEPTH),
+        _v("unit_weight", "N m-3", "unit weight handed to the method", "method", "..."),
+        _v("internal_friction_angle", "rad", "internal friction angle handed to the method", "method", "..."),
+        _v("wall_friction", "1", "wall friction coefficient handed to the method", "method", "..."),
+        _v("wall_friction_capped", "1", "whether the wall friction was capped at tan(phi)", "method", "..."),
+        _v("lateral_pressure_ratio", "1", "lateral pressure ratio handed to the method", "method", "..."),
+        _v("poisson_ratio", "1", "Poisson's ratio handed to the method", "method", "..."),
+        _v("hydraulic_radius", "m", "area over perimeter of the plan", "..."),
+        _v("cylinder_depth", "m", "depth of the transition below the equivalent surface", "..."),
+        _v("case", "1", "case identifier", "..."),
+        _v("method", "1", "pressure method", "method"),
+        _v("method_title", "1", "name of the method for people", "method"),
+        _v("method_number", "1", "number of the method's curve in the handbook's Fig. 4.2.11", "method"),
+        _v("method_colour", "1", "colour of the method in figures", "method"),
+        _v("method_marker", "1", "marker of the method in figures", "method"),
+        _v("phase", "1", "phase of operation", "phase"),
+        _v("relative_depth", "1", "depth over the depth of the transition", "relative_depth"),
+    )
+}
+# depth is an axis in one study and a field over the axes in another, so its dimensions are free
+DEPTH = Variable("depth", "m", "depth below the equivalent flat surface of the stored solid", ())
+
+
+def check(cube: xr.Dataset) -> xr.Dataset:
+    """The cube itself, if every variable is known with its unit and dimensions; BadInput otherwise."""
+    axes = cube.attrs.get("sweep_axes", "").split()
+    for name in map(str, cube.variables):
+        dims, units = tuple(map(str, cube[name].dims)), cube[name].attrs.get("units", "1")
+        known = DEPTH if name == "depth" else VARIABLES.get(name.removesuffix("_scope"))
+        if known is None:
+            if not set(dims) <= set(axes):  # coordinates of the sweep axes carry the study's own names
+                raise BadInput("variable", name, f"not in the cube's contract; known: {', '.join(VARIABLES)}, depth")
+        elif known is not DEPTH and dims != expected_dims(known, cube):
+            raise BadInput(f"dimensions of {name}", dims, f"must be {expected_dims(known, cube)}")
+        elif units != known.units and not name.endswith("_scope"):
+            raise BadInput(f"units of {name}", units, f"must be {known.units}")
+    return cube
+
+
+def expected_dims(variable: Variable, cube: xr.Dataset) -> tuple[str, ...]:
+    """The variable's dimensions with '...' replaced by the cube's sweep axes and depth by the cube's kind of depth."""
+    filled: list[str] = []
+    for dim in variable.dims:
+        if dim == "...":
+            filled += cube.attrs.get("sweep_axes", "").split()
+        else:
+            filled.append("relative_depth" if dim == "depth" and "relative_depth" in cube.dims else dim)
+    return tuple(filled)

@@ -1,0 +1,27 @@
+"""Where a cube comes from: attributes that go on every file. No time of day, so equal inputs give equal files."""
+
+import hashlib
+from collections.abc import Iterable
+from importlib.metadata import version
+
+from silostudy import __version__
+from silostudy.stamp import stamp
+from silostudy.tables.references import cite
+
+PACKAGES = ("numpy", "scipy", "xarray", "netCDF4", "numba")
+
+
+def provenance(title: str, study: str, sources: Iterable[str]) -> dict[str, str]:
+    """Attributes: study (canonical JSON) and its hash, stamp of the sources, package versions, references used."""
+    return {
+        "Conventions": "CF-1.11",
+        "title": title,
+        "institution": "unknown (set by whoever publishes the file)",
+        "source": f"silostudy {__version__}",
+        "history": f"computed by silostudy {__version__}",
+        "references": "\n".join(cite(key) for key in dict.fromkeys(sources)),
+        "study": study,
+        "study_hash": hashlib.sha256(study.encode()).hexdigest()[:12],
+        "source_stamp": stamp(),
+        "package_versions": ", ".join(f"{package} {version(package)}" for package in PACKAGES),
+    }

@@ -1,0 +1,59 @@
+"""Pictures and tables drawn from a cube: one file each, all of them listed here."""
+
+from dataclasses import dataclass
+
+from silostudy.catalogue import Family, Row
+
+
+@dataclass(frozen=True, kw_only=True)
+class Output(Row):
+    """A figure or table of a study.
+
+    axes: sweep axes it needs; single_case: it shows one silo, so it needs a study without sweep.
+    The module of the same name in this room draws it (loaded only then: drawing needs matplotlib).
+    """
+
+    kind: str  # "figure" or "table"
+    axes: tuple[str, ...] = ()
+    single_case: bool = False
+    methods: tuple[str, ...] = ()  # methods whose curves it cannot do without
+
+
+OUTPUTS: Family[Output] = Family(
+    "output",
+    [
+        Output(
+            key="fig_4_2_11",
+            title="Wall pressure over depth by every theory and code, and its ratio to static Janssen",
+            source="silo_handbook",
+            locator="Fig. 4.2.11",
+            kind="figure",
+            single_case=True,
+            methods=("janssen",),
+        ),
+        Output(
+            key="table_4_2_5",
+            title="The source's table of wall pressures, printed against computed",
+            source="silo_handbook",
+            locator="Table 4.2.5",
+            kind="table",
+            single_case=True,
+        ),
+        Output(
+            key="overpressure_over_slenderness",
+            title="Overpressure factor over H/D by method",
+            source="silo_handbook",
+            locator="section 4.2.3",
+            kind="figure",
+            axes=("slenderness",),
+        ),
+        Output(
+            key="governing_method",
+            title="Which method asks for the largest wall pressure, over diameter and H/D",
+            source="silo_handbook",
+            locator="section 4.2.3",
+            kind="figure",
+            axes=("diameter", "slenderness"),
+        ),
+    ],
+)

@@ -1,0 +1,51 @@
+"""Overpressure factor over H/D by method: of the largest pressure, and of the mean pressure on the wall.
+
+The factor at a single depth is no guide near the surface, where the static pressure vanishes: Jenike's grows there
+without bound.
+"""
+
+from pathlib import Path
+
+import matplotlib.pyplot as plt
+import pandas as pd
+import xarray as xr
+
+from silostudy.figures.style import look, save, title
+
+
+def draw(cube: xr.Dataset, stem: Path) -> None:
+    """Writes the figure and its numbers: median, least and largest over all the other axes of the study."""
+    level = "relative_depth" if "relative_depth" in cube.dims else "depth"
+    cube = cube.sel({"phase": "discharge"})
+    pressure = cube["wall_normal_pressure"]
+    static = pressure / cube["overpressure_factor"]
+    panels = {
+        "largest pressure over largest static pressure": pressure.max(level) / static.max(level),
+        "mean pressure over mean static pressure": pressure.mean(level) / static.mean(level),
+    }
+    numbers = pd.concat([_summary(values, quantity) for quantity, values in panels.items()], ignore_index=True)
+    figure, axes = plt.subplots(1, 2, figsize=(12, 6.2), sharey=True)
+    for panel, quantity in zip(axes, panels, strict=True):
+        shown = numbers[numbers.quantity == quantity]
+        for place, (method, group) in enumerate(shown.groupby("method", sort=False)):
+            style = {**look(cube, method), "markersize": 9 - 0.6 * place}  # so that curves that coincide all show
+            label = title(cube, method) if panel is axes[0] else None
+            panel.plot(group.slenderness, group["median"], linewidth=1.4, label=label, **style)
+            panel.fill_between(group.slenderness, group["min"], group["max"], color=style["color"], alpha=0.12, linewidth=0)
+        panel.set(xlabel="cylinder depth over diameter H/D", title=quantity, ylim=(0, None))
+        panel.axhline(1, color="black", linewidth=0.8)
+    axes[0].set_ylabel("overpressure factor over the method's own static Janssen")
+    figure.suptitle(f"{cube.attrs['title']}\nline: median over the study's other axes; band: least to largest")
+    figure.legend(loc="outside lower center", ncols=4, fontsize=8)
+    save(figure, numbers, stem)
+
+
+def _summary(values: xr.DataArray, quantity: str) -> pd.DataFrame:
+    others = [dim for dim in values.dims if dim not in ("method", "slenderness")]
+    table = xr.Dataset(
+        {"median": values.median(others), "min": values.min(others), "max": values.max(others), "cases": values.count(others)}
+    ).to_dataframe()
+    table = table.reset_index()[["method", "slenderness", "median", "min", "max", "cases"]]
+    order = {str(method): place for place, method in enumerate(values["method"].values)}
+    table = table[table["cases"] > 0].sort_values("method", key=lambda names: names.map(order), kind="stable")
+    return table.assign(quantity=quantity)

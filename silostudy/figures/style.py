@@ -1,0 +1,56 @@
+"""How every figure looks and is saved: PNG, SVG that is the same each time, and the numbers shown as CSV."""
+
+from pathlib import Path
+
+import matplotlib
+
+matplotlib.use("Agg")
+
+import matplotlib.pyplot as plt
+import pandas as pd
+import xarray as xr
+from matplotlib.figure import Figure
+
+from silostudy.cube.io import replacing
+
+plt.rcParams.update(
+    {
+        "svg.hashsalt": "silostudy",
+        "font.size": 9,
+        "axes.spines.top": False,
+        "axes.spines.right": False,
+        "axes.grid": True,
+        "grid.alpha": 0.25,
+        "legend.frameon": False,
+        "figure.constrained_layout.use": True,
+    }
+)
+PHASE_LINES = {"filling": (0, (4, 2)), "discharge": "-"}
+
+
+def save(figure: Figure, numbers: pd.DataFrame, stem: Path) -> None:
+    """Writes stem.png, stem.svg and stem.csv, each under a temporary name first."""
+    for suffix, options in ((".png", {"dpi": 160}), (".svg", {"metadata": {"Date": None}})):
+        with replacing(stem.with_suffix(suffix)) as temporary:
+            figure.savefig(temporary, **options)
+    plt.close(figure)
+    save_table(numbers, stem.with_suffix(".csv"))
+
+
+def save_table(numbers: pd.DataFrame, path: Path) -> None:
+    """Writes a table as CSV, seven significant digits."""
+    with replacing(path) as temporary:
+        numbers.to_csv(temporary, index=False, float_format="%.7g")
+
+
+def look(cube: xr.Dataset, method: str) -> dict:
+    """Colour and marker of a method, as line properties."""
+    one = cube.sel({"method": method})
+    return {"color": str(one.method_colour.values), "marker": str(one.method_marker.values)}
+
+
+def title(cube: xr.Dataset, method: str) -> str:
+    """Number and name of a method for a legend."""
+    one = cube.sel({"method": method})
+    number = str(one.method_number.values)
+    return f"{number}  {one.method_title.values}" if number else str(one.method_title.values)

@@ -1,0 +1,36 @@
+"""Deutsch and co-workers: a design chart of tests on models, known here through one silo's numbers only."""
+
+import numpy as np
+
+from silostudy.pressure import janssen
+from silostudy.pressure.family import CIRCULAR, PressureMethod
+from silostudy.pressure.one_silo import same_friction, same_proportions
+from silostudy.tables.charts import chart
+
+DEPTHS, RATIOS = chart("deutsch")  # p / (gamma D) over z / D
+
+
+def design_pressure(z, *, unit_weight, wall_friction, lateral_pressure_ratio, diameter, cylinder_depth):
+    """Horizontal wall pressure (Pa) in discharge at depth z (m): nearly hydrostatic, then levelling off.
+
+    Source: silo_handbook, section 4.2.2 (j) and Table 4.2.5 column 11.
+    """
+    scope = same_proportions(diameter, cylinder_depth) & same_friction(wall_friction, lateral_pressure_ratio)
+    pressure = unit_weight * diameter * np.interp(z / diameter, DEPTHS, RATIOS)
+    return np.where(scope, pressure, np.nan)
+
+
+ROW = PressureMethod(
+    key="deutsch",
+    title="Deutsch",
+    source="silo_handbook",
+    locator="section 4.2.2 (j)",
+    phases={"discharge": {"wall_normal_pressure": design_pressure}},
+    static=janssen.normal_pressure,
+    plans=CIRCULAR,
+    formula="p_h = 0.9592 gamma z down to 1.5 D, then a chart up to 1.972 gamma D from 2.7 D downward",
+    validity="only the silo of the chart (H/D = 3.6, mu = 0.44, K = 0.45); masked elsewhere",
+    colour="#882255",
+    marker="*",
+    number="11",
+)

@@ -1,0 +1,54 @@
+"""From the user's units to a frozen scene in SI, with the checks that need a table or two values at once."""
+
+from math import isnan, radians
+
+from silostudy.catalogue import Family
+from silostudy.config.scene import AnySilo, SceneConfig
+from silostudy.errors import BadInput
+from silostudy.scene.scene import Scene
+from silostudy.scene.silo import Hopper, Silo
+from silostudy.tables.solids import SolidRow
+from silostudy.tables.units import split_unit
+from silostudy.tables.walls import WALLS
+
+
+def build(config: SceneConfig, solids: Family[SolidRow], where: str = "") -> Scene:
+    """The scene that a configuration describes; BadInput for an unknown solid, no wall friction or an impossible shape."""
+    if config.solid not in solids:
+        raise BadInput("scene.solid", config.solid, f"unknown; known: {', '.join(solids)}", where)
+    own = {}
+    for name, value in config.properties.model_dump(exclude_none=True).items():
+        quantity, _, factor = split_unit(name)
+        own[quantity] = value * factor
+    scene = Scene(
+        silo=_silo(config.silo, where),
+        solid=solids[config.solid],
+        wall=WALLS[config.wall] if config.wall else None,
+        lateral_pressure_ratio_rule=config.lateral_pressure_ratio_rule,
+        own=own,
+    )
+    if scene.wall is None and "wall_friction" not in own and isnan(scene.solid.wall_friction):
+        allowed = f"solid {config.solid} has no wall friction of its own: choose a wall kind ({', '.join(WALLS)})"
+        raise BadInput("scene.wall", None, f"{allowed} or give scene.properties.wall_friction", where)
+    return scene
+
+
+def _silo(config: AnySilo, where: str) -> Silo:
+    sizes = config.model_dump()
+    diameter = next(sizes[name] for name in ("diameter_m", "width_m", "inscribed_diameter_m") if name in sizes)
+    depth = config.cylinder_depth_m or (config.slenderness or 0.0) * diameter
+    hopper = None
+    if config.hopper:
+        if config.hopper.outlet_width_m >= diameter:
+            allowed = f"must be smaller than the silo's width, {diameter:g} m"
+            raise BadInput("scene.silo.hopper.outlet_width_m", config.hopper.outlet_width_m, allowed, where)
+        hopper = Hopper(half_angle=radians(config.hopper.half_angle_deg), outlet_width=config.hopper.outlet_width_m)
+    return Silo(
+        plan=sizes["plan"],
+        diameter=diameter,
+        length=sizes.get("length_m", 0.0),
+        sides=sizes.get("sides", 0),
+        wall_depth=depth,
+        top_cone_height=config.top_cone_height_m,
+        hopper=hopper,
+    )

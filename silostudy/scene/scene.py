@@ -1,0 +1,68 @@
+"""One silo with its wall and contents, and the parameters that a pressure method is handed."""
+
+from dataclasses import dataclass, field
+from math import isnan, nan, sin, tan
+
+from silostudy.scene.silo import Silo
+from silostudy.tables.solids import SolidRow
+from silostudy.tables.walls import WallRow
+
+K_RULES = {
+    "rankine": lambda phi: (1 - sin(phi)) / (1 + sin(phi)),
+    "one_minus_sine": lambda phi: 1 - sin(phi),
+}
+
+
+@dataclass(frozen=True, kw_only=True)
+class Scene:
+    """What is loaded, by what: SI units; `own` holds the user's values in place of the table's."""
+
+    silo: Silo
+    solid: SolidRow
+    wall: WallRow | None = None
+    lateral_pressure_ratio_rule: str | None = None
+    own: dict[str, float] = field(default_factory=dict)
+
+
+def solid_parameters(scene: Scene, method: str, as_printed: bool = False) -> dict[str, float]:
+    """Properties (SI) of the solid and its wall as a method takes them; NaN for what is not known.
+
+    Order: the table, then the method's own values, then its misprints (on request), then the user's.
+    """
+    row = scene.solid
+    printed = row.as_printed.get(method, {}) if as_printed else {}
+    values = {**_table_values(row), **row.by_method.get(method, {}), **printed, **scene.own}
+    phi = values["internal_friction_angle"]
+    if scene.wall is not None and "wall_friction" not in scene.own:
+        values["wall_friction"] = wall_friction(scene.wall, row.grain, phi)
+    values["wall_friction_uncapped"] = values["wall_friction"]
+    values["wall_friction"] = capped(values["wall_friction"], phi)
+    rule = scene.lateral_pressure_ratio_rule
+    if "lateral_pressure_ratio" not in scene.own and (rule or isnan(values["lateral_pressure_ratio"])):
+        values["lateral_pressure_ratio"] = K_RULES[rule or "rankine"](phi)
+    return values
+
+
+def _table_values(row: SolidRow) -> dict[str, float]:
+    names = ("unit_weight", "internal_friction_angle", "wall_friction", "lateral_pressure_ratio", "poisson_ratio")
+    return {"i_phi": nan, "powder": float(row.grain == "powder"), **{name: getattr(row, name) for name in names}}
+
+
+def wall_friction(wall: WallRow, grain: str, phi: float) -> float:
+    """Wall friction coefficient (1) of a grain class on a wall kind; NaN where the source's table has a dash.
+
+    Source: silo_handbook, Table 4.2.2 (ratio of tangents) and section 4.5.1 Table 1 (ratio of angles).
+    """
+    factor = wall.factors.get(grain, nan)
+    return factor * tan(phi) if wall.rule == "friction_ratio" else tan(factor * phi)
+
+
+def capped(friction: float, phi: float) -> float:
+    """Wall friction (1), at most tan(phi): beyond it the solid slides on itself. Source: silo_handbook, 4.2.2 (a)."""
+    return friction if isnan(friction) else min(friction, tan(phi))
+
+
+def geometry_parameters(scene: Scene) -> dict[str, float]:
+    """Dimensions (m) that a method may ask for."""
+    names = ("hydraulic_radius", "diameter", "cylinder_depth", "outlet_depth", "top_cone_height")
+    return {name: getattr(scene.silo, name) for name in names}

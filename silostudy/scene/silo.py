@@ -1,0 +1,61 @@
+"""Shape and size of a silo in SI units."""
+
+from dataclasses import dataclass
+from math import pi, tan
+
+
+@dataclass(frozen=True, kw_only=True)
+class Hopper:
+    """A hopper: half angle from the vertical (rad) and inner width of its outlet (m)."""
+
+    half_angle: float
+    outlet_width: float
+
+
+@dataclass(frozen=True, kw_only=True)
+class Silo:
+    """Inner dimensions (m) of a vertical cylinder of any plan, with the heap on top and the hopper below.
+
+    diameter is that of the circle inscribed in the plan; length the longer side of a rectangle; sides a polygon's.
+    """
+
+    plan: str
+    diameter: float
+    wall_depth: float  # from the highest contact of solid and wall to the transition
+    length: float = 0.0
+    sides: int = 0
+    top_cone_height: float = 0.0
+    hopper: Hopper | None = None
+
+    @property
+    def area(self) -> float:
+        """Area of the plan (m2)."""
+        return self.hydraulic_radius * self.perimeter
+
+    @property
+    def perimeter(self) -> float:
+        """Perimeter of the plan (m)."""
+        if self.plan == "circular":
+            return pi * self.diameter
+        if self.plan == "polygonal":
+            return self.sides * self.diameter * tan(pi / self.sides)
+        return 2 * (self.diameter + (self.length or self.diameter))
+
+    @property
+    def hydraulic_radius(self) -> float:
+        """Area over perimeter (m): a quarter of the inscribed diameter for every plan with an inscribed circle."""
+        if self.plan == "rectangular":
+            return self.diameter * self.length / self.perimeter
+        return self.diameter / 4
+
+    @property
+    def cylinder_depth(self) -> float:
+        """Depth (m) of the transition below the equivalent flat surface: the heap counts for a third of its height."""
+        return self.wall_depth + self.top_cone_height / 3
+
+    @property
+    def outlet_depth(self) -> float:
+        """Depth (m) of the outlet below the equivalent flat surface."""
+        if self.hopper is None:
+            return self.cylinder_depth
+        return self.cylinder_depth + (self.diameter - self.hopper.outlet_width) / 2 / tan(self.hopper.half_angle)

@@ -1,0 +1,11 @@
+"""Charts that a source gives in place of a formula, as points."""
+
+import numpy as np
+
+from silostudy.tables.read import HERE, rows
+
+
+def chart(method: str) -> tuple[np.ndarray, np.ndarray]:
+    """(z/D, value) of a method's chart, each of shape (points,), dimensionless."""
+    points = [row for row in rows(HERE / "charts.csv", text=("method",)) if row["method"] == method]
+    return np.array([p["relative_depth"] for p in points]), np.array([p["value"] for p in points])

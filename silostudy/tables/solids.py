@@ -1,0 +1,105 @@
+"""Stored solids: the handbook's tables, and a user's own file in the same columns."""
+
+from dataclasses import dataclass, field, fields
+from math import isnan, nan, pi, tan
+from pathlib import Path
+
+from silostudy.catalogue import Family, Row
+from silostudy.errors import BadInput
+from silostudy.tables.read import HERE, number, rows
+from silostudy.tables.units import split_unit
+
+GRAINS = ("powder", "fine_grain", "coarse_grain")
+REQUIRED = ("unit_weight", "internal_friction_angle")
+# property -> (least, greatest, may the ends be reached, unit), in SI
+RANGES = {
+    "unit_weight": (0.0, 1e6, False, "N m-3"),
+    "unit_weight_lower": (0.0, 1e6, False, "N m-3"),
+    "internal_friction_angle": (0.0, pi / 2, False, "rad"),
+    "wall_friction_angle": (0.0, pi / 2, False, "rad"),
+    "wall_friction": (0.0, 10.0, True, "1"),
+    "lateral_pressure_ratio": (0.0, 10.0, True, "1"),
+    "poisson_ratio": (0.0, 0.5, False, "1"),
+    "i_phi": (0.0, 1.0, True, "1"),
+}
+
+
+@dataclass(frozen=True, kw_only=True)
+class SolidRow(Row):
+    """One stored solid in SI units; what the table leaves empty is NaN.
+
+    `by_method` holds the values that a method's own source uses instead, `as_printed` the ones printed in error.
+    """
+
+    grain: str
+    unit_weight: float
+    internal_friction_angle: float
+    unit_weight_lower: float = nan
+    wall_friction: float = nan
+    lateral_pressure_ratio: float = nan
+    poisson_ratio: float = nan
+    remark: str = ""
+    by_method: dict[str, dict[str, float]] = field(default_factory=dict)
+    as_printed: dict[str, dict[str, float]] = field(default_factory=dict)
+
+
+def check_property(name: str, value: float, where: str, written: str | None = None) -> None:
+    """BadInput unless a property of a solid lies in its physical range."""
+    low, high, closed, unit = RANGES[name]
+    if isnan(value) or not (low <= value <= high if closed else low < value < high):
+        ends = f"from {low:g} to {high:g}" if closed else f"between {low:g} and {high:g} (ends excluded)"
+        if unit == "rad":
+            ends, value = "between 0 and 90 degrees (ends excluded)", value * 180 / pi
+        raise BadInput(written or name, value, f"must lie {ends}{'' if unit in ('1', 'rad') else ' ' + unit}", where)
+
+
+def read_solids(path: Path, known: Family[SolidRow] | None = None) -> Family[SolidRow]:
+    """Solids of a CSV file, added to the known ones; BadInput for a key taken twice or a value out of range."""
+    members = [_solid(raw) for raw in rows(path, text=("solid", "grain"))]
+    return Family("solid", [*(known.values() if known else ()), *members])
+
+
+def _solid(raw: dict) -> SolidRow:
+    where, values = raw.pop("where"), {key: value for key, value in raw.items() if key != "solid"}
+    if "wall_friction_angle" in values:
+        values["wall_friction"] = tan(values.pop("wall_friction_angle"))
+    unknown = set(values) - {f.name for f in fields(SolidRow)}
+    if unknown:
+        raise BadInput("column", ", ".join(sorted(unknown)), f"unknown; known: {', '.join(known_columns())}", where)
+    for name in REQUIRED:
+        if name not in values:
+            raise BadInput(name, None, f"is missing (write the unit into the column, e.g. {with_unit(name)})", where)
+    if values.get("grain") not in GRAINS:
+        raise BadInput("grain", values.get("grain"), f"must be one of {', '.join(GRAINS)}", where)
+    for name in RANGES.keys() & values.keys():
+        check_property(name, values[name], where)
+    return SolidRow(key=raw["solid"], **{"title": raw["solid"], **values})
+
+
+def with_unit(name: str) -> str:
+    """A column name that carries a usual unit."""
+    return name + {"N m-3": "_kN_m3", "rad": "_deg", "1": ""}[RANGES[name][3]]
+
+
+def known_columns() -> list[str]:
+    return ["solid", "title", "grain", *map(with_unit, RANGES), "source", "locator", "remark"]
+
+
+def _with_method_values(family: Family[SolidRow], path: Path) -> Family[SolidRow]:
+    for raw in rows(path, text=("solid", "method", "parameter", "value", "as_printed")):
+        for column in ("value", "as_printed"):
+            if raw[column]:
+                name, value = _own_value(raw["parameter"], number(raw[column], column, raw["where"]))
+                check_property(name, value, raw["where"])
+                solid = family[raw["solid"]]
+                kept = solid.by_method if column == "value" else solid.as_printed
+                kept.setdefault(raw["method"], {})[name] = value
+    return family
+
+
+def _own_value(parameter: str, value: float) -> tuple[str, float]:
+    name, _, factor = split_unit(parameter)
+    return ("wall_friction", tan(value * factor)) if name == "wall_friction_angle" else (name, value * factor)
+
+
+SOLIDS = _with_method_values(read_solids(HERE / "solids.csv"), HERE / "solids_by_method.csv")

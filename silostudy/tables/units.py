@@ -1,0 +1,25 @@
+"""Units live in names: `diameter_m`, `unit_weight_kN_m3`.  One place turns them into SI, once."""
+
+from math import pi
+
+# suffix -> (unit in the cube, factor).  Tonne-force units follow the source: 1 t = 9.80665 kN.
+SUFFIXES: dict[str, tuple[str, float]] = {
+    "_t_m3": ("N m-3", 9806.65),
+    "_t_m2": ("Pa", 9806.65),
+    "_kN_m3": ("N m-3", 1e3),
+    "_N_m3": ("N m-3", 1.0),
+    "_kPa": ("Pa", 1e3),
+    "_MPa": ("Pa", 1e6),
+    "_GPa": ("Pa", 1e9),
+    "_deg": ("rad", pi / 180),
+    "_mm": ("m", 1e-3),
+    "_m": ("m", 1.0),
+}
+
+
+def split_unit(name: str) -> tuple[str, str, float]:
+    """(quantity, SI unit, factor) of a name that may end in a unit; '1' and 1.0 where it carries none."""
+    for suffix, (unit, factor) in SUFFIXES.items():
+        if name.endswith(suffix):
+            return name.removesuffix(suffix), unit, factor
+    return name, "1", 1.0
