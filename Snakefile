@@ -6,7 +6,7 @@ from silostudy.config.load import load_project
 from silostudy.errors import BadInput
 from silostudy.figures import OUTPUTS
 from silostudy.scene.expand import expand_file
-from silostudy.stamp import stamp
+from silostudy.stamp import STAGES, stamp
 
 PROJECT = Path(config.get("project", "config/config.yaml"))
 RESULTS = config.get("results", "results")
@@ -16,8 +16,6 @@ try:  # every mistake of every study is told before any job starts
     EXPANSIONS = {name: expand_file(path) for name, path in STUDIES.items()}
 except BadInput as error:
     raise WorkflowError(str(error)) from None
-
-SCENE = ("catalogue", "errors", "tables", "config", "scene", "pressure")
 
 
 wildcard_constraints:
@@ -29,13 +27,13 @@ wildcard_constraints:
 def study_files(wildcards):
     """The study file and the user's materials file, if it names one."""
     path = STUDIES[wildcards.study]
-    materials = EXPANSIONS[wildcards.study].study.materials
+    materials = getattr(EXPANSIONS[wildcards.study].study, "materials", None)
     return [path, path.parent / materials] if materials else [path]
 
 
 def wanted(name):
     """Every file that a study asks for."""
-    files = [f"{RESULTS}/{name}/cases.csv", f"{RESULTS}/{name}/pressure.nc"]
+    files = [f"{RESULTS}/{name}/cases.csv", *(f"{RESULTS}/{name}/{stage}.nc" for stage in EXPANSIONS[name].study.stages)]
     for key in EXPANSIONS[name].study.outputs:
         kind = OUTPUTS[key].kind
         endings = ("png", "svg", "csv") if kind == "figure" else ("csv",)
@@ -54,7 +52,7 @@ rule cases:
     output:
         RESULTS + "/{study}/cases.csv",
     params:
-        code=stamp(*SCENE),
+        code=stamp(*STAGES["cases"]),
     log:
         RESULTS + "/{study}/logs/cases.log",
     shell:
@@ -67,22 +65,28 @@ rule pressure:
     output:
         RESULTS + "/{study}/pressure.nc",
     params:
-        code=stamp(*SCENE, "compute", "cube"),
+        code=stamp(*STAGES["pressure"]),
     log:
         RESULTS + "/{study}/logs/pressure.log",
     shell:
         "python -m silostudy pressure {input[0]} {output} > {log} 2>&1"
 
 
+def cube_of(wildcards):
+    """The cube that a figure or table is drawn from."""
+    key = getattr(wildcards, "figure", None) or wildcards.table
+    return f"{RESULTS}/{wildcards.study}/{OUTPUTS[key].stage}.nc"
+
+
 rule figure:
     input:
-        RESULTS + "/{study}/pressure.nc",
+        cube_of,
     output:
         report(RESULTS + "/{study}/figures/{figure}.png", category="{study}"),
         RESULTS + "/{study}/figures/{figure}.svg",
         RESULTS + "/{study}/figures/{figure}.csv",
     params:
-        code=stamp("cube", "figures", "tables"),
+        code=stamp(*STAGES["draw"]),
         stem=RESULTS + "/{study}/figures/{figure}",
     log:
         RESULTS + "/{study}/logs/{figure}.log",
@@ -92,11 +96,11 @@ rule figure:
 
 rule table:
     input:
-        RESULTS + "/{study}/pressure.nc",
+        cube_of,
     output:
         report(RESULTS + "/{study}/tables/{table}.csv", category="{study}"),
     params:
-        code=stamp("cube", "figures", "tables"),
+        code=stamp(*STAGES["draw"]),
         stem=RESULTS + "/{study}/tables/{table}",
     log:
         RESULTS + "/{study}/logs/{table}.log",

@@ -32,8 +32,8 @@ def run(chosen: argparse.Namespace) -> None:
 
     if chosen.study:
         expansion = expand_file(chosen.study)
-        if expansion.shape:
-            raise BadInput("study", str(chosen.study), "has a sweep; compare takes one silo")
+        if expansion.study.kind != "pressure" or expansion.shape:
+            raise BadInput("study", str(chosen.study), "must be a pressure study without sweep: compare takes one silo")
     else:
         expansion = expand(_study(chosen), "compare", "compare", Path())
     cube = pressure_cube(expansion)
@@ -55,6 +55,7 @@ def _study(chosen: argparse.Namespace) -> dict[str, Any]:
         silo["hopper"] = {"half_angle_deg": chosen.hopper_half_angle}
     methods = chosen.methods if chosen.methods == "all" else list(dict.fromkeys(["janssen", *chosen.methods]))
     return {
+        "kind": "pressure",
         "title": f"{chosen.solid} in a silo of {chosen.diameter:g} m by {chosen.depth:g} m",
         "scene": {"silo": silo, "solid": chosen.solid, "wall": chosen.wall},
         "methods": methods,

@@ -40,14 +40,14 @@ def _walls(chosen):
 
 
 def _studies(chosen):
-    from silostudy.config.load import load_study
+    from silostudy.config.load import read_yaml, study_of
     from silostudy.errors import BadInput
 
     files = sorted(chosen.studies.glob("*.yaml"))
     if not files:
         raise BadInput("studies", str(chosen.studies), "holds no study files (*.yaml)")
     for file in files:
-        yield f"{file.stem:18}", load_study(file).title
+        yield f"{file.stem:18}", study_of(read_yaml(file), str(file)).title
 
 
 def _outputs(chosen):

@@ -33,13 +33,18 @@ def run_check(chosen) -> None:
     expansion = expand_file(path)
     study = expansion.study
     axes = " x ".join(f"{axis.axis} {len(axis.settings())}" for axis in study.sweep) or "no sweep"
-    methods = len(study.method_keys) + len(study.as_printed)
-    values = len(expansion.cases) * methods * len(study.phases) * len(expansion.depths)
     print(f"{path}: {study.title}")
     print(f"  {len(expansion.cases)} case(s): {axes}")
-    print(f"  {methods} method(s) x {len(study.phases)} phase(s) x {len(expansion.depths)} depths: {values} values a quantity")
-    for line in cautions(expansion):
-        print(f"  note: {line}")
+    for line in (*counts(expansion), *cautions(expansion)) if study.kind == "pressure" else ():
+        print(f"  {line}")
+
+
+def counts(expansion) -> list[str]:
+    """How much a pressure study computes."""
+    study = expansion.study
+    methods = len(study.method_keys) + len(study.as_printed)
+    values = len(expansion.cases) * methods * len(study.phases) * len(study.depths)
+    return [f"{methods} method(s) x {len(study.phases)} phase(s) x {len(study.depths)} depths: {values} values a quantity"]
 
 
 def cautions(expansion) -> list[str]:
@@ -57,7 +62,7 @@ def cautions(expansion) -> list[str]:
             if parameters[name] != parameters[name]:
                 text = f"{case.scene.solid.key} on {wall}: no {name} in the tables; methods that need it are masked"
                 found[text] = 1
-    return list(found)
+    return [f"note: {text}" for text in found]
 
 
 def run_cases(chosen) -> None:
@@ -74,7 +79,9 @@ def run_cases(chosen) -> None:
         table.writerow(["case", *keys])
         for case in expansion.cases:
             values = (case.settings[key] for key in keys)
-            table.writerow([case.id, *(value if isinstance(value, (str, int, float)) else json.dumps(value) for value in values)])
+            table.writerow(
+                [case.id, *(value if isinstance(value, (str, int, float)) else json.dumps(value) for value in values)]
+            )
 
 
 def run_pressure(chosen) -> None:

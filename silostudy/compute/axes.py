@@ -4,11 +4,11 @@ from typing import Any
 
 import numpy as np
 
-from silostudy.config.study import Axis, Study
+from silostudy.config.study import Axis, BaseStudy
 from silostudy.tables.units import split_unit
 
 
-def axis_coordinates(study: Study) -> dict[str, tuple]:
+def axis_coordinates(study: BaseStudy) -> dict[str, tuple]:
     """xarray coordinates of every axis: one key gives the axis its values, several hang beside a plain count."""
     coords: dict[str, tuple] = {}
     for axis in study.sweep:

@@ -68,7 +68,7 @@ def functions_of(label: str, phase: str) -> Mapping[str, Callable]:
 
 def depths_in_metres(expansion: Expansion) -> np.ndarray:
     """Depth (m) of every value, shape (axes..., depth)."""
-    depths = np.array(expansion.depths)
+    depths = np.array(expansion.study.depths)
     if expansion.study.depth_m is not None:
         return np.broadcast_to(depths, (*expansion.shape, depths.size))
     heights = np.array([case.scene.silo.cylinder_depth for case in expansion.cases]).reshape(expansion.shape)
@@ -79,9 +79,7 @@ def gather(expansion: Expansion, label: str) -> dict[str, np.ndarray]:
     """Every parameter a method may ask for, in SI, shape (axes..., 1)."""
     as_printed = label.endswith(AS_PRINTED)
     key = row_of(label).key
-    each = [
-        {**geometry_parameters(case.scene), **solid_parameters(case.scene, key, as_printed)} for case in expansion.cases
-    ]
+    each = [{**geometry_parameters(case.scene), **solid_parameters(case.scene, key, as_printed)} for case in expansion.cases]
     return {name: np.array([one[name] for one in each]).reshape(*expansion.shape, 1) for name in each[0]}
 
 
@@ -150,14 +148,14 @@ def _assemble(expansion: Expansion, labels: list[str], z, values, scopes, handed
         **axis_coordinates(expansion.study),
     }
     if by_metres:
-        coords["depth"] = ("depth", np.array(expansion.depths), depth)
+        coords["depth"] = ("depth", np.array(expansion.study.depths), depth)
     else:
-        coords["relative_depth"] = (level, np.array(expansion.depths), _attributes("relative_depth"))
+        coords["relative_depth"] = (level, np.array(expansion.study.depths), _attributes("relative_depth"))
         depth.pop("axis")
         coords["depth"] = ((*axes, level), z, depth)
     study = expansion.study.model_dump_json(exclude_defaults=True)
     sources = [row_of(label).source for label in labels] + [case.scene.solid.source for case in expansion.cases]
-    attributes = {**provenance(expansion.study.title, study, sources), "sweep_axes": " ".join(axes)}
+    attributes = {**provenance(expansion.study.title, study, sources, "pressure"), "sweep_axes": " ".join(axes)}
     return check(xr.Dataset(data, coords, attributes))
 
 

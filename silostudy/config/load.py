@@ -7,8 +7,9 @@ import yaml
 from pydantic import BaseModel, ValidationError
 
 from silostudy.config.fields import Strict, described
-from silostudy.config.study import Study
-from silostudy.errors import BadInput
+from silostudy.config.kinds import KINDS
+from silostudy.config.study import BaseStudy
+from silostudy.errors import BadInput, unknown
 from silostudy.tables.units import SUFFIXES
 
 M = TypeVar("M", bound=BaseModel)
@@ -35,7 +36,7 @@ def read_yaml(path: Path) -> dict[str, Any]:
     """The mapping in a YAML file; BadInput when it cannot be read."""
     try:
         with path.open(encoding="utf-8") as stream:
-            content = yaml.load(stream, _NoTwins)  # noqa: S506 (a SafeLoader)
+            content = yaml.load(stream, _NoTwins)
     except (OSError, UnicodeDecodeError, yaml.YAMLError) as error:
         raise BadInput("file", str(path), "must be readable YAML: " + " ".join(str(error).split())) from None
     if not isinstance(content, dict):
@@ -64,11 +65,10 @@ class Mistakes(BadInput):
 
 def _line(item: Any, content: Any, where: str) -> str:
     """`file: key = value: what is allowed`, leaving out the names pydantic gives to branches of a union."""
-    path, node = [], content
+    path: list[str] = []
+    node = content
     for part in item["loc"]:
-        if isinstance(node, dict) and part in node:
-            node = node[part]
-        elif isinstance(node, list) and isinstance(part, int) and part < len(node):
+        if _holds(node, part):
             node = node[part]
         elif part is not item["loc"][-1] or item["type"] != "missing":
             continue
@@ -78,6 +78,11 @@ def _line(item: Any, content: Any, where: str) -> str:
         return f"{where}: {key}: is missing{_unit_hint(str(item['loc'][-1]), value)}"
     shown = f" = {value!r}" if not isinstance(value, (dict, list)) else ""
     return f"{where}: {key}{shown}: {_allowed(item)}"
+
+
+def _holds(node: Any, part: Any) -> bool:
+    in_list = isinstance(node, list) and isinstance(part, int) and part < len(node)
+    return in_list or (isinstance(node, dict) and part in node)
 
 
 def _allowed(item: Any) -> str:
@@ -95,9 +100,11 @@ def _unit_hint(key: str, siblings: Any) -> str:
     return ""
 
 
-def load_study(path: Path) -> Study:
-    """A study from its YAML file; BadInput lists every mistake."""
-    return validated(Study, read_yaml(path), str(path))
+def study_of(content: dict[str, Any], where: str) -> BaseStudy:
+    """A study from the content of its file; BadInput lists every mistake."""
+    if content.get("kind") not in KINDS:
+        raise unknown("kind", content.get("kind"), KINDS, where)
+    return validated(KINDS[content["kind"]], content, where)
 
 
 def load_project(path: Path) -> dict[str, Path]:

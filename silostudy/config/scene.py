@@ -1,13 +1,13 @@
 """What a user writes to describe one silo with its contents, in the user's units."""
 
-from typing import Annotated, Literal, Self
+from typing import Annotated, Literal, Self, TypeAlias
 
 from pydantic import Field, model_validator
 
 from silostudy.config.fields import Strict, described
 from silostudy.tables.walls import WALLS
 
-WallKey = Literal[tuple(WALLS)]  # type: ignore[valid-type]
+WallKey: TypeAlias = Literal[tuple(WALLS)]  # type: ignore[valid-type]
 
 
 class Hopper(Strict):
@@ -21,7 +21,10 @@ class AnySilo(Strict):
     """What every plan shares."""
 
     cylinder_depth_m: float | None = described(
-        "depth of the vertical part, from the highest contact of solid and wall to the transition", "m", gt=0, default=None
+        "depth of the vertical part, from the highest contact of solid and wall to the transition",
+        "m",
+        gt=0,
+        default=None,
     )
     slenderness: float | None = described(
         "cylinder depth over the diameter of the circle inscribed in the plan, in place of cylinder_depth_m",
@@ -98,7 +101,9 @@ class SceneConfig(Strict):
     silo: Silo = described("shape and size", "")
     solid: str = described("key of the stored solid (`silostudy list solids`, or of the study's materials file)", "")
     wall: WallKey | None = described(
-        "wall kind, from which the wall friction follows; null: the solid's own tabulated wall friction", "", default=None
+        "wall kind, from which the wall friction follows; null: the solid's own tabulated wall friction",
+        "",
+        default=None,
     )
     lateral_pressure_ratio_rule: Literal["rankine", "one_minus_sine"] | None = described(
         "K from the internal friction angle: rankine (1 - sin)/(1 + sin), one_minus_sine 1 - sin; "

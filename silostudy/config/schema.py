@@ -1,11 +1,18 @@
 """The JSON schema of study files, from which editors complete keys and values."""
 
 import json
+from functools import reduce
+from operator import or_
+from typing import Any
 
-from silostudy.config.study import Study
+from pydantic import TypeAdapter
+
+from silostudy.config.kinds import KINDS
 
 
 def study_schema() -> str:
-    """JSON schema (draft 2020-12) of a study file, as text."""
-    schema = {"$schema": "https://json-schema.org/draft/2020-12/schema", **Study.model_json_schema()}
+    """JSON schema (draft 2020-12) of a study file of any kind, as text."""
+    union: Any = reduce(or_, KINDS.values())
+    adapter: TypeAdapter = TypeAdapter(union)
+    schema = {"$schema": "https://json-schema.org/draft/2020-12/schema", **adapter.json_schema()}
     return json.dumps(schema, indent=1) + "\n"

@@ -1,18 +1,13 @@
-"""What a user writes to ask for a parametric study."""
+"""What a user writes to ask for a parametric study: axes, and what every kind of study shares."""
 
-from typing import Any, Literal, Self
+from typing import Any, Literal, Self, TypeAlias
 
-from pydantic import Field, field_validator, model_validator
+from pydantic import field_validator, model_validator
 
-from silostudy.config.fields import Numbers, Range, Strict, described, expand
-from silostudy.config.scene import SceneConfig
+from silostudy.config.fields import Range, Strict, described, expand
 from silostudy.figures import OUTPUTS
-from silostudy.pressure import PRESSURE
-from silostudy.pressure.family import PHASES
 
-MethodKey = Literal[tuple(PRESSURE)]  # type: ignore[valid-type]
-PhaseKey = Literal[PHASES]  # type: ignore[valid-type]
-OutputKey = Literal[tuple(OUTPUTS)]  # type: ignore[valid-type]
+OutputKey: TypeAlias = Literal[tuple(OUTPUTS)]  # type: ignore[valid-type]
 TAKEN = ("method", "phase", "depth", "relative_depth", "case")
 
 
@@ -60,49 +55,25 @@ class Axis(Strict):
         return [dict(zip(columns, row, strict=True)) for row in zip(*columns.values(), strict=True)]
 
 
-class Study(Strict):
-    """One parametric study: a base scene, the axes swept, the methods asked, and what to draw."""
+class BaseStudy(Strict):
+    """What every study shares, whatever is computed; `kind` tells the sorts of study apart."""
 
+    kind: str
     title: str = described("one line for figures and reports", "", min_length=1)
     description: str = described("what the study is for, and which of its values are assumed", "", default="")
-    materials: str | None = described(
-        "CSV file with further solids, relative to the study file, in the columns of the solids table", "", default=None
-    )
-    scene: SceneConfig = described("the base scene", "")
+    scene: Strict
     sweep: tuple[Axis, ...] = described("axes; every combination is a case", "", default=())
-    methods: tuple[MethodKey, ...] | Literal["all"] = described("pressure methods, or all", "")
-    as_printed: tuple[MethodKey, ...] = described(
-        "methods to give a second time with the source's misprints left in", "", default=()
-    )
-    phases: tuple[PhaseKey, ...] = Field(default=PHASES, min_length=1, description="phases of operation")
-    depth_m: Range | Numbers | None = described("depths below the equivalent surface", "m", default=None)
-    relative_depth: Range | Numbers | None = described(
-        "depths over the depth of the transition below the equivalent surface, 0 ... 1", default=None
-    )
     outputs: tuple[OutputKey, ...] = described("figures and tables to make (`silostudy list outputs`)", "", default=())
 
-    @field_validator("methods")
-    @classmethod
-    def _some_method(cls, methods):
-        if not methods:
-            raise ValueError(f"a study needs a method; known: {', '.join(PRESSURE)}")
-        return methods
+    @property
+    def stages(self) -> tuple[str, ...]:
+        """The cubes that the study computes, in order: results/<study>/<stage>.nc, each by a sub-command of that name."""
+        return (self.kind,)
 
-    @field_validator("methods", "as_printed", "phases", "outputs")
+    @field_validator("outputs")
     @classmethod
     def _no_twin(cls, keys):
-        if isinstance(keys, tuple) and len(set(keys)) < len(keys):
-            raise ValueError("holds a key twice")
-        return keys
-
-    @field_validator("as_printed")
-    @classmethod
-    def _has_misprint(cls, keys):
-        for key in keys:
-            if not PRESSURE[key].has_misprint:
-                known = ", ".join(k for k, row in PRESSURE.items() if row.has_misprint)
-                raise ValueError(f"{key} has no misprint in the source; known: {known}")
-        return keys
+        return distinct(keys)
 
     @field_validator("sweep")
     @classmethod
@@ -115,38 +86,22 @@ class Study(Strict):
                 raise ValueError(f"{what} {', '.join(twins)} is swept twice")
         return axes
 
-    @field_validator("depth_m", "relative_depth")
-    @classmethod
-    def _increasing(cls, depths):
-        listed = expand(depths) if depths is not None else []
-        if any(b <= a for a, b in zip(listed, listed[1:], strict=False)):
-            raise ValueError("depths must increase, none twice")
-        if listed and listed[0] < 0:
-            raise ValueError("depths must not be negative")
-        return depths
-
-    @model_validator(mode="after")
-    def _one_depth_axis(self) -> Self:
-        if (self.depth_m is None) == (self.relative_depth is None):
-            raise ValueError("give either depth_m or relative_depth, and not both")
-        if self.relative_depth is not None and expand(self.relative_depth)[-1] > 1:
-            raise ValueError("relative_depth ends at 1, the transition")
-        return self
-
     @model_validator(mode="after")
     def _outputs_can_be_drawn(self) -> Self:
         axes = {axis.axis for axis in self.sweep}
         for key in self.outputs:
-            missing = set(OUTPUTS[key].axes) - axes
-            if missing or (OUTPUTS[key].single_case and axes):
-                wanted = f"the axes {', '.join(OUTPUTS[key].axes)}" if missing else "a study without sweep"
+            row = OUTPUTS[key]
+            missing = set(row.axes) - axes
+            if row.stage not in self.stages:
+                raise ValueError(f"output {key} is drawn from a {row.stage} cube; this study computes {self.stages}")
+            if missing or (row.single_case and axes):
+                wanted = f"the axes {', '.join(row.axes)}" if missing else "a study without sweep"
                 raise ValueError(f"output {key} needs {wanted}")
-            without = set(OUTPUTS[key].methods) - set(self.method_keys)
-            if without:
-                raise ValueError(f"output {key} needs the methods {', '.join(sorted(without))}")
         return self
 
-    @property
-    def method_keys(self) -> tuple[str, ...]:
-        """The methods asked for, in order."""
-        return tuple(PRESSURE) if self.methods == "all" else self.methods
+
+def distinct(keys):
+    """The keys themselves; ValueError where one stands twice."""
+    if isinstance(keys, tuple) and len(set(keys)) < len(keys):
+        raise ValueError("holds a key twice")
+    return keys

@@ -6,6 +6,7 @@ import xarray as xr
 
 from silostudy.errors import BadInput
 
+
 @dataclass(frozen=True)
 class Variable:
     """Name, unit, what it is, and its dimensions; '...' are the sweep axes, 'depth' also a relative depth."""
@@ -28,7 +29,12 @@ VARIABLES = {
         _v("wall_friction_traction", "Pa", "friction traction on the wall, downward on the wall", *OVER_DEPTH),
         _v("vertical_pressure", "Pa", "mean vertical pressure in the stored solid", *OVER_DEPTH),
         _v("axial_wall_force", "N m-1", "axial wall force per metre of perimeter, compression positive", *OVER_DEPTH),
-        _v("overpressure_factor", "1", "wall normal pressure over the method's own static Janssen pressure", *OVER_DEPTH),
+        _v(
+            "overpressure_factor",
+            "1",
+            "wall normal pressure over the method's own static Janssen pressure",
+            *OVER_DEPTH,
+        ),
         _v("unit_weight", "N m-3", "unit weight handed to the method", "method", "..."),
         _v("internal_friction_angle", "rad", "internal friction angle handed to the method", "method", "..."),
         _v("wall_friction", "1", "wall friction coefficient handed to the method", "method", "..."),

@@ -5,14 +5,14 @@ from collections.abc import Iterable
 from importlib.metadata import version
 
 from silostudy import __version__
-from silostudy.stamp import stamp
+from silostudy.stamp import STAGES, stamp
 from silostudy.tables.references import cite
 
 PACKAGES = ("numpy", "scipy", "xarray", "netCDF4", "numba")
 
 
-def provenance(title: str, study: str, sources: Iterable[str]) -> dict[str, str]:
-    """Attributes: study (canonical JSON) and its hash, stamp of the sources, package versions, references used."""
+def provenance(title: str, study: str, sources: Iterable[str], stage: str) -> dict[str, str]:
+    """Attributes: study (canonical JSON) and its hash, stamp of the stage's sources, package versions, references used."""
     return {
         "Conventions": "CF-1.11",
         "title": title,
@@ -22,6 +22,6 @@ def provenance(title: str, study: str, sources: Iterable[str]) -> dict[str, str]
         "references": "\n".join(cite(key) for key in dict.fromkeys(sources)),
         "study": study,
         "study_hash": hashlib.sha256(study.encode()).hexdigest()[:12],
-        "source_stamp": stamp(),
+        "source_stamp": stamp(*STAGES[stage]),
         "package_versions": ", ".join(f"{package} {version(package)}" for package in PACKAGES),
     }

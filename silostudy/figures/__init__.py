@@ -14,6 +14,7 @@ class Output(Row):
     """
 
     kind: str  # "figure" or "table"
+    stage: str  # the cube it is drawn from
     axes: tuple[str, ...] = ()
     single_case: bool = False
     methods: tuple[str, ...] = ()  # methods whose curves it cannot do without
@@ -28,6 +29,7 @@ OUTPUTS: Family[Output] = Family(
             source="silo_handbook",
             locator="Fig. 4.2.11",
             kind="figure",
+            stage="pressure",
             single_case=True,
             methods=("janssen",),
         ),
@@ -37,6 +39,7 @@ OUTPUTS: Family[Output] = Family(
             source="silo_handbook",
             locator="Table 4.2.5",
             kind="table",
+            stage="pressure",
             single_case=True,
         ),
         Output(
@@ -45,6 +48,7 @@ OUTPUTS: Family[Output] = Family(
             source="silo_handbook",
             locator="section 4.2.3",
             kind="figure",
+            stage="pressure",
             axes=("slenderness",),
         ),
         Output(
@@ -53,6 +57,7 @@ OUTPUTS: Family[Output] = Family(
             source="silo_handbook",
             locator="section 4.2.3",
             kind="figure",
+            stage="pressure",
             axes=("diameter", "slenderness"),
         ),
     ],

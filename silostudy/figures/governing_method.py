@@ -24,7 +24,9 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     solids = list(map(str, cube["solid"].values)) if "solid" in cube.dims else [""]
     columns = min(4, len(solids))
     rows = -(-len(solids) // columns)
-    figure, axes = plt.subplots(rows, columns, figsize=(3.1 * columns, 3.1 * rows + 1.2), squeeze=False, sharex=True, sharey=True)
+    figure, axes = plt.subplots(
+        rows, columns, figsize=(3.1 * columns, 3.1 * rows + 1.2), squeeze=False, sharex=True, sharey=True
+    )
     methods = list(map(str, cube["method"].values))
     colours = ListedColormap([str(c) for c in cube["method_colour"].values])
     norm = BoundaryNorm(np.arange(len(methods) + 1) - 0.5, len(methods))
@@ -42,7 +44,9 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     present = sorted(set(index.values[index.values >= 0].astype(int).ravel()))
     handles = [Patch(color=colours(m), alpha=0.75, label=title(cube, methods[m])) for m in present]
     figure.legend(handles=handles, loc="outside lower center", ncols=4, fontsize=8)
-    figure.suptitle(f"Method with the largest wall pressure at each depth ({fixed};\nof methods that tie, the first in the catalogue)")
+    figure.suptitle(
+        f"Method with the largest wall pressure at each depth ({fixed};\nof methods that tie, the first in the catalogue)"
+    )
     save(figure, _numbers(index, largest, methods), stem)
 
 
@@ -60,7 +64,10 @@ def _one_position(cube: xr.Dataset, level: str) -> tuple[xr.Dataset, str]:
     for dim in others:
         masked = cube["wall_normal_pressure"].isnull().sum([d for d in cube["wall_normal_pressure"].dims if d != dim])
         if dim == "diameter":
-            same = all(np.array_equal(_governing(cube.isel({dim: i}))[0], _governing(cube.isel({dim: 0}))[0]) for i in range(cube.sizes[dim]))
+            same = all(
+                np.array_equal(_governing(cube.isel({dim: i}))[0], _governing(cube.isel({dim: 0}))[0])
+                for i in range(cube.sizes[dim])
+            )
             said.append("the same for all diameters of the study" if same else f"diameter {float(cube[dim][0]):g} m")
             cube = cube.isel({dim: 0})
         else:

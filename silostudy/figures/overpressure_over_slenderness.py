@@ -43,7 +43,12 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
 def _summary(values: xr.DataArray, quantity: str) -> pd.DataFrame:
     others = [dim for dim in values.dims if dim not in ("method", "slenderness")]
     table = xr.Dataset(
-        {"median": values.median(others), "min": values.min(others), "max": values.max(others), "cases": values.count(others)}
+        {
+            "median": values.median(others),
+            "min": values.min(others),
+            "max": values.max(others),
+            "cases": values.count(others),
+        }
     ).to_dataframe()
     table = table.reset_index()[["method", "slenderness", "median", "min", "max", "cases"]]
     order = {str(method): place for place, method in enumerate(values["method"].values)}

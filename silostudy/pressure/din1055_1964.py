@@ -17,7 +17,9 @@ RELIEVED_HEIGHT = 1.2  # in diameters above the outlet
 def lateral_pressure_ratio(powder, phase):
     """Lateral pressure ratio K (1) of a phase. Source: silo_handbook, Table 4.2.3."""
     return np.where(
-        powder, COEFFICIENTS["powder"][f"{phase}_lateral_pressure_ratio"], COEFFICIENTS["grain"][f"{phase}_lateral_pressure_ratio"]
+        powder,
+        COEFFICIENTS["powder"][f"{phase}_lateral_pressure_ratio"],
+        COEFFICIENTS["grain"][f"{phase}_lateral_pressure_ratio"],
     )
 
 

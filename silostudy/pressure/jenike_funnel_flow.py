@@ -23,9 +23,7 @@ def chart_factor(relative_depth):
     return np.interp(relative_depth, DEPTHS[:-1], FACTORS[:-1], left=np.nan)
 
 
-def envelope_pressure(
-    z, *, unit_weight, hydraulic_radius, wall_friction, lateral_pressure_ratio, diameter, cylinder_depth
-):
+def envelope_pressure(z, *, unit_weight, hydraulic_radius, wall_friction, lateral_pressure_ratio, diameter, cylinder_depth):
     """Horizontal wall pressure (Pa) in discharge at depth z (m).
 
     Source: silo_handbook, section 4.2.2 (d) and Table 4.2.5 column 9.

@@ -1,15 +1,36 @@
 """From the user's units to a frozen scene in SI, with the checks that need a table or two values at once."""
 
+import json
+from collections.abc import Callable
 from math import isnan, radians
+from pathlib import Path
+from typing import Any
 
 from silostudy.catalogue import Family
+from silostudy.config.pressure import PressureStudy
 from silostudy.config.scene import AnySilo, SceneConfig
 from silostudy.errors import BadInput
 from silostudy.scene.scene import Scene
 from silostudy.scene.silo import Hopper, Silo
-from silostudy.tables.solids import SolidRow
+from silostudy.tables.solids import SOLIDS, SolidRow, read_solids
 from silostudy.tables.units import split_unit
 from silostudy.tables.walls import WALLS
+
+
+def pressure_builder(study: PressureStudy, folder: Path, where: str) -> Callable[[SceneConfig, dict], Scene]:
+    """Builds the scenes of a pressure study: with the user's materials, and no depth below the transition."""
+    solids = read_solids(folder / study.materials, SOLIDS) if study.materials else SOLIDS
+
+    def build_one(config: SceneConfig, settings: dict[str, Any]) -> Scene:
+        scene = build(config, solids, where)
+        if study.depth_m is not None and study.depths[-1] > scene.silo.cylinder_depth * (1 + 1e-12):
+            allowed = f"the transition lies at {scene.silo.cylinder_depth:g} m"
+            if settings:
+                allowed += f" in the case {json.dumps(settings)}; use relative_depth where heights differ"
+            raise BadInput("depth_m", study.depths[-1], allowed, where)
+        return scene
+
+    return build_one
 
 
 def build(config: SceneConfig, solids: Family[SolidRow], where: str = "") -> Scene:

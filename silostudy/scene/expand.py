@@ -3,19 +3,14 @@
 import copy
 import hashlib
 import itertools
-import json
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from silostudy.config.fields import expand as listed
-from silostudy.config.load import read_yaml, validated
-from silostudy.config.scene import SceneConfig
-from silostudy.config.study import Study
+from silostudy.config.fields import Strict
+from silostudy.config.load import read_yaml, study_of, validated
 from silostudy.errors import BadInput
-from silostudy.scene.build import build
-from silostudy.scene.scene import Scene
-from silostudy.tables.solids import SOLIDS, read_solids
+from silostudy.scene.kinds import BUILDERS
 
 
 @dataclass(frozen=True)
@@ -24,24 +19,17 @@ class Case:
 
     id: str
     settings: dict[str, Any]
-    scene: Scene
+    scene: Any
 
 
 @dataclass(frozen=True)
 class Expansion:
     """A study with its cases in the order of the axes (last axis fastest); shape holds the axes' lengths."""
 
-    study: Study
+    study: Any  # a study of the kind that its `kind` names
     name: str
     shape: tuple[int, ...]
     cases: tuple[Case, ...]
-
-    @property
-    def depths(self) -> list[float]:
-        """The depth axis: metres, or relative depths."""
-        depths = self.study.depth_m if self.study.depth_m is not None else self.study.relative_depth
-        assert depths is not None  # the model asks for one of the two
-        return listed(depths)
 
 
 def expand_file(path: Path) -> Expansion:
@@ -51,19 +39,17 @@ def expand_file(path: Path) -> Expansion:
 
 def expand(content: dict[str, Any], name: str, where: str, folder: Path) -> Expansion:
     """The cases of a study's content; `where` names it in errors, and files it names are looked for in `folder`."""
-    study = validated(Study, content, where)
-    solids = read_solids(folder / study.materials, SOLIDS) if study.materials else SOLIDS
+    study: Any = study_of(content, where)
+    build = BUILDERS[study.kind](study, folder, where)
     cases = []
     for combination in itertools.product(*(axis.settings() for axis in study.sweep)):
         settings = {key: value for part in combination for key, value in part.items()}
-        config = validated(SceneConfig, _applied(content["scene"], settings, where), f"{where} (scene)")
-        cases.append(Case(_identity(config), settings, build(config, solids, where)))
-    expansion = Expansion(study, name, tuple(len(axis.settings()) for axis in study.sweep), tuple(cases))
-    _check_depths(expansion, where)
-    return expansion
+        config = validated(type(study.scene), _applied(content["scene"], settings, where), f"{where} (scene)")
+        cases.append(Case(_identity(config), settings, build(config, settings)))
+    return Expansion(study, name, tuple(len(axis.settings()) for axis in study.sweep), tuple(cases))
 
 
-def _identity(config: SceneConfig) -> str:
+def _identity(config: Strict) -> str:
     return hashlib.sha256(config.model_dump_json().encode()).hexdigest()[:10]
 
 
@@ -80,14 +66,3 @@ def _applied(scene: dict[str, Any], settings: dict[str, Any], where: str) -> dic
         node.pop({"slenderness": "cylinder_depth_m", "cylinder_depth_m": "slenderness"}.get(last, ""), None)
         node[last] = value
     return changed
-
-
-def _check_depths(expansion: Expansion, where: str) -> None:
-    if expansion.study.depth_m is None:
-        return
-    for case in expansion.cases:
-        if expansion.depths[-1] > case.scene.silo.cylinder_depth * (1 + 1e-12):
-            allowed = f"the transition lies at {case.scene.silo.cylinder_depth:g} m"
-            if case.settings:
-                allowed += f" in the case {json.dumps(case.settings)}; use relative_depth where heights differ"
-            raise BadInput("depth_m", expansion.depths[-1], allowed, where)

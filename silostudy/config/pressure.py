@@ -1,0 +1,94 @@
+"""A pressure study: which methods, phases and depths."""
+
+from itertools import pairwise
+from typing import Literal, Self, TypeAlias
+
+from pydantic import Field, field_validator, model_validator
+
+from silostudy.config.fields import Numbers, Range, described, expand
+from silostudy.config.scene import SceneConfig
+from silostudy.config.study import BaseStudy, distinct
+from silostudy.figures import OUTPUTS
+from silostudy.pressure import PRESSURE
+from silostudy.pressure.family import PHASES
+
+MethodKey: TypeAlias = Literal[tuple(PRESSURE)]  # type: ignore[valid-type]
+PhaseKey: TypeAlias = Literal[PHASES]  # type: ignore[valid-type]
+
+
+class PressureStudy(BaseStudy):
+    """Wall pressures of silos by theories and design codes."""
+
+    kind: Literal["pressure"] = described("pressure: wall pressures by theories and design codes", "")
+    scene: SceneConfig = described("the base scene", "")
+    materials: str | None = described(
+        "CSV file with further solids, relative to the study file, in the columns of the solids table", "", default=None
+    )
+    methods: tuple[MethodKey, ...] | Literal["all"] = described("pressure methods, or all", "")
+    as_printed: tuple[MethodKey, ...] = described(
+        "methods to give a second time with the source's misprints left in", "", default=()
+    )
+    phases: tuple[PhaseKey, ...] = Field(default=PHASES, min_length=1, description="phases of operation")
+    depth_m: Range | Numbers | None = described("depths below the equivalent surface", "m", default=None)
+    relative_depth: Range | Numbers | None = described(
+        "depths over the depth of the transition below the equivalent surface, 0 ... 1", default=None
+    )
+
+    @field_validator("methods")
+    @classmethod
+    def _some_method(cls, methods):
+        if not methods:
+            raise ValueError(f"a study needs a method; known: {', '.join(PRESSURE)}")
+        return methods
+
+    @field_validator("methods", "as_printed", "phases")
+    @classmethod
+    def _no_twin_keys(cls, keys):
+        return distinct(keys)
+
+    @field_validator("as_printed")
+    @classmethod
+    def _has_misprint(cls, keys):
+        for key in keys:
+            if not PRESSURE[key].has_misprint:
+                known = ", ".join(k for k, row in PRESSURE.items() if row.has_misprint)
+                raise ValueError(f"{key} has no misprint in the source; known: {known}")
+        return keys
+
+    @field_validator("depth_m", "relative_depth")
+    @classmethod
+    def _increasing(cls, depths):
+        listed = expand(depths) if depths is not None else []
+        if any(b <= a for a, b in pairwise(listed)):
+            raise ValueError("depths must increase, none twice")
+        if listed and listed[0] < 0:
+            raise ValueError("depths must not be negative")
+        return depths
+
+    @model_validator(mode="after")
+    def _one_depth_axis(self) -> Self:
+        if (self.depth_m is None) == (self.relative_depth is None):
+            raise ValueError("give either depth_m or relative_depth, and not both")
+        if self.relative_depth is not None and expand(self.relative_depth)[-1] > 1:
+            raise ValueError("relative_depth ends at 1, the transition")
+        return self
+
+    @model_validator(mode="after")
+    def _methods_of_outputs(self) -> Self:
+        for key in self.outputs:
+            without = set(OUTPUTS[key].methods) - set(self.method_keys)
+            if without:
+                raise ValueError(f"output {key} needs the methods {', '.join(sorted(without))}")
+        return self
+
+    @property
+    def method_keys(self) -> tuple[str, ...]:
+        """The methods asked for, in order."""
+        return tuple(PRESSURE) if self.methods == "all" else self.methods
+
+    @property
+    def depths(self) -> list[float]:
+        """The depth axis: metres, or relative depths."""
+        given = self.depth_m if self.depth_m is not None else self.relative_depth
+        assert given is not None  # the validator above asks for one of the two
+        return expand(given)

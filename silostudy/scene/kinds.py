@@ -1,0 +1,8 @@
+"""For each kind of study, how a validated scene configuration becomes a frozen scene.
+
+A builder takes (study, folder of the study file, name for errors) once and returns build(config, settings) -> scene.
+"""
+
+from silostudy.scene.build import pressure_builder
+
+BUILDERS = {"pressure": pressure_builder}
