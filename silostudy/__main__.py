@@ -5,10 +5,10 @@ import sys
 from collections.abc import Sequence
 
 from silostudy import __version__
-from silostudy.commands import compare, explain, listing, stages
+from silostudy.commands import bench, compare, explain, listing, stages
 from silostudy.errors import BadInput
 
-ROOMS = (listing, explain, compare, stages)
+ROOMS = (listing, explain, compare, stages, bench)
 
 
 def parser() -> argparse.ArgumentParser:

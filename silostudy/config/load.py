@@ -76,7 +76,7 @@ def _line(item: Any, content: Any, where: str) -> str:
     key, value = ".".join(path) or "file", item["input"]
     if item["type"] == "missing":
         return f"{where}: {key}: is missing{_unit_hint(str(item['loc'][-1]), value)}"
-    shown = f" = {value!r}" if not isinstance(value, (dict, list)) else ""
+    shown = f" = {value!r}" if not isinstance(value, dict) and len(repr(value)) <= 80 else ""
     return f"{where}: {key}{shown}: {_allowed(item)}"
 
 

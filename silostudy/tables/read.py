@@ -12,7 +12,7 @@ HERE = Path(__file__).parent
 TEXT = {"title", "source", "locator", "remark"}
 
 
-def rows(path: Path, text: Iterable[str] = (), sourced: bool = True) -> list[dict]:
+def rows(path: Path, text: Iterable[str] = ()) -> list[dict]:
     """Rows of a CSV as dicts: columns in `text` stay text, the others become SI numbers without the unit in the name.
 
     Empty cells of number columns are left out.  Lines that start with # are remarks.
@@ -27,21 +27,20 @@ def rows(path: Path, text: Iterable[str] = (), sourced: bool = True) -> list[dic
     found = []
     for (number, _), raw in zip(kept[1:], reader, strict=True):
         where = f"{path.name} line {number}"
-        if sourced:
-            _require_source(raw, where)
+        _require_cells(raw, where)
         found.append({**_converted(raw, TEXT | set(text), where), "where": where})
     return found
 
 
-def _require_source(raw: dict, where: str) -> None:
+def _require_cells(raw: dict, where: str) -> None:
+    if None in raw or None in raw.values():
+        raise BadInput("row", list(filter(None, raw.values())), "has more or fewer cells than the header", where)
     for column in ("source", "locator"):
         if not (raw.get(column) or "").strip():
             raise BadInput(column, raw.get(column), "every row of a table must say where its values come from", where)
 
 
 def _converted(raw: dict, text: set[str], where: str) -> dict:
-    if None in raw or None in raw.values():
-        raise BadInput("row", len(raw), "has more or fewer cells than the header", where)
     row: dict = {}
     for column, cell in raw.items():
         cell = cell.strip()

@@ -1,0 +1,73 @@
+"""`silostudy bench`: what things cost, measured side by side on this machine."""
+
+import time
+from collections.abc import Callable
+from pathlib import Path
+
+DEPTHS, CASES = 50, 4000  # one call of 200,000 pressures, a sweep of usual size
+PEER_CASES = 40  # the scalar loop is timed on fewer
+
+
+def add(sub) -> None:
+    command = sub.add_parser("bench", help="measure speed: prints a table and writes it as CSV")
+    what = command.add_subparsers(required=True, metavar="what")
+    pressure = what.add_parser("pressure", help="pressures a second of each method, against a loop over depths and cases")
+    pressure.add_argument("--output", type=Path, default=Path("results/bench/pressure.csv"))
+    pressure.set_defaults(run=run_pressure)
+
+
+def run_pressure(chosen) -> None:
+    import pandas as pd
+
+    from silostudy.figures.style import save_table
+    from silostudy.pressure import PRESSURE
+
+    found = [_measure(row) for row in PRESSURE.values()]
+    table = pd.DataFrame(found)
+    print(table.to_string(index=False, float_format=lambda value: f"{value:.3g}"))
+    save_table(table, chosen.output)
+
+
+def _measure(row) -> dict:
+    """Pressures a second of one method's wall pressure: a whole sweep in one call, and the same formula in a loop."""
+    from silostudy.pressure.family import call
+
+    phase = next(reversed(row.phases))
+    function = row.phases[phase]["wall_normal_pressure"]
+    z, scenes = _sweep(CASES)
+    few_z, few = z[:PEER_CASES], {name: values[:PEER_CASES] for name, values in scenes.items()}
+
+    def loop() -> None:
+        for case in range(PEER_CASES):
+            one = {name: float(values[case, 0]) for name, values in few.items()}
+            for depth in few_z[case]:
+                call(function, depth, one)
+
+    whole, single = _seconds(lambda: call(function, z, scenes)) / z.size, _seconds(loop) / few_z.size
+    return {"method": row.key, "phase": phase, "pressures_per_s": 1 / whole, "loop_per_s": 1 / single, "ratio": single / whole}
+
+
+def _sweep(cases: int):
+    """Depths (cases, DEPTHS) and parameters (cases, 1) of silos of every size, with the proportions that charts ask for."""
+    import numpy as np
+
+    from silostudy.pressure.one_silo import LATERAL_PRESSURE_RATIO, SLENDERNESS, WALL_FRICTION
+
+    diameter = np.linspace(3, 20, cases)[:, None]
+    depth = SLENDERNESS * diameter
+    given = {"unit_weight": 7845.32, "internal_friction_angle": 0.5236, "poisson_ratio": 0.4, "powder": 0.0, "i_phi": 0.548}
+    given |= {"wall_friction": WALL_FRICTION, "lateral_pressure_ratio": LATERAL_PRESSURE_RATIO, "top_cone_height": 0.0}
+    sizes = {"diameter": diameter, "hydraulic_radius": diameter / 4, "cylinder_depth": depth, "outlet_depth": 1.1 * depth}
+    constant = {name: np.full_like(diameter, value) for name, value in given.items()}
+    return depth * np.linspace(0.02, 1, DEPTHS), {**constant, **sizes}
+
+
+def _seconds(work: Callable[[], object], repeats: int = 7) -> float:
+    """Median CPU time of a call, after one that does not count."""
+    work()
+    times = []
+    for _ in range(repeats):
+        start = time.process_time()
+        work()
+        times.append(time.process_time() - start)
+    return sorted(times)[repeats // 2]

@@ -1,0 +1,38 @@
+"""What several test rooms share: the project's folder, the wheat silo, and small studies as plain dictionaries."""
+
+import copy
+from pathlib import Path
+
+import pytest
+
+from silostudy.compute.pressure import pressure_cube
+from silostudy.scene.expand import Expansion, expand, expand_file
+
+ROOT = Path(__file__).parents[1]
+SMALL = {
+    "kind": "pressure",
+    "title": "a small study",
+    "scene": {
+        "silo": {"plan": "circular", "diameter_m": 5.0, "cylinder_depth_m": 18.0, "hopper": {"half_angle_deg": 45.0}},
+        "solid": "wheat_benchmark",
+    },
+    "methods": ["janssen", "reimbert"],
+    "depth_m": [1.0, 2.0, 18.0],
+}
+
+
+@pytest.fixture()
+def study() -> dict:
+    """The content of a small valid study, free to be changed."""
+    return copy.deepcopy(SMALL)
+
+
+def expanded(content: dict, folder: Path = ROOT) -> Expansion:
+    """The cases of a study's content."""
+    return expand(content, "small", "small.yaml", folder)
+
+
+@pytest.fixture(scope="session")
+def wheat():
+    """The cube of the default study, the handbook's wheat silo."""
+    return pressure_cube(expand_file(ROOT / "config/studies/wheat-silo.yaml"))

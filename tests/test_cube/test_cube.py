@@ -1,0 +1,119 @@
+"""The cube: CF-1.11, provenance, atomic writing, and a contract that refuses what it does not know."""
+
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+import xarray as xr
+
+from silostudy.compute.pressure import pressure_cube
+from silostudy.cube.contract import check
+from silostudy.cube.io import read, write
+from silostudy.errors import BadInput
+from silostudy.tables.handbook import table_4_2_5
+from tests.conftest import expanded
+
+SWEPT = {
+    "sweep": [
+        {"axis": "slenderness", "values": {"silo.slenderness": [1.0, 2.0]}},
+        {"axis": "size", "values": {"silo.diameter_m": [3.0, 5.0], "silo.top_cone_height_m": [0.0, 1.0]}},
+        {"axis": "solid", "values": {"solid": ["wheat", "cement"]}},
+    ],
+    "relative_depth": [0.25, 1.0],
+}
+
+
+@pytest.fixture()
+def swept(study):
+    study.pop("depth_m")
+    study["scene"]["wall"] = "as_cast_concrete"
+    return pressure_cube(expanded(study | SWEPT))
+
+
+def test_dimensions_and_coordinates(wheat, swept):
+    assert wheat["wall_normal_pressure"].dims == ("method", "phase", "depth")
+    assert set(table.depth for table in table_4_2_5()) <= set(wheat["depth"].values)
+    assert swept["wall_normal_pressure"].dims == ("method", "phase", "slenderness", "size", "solid", "relative_depth")
+    assert swept["depth"].dims == ("slenderness", "size", "solid", "relative_depth")
+    assert float(swept["depth"].sel(slenderness=2.0, size=1, solid="wheat", relative_depth=1.0)) == pytest.approx(10 + 1 / 3)
+    assert list(swept["size_diameter"].values) == [3.0, 5.0]
+    assert swept["slenderness"].attrs["units"] == "1"
+
+
+def test_a_sweep_gives_what_its_cases_give_alone(study, swept):  # swept has dropped depth_m and set the wall
+    study |= {"relative_depth": [0.25, 1.0]}
+    study["scene"]["solid"] = "cement"
+    study["scene"]["silo"] = {"plan": "circular", "diameter_m": 5.0, "slenderness": 2.0, "top_cone_height_m": 1.0,
+                              "hopper": {"half_angle_deg": 45.0}}  # fmt: skip
+    alone = pressure_cube(expanded(study))
+    here = {"slenderness": 2.0, "size": 1, "solid": "cement"}
+    for name in ("wall_normal_pressure", "axial_wall_force", "overpressure_factor"):
+        np.testing.assert_array_equal(alone[name].values, swept[name].sel(here).values)
+    assert str(alone["case"].values) == str(swept["case"].sel(here).values)
+
+
+@pytest.mark.parametrize("which", ["wheat", "swept"])
+def test_cf_1_11(which, request, tmp_path):
+    path = tmp_path / "pressure.nc"
+    write(request.getfixturevalue(which), path)
+    checker = Path(sys.executable).parent / "compliance-checker"
+    done = subprocess.run([checker, "-t", "cf:1.11", "-c", "strict", path], capture_output=True, text=True)
+    assert "All tests passed!" in done.stdout, done.stdout + done.stderr
+
+
+def test_round_trip_and_provenance(wheat, tmp_path):
+    path = tmp_path / "deep/er/pressure.nc"
+    write(wheat, path)
+    back = read(path)
+    xr.testing.assert_identical(back, wheat)
+    for name in ("study", "study_hash", "source_stamp", "package_versions", "references", "Conventions"):
+        assert back.attrs[name]
+    assert "handbook" in back.attrs["references"]
+
+
+def test_equal_inputs_give_equal_files(study, tmp_path):
+    for name in ("one.nc", "two.nc"):
+        write(pressure_cube(expanded(study)), tmp_path / name)
+    assert (tmp_path / "one.nc").read_bytes() == (tmp_path / "two.nc").read_bytes()
+
+
+def test_half_written_file_never_looks_like_a_result(wheat, tmp_path, monkeypatch):
+    path = tmp_path / "pressure.nc"
+    write(wheat, path)
+    before = path.read_bytes()
+
+    def breaks(self, target, **_):
+        target.write_bytes(b"half a file")
+        raise OSError("disk full")
+
+    monkeypatch.setattr(xr.Dataset, "to_netcdf", breaks)
+    with pytest.raises(OSError, match="disk full"):
+        write(wheat, path)
+    assert path.read_bytes() == before
+    assert [file.name for file in tmp_path.iterdir()] == ["pressure.nc"]
+
+
+def test_folder_that_cannot_be_written(wheat, tmp_path):
+    (tmp_path / "results").write_text("a file where the folder should be")
+    with pytest.raises(BadInput, match="results folder = .*cannot be written"):
+        write(wheat, tmp_path / "results" / "pressure.nc")
+
+
+def test_contract_refuses_strangers(wheat):
+    with pytest.raises(BadInput, match="variable = 'pressure'"):
+        check(wheat.assign(pressure=wheat["wall_normal_pressure"]))
+    with pytest.raises(BadInput, match="dimensions of unit_weight"):
+        check(wheat.assign(unit_weight=wheat["unit_weight"].expand_dims(depth=wheat["depth"])))
+    changed = wheat.copy()
+    changed["vertical_pressure"].attrs["units"] = "kPa"
+    with pytest.raises(BadInput, match=r"units of vertical_pressure = 'kPa'.*must be Pa"):
+        check(changed)
+
+
+def test_reading_what_is_no_cube(tmp_path):
+    path = tmp_path / "broken.nc"
+    path.write_bytes(b"CDF\x01 truncated")
+    with pytest.raises(BadInput, match="must be a netCDF file"):
+        read(path)

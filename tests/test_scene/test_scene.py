@@ -1,0 +1,107 @@
+"""Scenes: plans and their hydraulic radius, the equivalent surface, what each method is handed, and the cases of a study."""
+
+from math import pi, sin, sqrt, tan
+
+import pytest
+
+from silostudy.scene.scene import solid_parameters
+from silostudy.scene.silo import Hopper, Silo
+from silostudy.tables.walls import WALLS
+from tests.conftest import expanded
+
+
+def test_hydraulic_radius_of_every_plan():
+    assert Silo(plan="circular", diameter=5.0, wall_depth=1.0).hydraulic_radius == pytest.approx(1.25)
+    assert Silo(plan="square", diameter=4.0, wall_depth=1.0).hydraulic_radius == pytest.approx(16 / 16)
+    assert Silo(plan="rectangular", diameter=4.0, length=6.0, wall_depth=1.0).hydraulic_radius == pytest.approx(24 / 20)
+    hexagon = Silo(plan="polygonal", diameter=2.0, sides=6, wall_depth=1.0)
+    side = 2 / sqrt(3)
+    assert hexagon.perimeter == pytest.approx(6 * side)
+    assert hexagon.area == pytest.approx(1.5 * sqrt(3) * side**2)
+    assert hexagon.hydraulic_radius == pytest.approx(hexagon.area / hexagon.perimeter)
+
+
+def test_circle_is_the_limit_of_polygons():
+    many = Silo(plan="polygonal", diameter=3.0, sides=1000, wall_depth=1.0)
+    assert many.area == pytest.approx(pi * 9 / 4, rel=1e-5)
+
+
+def test_equivalent_surface_and_outlet():
+    silo = Silo(plan="circular", diameter=5.0, wall_depth=18.0, top_cone_height=1.5, hopper=Hopper(half_angle=pi / 4, outlet_width=0))
+    assert silo.cylinder_depth == pytest.approx(18.5)
+    assert silo.outlet_depth == pytest.approx(18.5 + 2.5)
+    blunt = Silo(plan="circular", diameter=5.0, wall_depth=18.0, hopper=Hopper(half_angle=pi / 4, outlet_width=1.0))
+    assert blunt.outlet_depth == pytest.approx(20.0)
+    assert Silo(plan="circular", diameter=5.0, wall_depth=18.0).outlet_depth == pytest.approx(18.0)
+
+
+def handed(study, method="janssen", as_printed=False):
+    return solid_parameters(expanded(study).cases[0].scene, method, as_printed)
+
+
+def test_wall_kinds_by_ratio_of_tangents_and_of_angles(study):
+    study["scene"] |= {"solid": "wheat", "wall": "as_cast_concrete"}
+    phi = 26 * pi / 180
+    assert handed(study)["wall_friction"] == pytest.approx(0.75 * tan(phi))
+    study["scene"]["wall"] = "roughness_2"
+    assert WALLS["roughness_2"].rule == "angle_ratio"
+    assert handed(study)["wall_friction"] == pytest.approx(tan(0.80 * phi))
+
+
+def test_own_values_of_a_method_and_the_users(study):
+    assert handed(study)["wall_friction"] == 0.44
+    assert handed(study, "ty124_1956")["wall_friction"] == 0.4
+    study["scene"]["properties"] = {"wall_friction": 0.3, "unit_weight_kN_m3": 9.0}
+    assert handed(study, "ty124_1956")["wall_friction"] == 0.3
+    assert handed(study, "caquot")["unit_weight"] == 9000.0
+
+
+def test_misprints_only_on_request(study):
+    assert handed(study, "din1055_1964")["internal_friction_angle"] == pytest.approx(30 * pi / 180)
+    assert handed(study, "din1055_1964", as_printed=True)["internal_friction_angle"] == pytest.approx(3 * pi / 180)
+
+
+def test_lateral_pressure_ratio_rules(study):
+    phi = 30 * pi / 180
+    assert handed(study)["lateral_pressure_ratio"] == 0.45
+    study["scene"]["lateral_pressure_ratio_rule"] = "rankine"
+    assert handed(study)["lateral_pressure_ratio"] == pytest.approx((1 - sin(phi)) / (1 + sin(phi)))
+    study["scene"]["lateral_pressure_ratio_rule"] = "one_minus_sine"
+    assert handed(study)["lateral_pressure_ratio"] == pytest.approx(1 - sin(phi))
+
+
+def test_friction_is_capped_at_the_solids_own(study):
+    study["scene"]["properties"] = {"wall_friction": 0.9}
+    assert handed(study)["wall_friction"] == pytest.approx(tan(30 * pi / 180))
+
+
+def test_grid_paired_axes_and_points(study):
+    study["scene"]["solid"] = "wheat"
+    study["scene"]["wall"] = "as_cast_concrete"
+    study["sweep"] = [
+        {"axis": "solid", "values": {"solid": ["wheat", "maize"]}},
+        {"axis": "size", "values": {"silo.diameter_m": [3.0, 4.0, 5.0], "silo.cylinder_depth_m": [18.0, 20.0, 22.0]}},
+        {"axis": "place", "points": [{"wall": "grooved_concrete"}, {"wall": "painted_concrete"}]},
+    ]
+    expansion = expanded(study)
+    assert expansion.shape == (2, 3, 2)
+    assert len({case.id for case in expansion.cases}) == 12
+    last = expansion.cases[-1]
+    assert (last.scene.solid.key, last.scene.silo.diameter, last.scene.silo.wall_depth) == ("maize", 5.0, 22.0)
+    assert last.scene.wall.key == "painted_concrete"
+
+
+def test_ranges_and_slenderness(study):
+    study.pop("depth_m")
+    study["relative_depth"] = {"start": 0.1, "stop": 1.0, "count": 10}
+    study["sweep"] = [{"axis": "slenderness", "values": {"silo.slenderness": {"start": 1, "stop": 4, "count": 3, "spacing": "log"}}}]
+    depths = [case.scene.silo.cylinder_depth for case in expanded(study).cases]
+    assert depths == pytest.approx([5.0, 10.0, 20.0])
+
+
+def test_case_ids_follow_the_scene_and_nothing_else(study):
+    first = expanded(study).cases[0].id
+    study["title"] = "another title"
+    assert expanded(study).cases[0].id == first
+    study["scene"]["silo"]["diameter_m"] = 5.1
+    assert expanded(study).cases[0].id != first

@@ -1,0 +1,106 @@
+"""Tables: every row has a source, numbers become SI once, and a user's own file joins in."""
+
+from math import atan, pi, tan
+
+import pytest
+
+from silostudy.errors import BadInput
+from silostudy.tables.handbook import TONNE_PER_M2, errata, table_4_2_5
+from silostudy.tables.read import HERE, rows
+from silostudy.tables.references import cite
+from silostudy.tables.solids import SOLIDS, read_solids
+from silostudy.tables.units import SUFFIXES, split_unit
+from silostudy.tables.walls import WALLS
+
+HEADER = "solid,grain,unit_weight_kN_m3,internal_friction_angle_deg,wall_friction,source,locator\n"
+
+
+@pytest.mark.parametrize("path", sorted(HERE.glob("*.csv")), ids=lambda path: path.stem)
+def test_every_row_of_every_table_has_a_source(path):
+    text = {"solid", "method", "parameter", "value", "as_printed", "grain", "wall", "rule", "particle_size", "phase"}
+    text |= {"erratum", "place", "printed", "right", "evidence"}
+    found = rows(path, text=text)
+    assert found
+    for row in found:
+        assert cite(row["source"])
+        assert row["locator"]
+
+
+def test_units_are_converted_once():
+    assert split_unit("unit_weight_kN_m3") == ("unit_weight", "N m-3", 1e3)
+    assert split_unit("internal_friction_angle_deg") == ("internal_friction_angle", "rad", pi / 180)
+    assert split_unit("wall_friction") == ("wall_friction", "1", 1.0)
+    assert SOLIDS["wheat"].unit_weight == pytest.approx(0.85 * 9806.65)
+    assert SOLIDS["wheat"].internal_friction_angle == pytest.approx(26 * pi / 180)
+
+
+def test_longer_units_win_over_their_endings():
+    names = list(SUFFIXES)
+    for place, name in enumerate(names):
+        assert not any(name.endswith(earlier) for earlier in names[:place])
+
+
+def test_tables_4_2_1_to_4_2_4_and_pieper():
+    assert len(SOLIDS) == 8
+    assert (SOLIDS["cement_clinker"].unit_weight_lower, SOLIDS["cement_clinker"].unit_weight) == pytest.approx(
+        (1.5 * 9806.65, 1.6 * 9806.65)
+    )
+    assert WALLS["as_cast_concrete"].factors == {"powder": 0.8, "fine_grain": 0.75, "coarse_grain": 0.70}
+    assert WALLS["roughness_5"].factors == {"fine_grain": 0.95, "coarse_grain": 0.95}
+    own = SOLIDS["wheat_benchmark"].by_method
+    assert own["ty124_1956"] == {"wall_friction": 0.4, "lateral_pressure_ratio": 0.44}
+    assert atan(own["caquot"]["wall_friction"]) == pytest.approx(20 * pi / 180)
+    assert SOLIDS["wheat_benchmark"].as_printed["caquot"] == {"i_phi": 0.584}
+
+
+def test_table_4_2_5_is_whole():
+    printed = table_4_2_5()
+    assert len(printed) == 13 * 14
+    assert {value.depth for value in printed} >= {3.5, 10.5, 18.0}
+    assert printed[0].wall_normal_pressure == pytest.approx(1.062 * TONNE_PER_M2)
+    assert len(errata()) == 5
+
+
+def test_users_materials_extend_the_tables(tmp_path):
+    path = tmp_path / "mine.csv"
+    path.write_text(HEADER + "barley,fine_grain,7.0,28,0.4,silo_handbook,my own test of 2026\n")
+    solids = read_solids(path, SOLIDS)
+    assert len(solids) == len(SOLIDS) + 1
+    assert solids["barley"].unit_weight == 7000
+    assert solids["barley"].internal_friction_angle == pytest.approx(28 * pi / 180)
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        (HEADER + "barley,fine_grain,7.0,28,0.4,,my test\n", "mine.csv line 2: source = ''"),
+        (HEADER + "barley,fine_grain,7.0,28,0.4,me,\n", "mine.csv line 2: locator = ''"),
+        (HEADER + "barley,fine_grain,seven,28,0.4,me,test\n", "unit_weight_kN_m3 = 'seven': must be a number"),
+        (HEADER + "barley,fine_grain,nan,28,0.4,me,test\n", "unit_weight_kN_m3 = 'nan': must be finite"),
+        (HEADER + "barley,fine_grain,-7,28,0.4,me,test\n", "unit_weight = -7000.0: must lie between 0"),
+        (HEADER + "barley,fine_grain,7,90,0.4,me,test\n", "internal_friction_angle = 90.0: must lie between 0 and 90 degrees"),
+        (HEADER + "barley,dust,7,28,0.4,me,test\n", "grain = 'dust': must be one of powder, fine_grain, coarse_grain"),
+        (HEADER + "wheat,fine_grain,7,28,0.4,me,test\n", "solid = 'wheat': this key is already taken"),
+        (HEADER + "barley,fine_grain,7,28,0.4,me\n", "has more or fewer cells than the header"),
+        (HEADER.replace("unit_weight_kN_m3", "unit_weight_lb") + "b,fine_grain,7,28,0.4,me,t\n", "unit_weight_lb"),
+        (HEADER.replace("unit_weight_kN_m3,", "") + "b,fine_grain,28,0.4,me,t\n", "unit_weight = None: is missing (write the unit"),
+    ],
+)
+def test_bad_materials_file(tmp_path, text, expected):
+    path = tmp_path / "mine.csv"
+    path.write_text(text)
+    with pytest.raises(BadInput) as caught:
+        read_solids(path, SOLIDS)
+    assert expected in str(caught.value)
+
+
+def test_missing_materials_file(tmp_path):
+    with pytest.raises(BadInput, match="nowhere.csv"):
+        read_solids(tmp_path / "nowhere.csv")
+
+
+def test_angle_columns_become_coefficients(tmp_path):
+    path = tmp_path / "mine.csv"
+    path.write_text("solid,grain,unit_weight_kN_m3,internal_friction_angle_deg,wall_friction_angle_deg,source,locator\n"
+                    "barley,fine_grain,7.0,28,20,me,test\n")  # fmt: skip
+    assert read_solids(path)["barley"].wall_friction == pytest.approx(tan(20 * pi / 180))
