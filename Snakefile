@@ -4,6 +4,7 @@ from pathlib import Path
 
 from silostudy.config.load import load_project
 from silostudy.errors import BadInput
+from silostudy.files import check_writable
 from silostudy.figures import OUTPUTS
 from silostudy.scene.expand import expand_file
 from silostudy.stamp import STAGES, stamp
@@ -14,6 +15,7 @@ RESULTS = config.get("results", "results")
 try:  # every mistake of every study is told before any job starts
     STUDIES = load_project(PROJECT)
     EXPANSIONS = {name: expand_file(path) for name, path in STUDIES.items()}
+    check_writable(Path(RESULTS))
 except BadInput as error:
     raise WorkflowError(str(error)) from None
 

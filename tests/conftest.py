@@ -21,7 +21,7 @@ SMALL = {
 }
 
 
-@pytest.fixture()
+@pytest.fixture
 def study() -> dict:
     """The content of a small valid study, free to be changed."""
     return copy.deepcopy(SMALL)

@@ -69,7 +69,7 @@ def run_cases(chosen) -> None:
     import csv
     import json
 
-    from silostudy.cube.io import replacing
+    from silostudy.files import replacing
     from silostudy.scene.expand import expand_file
 
     expansion = expand_file(chosen.study)
@@ -112,7 +112,7 @@ def run_draw(chosen) -> None:
 
 def run_schema(chosen) -> None:
     from silostudy.config.schema import study_schema
-    from silostudy.cube.io import replacing
+    from silostudy.files import replacing
 
     with replacing(chosen.output) as temporary:
         temporary.write_text(study_schema(), encoding="utf-8")

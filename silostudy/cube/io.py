@@ -1,7 +1,5 @@
 """Writes and reads cubes: checked, compressed, to a temporary name first, so a half-written file never looks like a result."""
 
-import os
-import tempfile
 from pathlib import Path
 
 import numpy as np
@@ -9,6 +7,7 @@ import xarray as xr
 
 from silostudy.cube.contract import check
 from silostudy.errors import BadInput
+from silostudy.files import replacing
 
 
 def write(cube: xr.Dataset, path: Path) -> None:
@@ -32,36 +31,6 @@ def _encoding(variable: xr.DataArray) -> dict:
 
 def _may_be_masked(variable: xr.DataArray) -> bool:
     return variable.name not in variable.coords  # CF: coordinates must not hold missing values
-
-
-class replacing:
-    """A temporary file beside `path` that takes its name only when the block ends without an error."""
-
-    def __init__(self, path: Path):
-        self.path = path
-
-    def __enter__(self) -> Path:
-        try:
-            self.path.parent.mkdir(parents=True, exist_ok=True)
-            handle, name = tempfile.mkstemp(prefix=f".{self.path.name}.", suffix=self.path.suffix, dir=self.path.parent)
-        except OSError as error:
-            raise BadInput("results folder", str(self.path.parent), f"cannot be written ({error.strerror})") from None
-        os.close(handle)
-        self.temporary = Path(name)
-        return self.temporary
-
-    def __exit__(self, kind, error, trace) -> None:
-        if kind is None:
-            os.chmod(self.temporary, 0o666 & ~_umask())
-            self.temporary.replace(self.path)
-        else:
-            self.temporary.unlink(missing_ok=True)
-
-
-def _umask() -> int:
-    mask = os.umask(0)
-    os.umask(mask)
-    return mask
 
 
 def read(path: Path) -> xr.Dataset:

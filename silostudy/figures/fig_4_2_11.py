@@ -6,6 +6,7 @@ import matplotlib.pyplot as plt
 import pandas as pd
 import xarray as xr
 from matplotlib.axes import Axes
+from matplotlib.ticker import MaxNLocator
 
 from silostudy.figures.style import PHASE_LINES, look, save, title
 
@@ -22,10 +23,11 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
         right.plot(group.ratio_to_janssen, group.depth_m, **style)
     _number_ends(left, curves)
     left.set(xlabel="wall normal pressure (t/m²)", ylabel="depth z (m)", xlim=(0, None))
+    left.yaxis.set_major_locator(MaxNLocator(10, steps=[1, 2, 5, 10]))
     kpa = left.secondary_xaxis("top", functions=(lambda t: t * KPA_PER_T_M2, lambda kpa: kpa / KPA_PER_T_M2))
     kpa.set_xlabel("wall normal pressure (kPa)")
     right.set(xlabel="ratio to static Janssen (curve 6)", xlim=(0.5, 6))
-    left.set_ylim(float(cube["cylinder_depth"]) * 1.06, 0)  # room for the numbers at the feet
+    left.set_ylim(float(cube["cylinder_depth"]) * 1.07, 0)  # room for the numbers at the feet
     figure.legend(loc="outside lower center", ncols=3, fontsize=8)
     figure.suptitle(cube.attrs["title"])
     save(figure, curves, stem)
@@ -77,9 +79,9 @@ def _style(cube: xr.Dataset, first: pd.Series) -> dict:
 def _number_ends(axes: Axes, curves: pd.DataFrame) -> None:
     """The handbook's number at the foot of each curve, so that the curves can be told apart without colour."""
     feet = curves[curves.number != ""].groupby("curve", sort=False).last().sort_values("wall_normal_pressure_t_m2")
-    last = [-1.0, -1.0]  # where the last number on each of two lines stands
+    last = [-1.0, -1.0, -1.0]  # where the last number on each of three lines stands
     for foot in feet.itertuples():
-        line = 0 if foot.wall_normal_pressure_t_m2 - last[0] > 0.16 else 1
+        line = next((n for n in range(3) if foot.wall_normal_pressure_t_m2 - last[n] > 0.16), 2)
         last[line] = foot.wall_normal_pressure_t_m2
         axes.annotate(
             foot.number,

@@ -11,7 +11,7 @@ import pandas as pd
 import xarray as xr
 from matplotlib.figure import Figure
 
-from silostudy.cube.io import replacing
+from silostudy.files import replacing
 
 plt.rcParams.update(
     {

@@ -74,7 +74,10 @@ MISTAKES = {
     "a key on two axes": (sweep(DIAMETERS, {**DIAMETERS, "axis": "width"}), "key silo.diameter_m is swept twice"),
     "axis named like a dimension": (sweep({**DIAMETERS, "axis": "depth"}), "this name is the cube's own"),
     "empty axis": (sweep({"axis": "diameter", "values": {"silo.diameter_m": []}}), "need equally many values (one at least)"),
-    "a value twice": (sweep({"axis": "diameter", "values": {"silo.diameter_m": [3, 3]}}), "silo.diameter_m holds a value twice"),
+    "a value twice": (
+        sweep({"axis": "diameter", "values": {"silo.diameter_m": [3, 3]}}),
+        "silo.diameter_m holds a value twice",
+    ),
     "paired axes of unequal length": (
         sweep({"axis": "size", "values": {"silo.diameter_m": [3, 5], "silo.cylinder_depth_m": [18]}}),
         "need equally many values",

@@ -25,7 +25,7 @@ SWEPT = {
 }
 
 
-@pytest.fixture()
+@pytest.fixture
 def swept(study):
     study.pop("depth_m")
     study["scene"]["wall"] = "as_cast_concrete"
@@ -34,7 +34,7 @@ def swept(study):
 
 def test_dimensions_and_coordinates(wheat, swept):
     assert wheat["wall_normal_pressure"].dims == ("method", "phase", "depth")
-    assert set(table.depth for table in table_4_2_5()) <= set(wheat["depth"].values)
+    assert {table.depth for table in table_4_2_5()} <= set(wheat["depth"].values)
     assert swept["wall_normal_pressure"].dims == ("method", "phase", "slenderness", "size", "solid", "relative_depth")
     assert swept["depth"].dims == ("slenderness", "size", "solid", "relative_depth")
     assert float(swept["depth"].sel(slenderness=2.0, size=1, solid="wheat", relative_depth=1.0)) == pytest.approx(10 + 1 / 3)
@@ -97,7 +97,7 @@ def test_half_written_file_never_looks_like_a_result(wheat, tmp_path, monkeypatc
 
 def test_folder_that_cannot_be_written(wheat, tmp_path):
     (tmp_path / "results").write_text("a file where the folder should be")
-    with pytest.raises(BadInput, match="results folder = .*cannot be written"):
+    with pytest.raises(BadInput, match=r"results folder = .*cannot be written"):
         write(wheat, tmp_path / "results" / "pressure.nc")
 
 

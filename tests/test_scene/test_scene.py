@@ -27,7 +27,9 @@ def test_circle_is_the_limit_of_polygons():
 
 
 def test_equivalent_surface_and_outlet():
-    silo = Silo(plan="circular", diameter=5.0, wall_depth=18.0, top_cone_height=1.5, hopper=Hopper(half_angle=pi / 4, outlet_width=0))
+    silo = Silo(
+        plan="circular", diameter=5.0, wall_depth=18.0, top_cone_height=1.5, hopper=Hopper(half_angle=pi / 4, outlet_width=0)
+    )
     assert silo.cylinder_depth == pytest.approx(18.5)
     assert silo.outlet_depth == pytest.approx(18.5 + 2.5)
     blunt = Silo(plan="circular", diameter=5.0, wall_depth=18.0, hopper=Hopper(half_angle=pi / 4, outlet_width=1.0))
@@ -94,7 +96,9 @@ def test_grid_paired_axes_and_points(study):
 def test_ranges_and_slenderness(study):
     study.pop("depth_m")
     study["relative_depth"] = {"start": 0.1, "stop": 1.0, "count": 10}
-    study["sweep"] = [{"axis": "slenderness", "values": {"silo.slenderness": {"start": 1, "stop": 4, "count": 3, "spacing": "log"}}}]
+    study["sweep"] = [
+        {"axis": "slenderness", "values": {"silo.slenderness": {"start": 1, "stop": 4, "count": 3, "spacing": "log"}}}
+    ]
     depths = [case.scene.silo.cylinder_depth for case in expanded(study).cases]
     assert depths == pytest.approx([5.0, 10.0, 20.0])
 

@@ -83,7 +83,10 @@ def test_users_materials_extend_the_tables(tmp_path):
         (HEADER + "wheat,fine_grain,7,28,0.4,me,test\n", "solid = 'wheat': this key is already taken"),
         (HEADER + "barley,fine_grain,7,28,0.4,me\n", "has more or fewer cells than the header"),
         (HEADER.replace("unit_weight_kN_m3", "unit_weight_lb") + "b,fine_grain,7,28,0.4,me,t\n", "unit_weight_lb"),
-        (HEADER.replace("unit_weight_kN_m3,", "") + "b,fine_grain,28,0.4,me,t\n", "unit_weight = None: is missing (write the unit"),
+        (
+            HEADER.replace("unit_weight_kN_m3,", "") + "b,fine_grain,28,0.4,me,t\n",
+            "unit_weight = None: is missing (write the unit",
+        ),
     ],
 )
 def test_bad_materials_file(tmp_path, text, expected):
@@ -95,7 +98,7 @@ def test_bad_materials_file(tmp_path, text, expected):
 
 
 def test_missing_materials_file(tmp_path):
-    with pytest.raises(BadInput, match="nowhere.csv"):
+    with pytest.raises(BadInput, match=r"nowhere\.csv"):
         read_solids(tmp_path / "nowhere.csv")
 
 

@@ -1,0 +1,101 @@
+"""The `silostudy` command as a user types it."""
+
+import csv
+import re
+
+import pytest
+import yaml
+
+from silostudy.__main__ import main
+from silostudy.cube.io import read
+from silostudy.pressure import PRESSURE
+from tests.conftest import ROOT
+
+WHEAT = str(ROOT / "config/studies/wheat-silo.yaml")
+
+
+def said(capsys, *arguments, status=0):
+    assert main(list(map(str, arguments))) == status
+    captured = capsys.readouterr()
+    return captured.out if status == 0 else captured.err
+
+
+@pytest.mark.parametrize(
+    ("what", "expected"),
+    [("methods", PRESSURE), ("solids", ["cement", "wheat_benchmark"]), ("walls", ["roughness_5"]), ("outputs", ["fig_4_2_11"])],
+)
+def test_list(capsys, what, expected):
+    out = said(capsys, "list", what)
+    for key in expected:
+        assert re.search(rf"^{key} ", out, re.MULTILINE)
+
+
+def test_list_studies(capsys):
+    assert "wheat-family" in said(capsys, "list", "studies", "--studies", ROOT / "config/studies")
+    assert "holds no study files" in said(capsys, "list", "studies", "--studies", ROOT / "tests", status=2)
+
+
+@pytest.mark.parametrize("method", PRESSURE)
+def test_explain_every_method(capsys, method):
+    out = said(capsys, "explain", method)
+    for part in ("formula", "range", "plans", "gives wall_normal_pressure", "needs", "source    silo_handbook"):
+        assert part in out
+
+
+def test_explain_tells_the_sources_errors(capsys):
+    assert "printed 0.584; right: 0.548" in said(capsys, "explain", "caquot")
+    assert "unknown; known: janssen" in said(capsys, "explain", "jansen", status=2)
+
+
+def test_compare_by_flags(capsys, tmp_path):
+    stem = tmp_path / "picture"
+    out = said(capsys, "compare", "--diameter", 5, "--depth", 18, "--solid", "wheat_benchmark", "--hopper-half-angle", 45,
+               "--figure", stem)  # fmt: skip
+    janssen = next(line for line in out.splitlines() if line.startswith("janssen, filling"))
+    assert janssen.split()[2:6] == ["11.36", "16.93", "19.66", "21.00"]
+    assert "67.0%" in janssen  # 1 - exp-type share of the weight on the wall
+    assert stem.with_suffix(".png").is_file()
+
+
+def test_compare_by_file_and_its_refusals(capsys):
+    assert "deutsch, discharge" in said(capsys, "compare", WHEAT)
+    assert "without sweep" in said(capsys, "compare", ROOT / "config/studies/wheat-family.yaml", status=2)
+    assert "--solid = None: is missing" in said(capsys, "compare", "--diameter", 5, "--depth", 18, status=2)
+    wrong = said(capsys, "compare", "--diameter", -5, "--depth", 18, "--solid", "wheat_benchmark", status=2)
+    assert "scene.silo.diameter_m = -5.0: must be greater than 0" in wrong
+
+
+def test_check_counts(capsys):
+    out = said(capsys, "check", ROOT / "config/studies/wheat-family.yaml")
+    assert "1584 case(s): diameter 6 x slenderness 11 x solid 8 x wall 3" in out
+    assert "1900800 values a quantity" in out
+    assert "flour on painted_concrete: no wall_friction in the tables" in out
+
+
+def test_stages_by_hand(capsys, tmp_path, study):
+    path = tmp_path / "small.yaml"
+    study["sweep"] = [{"axis": "solid", "values": {"solid": ["wheat_benchmark", "mine"]}}]
+    study["materials"] = "mine.csv"
+    (tmp_path / "mine.csv").write_text(
+        "solid,grain,unit_weight_kN_m3,internal_friction_angle_deg,wall_friction,source,locator\n"
+        "mine,fine_grain,7.0,28,0.4,silo_handbook,an example\n"
+    )
+    path.write_text(yaml.safe_dump(study))
+    said(capsys, "cases", path, tmp_path / "cases.csv")
+    said(capsys, "pressure", path, tmp_path / "pressure.nc")
+    cases = list(csv.DictReader((tmp_path / "cases.csv").open()))
+    cube = read(tmp_path / "pressure.nc")
+    assert [case["solid"] for case in cases] == ["wheat_benchmark", "mine"]
+    assert [case["case"] for case in cases] == list(cube["case"].values)
+    assert float(cube["unit_weight"].sel({"method": "janssen", "solid": "mine"})) == 7000
+    assert "unknown; known: fig_4_2_11" in said(capsys, "draw", "fig_0", tmp_path / "pressure.nc", tmp_path / "f", status=2)
+
+
+def test_bench_pressure_writes_its_table(capsys, tmp_path, monkeypatch):
+    monkeypatch.setattr("silostudy.commands.bench.CASES", 50)
+    monkeypatch.setattr("silostudy.commands.bench.PEER_CASES", 2)
+    out = said(capsys, "bench", "pressure", "--output", tmp_path / "bench.csv")
+    assert "pressures_per_s" in out
+    table = list(csv.DictReader((tmp_path / "bench.csv").open()))
+    assert [row["method"] for row in table] == list(PRESSURE)
+    assert all(float(row["ratio"]) > 0 for row in table)
