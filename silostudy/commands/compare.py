@@ -5,6 +5,7 @@ from math import isfinite
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from silostudy.commands.stages import cautions
 from silostudy.errors import BadInput
 
 if TYPE_CHECKING:
@@ -20,6 +21,7 @@ def add(sub) -> None:
     command.add_argument("--depth", type=float, metavar="M", help="depth of the cylinder (m)")
     command.add_argument("--solid", help="see `silostudy list solids`")
     command.add_argument("--wall", help="see `silostudy list walls`; left out: the solid's own wall friction")
+    command.add_argument("--wall-friction", type=float, metavar="MU", help="coefficient, in place of the tables'")
     command.add_argument("--hopper-half-angle", type=float, metavar="DEG", help="left out: a flat bottom")
     command.add_argument("--methods", nargs="+", default="all", help="see `silostudy list methods`")
     command.add_argument("--figure", type=Path, metavar="STEM", help="also draw STEM.png, STEM.svg and STEM.csv")
@@ -37,7 +39,7 @@ def run(chosen: argparse.Namespace) -> None:
     else:
         expansion = expand(_study(chosen), "compare", "compare", Path())
     cube = pressure_cube(expansion)
-    print("\n".join(table(cube)))
+    print("\n".join([*table(cube), *cautions(expansion)]))
     if chosen.figure:
         from silostudy.figures.fig_4_2_11 import draw
 
@@ -53,11 +55,12 @@ def _study(chosen: argparse.Namespace) -> dict[str, Any]:
     silo = {"plan": "circular", "diameter_m": chosen.diameter, "cylinder_depth_m": chosen.depth}
     if chosen.hopper_half_angle is not None:
         silo["hopper"] = {"half_angle_deg": chosen.hopper_half_angle}
+    own = {} if chosen.wall_friction is None else {"wall_friction": chosen.wall_friction}
     methods = chosen.methods if chosen.methods == "all" else list(dict.fromkeys(["janssen", *chosen.methods]))
     return {
         "kind": "pressure",
         "title": f"{chosen.solid} in a silo of {chosen.diameter:g} m by {chosen.depth:g} m",
-        "scene": {"silo": silo, "solid": chosen.solid, "wall": chosen.wall},
+        "scene": {"silo": silo, "solid": chosen.solid, "wall": chosen.wall, "properties": own},
         "methods": methods,
         "relative_depth": {"start": 0.0, "stop": 1.0, "count": 289},
     }

@@ -23,7 +23,8 @@ def explanation(key: str) -> list[str]:
     lines.append(f"  plans     {', '.join(sorted(row.plans))}")
     for phase, quantities in row.phases.items():
         lines.append(f"  {phase:9} gives {', '.join(quantities)}")
-    lines.append("  needs     " + ", ".join(f"{name} ({PARAMETERS[name]})" for name in PARAMETERS if name in row.needs))
+    lines.append("  symbols   z depth below the equivalent surface (m)")
+    lines += [f"            {symbol}: {name} ({unit})" for name, (unit, symbol) in PARAMETERS.items() if name in row.needs]
     if row.equilibrium:
         lines.append(f"  weight = vertical pressure + wall friction, to rounding, in {' and '.join(row.equilibrium)}")
     lines.append(f"  source    {row.source}, {row.locator}: {cite(row.source)}")

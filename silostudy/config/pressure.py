@@ -74,11 +74,14 @@ class PressureStudy(BaseStudy):
         return self
 
     @model_validator(mode="after")
-    def _methods_of_outputs(self) -> Self:
+    def _curves_of_outputs(self) -> Self:
         for key in self.outputs:
-            without = set(OUTPUTS[key].methods) - set(self.method_keys)
-            if without:
-                raise ValueError(f"output {key} needs the methods {', '.join(sorted(without))}")
+            for what, wanted, given in (
+                ("methods", OUTPUTS[key].methods, self.method_keys),
+                ("phases", OUTPUTS[key].phases, self.phases),
+            ):
+                if without := set(wanted) - set(given):
+                    raise ValueError(f"output {key} needs the {what} {', '.join(sorted(without))}")
         return self
 
     @property

@@ -18,6 +18,7 @@ class Output(Row):
     axes: tuple[str, ...] = ()
     single_case: bool = False
     methods: tuple[str, ...] = ()  # methods whose curves it cannot do without
+    phases: tuple[str, ...] = ()  # phases likewise
 
 
 OUTPUTS: Family[Output] = Family(
@@ -32,6 +33,7 @@ OUTPUTS: Family[Output] = Family(
             stage="pressure",
             single_case=True,
             methods=("janssen",),
+            phases=("filling",),
         ),
         Output(
             key="table_4_2_5",
@@ -50,6 +52,7 @@ OUTPUTS: Family[Output] = Family(
             kind="figure",
             stage="pressure",
             axes=("slenderness",),
+            phases=("discharge",),
         ),
         Output(
             key="governing_method",

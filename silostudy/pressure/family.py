@@ -12,20 +12,20 @@ PLANS = ("circular", "square", "rectangular", "polygonal")
 ANY_PLAN = frozenset(PLANS)
 CIRCULAR = frozenset({"circular"})
 
-# Every parameter a method may ask for, in SI; the scene room provides them by these names.
+# Every parameter a method may ask for: (unit, symbol); the scene room provides them by these names.
 PARAMETERS = {
-    "unit_weight": "N m-3",
-    "internal_friction_angle": "rad",
-    "wall_friction": "1",
-    "lateral_pressure_ratio": "1",
-    "poisson_ratio": "1",
-    "hydraulic_radius": "m",
-    "diameter": "m",
-    "cylinder_depth": "m",
-    "outlet_depth": "m",
-    "top_cone_height": "m",
-    "powder": "1",
-    "i_phi": "1",
+    "unit_weight": ("N m-3", "gamma"),
+    "internal_friction_angle": ("rad", "phi"),
+    "wall_friction": ("1", "mu = tan phi_o"),
+    "lateral_pressure_ratio": ("1", "K"),
+    "poisson_ratio": ("1", "nu"),
+    "hydraulic_radius": ("m", "R = A/U"),
+    "diameter": ("m", "D"),
+    "cylinder_depth": ("m", "H"),
+    "outlet_depth": ("m", "total depth"),
+    "top_cone_height": ("m", "h"),
+    "powder": ("1", "grain class"),
+    "i_phi": ("1", "i"),
 }
 
 # Why a value is masked: position = flag value in the cube.

@@ -38,8 +38,14 @@ def test_list_studies(capsys):
 @pytest.mark.parametrize("method", PRESSURE)
 def test_explain_every_method(capsys, method):
     out = said(capsys, "explain", method)
-    for part in ("formula", "range", "plans", "gives wall_normal_pressure", "needs", "source    silo_handbook"):
+    for part in ("formula", "range", "plans", "gives wall_normal_pressure", "symbols", "source    silo_handbook"):
         assert part in out
+
+
+def test_explain_names_its_symbols(capsys):
+    out = said(capsys, "explain", "jenike_mass_flow")
+    assert "nu: poisson_ratio (1)" in out
+    assert "R = A/U: hydraulic_radius (m)" in out
 
 
 def test_explain_tells_the_sources_errors(capsys):
@@ -63,6 +69,14 @@ def test_compare_by_file_and_its_refusals(capsys):
     assert "--solid = None: is missing" in said(capsys, "compare", "--diameter", 5, "--depth", 18, status=2)
     wrong = said(capsys, "compare", "--diameter", -5, "--depth", 18, "--solid", "wheat_benchmark", status=2)
     assert "scene.silo.diameter_m = -5.0: must be greater than 0" in wrong
+
+
+def test_compare_says_that_friction_was_capped(capsys):
+    flags = ["--diameter", 5, "--depth", 18, "--solid", "maize", "--methods", "janssen"]
+    assert "capped" not in said(capsys, "compare", *flags, "--wall", "grooved_concrete")
+    assert "note: maize on its own wall friction: wall friction 2 capped" in said(
+        capsys, "compare", *flags, "--wall-friction", 2
+    )
 
 
 def test_check_counts(capsys):

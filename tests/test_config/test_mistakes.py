@@ -92,6 +92,14 @@ MISTAKES = {
     ),
     "unknown output": ({"outputs": ["fig_9"]}, "outputs.0 = 'fig_9': must be 'fig_4_2_11'"),
     "output without its axis": ({"outputs": ["governing_method"]}, "needs the axes diameter, slenderness"),
+    "output without its method": (
+        {"outputs": ["fig_4_2_11"], "methods": ["caquot"]},
+        "output fig_4_2_11 needs the methods janssen",
+    ),
+    "output without its phase": (
+        {"outputs": ["fig_4_2_11"], "phases": ["discharge"]},
+        "output fig_4_2_11 needs the phases filling",
+    ),
     "single-silo figure of a sweep": (
         {"outputs": ["fig_4_2_11"], **sweep(DIAMETERS)},
         "output fig_4_2_11 needs a study without sweep",
