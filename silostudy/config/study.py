@@ -1,5 +1,6 @@
 """What a user writes to ask for a parametric study: axes, and what every kind of study shares."""
 
+from itertools import pairwise
 from typing import Any, Literal, Self, TypeAlias
 
 from pydantic import field_validator, model_validator
@@ -43,6 +44,8 @@ class Axis(Strict):
             listed = expand(values)
             if len(lengths) == 1 and len({repr(value) for value in listed}) < len(listed):
                 raise ValueError(f"{key} holds a value twice")
+            if len(lengths) == 1 and not _steady(listed):
+                raise ValueError(f"the numbers of {key} must all rise or all fall, as a coordinate's do")
         if self.points is not None and len({frozenset(point) for point in self.points}) > 1:
             raise ValueError("every point must set the same keys")
         return self
@@ -53,6 +56,14 @@ class Axis(Strict):
             return [dict(point) for point in self.points]
         columns = {key: expand(values) for key, values in (self.values or {}).items()}
         return [dict(zip(columns, row, strict=True)) for row in zip(*columns.values(), strict=True)]
+
+
+def _steady(values: list) -> bool:
+    """Whether numbers rise or fall throughout (CF asks it of a coordinate); text has no order to keep."""
+    if not all(isinstance(value, (int, float)) for value in values):
+        return True
+    steps = [b > a for a, b in pairwise(values)]
+    return all(steps) or not any(steps)
 
 
 class BaseStudy(Strict):

@@ -78,6 +78,7 @@ MISTAKES = {
         sweep({"axis": "diameter", "values": {"silo.diameter_m": [3, 3]}}),
         "silo.diameter_m holds a value twice",
     ),
+    "an axis to and fro": (sweep({"axis": "d", "values": {"silo.diameter_m": [3, 5, 4]}}), "must all rise or all fall"),
     "paired axes of unequal length": (
         sweep({"axis": "size", "values": {"silo.diameter_m": [3, 5], "silo.cylinder_depth_m": [18]}}),
         "need equally many values",
