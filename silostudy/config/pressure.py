@@ -10,7 +10,7 @@ from silostudy.config.scene import SceneConfig
 from silostudy.config.study import BaseStudy, distinct
 from silostudy.figures import OUTPUTS
 from silostudy.pressure import PRESSURE
-from silostudy.pressure.family import PHASES
+from silostudy.pressure.family import PHASES, USUAL_PHASES
 
 MethodKey: TypeAlias = Literal[tuple(PRESSURE)]  # type: ignore[valid-type]
 PhaseKey: TypeAlias = Literal[PHASES]  # type: ignore[valid-type]
@@ -28,7 +28,7 @@ class PressureStudy(BaseStudy):
     as_printed: tuple[MethodKey, ...] = described(
         "methods to give a second time with the source's misprints left in", "", default=()
     )
-    phases: tuple[PhaseKey, ...] = Field(default=PHASES, min_length=1, description="phases of operation")
+    phases: tuple[PhaseKey, ...] = Field(default=USUAL_PHASES, min_length=1, description="phases of operation")
     depth_m: Range | Numbers | None = described("depths below the equivalent surface", "m", default=None)
     relative_depth: Range | Numbers | None = described(
         "depths over the depth of the transition below the equivalent surface, 0 ... 1", default=None

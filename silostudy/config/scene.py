@@ -15,6 +15,7 @@ class Hopper(Strict):
 
     half_angle_deg: float = described("hopper half angle from the vertical", "deg", gt=0, lt=90)
     outlet_width_m: float = described("inner width (diameter) of the outlet; 0: the apex", "m", ge=0, default=0.0)
+    wall: WallKey | None = described("wall kind of the hopper; null: as the cylinder's", "", default=None)
 
 
 class AnySilo(Strict):
@@ -38,6 +39,10 @@ class AnySilo(Strict):
         default=0.0,
     )
     hopper: Hopper | None = described("the hopper; null: a flat bottom", "", default=None)
+    eccentricity_m: float = described("eccentricity of heap or outlet, whichever is larger", "m", ge=0, default=0.0)
+    channel_half_angle_deg: float | None = described(
+        "half angle of the flow channel from the vertical, for funnel flow; null: not known", "deg", gt=0, lt=90, default=None
+    )
 
     @model_validator(mode="after")
     def _one_depth(self) -> Self:
@@ -82,7 +87,15 @@ class PolygonalSilo(AnySilo):
     inscribed_diameter_m: float = described("diameter of the inscribed circle (across the flats)", "m", gt=0)
 
 
-Silo = Annotated[CircularSilo | SquareSilo | RectangularSilo | PolygonalSilo, Field(discriminator="plan")]
+class SlotSilo(AnySilo):
+    """A long slot between two parallel walls, end walls left out: plane flow, with a wedge below."""
+
+    plan: Literal["slot"] = described("shape of the plan", "")
+    width_m: float = described("inner width between the walls", "m", gt=0)
+    length_m: float = described("stretch of the slot that forces are counted over", "m", gt=0, default=1.0)
+
+
+Silo = Annotated[CircularSilo | SquareSilo | RectangularSilo | PolygonalSilo | SlotSilo, Field(discriminator="plan")]
 
 
 class SolidProperties(Strict):
@@ -93,6 +106,16 @@ class SolidProperties(Strict):
     wall_friction: float | None = described("wall friction coefficient; replaces the wall kind's", ge=0, default=None)
     lateral_pressure_ratio: float | None = described("lateral pressure ratio K = p_h / p_v", ge=0, default=None)
     poisson_ratio: float | None = described("Poisson's ratio of the solid", ge=0, lt=0.5, default=None)
+    hopper_wall_friction: float | None = described("wall friction coefficient of the hopper", ge=0, default=None)
+    unit_weight_lower_kN_m3: float | None = described("lower unit weight", "kN m-3", gt=0, le=1000, default=None)
+    effective_friction_angle_deg: float | None = described(
+        "effective angle of friction in flow (Jenike's delta)", "deg", gt=0, lt=90, default=None
+    )
+    repose_angle_deg: float | None = described("angle of repose", "deg", gt=0, lt=90, default=None)
+    a_phi: float | None = described("spread of the friction angle: upper over mean", ge=1, le=10, default=None)
+    a_K: float | None = described("spread of the lateral pressure ratio: upper over mean", ge=1, le=10, default=None)
+    a_mu: float | None = described("spread of the wall friction: upper over mean", ge=1, le=10, default=None)
+    patch_factor: float | None = described("patch load factor C_op of EN 1991-4", ge=0, le=10, default=None)
 
 
 class SceneConfig(Strict):

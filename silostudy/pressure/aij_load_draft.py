@@ -3,7 +3,7 @@
 import numpy as np
 
 from silostudy.pressure import janssen
-from silostudy.pressure.family import ANY_PLAN, PressureMethod
+from silostudy.pressure.family import CELLS, PressureMethod
 
 
 def overpressure_factor(z, *, cylinder_depth):
@@ -22,7 +22,7 @@ ROW = PressureMethod(
     locator="section 4.2.2 (i)",
     phases={"discharge": {"wall_normal_pressure": janssen.times(overpressure_factor)}},
     static=janssen.normal_pressure,
-    plans=ANY_PLAN,
+    plans=CELLS,
     formula="p_h = n a times Janssen: 1.0, 1.3, 2.6 in the upper, middle and lower third of the cylinder",
     validity="zones and factors inferred from one silo's column; the draft's own limits are not in the source",
     colour="#56B4E9",

@@ -8,7 +8,7 @@ height is 1.2 D; for a plan other than a circle D stands for 4 R (a square's sid
 import numpy as np
 
 from silostudy.pressure import janssen
-from silostudy.pressure.family import ANY_PLAN, PressureMethod
+from silostudy.pressure.family import CELLS, PressureMethod
 from silostudy.tables.din1055_1964 import COEFFICIENTS
 
 RELIEVED_HEIGHT = 1.2  # in diameters above the outlet
@@ -100,7 +100,7 @@ ROW = PressureMethod(
         },
     },
     static=FILLING["wall_normal_pressure"],
-    plans=ANY_PLAN,
+    plans=CELLS,
     formula="Janssen with K = 0.5, mu = tan(0.75 phi) in filling and K = 1, mu = tan(0.6 phi) in discharge (powders: "
     "mu = tan phi in both); in discharge straight from 1.2 D above the outlet to the filling pressure at the outlet",
     validity="grain class decides between mean particle sizes above 0.2 mm and below 0.06 mm; between them the source is "

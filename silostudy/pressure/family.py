@@ -1,16 +1,37 @@
 """What a pressure method is: one row that says which quantity it gives in which phase, from which parameters."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
-from inspect import signature
+from inspect import Parameter, Signature, signature
 
 from silostudy.catalogue import Row
 
-PHASES = ("filling", "discharge")
+PHASES = ("filling", "switch", "discharge")
+USUAL_PHASES = ("filling", "discharge")
 QUANTITIES = ("wall_normal_pressure", "wall_friction_traction", "vertical_pressure", "axial_wall_force")
-PLANS = ("circular", "square", "rectangular", "polygonal")
+# on the hopper wall, over the height above the hopper's apex
+HOPPER_QUANTITIES = ("hopper_normal_pressure", "hopper_friction_traction", "hopper_vertical_pressure", "switch_force")
+# one number for the whole silo
+TOTALS = {
+    "transition_force": "N",
+    "ring_force": "N",
+    "outlet_force": "N",
+    "peak_height": "m",
+    "unloaded_peak_position": "1",
+    "radial_force_coefficient": "1",
+    "design_unit_weight": "N m-3",
+    "averaging_height": "m",
+    "patch_pressure": "Pa",
+    "patch_depth": "m",
+    "patch_height": "m",
+    "patch_resultant": "N",
+}
+PLANS = ("circular", "square", "rectangular", "polygonal", "slot")
+SLOT = frozenset({"slot"})
 ANY_PLAN = frozenset(PLANS)
+CELLS = ANY_PLAN - SLOT
 CIRCULAR = frozenset({"circular"})
+WITH_HOPPER = CIRCULAR | SLOT  # a cone or a wedge below
 
 # Every parameter a method may ask for: (unit, symbol); the scene room provides them by these names.
 PARAMETERS = {
@@ -26,6 +47,21 @@ PARAMETERS = {
     "top_cone_height": ("m", "h"),
     "powder": ("1", "grain class"),
     "i_phi": ("1", "i"),
+    "unit_weight_lower": ("N m-3", "gamma lower"),
+    "effective_friction_angle": ("rad", "delta"),
+    "repose_angle": ("rad", "phi_r"),
+    "a_phi": ("1", "a_phi"),
+    "a_K": ("1", "a_K"),
+    "a_mu": ("1", "a_mu"),
+    "patch_factor": ("1", "C_op"),
+    "length": ("m", "L"),
+    "perimeter": ("m", "U"),
+    "slot": ("1", "1 - m"),
+    "hopper_half_angle": ("rad", "theta, beta"),
+    "hopper_wall_friction": ("1", "mu_h = tan phi'"),
+    "outlet_width": ("m", "B"),
+    "eccentricity": ("m", "e"),
+    "channel_half_angle": ("rad", "of the flow channel"),
 }
 
 # Why a value is masked: position = flag value in the cube.
@@ -37,8 +73,9 @@ REASONS = (
     "solid_property_missing",
     "outside_published_range",
     "above_wall_contact",
+    "no_hopper",
 )
-IN_SCOPE, NO_QUANTITY, NO_PHASE, NO_PLAN, NO_PROPERTY, OUT_OF_RANGE, ABOVE_CONTACT = range(len(REASONS))
+IN_SCOPE, NO_QUANTITY, NO_PHASE, NO_PLAN, NO_PROPERTY, OUT_OF_RANGE, ABOVE_CONTACT, NO_HOPPER = range(len(REASONS))
 
 Quantities = Mapping[str, Callable]
 
@@ -52,6 +89,11 @@ class PressureMethod(Row):
     as_printed: the same as `phases` with the source's misprints left in, where they change a formula.
     misprinted_table: the source misprints one of the method's parameters (tables/solids_by_method.csv).
     equilibrium: phases in which weight = vertical pressure + wall friction holds to rounding.
+    hopper: phase -> quantity -> function(x, *, parameters), x the height (m) above the hopper's apex.
+    totals: phase -> name of TOTALS -> function(*, parameters).
+    values: which quantity is computed with which characteristic values, where they differ from those handed over.
+    not_computed: what the source treats and the method leaves out, for want of checked formulas.
+    table_key: method under which the tables keep its own values, where several rows share them.
     number: how the handbook numbers the curve in Fig. 4.2.11; empty where it is not in that figure.
     """
 
@@ -66,6 +108,11 @@ class PressureMethod(Row):
     as_printed: Mapping[str, Quantities] = field(default_factory=dict)
     misprinted_table: bool = False
     equilibrium: tuple[str, ...] = ()
+    hopper: Mapping[str, Quantities] = field(default_factory=dict)
+    totals: Mapping[str, Quantities] = field(default_factory=dict)
+    values: Mapping[str, str] = field(default_factory=dict)
+    not_computed: tuple[str, ...] = ()
+    table_key: str = ""
 
     @property
     def has_misprint(self) -> bool:
@@ -75,15 +122,26 @@ class PressureMethod(Row):
     @property
     def needs(self) -> frozenset[str]:
         """Names of all parameters that its functions ask for."""
-        functions = [self.static, *(f for quantities in self.phases.values() for f in quantities.values())]
+        tables = (*self.phases.values(), *self.hopper.values(), *self.totals.values())
+        functions = [self.static, *(function for quantities in tables for function in quantities.values())]
         return frozenset(name for function in functions for name in parameters_of(function))
 
 
 def parameters_of(function: Callable) -> tuple[str, ...]:
-    """The keyword parameters of a method function, in order (all but the depth z)."""
-    return tuple(name for name in signature(function).parameters if name != "z")
+    """The keyword parameters of a method function, in order (all but the depth z or the height x)."""
+    return tuple(name for name in signature(function).parameters if name not in ("z", "x"))
 
 
-def call(function: Callable, z, available: Mapping):
-    """The function at depth z, handed those of the available parameters that it asks for."""
-    return function(z, **{name: available[name] for name in parameters_of(function)})
+def asking(function: Callable, names: Iterable[str], doc: str, place: str | None = "z") -> Callable:
+    """The function of (place, **parameters) with its parameters and docstring spelled out, as a method's table needs it."""
+    first = [Parameter(place, Parameter.POSITIONAL_OR_KEYWORD)] if place else []
+    keywords = [Parameter(name, Parameter.KEYWORD_ONLY) for name in dict.fromkeys(names)]
+    function.__doc__ = doc
+    setattr(function, "__signature__", Signature([*first, *keywords]))  # noqa: B010
+    return function
+
+
+def call(function: Callable, place, available: Mapping):
+    """The function at a depth or height (None: it has no place), handed the available parameters that it asks for."""
+    handed = {name: available[name] for name in parameters_of(function)}
+    return function(**handed) if place is None else function(place, **handed)

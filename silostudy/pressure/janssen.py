@@ -1,9 +1,8 @@
 """Janssen (1895): horizontal slices in equilibrium, wall friction fully mobilised, constant ratio of stresses."""
 
 from collections.abc import Callable
-from inspect import Parameter, Signature
 
-from silostudy.pressure.family import ANY_PLAN, PressureMethod, call, parameters_of
+from silostudy.pressure.family import ANY_PLAN, PressureMethod, asking, call, parameters_of
 from silostudy.pressure.saturation import saturation, saturation_deficit
 
 
@@ -73,16 +72,12 @@ def times(factor: Callable) -> Callable:
 
     The function returned asks for the parameters of both by name.
     """
-    names = dict.fromkeys(parameters_of(factor) + parameters_of(normal_pressure))
 
     def design_pressure(z, **parameters):
         return call(factor, z, parameters) * call(normal_pressure, z, parameters)
 
-    design_pressure.__doc__ = f"Horizontal wall pressure (Pa): {factor.__doc__} times Janssen's."
-    depth = Parameter("z", Parameter.POSITIONAL_OR_KEYWORD)
-    keywords = [Parameter(name, Parameter.KEYWORD_ONLY) for name in names]
-    setattr(design_pressure, "__signature__", Signature([depth, *keywords]))  # noqa: B010
-    return design_pressure
+    doc = f"Horizontal wall pressure (Pa): {factor.__doc__} times Janssen's."
+    return asking(design_pressure, parameters_of(factor) + parameters_of(normal_pressure), doc)
 
 
 STATE = {

@@ -3,7 +3,7 @@
 import numpy as np
 
 from silostudy.pressure import janssen
-from silostudy.pressure.family import ANY_PLAN, PressureMethod
+from silostudy.pressure.family import CELLS, PressureMethod
 
 OVERLOAD = 1.3
 
@@ -23,7 +23,7 @@ ROW = PressureMethod(
     locator="section 4.2.2 (f)",
     phases={"discharge": {"wall_normal_pressure": janssen.times(overpressure_factor)}},
     static=janssen.normal_pressure,
-    plans=ANY_PLAN,
+    plans=CELLS,
     formula="p_h = n a times Janssen; n = 1.3, a = 1 in the upper third of the depth to the outlet, 2 below",
     validity="zones inferred from one silo's column",
     colour="#999933",

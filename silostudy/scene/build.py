@@ -2,7 +2,7 @@
 
 import json
 from collections.abc import Callable
-from math import isnan, radians
+from math import isnan, nan, radians
 from pathlib import Path
 from typing import Any
 
@@ -47,6 +47,7 @@ def build(config: SceneConfig, solids: Family[SolidRow], where: str = "") -> Sce
         wall=WALLS[config.wall] if config.wall else None,
         lateral_pressure_ratio_rule=config.lateral_pressure_ratio_rule,
         own=own,
+        hopper_wall=WALLS[config.silo.hopper.wall] if config.silo.hopper and config.silo.hopper.wall else None,
     )
     if scene.wall is None and "wall_friction" not in own and isnan(scene.solid.wall_friction):
         allowed = f"solid {config.solid} has no wall friction of its own: choose a wall kind ({', '.join(WALLS)})"
@@ -72,4 +73,6 @@ def _silo(config: AnySilo, where: str) -> Silo:
         wall_depth=depth,
         top_cone_height=config.top_cone_height_m,
         hopper=hopper,
+        eccentricity=config.eccentricity_m,
+        channel_half_angle=radians(config.channel_half_angle_deg or nan),
     )

@@ -4,7 +4,7 @@ from dataclasses import dataclass, field
 from math import isnan, nan, sin, tan
 
 from silostudy.scene.silo import Silo
-from silostudy.tables.solids import SolidRow
+from silostudy.tables.solids import CATEGORIES, RANGES, SolidRow
 from silostudy.tables.walls import WallRow
 
 K_RULES = {
@@ -20,6 +20,7 @@ class Scene:
     silo: Silo
     solid: SolidRow
     wall: WallRow | None = None
+    hopper_wall: WallRow | None = None
     lateral_pressure_ratio_rule: str | None = None
     own: dict[str, float] = field(default_factory=dict)
 
@@ -34,7 +35,8 @@ def solid_parameters(scene: Scene, method: str, as_printed: bool = False) -> dic
     values = {**_table_values(row), **row.by_method.get(method, {}), **printed, **scene.own}
     phi = values["internal_friction_angle"]
     if scene.wall is not None and "wall_friction" not in scene.own:
-        values["wall_friction"] = wall_friction(scene.wall, row.grain, phi)
+        values["wall_friction"] = wall_friction(scene.wall, row, phi)
+    values["hopper_wall_friction"] = capped(_hopper_friction(scene, values), phi)
     values["wall_friction_uncapped"] = values["wall_friction"]
     values["wall_friction"] = capped(values["wall_friction"], phi)
     rule = scene.lateral_pressure_ratio_rule
@@ -44,16 +46,27 @@ def solid_parameters(scene: Scene, method: str, as_printed: bool = False) -> dic
 
 
 def _table_values(row: SolidRow) -> dict[str, float]:
-    names = ("unit_weight", "internal_friction_angle", "wall_friction", "lateral_pressure_ratio", "poisson_ratio")
+    names = [name for name in RANGES if name not in ("wall_friction_angle", "i_phi", *CATEGORIES)]
     return {"i_phi": nan, "powder": float(row.grain == "powder"), **{name: getattr(row, name) for name in names}}
 
 
-def wall_friction(wall: WallRow, grain: str, phi: float) -> float:
-    """Wall friction coefficient (1) of a grain class on a wall kind; NaN where the source's table has a dash.
+def _hopper_friction(scene: Scene, values: dict[str, float]) -> float:
+    """Wall friction coefficient (1) of the hopper: the user's, its own wall kind's, or the cylinder's."""
+    own, wall = scene.own.get("hopper_wall_friction"), scene.hopper_wall
+    if own is not None or wall is None:
+        return values["wall_friction"] if own is None else own
+    return wall_friction(wall, scene.solid, values["internal_friction_angle"])
 
-    Source: silo_handbook, Table 4.2.2 (ratio of tangents) and section 4.5.1 Table 1 (ratio of angles).
+
+def wall_friction(wall: WallRow, solid: SolidRow, phi: float) -> float:
+    """Wall friction coefficient (1) of a solid on a wall kind; NaN where the source's table has a dash.
+
+    Source: silo_handbook, Table 4.2.2 (ratio of tangents) and section 4.5.1 Table 1 (ratio of angles); en1991_4_2006,
+    Table E.1 (the solid's own value in a wall category).
     """
-    factor = wall.factors.get(grain, nan)
+    if wall.rule == "category":
+        return getattr(solid, wall.key)
+    factor = wall.factors.get(solid.grain, nan)
     return factor * tan(phi) if wall.rule == "friction_ratio" else tan(factor * phi)
 
 
@@ -63,6 +76,14 @@ def capped(friction: float, phi: float) -> float:
 
 
 def geometry_parameters(scene: Scene) -> dict[str, float]:
-    """Dimensions (m) that a method may ask for."""
-    names = ("hydraulic_radius", "diameter", "cylinder_depth", "outlet_depth", "top_cone_height")
-    return {name: getattr(scene.silo, name) for name in names}
+    """Dimensions (m, rad) that a method may ask for; NaN where there is no hopper or no flow channel is given."""
+    silo = scene.silo
+    names = ("hydraulic_radius", "diameter", "cylinder_depth", "outlet_depth", "top_cone_height", "length", "perimeter")
+    return {
+        **{name: getattr(silo, name) for name in names},
+        "slot": float(silo.plan == "slot"),
+        "hopper_half_angle": silo.hopper.half_angle if silo.hopper else nan,
+        "outlet_width": silo.hopper.outlet_width if silo.hopper else nan,
+        "eccentricity": silo.eccentricity,
+        "channel_half_angle": silo.channel_half_angle,
+    }

@@ -1,7 +1,7 @@
 """Shape and size of a silo in SI units."""
 
 from dataclasses import dataclass
-from math import pi, tan
+from math import nan, pi, tan
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -16,7 +16,8 @@ class Hopper:
 class Silo:
     """Inner dimensions (m) of a vertical cylinder of any plan, with the heap on top and the hopper below.
 
-    diameter is that of the circle inscribed in the plan; length the longer side of a rectangle; sides a polygon's.
+    diameter is that of the circle inscribed in the plan; length the longer side of a rectangle, or the stretch of a slot that
+    forces are counted over; sides a polygon's.  A circle has a cone below it, a slot a wedge.
     """
 
     plan: str
@@ -26,6 +27,8 @@ class Silo:
     sides: int = 0
     top_cone_height: float = 0.0
     hopper: Hopper | None = None
+    eccentricity: float = 0.0  # of the heap or the outlet, whichever is larger
+    channel_half_angle: float = nan  # of the flow channel in funnel flow (rad)
 
     @property
     def area(self) -> float:
@@ -37,16 +40,18 @@ class Silo:
         """Perimeter of the plan (m)."""
         if self.plan == "circular":
             return pi * self.diameter
+        if self.plan == "slot":
+            return 2 * self.length
         if self.plan == "polygonal":
             return self.sides * self.diameter * tan(pi / self.sides)
         return 2 * (self.diameter + (self.length or self.diameter))
 
     @property
     def hydraulic_radius(self) -> float:
-        """Area over perimeter (m): a quarter of the inscribed diameter for every plan with an inscribed circle."""
+        """Area over perimeter (m): a quarter of the inscribed diameter for every plan with an inscribed circle, half a slot's width."""
         if self.plan == "rectangular":
             return self.diameter * self.length / self.perimeter
-        return self.diameter / 4
+        return self.diameter / (2 if self.plan == "slot" else 4)
 
     @property
     def cylinder_depth(self) -> float:

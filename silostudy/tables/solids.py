@@ -10,6 +10,7 @@ from silostudy.tables.read import HERE, number, rows
 from silostudy.tables.units import split_unit
 
 GRAINS = ("powder", "fine_grain", "coarse_grain")
+CATEGORIES = ("d1", "d2", "d3")  # wall categories in which EN 1991-4 gives a solid its wall friction
 REQUIRED = ("unit_weight", "internal_friction_angle")
 # property -> (least, greatest, may the ends be reached, unit), in SI
 RANGES = {
@@ -21,6 +22,13 @@ RANGES = {
     "lateral_pressure_ratio": (0.0, 10.0, True, "1"),
     "poisson_ratio": (0.0, 0.5, False, "1"),
     "i_phi": (0.0, 1.0, True, "1"),
+    "effective_friction_angle": (0.0, pi / 2, False, "rad"),
+    "repose_angle": (0.0, pi / 2, False, "rad"),
+    "a_phi": (1.0, 10.0, True, "1"),
+    "a_K": (1.0, 10.0, True, "1"),
+    "a_mu": (1.0, 10.0, True, "1"),
+    "patch_factor": (0.0, 10.0, True, "1"),
+    **dict.fromkeys(CATEGORIES, (0.0, 10.0, True, "1")),
 }
 
 
@@ -38,6 +46,15 @@ class SolidRow(Row):
     wall_friction: float = nan
     lateral_pressure_ratio: float = nan
     poisson_ratio: float = nan
+    effective_friction_angle: float = nan
+    repose_angle: float = nan
+    a_phi: float = nan  # conversion factors of EN 1991-4: characteristic value = mean times or over a
+    a_K: float = nan
+    a_mu: float = nan
+    patch_factor: float = nan
+    d1: float = nan
+    d2: float = nan
+    d3: float = nan
     remark: str = ""
     by_method: dict[str, dict[str, float]] = field(default_factory=dict)
     as_printed: dict[str, dict[str, float]] = field(default_factory=dict)
@@ -102,4 +119,6 @@ def _own_value(parameter: str, value: float) -> tuple[str, float]:
     return ("wall_friction", tan(value * factor)) if name == "wall_friction_angle" else (name, value * factor)
 
 
-SOLIDS = _with_method_values(read_solids(HERE / "solids.csv"), HERE / "solids_by_method.csv")
+SOLIDS = _with_method_values(
+    read_solids(HERE / "en1991_4_table_e1.csv", read_solids(HERE / "solids.csv")), HERE / "solids_by_method.csv"
+)

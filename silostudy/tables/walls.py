@@ -9,7 +9,7 @@ from silostudy.tables.solids import GRAINS
 
 @dataclass(frozen=True, kw_only=True)
 class WallRow(Row):
-    """A wall kind: `rule` says what the factor of a grain class multiplies (see walls.csv)."""
+    """A wall kind: `rule` says what the factor of a grain class multiplies, or that the solid has its own (see walls.csv)."""
 
     rule: str
     factors: dict[str, float]
