@@ -27,6 +27,7 @@ from silostudy.scene.expand import Expansion
 from silostudy.scene.scene import geometry_parameters, solid_parameters
 
 HANDED = ("unit_weight", "internal_friction_angle", "wall_friction", "lateral_pressure_ratio", "poisson_ratio")
+HANDED_IF_KNOWN = ("unit_weight_lower", "effective_friction_angle", "hopper_wall_friction", "repose_angle", "a_phi", "a_K", "a_mu")
 AS_PRINTED = "_as_printed"
 
 
@@ -37,7 +38,7 @@ def pressure_cube(expansion: Expansion) -> xr.Dataset:
     shape = (len(labels), len(expansion.study.phases), *z.shape)
     values = {name: np.full(shape, np.nan) for name in (*QUANTITIES, "overpressure_factor")}
     scopes = {name: np.full(shape, NO_PHASE, dtype=np.int8) for name in values}
-    handed = {name: np.full(shape[:1] + shape[2:-1], np.nan) for name in (*HANDED, "wall_friction_capped")}
+    handed = {name: np.full(shape[:1] + shape[2:-1], np.nan) for name in (*HANDED, *HANDED_IF_KNOWN, "wall_friction_capped")}
     for m, label in enumerate(labels):
         parameters = gather(expansion, label)
         _note(handed, m, parameters, shape[2:-1])
@@ -117,7 +118,7 @@ def _masked(function: Callable, z: np.ndarray, parameters: Mapping, plan_covered
 
 
 def _note(handed: dict[str, np.ndarray], m: int, parameters: Mapping, shape: tuple[int, ...]) -> None:
-    for name in HANDED:
+    for name in (*HANDED, *HANDED_IF_KNOWN):
         handed[name][m] = parameters[name].reshape(shape)
     capped = parameters["wall_friction"] < parameters["wall_friction_uncapped"]
     handed["wall_friction_capped"][m] = capped.reshape(shape)
@@ -133,12 +134,18 @@ def _assemble(expansion: Expansion, labels: list[str], z, values, scopes, handed
         data[name] = (dims, value, {**_attributes(name), "ancillary_variables": f"{name}_scope"})
         data[f"{name}_scope"] = (dims, scopes[name], _scope_attributes(name))
     for name, value in handed.items():
+        if name in HANDED_IF_KNOWN and np.isnan(value).all():
+            continue
         kept = value.astype(np.int8) if name == "wall_friction_capped" else value
         data[name] = (("method", *axes), kept, _attributes(name))
     for name in ("hydraulic_radius", "cylinder_depth"):
         sizes = np.array([getattr(case.scene.silo, name) for case in expansion.cases]).reshape(expansion.shape)
         data[name] = (axes, sizes, _attributes(name))
     data["case"] = (axes, np.array([case.id for case in expansion.cases]).reshape(expansion.shape), _attributes("case"))
+    data |= total_variables(expansion, labels)
+    if expansion.study.hopper_position is not None:
+        data |= hopper_variables(expansion, labels)
+        coords_of_hopper = {"hopper_position": ("hopper_position", expansion.study.hopper_positions, attributes_of("hopper_position"))}
     depth = {"standard_name": "depth", "units": "m", "positive": "down", "axis": "Z"}
     depth["long_name"] = "depth below the equivalent flat surface of the stored solid"
     coords: dict = {

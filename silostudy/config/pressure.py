@@ -33,6 +33,9 @@ class PressureStudy(BaseStudy):
     relative_depth: Range | Numbers | None = described(
         "depths over the depth of the transition below the equivalent surface, 0 ... 1", default=None
     )
+    hopper_position: Range | Numbers | None = described(
+        "places on the hopper wall, 0 the transition ... 1 the outlet; null: no results for the hopper wall", default=None
+    )
 
     @field_validator("methods")
     @classmethod
@@ -64,6 +67,14 @@ class PressureStudy(BaseStudy):
         if listed and listed[0] < 0:
             raise ValueError("depths must not be negative")
         return depths
+
+    @field_validator("hopper_position")
+    @classmethod
+    def _on_the_hopper(cls, places):
+        listed = expand(places) if places is not None else []
+        if any(b <= a for a, b in pairwise(listed)) or any(not 0 <= place <= 1 for place in listed):
+            raise ValueError("places on the hopper wall must increase from 0 to 1, none twice")
+        return places
 
     @model_validator(mode="after")
     def _one_depth_axis(self) -> Self:

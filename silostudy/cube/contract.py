@@ -22,6 +22,8 @@ def _v(name: str, units: str, long_name: str, *dims: str) -> Variable:
 
 
 OVER_DEPTH = ("method", "phase", "...", "depth")
+OVER_HOPPER = ("method", "phase", "...", "hopper_position")
+TOTAL = ("method", "phase", "...")
 VARIABLES = {
     variable.name: variable
     for variable in (
@@ -35,12 +37,43 @@ VARIABLES = {
             "wall normal pressure over the method's own static Janssen pressure",
             *OVER_DEPTH,
         ),
+        _v("hopper_normal_pressure", "Pa", "pressure of the stored solid normal to the hopper wall", *OVER_HOPPER),
+        _v("hopper_friction_traction", "Pa", "friction traction on the hopper wall, downward on the wall", *OVER_HOPPER),
+        _v("hopper_vertical_pressure", "Pa", "mean vertical pressure in the hopper", *OVER_HOPPER),
+        _v("switch_force", "N", "ring force on the hopper wall while the switch stands at this place", *OVER_HOPPER),
+        _v("transition_force", "N", "downward force of the cylinder's contents on the hopper's", *TOTAL),
+        _v("ring_force", "N", "concentrated force on the wall at the transition, downward", *TOTAL),
+        _v("outlet_force", "N", "downward force of the solid on the outlet", *TOTAL),
+        _v("peak_height", "m", "height of the largest hopper wall pressure above the hopper's apex", *TOTAL),
+        _v("unloaded_peak_position", "1", "that height over the hopper's, without load on the hopper", *TOTAL),
+        _v("radial_force_coefficient", "1", "force of the radial field at the transition over gamma D^(2+m) L^(1-m)", *TOTAL),
+        _v("design_unit_weight", "N m-3", "unit weight that the method makes of those handed to it", *TOTAL),
+        _v("averaging_height", "m", "height of wall over which the pressure is an average", *TOTAL),
+        _v("patch_pressure", "Pa", "patch pressure", *TOTAL),
+        _v("patch_depth", "m", "depth of the middle of the patch", *TOTAL),
+        _v("patch_height", "m", "height of the patch", *TOTAL),
+        _v("patch_resultant", "N", "resultant of the patch on a thin steel wall", *TOTAL),
+        _v("hopper_balance", "1", "1 - (wall + ring + outlet) / (contents + load) of the hopper, vertically", *TOTAL),
+        _v("hopper_weight", "N", "weight of the hopper's contents", *TOTAL),
+        _v("hopper_wall_force", "N", "vertical force on the hopper wall by pressure and friction", *TOTAL),
+        _v("hopper_height", "m", "height of the transition above the hopper's apex", "..."),
+        _v("hopper_half_angle", "rad", "half angle of the hopper from the vertical", "..."),
+        _v("outlet_width", "m", "inner width of the outlet", "..."),
+        _v("mass_flow_limit", "rad", "largest half angle of a cone in mass flow", "..."),
+        _v("flow_pattern", "1", "flow pattern by the mass-flow limit", "..."),
         _v("unit_weight", "N m-3", "unit weight handed to the method", "method", "..."),
         _v("internal_friction_angle", "rad", "internal friction angle handed to the method", "method", "..."),
         _v("wall_friction", "1", "wall friction coefficient handed to the method", "method", "..."),
         _v("wall_friction_capped", "1", "whether the wall friction was capped at tan(phi)", "method", "..."),
         _v("lateral_pressure_ratio", "1", "lateral pressure ratio handed to the method", "method", "..."),
         _v("poisson_ratio", "1", "Poisson's ratio handed to the method", "method", "..."),
+        _v("unit_weight_lower", "N m-3", "lower unit weight handed to the method", "method", "..."),
+        _v("effective_friction_angle", "rad", "effective friction angle handed to the method", "method", "..."),
+        _v("hopper_wall_friction", "1", "wall friction coefficient of the hopper handed to the method", "method", "..."),
+        _v("repose_angle", "rad", "angle of repose handed to the method", "method", "..."),
+        _v("a_phi", "1", "spread of the friction angle handed to the method: upper over mean", "method", "..."),
+        _v("a_K", "1", "spread of the lateral pressure ratio handed to the method: upper over mean", "method", "..."),
+        _v("a_mu", "1", "spread of the wall friction handed to the method: upper over mean", "method", "..."),
         _v("hydraulic_radius", "m", "area over perimeter of the plan", "..."),
         _v("cylinder_depth", "m", "depth of the transition below the equivalent surface", "..."),
         _v("case", "1", "case identifier", "..."),
@@ -49,6 +82,8 @@ VARIABLES = {
         _v("method_number", "1", "number of the method's curve in the handbook's Fig. 4.2.11", "method"),
         _v("method_colour", "1", "colour of the method in figures", "method"),
         _v("method_marker", "1", "marker of the method in figures", "method"),
+        _v("method_values", "1", "characteristic values that the method uses in place of those handed to it", "method"),
+        _v("hopper_position", "1", "place on the hopper wall: 0 transition, 1 outlet", "hopper_position"),
         _v("phase", "1", "phase of operation", "phase"),
         _v("relative_depth", "1", "depth over the depth of the transition", "relative_depth"),
     )

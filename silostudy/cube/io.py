@@ -21,7 +21,7 @@ def _encoding(variable: xr.DataArray) -> dict:
     """Compression, and chunks of one position of the sweep axes so that a case reads in one piece."""
     encoding: dict = {"_FillValue": np.nan if variable.dtype.kind == "f" and _may_be_masked(variable) else None}
     if variable.dtype.kind in "fib" and variable.size > 1:
-        own = ("method", "phase", "depth", "relative_depth")
+        own = ("method", "phase", "depth", "relative_depth", "hopper_position")
         chunks = tuple(size if dim in own else 1 for dim, size in zip(variable.dims, variable.shape, strict=True))
         encoding |= {"zlib": True, "complevel": 4, "shuffle": True}
         if variable.size > 1_000_000 // 8 or np.prod(chunks) > 256:

@@ -56,6 +56,7 @@ PARAMETERS = {
     "patch_factor": ("1", "C_op"),
     "length": ("m", "L"),
     "perimeter": ("m", "U"),
+    "circular": ("1", "plan is a circle"),
     "slot": ("1", "1 - m"),
     "hopper_half_angle": ("rad", "theta, beta"),
     "hopper_wall_friction": ("1", "mu_h = tan phi'"),

@@ -67,6 +67,23 @@ def axial_wall_force(z, *, unit_weight, hydraulic_radius, wall_friction, lateral
     return unit_weight * hydraulic_radius * z * x * saturation_deficit(x)
 
 
+def transition_force(
+    *, unit_weight, hydraulic_radius, wall_friction, lateral_pressure_ratio, cylinder_depth, diameter, perimeter, slot
+):
+    """Downward force Q_c (N) at the transition of the cylinder's contents on the hopper's.
+
+    Source: silo_handbook, section 4.5.2 (Janssen's vertical pressure on the area of the transition).
+    """
+    stress = vertical_pressure(
+        cylinder_depth,
+        unit_weight=unit_weight,
+        hydraulic_radius=hydraulic_radius,
+        wall_friction=wall_friction,
+        lateral_pressure_ratio=lateral_pressure_ratio,
+    )
+    return stress * perimeter * diameter / (4 - 2 * slot)
+
+
 def times(factor: Callable) -> Callable:
     """The wall pressure (Pa) of a code that multiplies Janssen's by factor(z, *, ...) (1).
 

@@ -18,23 +18,6 @@ NEAREST = 1e-9  # heights over the hopper's height closer to the apex than this 
 SHAPE = ("diameter", "perimeter", "hopper_half_angle", "slot")
 
 
-def transition_force(
-    *, unit_weight, hydraulic_radius, wall_friction, lateral_pressure_ratio, cylinder_depth, diameter, perimeter, slot
-):
-    """Downward force Q_c (N) of the cylinder's contents on the hopper's.
-
-    Source: silo_handbook, section 4.5.2 (Janssen's vertical pressure on the area of the transition).
-    """
-    stress = janssen.vertical_pressure(
-        cylinder_depth,
-        unit_weight=unit_weight,
-        hydraulic_radius=hydraulic_radius,
-        wall_friction=wall_friction,
-        lateral_pressure_ratio=lateral_pressure_ratio,
-    )
-    return stress * perimeter * diameter / (4 - 2 * slot)
-
-
 def initial_field(*, hopper_half_angle, hopper_wall_friction, slot):
     """Slope (1) of the initial wall pressure: over unit weight and height above the apex. Source: radial_field."""
     return initial_slope(hopper_half_angle, hopper_wall_friction, INITIAL_RATIO, slot)
@@ -58,7 +41,7 @@ class State:
         self.steepness = hopper_shape.steepness(given["hopper_half_angle"], given["hopper_wall_friction"])
         self.hydrostatic = given["unit_weight"] * self.height
         self.weight = given["unit_weight"] * hopper_shape.contents(self.height, **{name: given[name] for name in SHAPE})
-        load = 1 + loaded * call(transition_force, None, given) / self.weight
+        load = 1 + loaded * call(janssen.transition_force, None, given) / self.weight
         self.bearing = self.slope * self.steepness * (1 + self.m)  # of the whole field, in weights of the contents
         self.carried = np.minimum(load, self.bearing)
         self.ring_force = self.weight * (load - self.carried)
@@ -89,7 +72,7 @@ class State:
         return self.weight * (self.bearing - 1) * (x / self.height) ** (2 + self.m)
 
 
-OF_STATE = ("unit_weight", "hopper_wall_friction", *parameters_of(transition_force), *SHAPE)
+OF_STATE = ("unit_weight", "hopper_wall_friction", *parameters_of(janssen.transition_force), *SHAPE)
 FIELDS = {"filling": initial_field, "discharge": flow_field}
 
 
@@ -133,7 +116,7 @@ def _totals(phase):
         return State(FIELDS[phase], given, loaded=0.0).peak
 
     return {
-        "transition_force": transition_force,
+        "transition_force": janssen.transition_force,
         "ring_force": _of(phase, lambda state, given: state.ring_force, "Ring force P (N) at the transition: Q_c - Q_n."),
         "outlet_force": _of(phase, outlet, "Downward force (N) on the outlet.", extra=("outlet_width",)),
         "peak_height": _of(phase, lambda state, given: state.peak * state.height, "Height (m) of the peak above the apex."),

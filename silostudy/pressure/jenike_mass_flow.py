@@ -7,13 +7,20 @@ with S = Janssen's at z_s and p = nu / (1 - nu) S at the transition.  Solving fo
 
     p(z_s) = [ gamma b (1 - 2 nu k) (1 - sech L) + S (k + tanh(L) / M) ] / (1 + k M tanh L)
 
+In a long slot the strain energy is that of plane strain, (1 - nu)(S^2 + p^2) - 2 nu S p: S'' = (S - k gamma b) / b^2, so that
+M = 1 and k stands for 2 nu.  In the hopper the initial pressure is the straight line of section 4.5.3: every slice carries
+its own weight and passes the stress above it on, so that the mean stress grows by gamma per metre and
+p = (S_t + gamma (h - x)) / (1 + mu / tan theta).
+
 It neither overflows in deep silos nor cancels in shallow ones, and holds for mu -> 0 and nu -> 0.5.
 """
 
+from collections.abc import Callable
+
 import numpy as np
 
-from silostudy.pressure import janssen
-from silostudy.pressure.family import CIRCULAR, PressureMethod
+from silostudy.pressure import hopper_shape, janssen
+from silostudy.pressure.family import WITH_HOPPER, PressureMethod, asking, call, parameters_of
 from silostudy.pressure.saturation import saturation
 
 
@@ -26,6 +33,7 @@ def envelope_pressure(
     lateral_pressure_ratio,
     poisson_ratio,
     cylinder_depth,
+    slot,
 ):
     """Horizontal wall pressure (Pa) when the switch level passes depth z (m): the design envelope in discharge.
 
@@ -38,13 +46,14 @@ def envelope_pressure(
         wall_friction=wall_friction,
         lateral_pressure_ratio=lateral_pressure_ratio,
     )
-    m, k = np.sqrt(2 * (1 - poisson_ratio)), poisson_ratio / (1 - poisson_ratio)
+    k = poisson_ratio / (1 - poisson_ratio)
+    m, c = np.where(slot == 1, 1.0, np.sqrt(2 * (1 - poisson_ratio))), np.where(slot == 1, k, 2 * poisson_ratio)
     below = cylinder_depth - z
     length = wall_friction * below / (hydraulic_radius * m)
     # b (1 - sech L), with the two small differences taken in closed form: (1 - sech L) / L = L sat(L)^2 / (1 + e^-2L)
     bulge = below / m * length * saturation(length) ** 2 / (1 + np.exp(-2 * length))
     tanh = np.tanh(length)
-    weight_term = unit_weight * (1 - 2 * poisson_ratio * k) * bulge
+    weight_term = unit_weight * (1 - c * k) * bulge
     return (weight_term + stress * (k + tanh / m)) / (1 + k * m * tanh)
 
 
@@ -57,6 +66,7 @@ def envelope_traction(
     lateral_pressure_ratio,
     poisson_ratio,
     cylinder_depth,
+    slot,
 ):
     """Wall friction traction (Pa) that goes with the envelope pressure: mu p_h, as its equilibrium condition assumes.
 
@@ -70,6 +80,7 @@ def envelope_traction(
         lateral_pressure_ratio=lateral_pressure_ratio,
         poisson_ratio=poisson_ratio,
         cylinder_depth=cylinder_depth,
+        slot=slot,
     )
 
 
@@ -82,6 +93,7 @@ def printed_envelope(
     lateral_pressure_ratio,
     poisson_ratio,
     cylinder_depth,
+    slot,
 ):
     """Horizontal wall pressure (Pa) as Table 4.2.5 prints it: the hydraulic radius of a plane slot, D/2 in place of D/4."""
     return envelope_pressure(
@@ -92,8 +104,73 @@ def printed_envelope(
         lateral_pressure_ratio=lateral_pressure_ratio,
         poisson_ratio=poisson_ratio,
         cylinder_depth=cylinder_depth,
+        slot=slot,
     )
 
+
+def hopper_vertical_pressure(
+    x, *, unit_weight, hydraulic_radius, wall_friction, lateral_pressure_ratio, cylinder_depth, diameter, hopper_half_angle
+):
+    """Mean vertical pressure (Pa) at height x (m) above the hopper's apex before flow: the straight line through Janssen's.
+
+    Source: silo_handbook, section 4.5.3 (a straight line; its slope gamma is what equilibrium of every slice leaves).
+    """
+    top = janssen.vertical_pressure(
+        cylinder_depth,
+        unit_weight=unit_weight,
+        hydraulic_radius=hydraulic_radius,
+        wall_friction=wall_friction,
+        lateral_pressure_ratio=lateral_pressure_ratio,
+    )
+    return top + unit_weight * (hopper_shape.apex_height(diameter, hopper_half_angle) - x)
+
+
+def _hopper_wall(share: Callable, doc: str) -> Callable:
+    def pressure(x, **given):
+        steepness = hopper_shape.steepness(given["hopper_half_angle"], given["hopper_wall_friction"])
+        return share(given["hopper_wall_friction"]) * call(hopper_vertical_pressure, x, given) / steepness
+
+    return asking(pressure, (*parameters_of(hopper_vertical_pressure), "hopper_wall_friction"), doc, "x")
+
+
+def outlet_force(
+    *,
+    unit_weight,
+    hydraulic_radius,
+    wall_friction,
+    lateral_pressure_ratio,
+    cylinder_depth,
+    diameter,
+    hopper_half_angle,
+    outlet_width,
+    perimeter,
+    slot,
+):
+    """Downward force (N) on the outlet before flow. Source: silo_handbook, section 4.5.3."""
+    x = hopper_shape.outlet_height(outlet_width, hopper_half_angle)
+    stress = hopper_vertical_pressure(
+        x,
+        unit_weight=unit_weight,
+        hydraulic_radius=hydraulic_radius,
+        wall_friction=wall_friction,
+        lateral_pressure_ratio=lateral_pressure_ratio,
+        cylinder_depth=cylinder_depth,
+        diameter=diameter,
+        hopper_half_angle=hopper_half_angle,
+    )
+    section = hopper_shape.area(x, diameter=diameter, perimeter=perimeter, hopper_half_angle=hopper_half_angle, slot=slot)
+    return stress * section
+
+
+HOPPER = {
+    "hopper_normal_pressure": _hopper_wall(
+        lambda mu: 1.0, "Wall normal pressure (Pa) at height x (m) before flow. Source: silo_handbook, section 4.5.3."
+    ),
+    "hopper_friction_traction": _hopper_wall(
+        lambda mu: mu, "Wall friction traction (Pa) at height x (m) before flow. Source: silo_handbook, section 4.5.3."
+    ),
+    "hopper_vertical_pressure": hopper_vertical_pressure,
+}
 
 ROW = PressureMethod(
     key="jenike_mass_flow",
@@ -104,12 +181,14 @@ ROW = PressureMethod(
         "filling": janssen.STATE,
         "discharge": {"wall_normal_pressure": envelope_pressure, "wall_friction_traction": envelope_traction},
     },
+    hopper={"filling": HOPPER},
+    totals={"filling": {"transition_force": janssen.transition_force, "outlet_force": outlet_force}},
     static=janssen.normal_pressure,
-    plans=CIRCULAR,
+    plans=WITH_HOPPER,
     formula="p(z_s) = [gamma b (1 - 2 nu k)(1 - sech L) + S (k + tanh(L)/M)] / (1 + k M tanh L), b = R / mu, "
     "L = (H - z_s) / (b M), M = sqrt(2 (1 - nu)), k = nu / (1 - nu), S Janssen's vertical pressure at z_s",
-    validity="circular cylinder above a mass-flow hopper; each depth at its own switch level, so the envelope is no "
-    "single state (vertical pressure and axial force stay masked)",
+    validity="circular cylinder or long slot above a mass-flow hopper; each depth at its own switch level, so the "
+    "envelope is no single state (vertical pressure and axial force stay masked)",
     colour="#D55E00",
     marker="D",
     number="8",

@@ -81,6 +81,7 @@ def geometry_parameters(scene: Scene) -> dict[str, float]:
     names = ("hydraulic_radius", "diameter", "cylinder_depth", "outlet_depth", "top_cone_height", "length", "perimeter")
     return {
         **{name: getattr(silo, name) for name in names},
+        "circular": float(silo.plan == "circular"),
         "slot": float(silo.plan == "slot"),
         "hopper_half_angle": silo.hopper.half_angle if silo.hopper else nan,
         "outlet_width": silo.hopper.outlet_width if silo.hopper else nan,

@@ -48,7 +48,7 @@ class Silo:
 
     @property
     def hydraulic_radius(self) -> float:
-        """Area over perimeter (m): a quarter of the inscribed diameter for every plan with an inscribed circle, half a slot's width."""
+        """Area over perimeter (m): a quarter of the inscribed diameter where the plan has one, half a slot's width."""
         if self.plan == "rectangular":
             return self.diameter * self.length / self.perimeter
         return self.diameter / (2 if self.plan == "slot" else 4)

@@ -1,0 +1,60 @@
+"""Steep and shallow hoppers of EN 1991-4:2006: cones (S = 2) and wedges (S = 1), x the height above the apex.
+
+Printed standard not seen; agrees in two or more public programs.  Left out because not verified: the bottom load
+magnifier C_b on the vertical load, discharge in shallow hoppers, pyramids, the alternative reference method.
+A wedge's exponent, as carried by the programs, takes 2 off where the equilibrium of slices takes 1 off (S): the pressures
+of a wedge are therefore not in vertical equilibrium, and the balance printed with every result says by how much.
+"""
+
+import numpy as np
+from scipy.special import exprel
+
+from silostudy.pressure.hopper_shape import steepness
+
+PRESSURE_LOSS = 0.2
+
+
+def effective_friction(half_angle, mu, k):
+    """mu_heff (1): mu where the hopper is steep, tan(beta) < (1 - K)/(2 mu), else (1 - K)/(2 tan beta).
+
+    Source: en1991_4_2006.
+    """
+    return np.where(is_steep(half_angle, mu, k), mu, (1 - k) / (2 * np.tan(half_angle)))
+
+
+def is_steep(half_angle, mu, k):
+    """Whether wall friction is fully mobilised. Source: en1991_4_2006: tan(beta) < (1 - K)/(2 mu)."""
+    return 2 * mu * np.tan(half_angle) < 1 - k
+
+
+def filling_ratio(half_angle, mu):
+    """F_f (1), normal over vertical pressure: 1 - 0.2/(1 + tan(beta)/mu). Source: en1991_4_2006."""
+    return 1 - PRESSURE_LOSS * mu / (mu + np.tan(half_angle))
+
+
+def discharge_ratio(half_angle, mu, phi):
+    """F_e (1): (1 + sin phi cos eps)/(1 - sin phi cos(2 beta + eps)), eps = phi_wh + asin(sin phi_wh/sin phi).
+
+    Source: en1991_4_2006 (a public program has beta + eps in place of 2 beta + eps and is wrong).
+    """
+    wall = np.arctan(mu)
+    turn = wall + np.arcsin(np.minimum(np.sin(wall) / np.sin(phi), 1.0))
+    return (1 + np.sin(phi) * np.cos(turn)) / (1 - np.sin(phi) * np.cos(2 * half_angle + turn))
+
+
+def vertical_pressure(share, *, weight, exponent, top):
+    """p_v (Pa) at a share x/h_h of the height: weight = gamma h_h and top = p_vft (Pa), exponent n.
+
+    Source: en1991_4_2006: gamma h_h/(n - 1) [x/h_h - (x/h_h)^n] + p_vft (x/h_h)^n.
+    (x - x^n)/(n - 1) = -x log(x) (e^u - 1)/u with u = (n - 1) log(x): nothing cancels at n = 1.
+    """
+    inside = np.where(share > 0, share, 1.0)
+    log = np.log(inside)
+    value = -weight * inside * log * exprel((exponent - 1) * log) + top * inside**exponent
+    at_apex = np.select([exponent > 0, exponent == 0], [0.0, weight + top], np.inf)  # n <= 0: pressure grows downward
+    return np.where(share > 0, value, np.where(np.isfinite(at_apex), at_apex, np.nan))
+
+
+def exponent(ratio, half_angle, mu, slot):
+    """n (1): S (F mu cot(beta) + F) - 2, S = 2 for a cone, 1 for a wedge. Source: en1991_4_2006."""
+    return (2 - slot) * ratio * steepness(half_angle, mu) - 2

@@ -1,0 +1,60 @@
+"""Jenike, Johanson and Carson (1973), funnel flow: what the flow channel leaves of the cylinder to the rules of mass flow.
+
+The channel widens upward from the outlet and meets the wall at the effective transition, D / (2 tan(channel half angle))
+above the outlet.  Where the cylinder is at most 2 D deep the channel never reaches the wall: Janssen.  Where it is at least
+5 D deep the part above the effective transition follows the strain energy of mass flow with its transition there.  The
+peak at the effective transition itself and the bins between have design equations that the abstract read does not print.
+"""
+
+import numpy as np
+
+from silostudy.pressure import janssen
+from silostudy.pressure.family import CIRCULAR, PressureMethod, asking, parameters_of
+from silostudy.pressure.jenike_mass_flow import envelope_pressure
+
+SHALLOW, TALL = 2.0, 5.0  # H / D
+
+
+def effective_transition(*, diameter, outlet_depth, channel_half_angle):
+    """Depth (m) at which the flow channel meets the wall. Source: silo_handbook, section 4.5.3 (geometry)."""
+    return outlet_depth - diameter / (2 * np.tan(channel_half_angle))
+
+
+def _pressure(z, **given):
+    slenderness = given["cylinder_depth"] / given["diameter"]
+    transition = effective_transition(**{name: given[name] for name in parameters_of(effective_transition)})
+    static = janssen.normal_pressure(z, **{name: given[name] for name in parameters_of(janssen.normal_pressure)})
+    own = {name: given[name] for name in parameters_of(envelope_pressure)} | {"cylinder_depth": np.maximum(transition, z)}
+    above = (slenderness >= TALL) & (z <= transition)
+    return np.select([slenderness <= SHALLOW, above], [static, envelope_pressure(z, **own)], np.nan)
+
+
+GIVEN = (
+    *parameters_of(envelope_pressure),
+    *parameters_of(janssen.normal_pressure),
+    *parameters_of(effective_transition),
+)
+
+ROW = PressureMethod(
+    key="jenike_funnel_1973",
+    title="Jenike 1973, funnel-flow rules",
+    source="silo_handbook",
+    locator="section 4.5.3",
+    phases={
+        "filling": janssen.STATE,
+        "discharge": {
+            "wall_normal_pressure": asking(
+                _pressure, GIVEN, "Wall normal pressure (Pa) at depth z (m). Source: silo_handbook, section 4.5.3."
+            )
+        },
+    },
+    static=janssen.normal_pressure,
+    plans=CIRCULAR,
+    not_computed=("the peak at the effective transition, and bins with 2 < H/D < 5: design equations not in the abstract",),
+    formula="H/D <= 2: Janssen; H/D >= 5: strain energy of mass flow above the effective transition; masked elsewhere",
+    validity="needs the half angle of the flow channel, which the source leaves to the solid and its handling; no published "
+    "numbers: checked against the mass-flow method",
+    colour="#E78AC3",
+    marker="$f$",
+    equilibrium=("filling",),
+)
