@@ -23,6 +23,8 @@ def add(sub) -> None:
     command.add_argument("--wall", help="see `silostudy list walls`; left out: the solid's own wall friction")
     command.add_argument("--wall-friction", type=float, metavar="MU", help="coefficient, in place of the tables'")
     command.add_argument("--hopper-half-angle", type=float, metavar="DEG", help="left out: a flat bottom")
+    command.add_argument("--hopper-wall-friction", type=float, metavar="MU", help="left out: as the cylinder's")
+    command.add_argument("--effective-friction-angle", type=float, metavar="DEG", help="Jenike's delta, for flow in hoppers")
     command.add_argument("--methods", nargs="+", default="all", help="see `silostudy list methods`")
     command.add_argument("--figure", type=Path, metavar="STEM", help="also draw STEM.png, STEM.svg and STEM.csv")
     command.set_defaults(run=run)
@@ -39,7 +41,7 @@ def run(chosen: argparse.Namespace) -> None:
     else:
         expansion = expand(_study(chosen), "compare", "compare", Path())
     cube = pressure_cube(expansion)
-    print("\n".join([*table(cube), *cautions(expansion)]))
+    print("\n".join([*table(cube), *hopper_table(cube), *values_used(cube), *cautions(expansion)]))
     if chosen.figure:
         from silostudy.figures.fig_4_2_11 import draw
 
@@ -55,7 +57,12 @@ def _study(chosen: argparse.Namespace) -> dict[str, Any]:
     silo = {"plan": "circular", "diameter_m": chosen.diameter, "cylinder_depth_m": chosen.depth}
     if chosen.hopper_half_angle is not None:
         silo["hopper"] = {"half_angle_deg": chosen.hopper_half_angle}
-    own = {} if chosen.wall_friction is None else {"wall_friction": chosen.wall_friction}
+    flags = {
+        "wall_friction": chosen.wall_friction,
+        "hopper_wall_friction": chosen.hopper_wall_friction,
+        "effective_friction_angle_deg": chosen.effective_friction_angle,
+    }
+    own = {name: value for name, value in flags.items() if value is not None}
     methods = chosen.methods if chosen.methods == "all" else list(dict.fromkeys(["janssen", *chosen.methods]))
     return {
         "kind": "pressure",
@@ -63,6 +70,7 @@ def _study(chosen: argparse.Namespace) -> dict[str, Any]:
         "scene": {"silo": silo, "solid": chosen.solid, "wall": chosen.wall, "properties": own},
         "methods": methods,
         "relative_depth": {"start": 0.0, "stop": 1.0, "count": 289},
+        "hopper_position": None if chosen.hopper_half_angle is None else {"start": 0.0, "stop": 1.0, "count": 41},
     }
 
 
@@ -87,7 +95,8 @@ def table(cube: "xr.Dataset") -> list[str]:
                     f"{name:44}{values}{pressure[peak]:10.2f}{depth[peak]:9.2f}m{factor:8.2f}"
                     f"{_carried(one):>14}{_balance(one):>9}"
                 )
-    masked = "'-': the method's source does not cover it (see the scope variables of a cube, or `silostudy explain METHOD`)"
+    masked = "'-': no single state of equilibrium, or not covered by the method's source (scope variables of a cube; "
+    masked += "`silostudy explain METHOD`)"
     return [*lines, masked]
 
 
@@ -97,13 +106,62 @@ def _cell(value: float) -> str:
 
 def _carried(one: "xr.Dataset") -> str:
     """Share of the cylinder's contents that hangs on the wall by friction."""
-    weight = float(one["unit_weight"]) * float(one["cylinder_depth"]) * float(one["hydraulic_radius"])
+    weight = _unit_weight(one) * float(one["cylinder_depth"]) * float(one["hydraulic_radius"])
     share = float(one["axial_wall_force"][-1]) / weight
     return f"{share:.1%}" if isfinite(share) else "-"
 
 
 def _balance(one: "xr.Dataset") -> str:
     """Weight less vertical pressure and wall friction, over the weight, at the transition."""
-    weight = float(one["unit_weight"]) * float(one["cylinder_depth"])
+    from silostudy.compute.evaluate import row_of
+
+    if str(one["phase"].values) not in row_of(str(one["method"].values)).equilibrium:
+        return "-"
+    weight = _unit_weight(one) * float(one["cylinder_depth"])
     carried = float(one["vertical_pressure"][-1]) + float(one["axial_wall_force"][-1]) / float(one["hydraulic_radius"])
     return f"{1 - carried / weight:.0e}" if isfinite(carried) else "-"
+
+
+def _unit_weight(one: "xr.Dataset") -> float:
+    """The unit weight (N m-3) that the method reckons with."""
+    own = float(one["design_unit_weight"]) if "design_unit_weight" in one else float("nan")
+    return own if isfinite(own) else float(one["unit_weight"])
+
+
+def hopper_table(cube: "xr.Dataset") -> list[str]:
+    """What carries the hopper's contents and the load on them (kN), a line for each state, and the flow pattern."""
+    if "hopper_balance" not in cube:
+        return []
+    names = ("hopper_weight", "transition_force", "hopper_wall_force", "ring_force", "outlet_force")
+    lines = [f"hopper (kN){'':33}  contents      load      wall      ring    outlet  balance"]
+    for method in map(str, cube["method"].values):
+        for phase in map(str, cube["phase"].values):
+            one = cube.sel({"method": method, "phase": phase})
+            if isfinite(float(one["hopper_balance"])):
+                forces = "".join(f"{_cell(float(one[name]) / 1e3) if name in one else '-':>10}" for name in names)
+                lines.append(f"{f'{method}, {phase}':44}{forces}{float(one['hopper_balance']):>9.0e}")
+    pattern = cube["flow_pattern"].attrs["flag_meanings"].split()[int(cube["flow_pattern"])].replace("_", " ")
+    return [*lines, f"flow pattern by the mass-flow limit: {pattern}{_limit(cube)}"]
+
+
+def _limit(cube: "xr.Dataset") -> str:
+    from math import degrees
+
+    limit, angle = float(cube["mass_flow_limit"]), float(cube["hopper_half_angle"])
+    return f" (half angle {degrees(angle):.1f} deg, limit {degrees(limit):.1f} deg, margin 3 deg)" if isfinite(limit) else ""
+
+
+def values_used(cube: "xr.Dataset") -> list[str]:
+    """The characteristic values behind the methods that have them: which of upper and lower, and the means they come from."""
+    from math import degrees
+
+    lines = []
+    for method in map(str, cube["method"].values):
+        one = cube.sel({"method": method})
+        if text := str(one["method_values"].values):
+            mean = f"phi {degrees(float(one['internal_friction_angle'])):.1f} deg"
+            for name, label in (("wall_friction", "mu"), ("lateral_pressure_ratio", "K"), ("a_phi", "a_phi"), ("a_K", "a_K")):
+                mean += f", {label} {float(one[name]):.3g}" if name in one else ""
+            mean += f", a_mu {float(one['a_mu']):.3g}" if "a_mu" in one else ""
+            lines.append(f"{method}: {text} (means: {mean}; unit weight {float(one['unit_weight']) / 1e3:.2f} kN/m3)")
+    return lines

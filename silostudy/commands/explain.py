@@ -23,10 +23,16 @@ def explanation(key: str) -> list[str]:
     lines.append(f"  plans     {', '.join(sorted(row.plans))}")
     for phase, quantities in row.phases.items():
         lines.append(f"  {phase:9} gives {', '.join(quantities)}")
+    for phase, quantities in row.hopper.items():
+        lines.append(f"  {phase:9} gives on the hopper wall {', '.join(quantities)}")
+    for phase, quantities in row.totals.items():
+        lines.append(f"  {phase:9} gives for the silo {', '.join(quantities)}")
+    lines += [f"  {quantity} with {values}" for quantity, values in row.values.items()]
     lines.append("  symbols   z depth below the equivalent surface (m)")
     lines += [f"            {symbol}: {name} ({unit})" for name, (unit, symbol) in PARAMETERS.items() if name in row.needs]
     if row.equilibrium:
         lines.append(f"  weight = vertical pressure + wall friction, to rounding, in {' and '.join(row.equilibrium)}")
+    lines += [f"  not computed: {what}" for what in row.not_computed]
     lines.append(f"  source    {row.source}, {row.locator}: {cite(row.source)}")
     for erratum in (erratum for erratum in errata() if erratum.method == key):
         lines.append(f"  error of the source, {erratum.place}: printed {erratum.printed}; right: {erratum.right}")

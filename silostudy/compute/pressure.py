@@ -1,34 +1,40 @@
 """The pressure stage: every method of a study over all its cases in one vectorised call each."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 
 import numpy as np
 import xarray as xr
 
 from silostudy.compute.axes import axis_coordinates
-from silostudy.cube.contract import VARIABLES, check
-from silostudy.cube.provenance import provenance
-from silostudy.pressure import PRESSURE
-from silostudy.pressure.family import (
-    ABOVE_CONTACT,
-    IN_SCOPE,
-    NO_PHASE,
-    NO_PLAN,
-    NO_PROPERTY,
-    NO_QUANTITY,
-    OUT_OF_RANGE,
-    QUANTITIES,
-    REASONS,
-    PressureMethod,
-    call,
-    parameters_of,
+from silostudy.compute.evaluate import (
+    AS_PRINTED,
+    above_contact,
+    attributes_of,
+    functions_of,
+    gather,
+    masked,
+    method_labels,
+    plans,
+    row_of,
+    scope_attributes,
 )
+from silostudy.compute.hopper import hopper_variables, total_variables
+from silostudy.config.fields import expand
+from silostudy.cube.contract import check
+from silostudy.cube.provenance import provenance
+from silostudy.pressure.family import IN_SCOPE, NO_PHASE, NO_QUANTITY, OUT_OF_RANGE, QUANTITIES, call
 from silostudy.scene.expand import Expansion
-from silostudy.scene.scene import geometry_parameters, solid_parameters
 
 HANDED = ("unit_weight", "internal_friction_angle", "wall_friction", "lateral_pressure_ratio", "poisson_ratio")
-HANDED_IF_KNOWN = ("unit_weight_lower", "effective_friction_angle", "hopper_wall_friction", "repose_angle", "a_phi", "a_K", "a_mu")
-AS_PRINTED = "_as_printed"
+HANDED_IF_KNOWN = (
+    "unit_weight_lower",
+    "effective_friction_angle",
+    "hopper_wall_friction",
+    "repose_angle",
+    "a_phi",
+    "a_K",
+    "a_mu",
+)
 
 
 def pressure_cube(expansion: Expansion) -> xr.Dataset:
@@ -49,24 +55,6 @@ def pressure_cube(expansion: Expansion) -> xr.Dataset:
     return _assemble(expansion, labels, z, values, scopes, handed)
 
 
-def method_labels(expansion: Expansion) -> list[str]:
-    """Names on the cube's method axis: the methods asked for, then those asked for as printed."""
-    return [*expansion.study.method_keys, *(key + AS_PRINTED for key in expansion.study.as_printed)]
-
-
-def row_of(label: str) -> PressureMethod:
-    """The catalogue row behind a name on the method axis."""
-    return PRESSURE[label.removesuffix(AS_PRINTED)]
-
-
-def functions_of(label: str, phase: str) -> Mapping[str, Callable]:
-    """quantity -> function of a method (or of its misprinted twin) in a phase; empty where it does not cover it."""
-    row = row_of(label)
-    if label.endswith(AS_PRINTED) and row.as_printed:
-        return row.as_printed.get(phase, {})
-    return row.phases.get(phase, {})
-
-
 def depths_in_metres(expansion: Expansion) -> np.ndarray:
     """Depth (m) of every value, shape (axes..., depth)."""
     depths = np.array(expansion.study.depths)
@@ -74,19 +62,6 @@ def depths_in_metres(expansion: Expansion) -> np.ndarray:
         return np.broadcast_to(depths, (*expansion.shape, depths.size))
     heights = np.array([case.scene.silo.cylinder_depth for case in expansion.cases]).reshape(expansion.shape)
     return heights[..., None] * depths
-
-
-def gather(expansion: Expansion, label: str) -> dict[str, np.ndarray]:
-    """Every parameter a method may ask for, in SI, shape (axes..., 1)."""
-    as_printed = label.endswith(AS_PRINTED)
-    key = row_of(label).key
-    each = [{**geometry_parameters(case.scene), **solid_parameters(case.scene, key, as_printed)} for case in expansion.cases]
-    return {name: np.array([one[name] for one in each]).reshape(*expansion.shape, 1) for name in each[0]}
-
-
-def plans(expansion: Expansion) -> np.ndarray:
-    """Plan shape of every case, shape (axes..., 1)."""
-    return np.array([case.scene.silo.plan for case in expansion.cases]).reshape(*expansion.shape, 1)
 
 
 def evaluate(label: str, phase: str, z: np.ndarray, parameters: Mapping, plan: np.ndarray) -> dict[str, tuple]:
@@ -97,24 +72,14 @@ def evaluate(label: str, phase: str, z: np.ndarray, parameters: Mapping, plan: n
     found = {}
     for name in QUANTITIES:
         if name in functions:
-            found[name] = _masked(functions[name], z, parameters, np.isin(plan, list(row.plans)))
+            value = masked(functions[name], z, parameters, np.isin(plan, list(row.plans)))
+            found[name] = above_contact(value, z, parameters)
         else:
             found[name] = np.nan, np.int8(NO_QUANTITY)
     pressure, scope = found["wall_normal_pressure"]
     static = call(row.static, np.where(z > 0, z, np.nan), parameters)  # 0 / 0 at the surface is no factor
     found["overpressure_factor"] = pressure / static, np.where((z > 0) | (scope != IN_SCOPE), scope, OUT_OF_RANGE)
     return found
-
-
-def _masked(function: Callable, z: np.ndarray, parameters: Mapping, plan_covered: np.ndarray) -> tuple:
-    """Values with NaN where the method does not speak, and why not (first reason that applies)."""
-    known = np.logical_and.reduce([np.isfinite(parameters[name]) for name in parameters_of(function)])
-    above = z < parameters["top_cone_height"] / 3
-    value = np.broadcast_to(call(function, z, parameters), z.shape)
-    reasons = [(~plan_covered, NO_PLAN), (~known, NO_PROPERTY), (above, ABOVE_CONTACT), (np.isnan(value), OUT_OF_RANGE)]
-    conditions = [np.broadcast_to(condition, z.shape) for condition, _ in reasons]
-    scope = np.select(conditions, [code for _, code in reasons], IN_SCOPE).astype(np.int8)
-    return np.where(scope == IN_SCOPE, value, np.nan), scope
 
 
 def _note(handed: dict[str, np.ndarray], m: int, parameters: Mapping, shape: tuple[int, ...]) -> None:
@@ -131,35 +96,40 @@ def _assemble(expansion: Expansion, labels: list[str], z, values, scopes, handed
     dims = ("method", "phase", *axes, level)
     data: dict = {}
     for name, value in values.items():
-        data[name] = (dims, value, {**_attributes(name), "ancillary_variables": f"{name}_scope"})
-        data[f"{name}_scope"] = (dims, scopes[name], _scope_attributes(name))
+        data[name] = (dims, value, {**attributes_of(name), "ancillary_variables": f"{name}_scope"})
+        data[f"{name}_scope"] = (dims, scopes[name], scope_attributes(name))
     for name, value in handed.items():
         if name in HANDED_IF_KNOWN and np.isnan(value).all():
             continue
         kept = value.astype(np.int8) if name == "wall_friction_capped" else value
-        data[name] = (("method", *axes), kept, _attributes(name))
+        data[name] = (("method", *axes), kept, attributes_of(name))
     for name in ("hydraulic_radius", "cylinder_depth"):
         sizes = np.array([getattr(case.scene.silo, name) for case in expansion.cases]).reshape(expansion.shape)
-        data[name] = (axes, sizes, _attributes(name))
-    data["case"] = (axes, np.array([case.id for case in expansion.cases]).reshape(expansion.shape), _attributes("case"))
+        data[name] = (axes, sizes, attributes_of(name))
+    data["case"] = (axes, np.array([case.id for case in expansion.cases]).reshape(expansion.shape), attributes_of("case"))
     data |= total_variables(expansion, labels)
     if expansion.study.hopper_position is not None:
         data |= hopper_variables(expansion, labels)
-        coords_of_hopper = {"hopper_position": ("hopper_position", expansion.study.hopper_positions, attributes_of("hopper_position"))}
     depth = {"standard_name": "depth", "units": "m", "positive": "down", "axis": "Z"}
     depth["long_name"] = "depth below the equivalent flat surface of the stored solid"
     coords: dict = {
-        "method": ("method", labels, _attributes("method")),
+        "method": ("method", labels, attributes_of("method")),
         **_looks(labels),
-        "phase": ("phase", list(expansion.study.phases), _attributes("phase")),
+        "phase": ("phase", list(expansion.study.phases), attributes_of("phase")),
         **axis_coordinates(expansion.study),
     }
     if by_metres:
         coords["depth"] = ("depth", np.array(expansion.study.depths), depth)
     else:
-        coords["relative_depth"] = (level, np.array(expansion.study.depths), _attributes("relative_depth"))
+        coords["relative_depth"] = (level, np.array(expansion.study.depths), attributes_of("relative_depth"))
         depth.pop("axis")
         coords["depth"] = ((*axes, level), z, depth)
+    if expansion.study.hopper_position is not None:
+        coords["hopper_position"] = (
+            "hopper_position",
+            expand(expansion.study.hopper_position),
+            attributes_of("hopper_position"),
+        )
     study = expansion.study.model_dump_json(exclude_defaults=True)
     sources = [row_of(label).source for label in labels] + [case.scene.solid.source for case in expansion.cases]
     attributes = {**provenance(expansion.study.title, study, sources, "pressure"), "sweep_axes": " ".join(axes)}
@@ -172,17 +142,5 @@ def _looks(labels: list[str]) -> dict[str, tuple]:
     looks = {"title": titles}
     for name in ("number", "colour", "marker"):
         looks[name] = [getattr(row_of(label), name) for label in labels]
-    return {f"method_{name}": ("method", texts, _attributes(f"method_{name}")) for name, texts in looks.items()}
-
-
-def _attributes(name: str) -> dict[str, str]:
-    return {"units": VARIABLES[name].units, "long_name": VARIABLES[name].long_name}
-
-
-def _scope_attributes(name: str) -> dict:
-    return {
-        "long_name": f"why {name} is masked",
-        "standard_name": "status_flag",
-        "flag_values": np.arange(len(REASONS), dtype=np.int8),
-        "flag_meanings": " ".join(REASONS),
-    }
+    looks["values"] = ["; ".join(f"{q}: {v}" for q, v in row_of(label).values.items()) for label in labels]
+    return {f"method_{name}": ("method", texts, attributes_of(f"method_{name}")) for name, texts in looks.items()}

@@ -7,7 +7,7 @@ cylinder and r_c as the hydraulic radius (with it the initial state is in vertic
 import numpy as np
 
 from silostudy.pressure import janssen
-from silostudy.pressure.family import CIRCULAR, SLOT, PressureMethod, asking, parameters_of
+from silostudy.pressure.family import CIRCULAR, SLOT, PressureMethod, asking, first_line, parameters_of
 
 LEAST_RATIO = 0.35
 SQUAT = 1.0  # h_b / d_c below which the account gives no pressures
@@ -43,7 +43,7 @@ def _initial(quantity):
         value = janssen.STATE[quantity](z, **own, lateral_pressure_ratio=ratio)
         return np.where(given["cylinder_depth"] / given["diameter"] >= SQUAT, value, np.nan)
 
-    doc = f"{janssen.STATE[quantity].__doc__.splitlines()[0]} Source: as3774_1996, second-hand."
+    doc = f"{first_line(janssen.STATE[quantity])} Source: as3774_1996, second-hand."
     return asking(function, (*GIVEN, "cylinder_depth", "diameter"), doc)
 
 

@@ -142,6 +142,11 @@ def asking(function: Callable, names: Iterable[str], doc: str, place: str | None
     return function
 
 
+def first_line(function: Callable) -> str:
+    """What a function gives: the first line of its docstring."""
+    return (function.__doc__ or "").splitlines()[0]
+
+
 def call(function: Callable, place, available: Mapping):
     """The function at a depth or height (None: it has no place), handed the available parameters that it asks for."""
     handed = {name: available[name] for name in parameters_of(function)}

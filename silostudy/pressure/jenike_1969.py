@@ -7,6 +7,8 @@ transition.  Below the travelling switch the flow field acts, above it the initi
 vertical forces is a ring force at the switch.
 """
 
+from collections.abc import Callable
+
 import numpy as np
 
 from silostudy.pressure import hopper_shape, janssen
@@ -73,7 +75,7 @@ class State:
 
 
 OF_STATE = ("unit_weight", "hopper_wall_friction", *parameters_of(janssen.transition_force), *SHAPE)
-FIELDS = {"filling": initial_field, "discharge": flow_field}
+FIELDS: dict[str, Callable] = {"filling": initial_field, "discharge": flow_field}
 
 
 def _of(phase, quantity, doc, place=None, extra=()):

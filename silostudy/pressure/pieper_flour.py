@@ -11,7 +11,7 @@ Model law: similar prismatic cells have pressures and depths in proportion to th
 import numpy as np
 
 from silostudy.pressure import janssen
-from silostudy.pressure.family import CELLS, PressureMethod, asking
+from silostudy.pressure.family import CELLS, PressureMethod, asking, first_line
 
 FLOUR_RATIO = {"filling": 0.31, "discharge": 0.47}
 GENERAL_RATIO = {"filling": 1.0, "discharge": 1.5}  # times 1 - sin(phi)
@@ -68,7 +68,7 @@ def _state(quantity, phase, weight, extra):
             lateral_pressure_ratio=lateral_ratio(phase, powder=given["powder"], **angle),
         )
 
-    return asking(function, GIVEN, f"{janssen.STATE[quantity].__doc__.splitlines()[0]} Source: silo_handbook, section 4.5.1.")
+    return asking(function, GIVEN, f"{first_line(janssen.STATE[quantity])} Source: silo_handbook, section 4.5.1.")
 
 
 def _row(key, title, weight, extra, colour, marker) -> PressureMethod:

@@ -25,6 +25,7 @@ WHEAT = {
     "top_cone_height": 0.0,
     "powder": 0.0,
     "i_phi": 0.584,
+    "slot": 0.0,
 }
 EXACT = 4e-15  # a few units in the last place
 CLOSED = [("janssen", "filling"), ("reimbert", "filling"), ("caquot", "filling"), ("caquot", "discharge")]

@@ -6,14 +6,21 @@ from pathlib import Path
 import pytest
 
 from silostudy.pressure import PRESSURE
-from silostudy.pressure.family import PARAMETERS, PHASES, PLANS, QUANTITIES
+from silostudy.pressure.family import HOPPER_QUANTITIES, PARAMETERS, PHASES, PLANS, QUANTITIES, TOTALS
 from silostudy.tables.handbook import TONNE_PER_M2
 from silostudy.tables.read import rows
 from silostudy.tables.references import cite
 
 PUBLISHED = Path(__file__).parents[1] / "published/pressure"
 ROUNDING = 0.001  # the print has three decimals, rounded or truncated: 0.1 % of the smallest value
-UNPUBLISHED = {"reimbert": "no published numbers"}  # method -> what its row must tell the user
+UNPUBLISHED = dict.fromkeys(  # method -> what its row must tell the user
+    [
+        "reimbert", "jenike_1969", "jenike_funnel_1973", "pieper_flour", "pieper_flour_small", "pieper_flour_buckling",
+        "en1991_4", "en1991_4_mean", "en1991_4_wall_normal", "en1991_4_wall_friction", "en1991_4_vertical_load",
+        "en1991_4_eccentric", "as3774_1996",
+    ],
+    "no published numbers",
+)  # fmt: skip
 
 
 def published(method: str) -> list[dict]:
@@ -58,6 +65,12 @@ def test_row_is_complete(row):
     assert row.colour.startswith("#")
     assert row.key in UNPUBLISHED or (PUBLISHED / f"{row.key}.csv").is_file()
     assert UNPUBLISHED.get(row.key, "") in row.validity
+    for quantities in (*row.hopper.values(), *row.totals.values()):
+        assert set(quantities) <= {*HOPPER_QUANTITIES, *TOTALS}
+        for name, function in quantities.items():
+            unit = TOTALS.get(name, "N" if name == "switch_force" else "Pa").replace(" m-", "/m")
+            assert f"({unit})" in inspect.getdoc(function).replace("N m-3", "N/m3")
+            assert "Source: " in inspect.getdoc(function)
     for quantities in row.phases.values():
         assert set(quantities) <= set(QUANTITIES)
         assert "wall_normal_pressure" in quantities

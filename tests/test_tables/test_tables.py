@@ -41,7 +41,7 @@ def test_longer_units_win_over_their_endings():
 
 
 def test_tables_4_2_1_to_4_2_4_and_pieper():
-    assert len(SOLIDS) == 8
+    assert len([row for row in SOLIDS.values() if row.source == "silo_handbook"]) == 8
     assert (SOLIDS["cement_clinker"].unit_weight_lower, SOLIDS["cement_clinker"].unit_weight) == pytest.approx(
         (1.5 * 9806.65, 1.6 * 9806.65)
     )

@@ -1,5 +1,7 @@
 """EN 1991-4:2006 as methods: the design pressures, and one state of equilibrium for each set of characteristic values."""
 
+from typing import Any
+
 import numpy as np
 
 from silostudy.pressure import hopper_shape, janssen
@@ -43,8 +45,9 @@ def filled(z, set_name, given):
     return *cylinder.pressures(z, mu=mu, k=k, **take(given, names)), mu
 
 
-def read_off(quantity, p_h, p_v, mu, z, given):
+def read_off(quantity, z, set_name, given):
     """One quantity of a filling state; the axial force is the friction integrated, R (gamma z - p_v)."""
+    p_h, p_v, mu = filled(z, set_name, given)
     weight = given["unit_weight"] * z
     return {
         "wall_normal_pressure": p_h,
@@ -58,7 +61,7 @@ def on_cylinder(quantity, set_name, phase):
     """A method function for one quantity with one set, increased in discharge."""
 
     def function(z, **given):
-        value = read_off(quantity, *filled(z, set_name, given), z, given)
+        value = read_off(quantity, z, set_name, given)
         if phase == "discharge":
             value = value * cylinder.discharge_factor(INCREASE[quantity], **take(given, ("diameter", "cylinder_depth")))
         return value
@@ -147,7 +150,7 @@ def patch(phase):
     }
 
 
-COMMON = {
+COMMON: dict[str, Any] = {
     "source": "en1991_4_2006",
     "locator": "as public programs carry it (printed standard not seen)",
     "static": janssen.normal_pressure,
@@ -191,7 +194,7 @@ DESIGN = PressureMethod(
     "are no single state of equilibrium (the sets' own rows are); printed standard not seen; no published numbers: checked "
     "in 50-digit arithmetic and by equilibrium; a wedge's formula is not in equilibrium, see the balance",
     colour="#2166AC",
-    marker="*",
+    marker="$E$",
     **COMMON,
 )
 

@@ -1,0 +1,160 @@
+"""The hopper wall and the totals of a silo: pressures over the height, forces, and the vertical balance."""
+
+from collections.abc import Mapping
+
+import numpy as np
+
+from silostudy.compute.evaluate import attributes_of, gather, masked, plans, row_of, scope_attributes
+from silostudy.config.fields import expand
+from silostudy.pressure import hopper_shape, mass_flow
+from silostudy.pressure.family import (
+    HOPPER_QUANTITIES,
+    IN_SCOPE,
+    NO_PHASE,
+    NO_QUANTITY,
+    TOTALS,
+    WITH_HOPPER,
+    PressureMethod,
+    call,
+    parameters_of,
+)
+from silostudy.scene.expand import Expansion
+
+BALANCE = ("hopper_weight", "hopper_wall_force", "hopper_balance")
+NODES = np.linspace(-3.3, 3.3, 81)  # of the double-exponential rule below
+
+
+def total_variables(expansion: Expansion, labels: list[str]) -> dict[str, tuple]:
+    """Every total that a method of the study gives, each (method, phase, axes...), with its scope flags."""
+    rows = [row_of(label) for label in labels]
+    offered = [name for name in TOTALS if any(name in total for row in rows for total in row.totals.values())]
+    return _variables(expansion, labels, offered, (), lambda row, phase, parameters: _totals(row, phase, offered, parameters))
+
+
+def hopper_variables(expansion: Expansion, labels: list[str]) -> dict[str, tuple]:
+    """Pressures on the hopper wall (method, phase, axes..., hopper_position), the balance, and the hopper's shape."""
+    places = np.array(expand(expansion.study.hopper_position))
+
+    def on_wall(row, phase, parameters):
+        top, bottom = heights(parameters)
+        return _of_wall(row, phase, top - places * (top - bottom), parameters)
+
+    wall = _variables(expansion, labels, HOPPER_QUANTITIES, ("hopper_position",), on_wall, places.size)
+    balance = _variables(expansion, labels, BALANCE, (), balanced)
+    return {**wall, **balance, **_shape(expansion)}
+
+
+def _variables(expansion, labels, names, last_dims, evaluate, *last_shape) -> dict[str, tuple]:
+    """xarray variables of the named quantities, filled by evaluate(row, phase, parameters) -> name -> (value, scope)."""
+    shape = (len(labels), len(expansion.study.phases), *expansion.shape, *last_shape)
+    values = {name: np.full(shape, np.nan) for name in names}
+    scopes = {name: np.full(shape, NO_PHASE, dtype=np.int8) for name in names}
+    for m, label in enumerate(labels):
+        parameters = gather(expansion, label) | {"plan": plans(expansion)}
+        for p, phase in enumerate(expansion.study.phases):
+            for name, (value, scope) in evaluate(row_of(label), phase, parameters).items():
+                values[name][m, p], scopes[name][m, p] = value, scope
+    dims = ("method", "phase", *(axis.axis for axis in expansion.study.sweep), *last_dims)
+    data: dict[str, tuple] = {}
+    for name in names:
+        data[name] = (dims, values[name], {**attributes_of(name), "ancillary_variables": f"{name}_scope"})
+        data[f"{name}_scope"] = (dims, scopes[name], scope_attributes(name))
+    return data
+
+
+def heights(parameters: Mapping) -> tuple[np.ndarray, np.ndarray]:
+    """Heights (m) of the transition and the outlet above the hopper's apex, shape (axes..., 1)."""
+    half_angle = parameters["hopper_half_angle"]
+    return (
+        hopper_shape.apex_height(parameters["diameter"], half_angle),
+        hopper_shape.outlet_height(parameters["outlet_width"], half_angle),
+    )
+
+
+def _totals(row: PressureMethod, phase: str, offered: list[str], parameters: Mapping) -> dict[str, tuple]:
+    functions = row.totals.get(phase, {})
+    found = {}
+    for name in offered if phase in row.phases else ():
+        if name not in functions:
+            found[name] = np.nan, np.int8(NO_QUANTITY)
+            continue
+        of_hopper = "hopper_half_angle" in parameters_of(functions[name])
+        covered = np.isin(parameters["plan"], list(row.plans & WITH_HOPPER if of_hopper else row.plans))
+        value, scope = masked(functions[name], None, parameters, covered)
+        found[name] = value[..., 0], scope[..., 0]
+    return found
+
+
+def _of_wall(row: PressureMethod, phase: str, x: np.ndarray, parameters: Mapping) -> dict[str, tuple]:
+    functions = row.hopper.get(phase, {})
+    covered = np.isin(parameters["plan"], list(row.plans & WITH_HOPPER))
+    return {
+        name: masked(functions[name], x, parameters, covered) if name in functions else (np.nan, np.int8(NO_QUANTITY))
+        for name in (HOPPER_QUANTITIES if phase in row.phases else ())
+    }
+
+
+def balanced(row: PressureMethod, phase: str, parameters: Mapping) -> dict[str, tuple]:
+    """Weight of the hopper's contents (N), vertical wall force (N) by quadrature, and what vertical balance misses (1)."""
+    functions, totals = row.hopper.get(phase, {}), row.totals.get(phase, {})
+    if "hopper_friction_traction" not in functions or "outlet_force" not in totals:
+        return dict.fromkeys(BALANCE, (np.nan, np.int8(NO_QUANTITY))) if phase in row.phases else {}
+    (transition, scope), (outlet, _) = (
+        _totals(row, phase, [name], parameters)[name] for name in ("transition_force", "outlet_force")
+    )
+    ring = np.nan_to_num(_totals(row, phase, ["ring_force"], parameters)["ring_force"][0])
+    weight = parameters["unit_weight"] * _contents(parameters)
+    wall = _wall_force(row, phase, parameters)
+    missing = 1 - (wall + ring + outlet) / (weight[..., 0] + transition)
+    scope = np.where((scope == IN_SCOPE) & np.isnan(missing), np.int8(NO_QUANTITY), scope)
+    return {name: (value, scope) for name, value in zip(BALANCE, (weight[..., 0], wall, missing), strict=True)}
+
+
+def _contents(parameters: Mapping) -> np.ndarray:
+    """Volume (m3) between the outlet and the transition."""
+    names = parameters_of(hopper_shape.contents)
+    top, bottom = (hopper_shape.contents(x, **{name: parameters[name] for name in names}) for x in heights(parameters))
+    return top - bottom
+
+
+def _wall_force(row: PressureMethod, phase: str, parameters: Mapping) -> np.ndarray:
+    """Vertical force (N) on the hopper wall: (p_n tan(theta) + p_t) integrated over the wall, in two parts.
+
+    The parts meet at the peak of the pressure, where it has a kink; each by the double-exponential rule, which takes the
+    powers of x at the apex in its stride.
+    """
+    top, bottom = heights(parameters)
+    peak = row.totals[phase].get("peak_height")
+    middle = (top + bottom) / 2 if peak is None else np.clip(call(peak, None, parameters), bottom, top)
+    share = (1 + np.tanh(np.pi / 2 * np.sinh(NODES))) / 2
+    weights = np.pi / 4 * np.cosh(NODES) / np.cosh(np.pi / 2 * np.sinh(NODES)) ** 2 * (NODES[1] - NODES[0])
+    total = np.zeros(np.shape(top)[:-1])
+    for start, end in ((bottom, middle), (middle, top)):
+        x = start + (end - start) * share
+        wall = _of_wall(row, phase, x, parameters)
+        projected = wall["hopper_normal_pressure"][0] * np.tan(parameters["hopper_half_angle"])
+        names = parameters_of(hopper_shape.wall_length)
+        around = hopper_shape.wall_length(x, **{name: parameters[name] for name in names})
+        total = (
+            total
+            + np.sum((projected + wall["hopper_friction_traction"][0]) * around * weights, axis=-1) * (end - start)[..., 0]
+        )
+    return total
+
+
+def _shape(expansion: Expansion) -> dict[str, tuple]:
+    """The hopper's dimensions and its flow pattern by the mass-flow limit, (axes...)."""
+    dims = tuple(axis.axis for axis in expansion.study.sweep)
+    parameters = gather(expansion, expansion.study.method_keys[0])
+    friction = parameters["effective_friction_angle"], parameters["hopper_wall_friction"]
+    pattern = mass_flow.flow_pattern(parameters["hopper_half_angle"], *friction, parameters["slot"])
+    found = {
+        "hopper_height": heights(parameters)[0],
+        "hopper_half_angle": parameters["hopper_half_angle"],
+        "outlet_width": parameters["outlet_width"],
+        "mass_flow_limit": mass_flow.limit_angle(*friction),
+    }
+    data = {name: (dims, value[..., 0], attributes_of(name)) for name, value in found.items()}
+    flags = np.arange(len(mass_flow.PATTERNS), dtype=np.int8)
+    meanings = {"flag_values": flags, "flag_meanings": " ".join(mass_flow.PATTERNS)}
+    return {**data, "flow_pattern": (dims, pattern[..., 0], {**attributes_of("flow_pattern"), **meanings})}
