@@ -47,6 +47,19 @@ def _measure(row) -> dict:
     return {"method": row.key, "phase": phase, "pressures_per_s": 1 / whole, "loop_per_s": 1 / single, "ratio": single / whole}
 
 
+# what only some methods ask for: any values of a usual size
+EXTRA = {
+    "unit_weight_lower": 7000.0,
+    "slot": 0.0,
+    "circular": 1.0,
+    "repose_angle": 0.6,
+    "a_phi": 1.12,
+    "a_K": 1.11,
+    "a_mu": 1.16,
+    "channel_half_angle": 0.15,
+}
+
+
 def _sweep(cases: int):
     """Depths (cases, DEPTHS) and parameters (cases, 1) of silos of every size, with the proportions that charts ask for."""
     import numpy as np
@@ -56,6 +69,7 @@ def _sweep(cases: int):
     diameter = np.linspace(3, 20, cases)[:, None]
     depth = SLENDERNESS * diameter
     given = {"unit_weight": 7845.32, "internal_friction_angle": 0.5236, "poisson_ratio": 0.4, "powder": 0.0, "i_phi": 0.548}
+    given |= EXTRA
     given |= {"wall_friction": WALL_FRICTION, "lateral_pressure_ratio": LATERAL_PRESSURE_RATIO, "top_cone_height": 0.0}
     sizes = {"diameter": diameter, "hydraulic_radius": diameter / 4, "cylinder_depth": depth, "outlet_depth": 1.1 * depth}
     constant = {name: np.full_like(diameter, value) for name, value in given.items()}

@@ -16,7 +16,7 @@ from silostudy.pressure.family import WITH_HOPPER, PressureMethod, asking, call,
 from silostudy.pressure.radial_field import flow_slope, initial_slope
 
 INITIAL_RATIO = 0.8  # K of the source's Fig. 5
-NEAREST = 1e-9  # heights over the hopper's height closer to the apex than this are taken as this
+NEAREST = 1e-9  # of the hopper's height: where the mean pressure at the apex is read, which is 0/0 there
 SHAPE = ("diameter", "perimeter", "hopper_half_angle", "slot")
 
 
@@ -60,7 +60,7 @@ class State:
 
     def force(self, x):
         """Downward force (N) through the level at height x (m): what the wall carries below, less the weight below."""
-        share, peak = np.broadcast_arrays(np.maximum(x / self.height, NEAREST), self.peak)
+        share, peak = np.broadcast_arrays(x / self.height, self.peak)
         below = np.minimum(share, peak)
         rising = np.divide(below ** (self.m + 2), peak * (self.m + 2), out=np.zeros_like(share), where=peak > 0)
         width = np.divide(share - below, 6 * (1 - peak), out=np.zeros_like(share), where=peak < 1)
@@ -91,7 +91,7 @@ def _of(phase, quantity, doc, place=None, extra=()):
 def _hopper(phase):
     def mean(state, x, given):
         level = np.maximum(x, NEAREST * state.height)
-        return state.force(x) / hopper_shape.area(level, **{name: given[name] for name in SHAPE})
+        return state.force(level) / hopper_shape.area(level, **{name: given[name] for name in SHAPE})
 
     def traction(state, x, given):
         return given["hopper_wall_friction"] * state.normal_pressure(x)

@@ -47,13 +47,15 @@ def envelope_pressure(
         lateral_pressure_ratio=lateral_pressure_ratio,
     )
     k = poisson_ratio / (1 - poisson_ratio)
-    m, c = np.where(slot == 1, 1.0, np.sqrt(2 * (1 - poisson_ratio))), np.where(slot == 1, k, 2 * poisson_ratio)
+    m = np.where(slot == 1, 1.0, np.sqrt(2 * (1 - poisson_ratio)))
+    # 1 - 2 nu k, in a slot 1 - k^2, without the difference that loses digits as nu goes to 1/2
+    shear = (1 - 2 * poisson_ratio) / (1 - poisson_ratio) * np.where(slot == 1, 1 / (1 - poisson_ratio), 1 + poisson_ratio)
     below = cylinder_depth - z
     length = wall_friction * below / (hydraulic_radius * m)
     # b (1 - sech L), with the two small differences taken in closed form: (1 - sech L) / L = L sat(L)^2 / (1 + e^-2L)
     bulge = below / m * length * saturation(length) ** 2 / (1 + np.exp(-2 * length))
     tanh = np.tanh(length)
-    weight_term = unit_weight * (1 - c * k) * bulge
+    weight_term = unit_weight * shear * bulge
     return (weight_term + stress * (k + tanh / m)) / (1 + k * m * tanh)
 
 

@@ -9,6 +9,7 @@ import pytest
 import yaml
 
 from silostudy.cube.io import read
+from silostudy.pressure import PRESSURE
 from tests.conftest import ROOT
 
 
@@ -41,7 +42,7 @@ def test_whole_study_and_its_reruns(project, study):
     results = project / "results/small"
     made = {path.relative_to(results).as_posix() for path in results.rglob("*") if path.is_file() and "logs" not in path.parts}
     assert made == {"cases.csv", "pressure.nc", "figures/fig_4_2_11.png", "figures/fig_4_2_11.svg", "figures/fig_4_2_11.csv"}
-    assert read(results / "pressure.nc").sizes["method"] == 13
+    assert read(results / "pressure.nc").sizes["method"] == len(PRESSURE) + 1
 
     assert "Nothing to be done" in snakemake(project, "-n").stderr + snakemake(project, "-n").stdout
 
