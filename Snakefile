@@ -74,6 +74,19 @@ rule pressure:
         "python -m silostudy pressure {input[0]} {output} > {log} 2>&1"
 
 
+rule uncertainty:
+    input:
+        study_files,
+    output:
+        RESULTS + "/{study}/uncertainty.nc",
+    params:
+        code=stamp(*STAGES["uncertainty"]),
+    log:
+        RESULTS + "/{study}/logs/uncertainty.log",
+    shell:
+        "python -m silostudy uncertainty {input[0]} {output} > {log} 2>&1"
+
+
 def cube_of(wildcards):
     """The cube that a figure or table is drawn from."""
     key = getattr(wildcards, "figure", None) or wildcards.table

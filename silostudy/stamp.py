@@ -9,6 +9,7 @@ SCENE = ("catalogue", "errors", "files", "tables", "config", "scene", "figures/_
 STAGES = {
     "cases": SCENE,
     "pressure": (*SCENE, "compute", "cube"),
+    "uncertainty": (*SCENE, "compute", "cube"),
     "draw": ("catalogue", "errors", "files", "tables", "cube", "figures"),
 }
 

@@ -22,6 +22,7 @@ MAY_IMPORT = {
 }
 HEAVY_FREE = {"tables", "pressure", "figures/__init__.py", "config", "scene"}  # quick to import: no xarray, no matplotlib
 ENTRIES = {"cases": ["scene/expand.py"], "pressure": ["compute/pressure.py", "scene/expand.py"]}
+ENTRIES["uncertainty"] = ["compute/uncertainty.py", "scene/expand.py"]
 ENTRIES["draw"] = [f"figures/{path.name}" for path in sorted((PACKAGE / "figures").glob("*.py"))]
 
 

@@ -1,4 +1,4 @@
-"""`silostudy check`, `cases`, `pressure`, `draw`, `schema`: what the pipeline's rules call, and can be called by hand."""
+"""The stages that the pipeline's rules call (`check`, `cases`, `pressure`, `uncertainty`, `draw`, `schema`); by hand too."""
 
 from pathlib import Path
 
@@ -10,7 +10,9 @@ def add(sub) -> None:
 
     cases = sub.add_parser("cases", help="write the table of cases of a study")
     pressure = sub.add_parser("pressure", help="compute the pressure cube of a study")
-    for command, run, what in ((cases, run_cases, "CSV"), (pressure, run_pressure, "netCDF")):
+    uncertainty = sub.add_parser("uncertainty", help="sample the solid's scatter through the methods of a study")
+    stages = ((cases, run_cases, "CSV"), (pressure, run_pressure, "netCDF"), (uncertainty, run_uncertainty, "netCDF"))
+    for command, run, what in stages:
         command.add_argument("study", type=Path)
         command.add_argument("output", type=Path, help=f"{what} file to write")
         command.set_defaults(run=run)
@@ -98,6 +100,20 @@ def run_pressure(chosen) -> None:
     write(cube, chosen.output)
     size = cube["wall_normal_pressure"].size
     print(f"{expansion.name}: {len(expansion.cases)} case(s), {size} values a quantity in {seconds:.2f} s -> {chosen.output}")
+
+
+def run_uncertainty(chosen) -> None:
+    from silostudy.compute.uncertainty import uncertainty_cube
+    from silostudy.cube.io import write
+    from silostudy.errors import BadInput
+    from silostudy.scene.expand import expand_file
+
+    expansion = expand_file(chosen.study)
+    if "uncertainty" not in expansion.study.stages:
+        raise BadInput("uncertainty", None, "the study has no such section", str(chosen.study))
+    write(uncertainty_cube(expansion), chosen.output)
+    asked = expansion.study.uncertainty
+    print(f"{expansion.name}: {2**asked.log2_samples} samples, seed {asked.seed} -> {chosen.output}")
 
 
 def run_draw(chosen) -> None:

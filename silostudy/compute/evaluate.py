@@ -90,3 +90,13 @@ def scope_attributes(name: str) -> dict:
         "flag_values": np.arange(len(REASONS), dtype=np.int8),
         "flag_meanings": " ".join(REASONS),
     }
+
+
+def looks(labels: list[str]) -> dict[str, tuple]:
+    """What figures need to know of a method, so that a figure is a function of the cube alone."""
+    titles = [row_of(label).title + (" (as printed)" if label.endswith(AS_PRINTED) else "") for label in labels]
+    found = {"title": titles}
+    for name in ("number", "colour", "marker"):
+        found[name] = [getattr(row_of(label), name) for label in labels]
+    found["values"] = ["; ".join(f"{q}: {v}" for q, v in row_of(label).values.items()) for label in labels]
+    return {f"method_{name}": ("method", texts, attributes_of(f"method_{name}")) for name, texts in found.items()}

@@ -7,11 +7,11 @@ import xarray as xr
 
 from silostudy.compute.axes import axis_coordinates
 from silostudy.compute.evaluate import (
-    AS_PRINTED,
     above_contact,
     attributes_of,
     functions_of,
     gather,
+    looks,
     masked,
     method_labels,
     plans,
@@ -114,7 +114,7 @@ def _assemble(expansion: Expansion, labels: list[str], z, values, scopes, handed
     depth["long_name"] = "depth below the equivalent flat surface of the stored solid"
     coords: dict = {
         "method": ("method", labels, attributes_of("method")),
-        **_looks(labels),
+        **looks(labels),
         "phase": ("phase", list(expansion.study.phases), attributes_of("phase")),
         **axis_coordinates(expansion.study),
     }
@@ -134,13 +134,3 @@ def _assemble(expansion: Expansion, labels: list[str], z, values, scopes, handed
     sources = [row_of(label).source for label in labels] + [case.scene.solid.source for case in expansion.cases]
     attributes = {**provenance(expansion.study.title, study, sources, "pressure"), "sweep_axes": " ".join(axes)}
     return check(xr.Dataset(data, coords, attributes))
-
-
-def _looks(labels: list[str]) -> dict[str, tuple]:
-    """What figures need to know of a method, so that a figure is a function of the cube alone."""
-    titles = [row_of(label).title + (" (as printed)" if label.endswith(AS_PRINTED) else "") for label in labels]
-    looks = {"title": titles}
-    for name in ("number", "colour", "marker"):
-        looks[name] = [getattr(row_of(label), name) for label in labels]
-    looks["values"] = ["; ".join(f"{q}: {v}" for q, v in row_of(label).values.items()) for label in labels]
-    return {f"method_{name}": ("method", texts, attributes_of(f"method_{name}")) for name, texts in looks.items()}

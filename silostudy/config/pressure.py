@@ -5,7 +5,7 @@ from typing import Literal, Self, TypeAlias
 
 from pydantic import Field, field_validator, model_validator
 
-from silostudy.config.fields import Numbers, Range, described, expand
+from silostudy.config.fields import Numbers, Range, Strict, described, expand
 from silostudy.config.scene import SceneConfig
 from silostudy.config.study import BaseStudy, distinct
 from silostudy.figures import OUTPUTS
@@ -14,6 +14,13 @@ from silostudy.pressure.family import PHASES, USUAL_PHASES
 
 MethodKey: TypeAlias = Literal[tuple(PRESSURE)]  # type: ignore[valid-type]
 PhaseKey: TypeAlias = Literal[PHASES]  # type: ignore[valid-type]
+
+
+class Uncertainty(Strict):
+    """Scatter of the stored solid, sampled: mean times or over the solid's a_phi, a_K, a_mu, and its unit weights."""
+
+    log2_samples: int = described("sample size as a power of two", ge=6, le=16, default=10)
+    seed: int = described("seed of the quasi-random sequence: the same seed gives the same numbers", ge=0, default=1)
 
 
 class PressureStudy(BaseStudy):
@@ -35,6 +42,10 @@ class PressureStudy(BaseStudy):
     )
     hopper_position: Range | Numbers | None = described(
         "places on the hopper wall, 0 the transition ... 1 the outlet; null: no results for the hopper wall", default=None
+    )
+
+    uncertainty: Uncertainty | None = described(
+        "sample the solid's scatter through every method (a stage of its own); null: do not", "", default=None
     )
 
     @field_validator("methods")
@@ -94,6 +105,17 @@ class PressureStudy(BaseStudy):
                 if without := set(wanted) - set(given):
                     raise ValueError(f"output {key} needs the {what} {', '.join(sorted(without))}")
         return self
+
+    @model_validator(mode="after")
+    def _one_case_to_sample(self) -> Self:
+        if self.uncertainty is not None and self.sweep:
+            raise ValueError("uncertainty needs a study without sweep")
+        return self
+
+    @property
+    def stages(self) -> tuple[str, ...]:
+        """The pressure cube, and the sampled one where uncertainty is asked for."""
+        return (self.kind, "uncertainty") if self.uncertainty is not None else (self.kind,)
 
     @property
     def method_keys(self) -> tuple[str, ...]:

@@ -10,11 +10,14 @@ from silostudy.catalogue import Family
 from silostudy.config.pressure import PressureStudy
 from silostudy.config.scene import AnySilo, SceneConfig
 from silostudy.errors import BadInput
-from silostudy.scene.scene import Scene
+from silostudy.scene.scene import Scene, solid_parameters
 from silostudy.scene.silo import Hopper, Silo
 from silostudy.tables.solids import SOLIDS, SolidRow, read_solids
 from silostudy.tables.units import split_unit
 from silostudy.tables.walls import WALLS
+
+# what a sampled study needs to know of the solid's scatter, and how a user writes it
+SPREADS = {"a_phi": "a_phi", "a_K": "a_K", "a_mu": "a_mu", "unit_weight_lower": "unit_weight_lower_kN_m3"}
 
 
 def pressure_builder(study: PressureStudy, folder: Path, where: str) -> Callable[[SceneConfig, dict], Scene]:
@@ -28,9 +31,20 @@ def pressure_builder(study: PressureStudy, folder: Path, where: str) -> Callable
             if settings:
                 allowed += f" in the case {json.dumps(settings)}; use relative_depth where heights differ"
             raise BadInput("depth_m", study.depths[-1], allowed, where)
+        if study.uncertainty is not None:
+            _require_spreads(scene, where)
         return scene
 
     return build_one
+
+
+def _require_spreads(scene: Scene, where: str) -> None:
+    """BadInput unless the solid's scatter is known."""
+    values = solid_parameters(scene, "")
+    for name, written in SPREADS.items():
+        if isnan(values[name]):
+            allowed = f"solid {scene.solid.key} has none of its own: uncertainty needs it"
+            raise BadInput(f"scene.properties.{written}", None, allowed, where)
 
 
 def build(config: SceneConfig, solids: Family[SolidRow], where: str = "") -> Scene:

@@ -1,0 +1,120 @@
+"""The uncertainty stage: the solid's scatter sampled through every method of one silo, and which property matters.
+
+No source says how the properties are distributed between their lower and upper values: friction angle, wall friction and
+lateral pressure ratio are sampled log-uniformly from mean/a to mean*a, the unit weight uniformly from lower to upper, all
+independent.  The conversion factors themselves are set to 1, so that a code's own safety is not counted twice.
+"""
+
+from collections.abc import Callable, Mapping
+
+import numpy as np
+import xarray as xr
+from scipy.stats import qmc, sobol_indices, uniform
+
+from silostudy.compute.evaluate import attributes_of, functions_of, gather, looks, method_labels, plans, row_of
+from silostudy.compute.pressure import depths_in_metres, evaluate
+from silostudy.cube.contract import check
+from silostudy.cube.provenance import provenance
+from silostudy.scene.expand import Expansion
+
+SAMPLED = ("internal_friction_angle", "wall_friction", "lateral_pressure_ratio", "unit_weight")
+SPREAD_OF = {"internal_friction_angle": "a_phi", "wall_friction": "a_mu", "lateral_pressure_ratio": "a_K"}
+QUANTILES = (0.05, 0.5, 0.95)
+
+
+def uncertainty_cube(expansion: Expansion) -> xr.Dataset:
+    """Quantiles of the wall pressure (method, phase, quantile, depth) and Sobol indices of its largest value."""
+    labels, phases = method_labels(expansion), expansion.study.phases
+    z, asked = depths_in_metres(expansion), expansion.study.uncertainty
+    points = qmc.Sobol(len(SAMPLED), rng=asked.seed).random_base2(asked.log2_samples)
+    quantiles = np.full((len(labels), len(phases), len(QUANTILES), z.size), np.nan)
+    indices = np.full((2, len(labels), len(phases), len(SAMPLED)), np.nan)
+    for m, label in enumerate(labels):
+        for p, phase in enumerate(phases):
+            if not functions_of(label, phase):
+                continue
+            pressure = _pressure_of(expansion, label, phase, z)
+            sample = pressure(points)
+            whole = np.isfinite(sample).all(axis=0)  # a depth that some samples mask has no quantiles
+            quantiles[m, p][:, whole] = np.quantile(sample[:, whole], QUANTILES, axis=0)
+            if whole.any():
+                indices[:, m, p] = _indices(pressure, whole, asked)
+    return _assemble(expansion, labels, quantiles, indices)
+
+
+def _pressure_of(expansion: Expansion, label: str, phase: str, z: np.ndarray) -> Callable:
+    """The wall pressure (Pa), shape (samples, depths), as a function of points (samples, properties) of the unit cube."""
+    parameters, base = gather(expansion, label), spreads(expansion)
+
+    def pressure(points: np.ndarray) -> np.ndarray:
+        changed = scattered(parameters, base, points)
+        depths = np.broadcast_to(z, (len(points), z.size))
+        return evaluate(label, phase, depths, changed, plans(expansion))["wall_normal_pressure"][0]
+
+    return pressure
+
+
+def spreads(expansion: Expansion) -> dict[str, float]:
+    """The scatter of the study's solid: the same for every method."""
+    parameters = gather(expansion, "janssen")
+    lower = parameters["unit_weight_lower"] / parameters["unit_weight"]
+    return {name: float(parameters[spread][0]) for name, spread in SPREAD_OF.items()} | {"unit_weight": float(lower[0])}
+
+
+def scattered(parameters: Mapping, base: Mapping, points: np.ndarray) -> dict[str, np.ndarray]:
+    """Parameters of every sample, shape (samples, 1): a method's own means times the sampled factors."""
+    share = dict(zip(SAMPLED, points.T[..., None], strict=True))
+    factor = {name: base[name] ** (2 * share[name] - 1) for name in SPREAD_OF}
+    factor["unit_weight"] = base["unit_weight"] + (1 - base["unit_weight"]) * share["unit_weight"]
+    follows = {"hopper_wall_friction": "wall_friction", "unit_weight_lower": "unit_weight"} | {name: name for name in SAMPLED}
+    changed = {name: np.broadcast_to(value, (len(points), 1)) for name, value in parameters.items()}
+    changed |= {name: changed[name] * factor[source] for name, source in follows.items()}
+    changed |= {spread: np.ones((len(points), 1)) for spread in SPREAD_OF.values()}
+    for name in ("wall_friction", "hopper_wall_friction"):
+        changed[name] = np.minimum(changed[name], np.tan(changed["internal_friction_angle"]))
+    return changed
+
+
+def _indices(pressure: Callable, whole: np.ndarray, asked) -> np.ndarray:
+    """(first-order, total) Sobol indices of the largest wall pressure, by Saltelli's estimator with the study's seed."""
+
+    def largest(points):
+        return np.max(pressure(points.T)[:, whole], axis=1)
+
+    found = sobol_indices(
+        func=largest, n=2**asked.log2_samples, dists=[uniform()] * len(SAMPLED), rng=np.random.default_rng(asked.seed)
+    )
+    return np.array([found.first_order, found.total_order])
+
+
+def _assemble(expansion: Expansion, labels: list[str], quantiles: np.ndarray, indices: np.ndarray) -> xr.Dataset:
+    by_metres = expansion.study.depth_m is not None
+    level = "depth" if by_metres else "relative_depth"
+    over = ("method", "phase", "parameter")
+    data = {
+        "wall_normal_pressure_quantile": (
+            ("method", "phase", "quantile", level),
+            quantiles,
+            attributes_of("wall_normal_pressure_quantile"),
+        ),
+        "sobol_first": (over, indices[0], attributes_of("sobol_first")),
+        "sobol_total": (over, indices[1], attributes_of("sobol_total")),
+        "cylinder_depth": ((), expansion.cases[0].scene.silo.cylinder_depth, attributes_of("cylinder_depth")),
+    }
+    depth = {"standard_name": "depth", "units": "m", "positive": "down"}
+    depth["long_name"] = "depth below the equivalent flat surface of the stored solid"
+    coords = {
+        "method": ("method", labels, attributes_of("method")),
+        **looks(labels),
+        "phase": ("phase", list(expansion.study.phases), attributes_of("phase")),
+        "quantile": ("quantile", list(QUANTILES), attributes_of("quantile")),
+        "parameter": ("parameter", list(SAMPLED), attributes_of("parameter")),
+        "depth": (level, depths_in_metres(expansion), depth),
+    }
+    if not by_metres:
+        coords["relative_depth"] = (level, np.array(expansion.study.depths), attributes_of("relative_depth"))
+    study = expansion.study.model_dump_json(exclude_defaults=True)
+    sources = [row_of(label).source for label in labels] + [case.scene.solid.source for case in expansion.cases]
+    return check(
+        xr.Dataset(data, coords, {**provenance(expansion.study.title, study, sources, "uncertainty"), "sweep_axes": ""})
+    )
