@@ -152,6 +152,7 @@ def _shape(expansion: Expansion) -> dict[str, tuple]:
         "hopper_height": heights(parameters)[0],
         "hopper_half_angle": parameters["hopper_half_angle"],
         "outlet_width": parameters["outlet_width"],
+        "perimeter": parameters["perimeter"],
         "mass_flow_limit": mass_flow.limit_angle(*friction),
     }
     data = {name: (dims, value[..., 0], attributes_of(name)) for name, value in found.items()}

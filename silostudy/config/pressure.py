@@ -104,6 +104,8 @@ class PressureStudy(BaseStudy):
             ):
                 if without := set(wanted) - set(given):
                     raise ValueError(f"output {key} needs the {what} {', '.join(sorted(without))}")
+            if OUTPUTS[key].hopper and self.hopper_position is None:
+                raise ValueError(f"output {key} shows the hopper: give hopper_position")
         return self
 
     @model_validator(mode="after")

@@ -56,6 +56,7 @@ VARIABLES = {
         _v("hopper_balance", "1", "1 - (wall + ring + outlet) / (contents + load) of the hopper, vertically", *TOTAL),
         _v("hopper_weight", "N", "weight of the hopper's contents", *TOTAL),
         _v("hopper_wall_force", "N", "vertical force on the hopper wall by pressure and friction", *TOTAL),
+        _v("perimeter", "m", "perimeter of the plan", "..."),
         _v("hopper_height", "m", "height of the transition above the hopper's apex", "..."),
         _v("hopper_half_angle", "rad", "half angle of the hopper from the vertical", "..."),
         _v("outlet_width", "m", "inner width of the outlet", "..."),

@@ -25,7 +25,7 @@ plt.rcParams.update(
         "figure.constrained_layout.use": True,
     }
 )
-PHASE_LINES = {"filling": (0, (4, 2)), "discharge": "-"}
+PHASE_LINES = {"switch": (0, (1, 1)), "filling": (0, (4, 2)), "discharge": "-"}
 
 
 def save(figure: Figure, numbers: pd.DataFrame, stem: Path) -> None:

@@ -1,0 +1,106 @@
+"""Fig. 4.2.11 with the codes in use today: the handbook's curves thin and numbered, EN 1991-4 with its band, AS 3774."""
+
+from pathlib import Path
+from typing import Any
+
+import matplotlib.pyplot as plt
+import numpy as np
+import pandas as pd
+import xarray as xr
+from matplotlib.axes import Axes
+
+from silostudy.figures.style import PHASE_LINES, look, save, title
+from silostudy.tables.measured import Measured, measured_silos
+
+SETS = "en1991_4_"  # rows of one set of characteristic values: the band
+LOCAL = "en1991_4_eccentric"
+HATCHES = {"filling": "\\\\\\\\", "switch": "....", "discharge": "////"}
+
+
+def draw(cube: xr.Dataset, stem: Path) -> None:
+    """Writes the figure and the curves, the band and the measured points it shows."""
+    static = cube["wall_normal_pressure"].sel({"method": "janssen", "phase": "filling"})
+    figure, (left, right) = plt.subplots(1, 2, figsize=(12.5, 8.4), sharey=True, width_ratios=(1.3, 1))
+    tables = []
+    for method in map(str, cube["method"].values):
+        if not (method.startswith(SETS) and method != LOCAL):
+            for phase in _phases(cube, method):
+                tables.append(_curve(cube, method, phase, static))
+                _draw_curve((left, right), cube, tables[-1], method, phase)
+    for phase in map(str, cube["phase"].values):
+        band = _band(cube, phase, static)
+        if band is not None:
+            tables.append(band)
+            _draw_band((left, right), band, phase)
+    for point in _measured_here(cube):
+        left.plot(point.wall_normal_pressure / 1e3, point.depth, "k*", markersize=13, label=f"measured: {point.title}")
+    left.set(xlabel="wall normal pressure (kPa)", ylabel="depth z (m)", xlim=(0, None))
+    right.set(xlabel="ratio to static Janssen", xlim=(0.5, 6))
+    left.set_ylim(float(cube["cylinder_depth"]) * 1.05, 0)
+    figure.legend(loc="outside lower center", ncols=3, fontsize=8)
+    figure.suptitle(cube.attrs["title"])
+    save(figure, pd.concat(tables, ignore_index=True), stem)
+
+
+def _phases(cube: xr.Dataset, method: str) -> list[str]:
+    """Phases with a curve of their own: Jenike's filling is Janssen's."""
+    pressure = cube["wall_normal_pressure"].sel({"method": method})
+    shown = [phase for phase in map(str, cube["phase"].values) if pressure.sel({"phase": phase}).notnull().any()]
+    return [phase for phase in shown if not (method.startswith("jenike") and phase == "filling")]
+
+
+def _curve(cube: xr.Dataset, method: str, phase: str, static: xr.DataArray) -> pd.DataFrame:
+    pressure = cube["wall_normal_pressure"].sel({"method": method, "phase": phase})
+    ratio = (pressure / static.where(static > 0)).values
+    table = {"curve": f"{title(cube, method)}, {phase}", "depth_m": cube["depth"].values}
+    table |= {"wall_normal_pressure_kPa": pressure.values / 1e3, "ratio_to_janssen": ratio}
+    return pd.DataFrame(table).dropna(subset="wall_normal_pressure_kPa")
+
+
+def _draw_curve(axes: tuple[Axes, Axes], cube: xr.Dataset, table: pd.DataFrame, method: str, phase: str) -> None:
+    number = str(cube["method_number"].sel({"method": method}).values)
+    style = {**look(cube, method), "linestyle": PHASE_LINES[phase], "linewidth": 2.0, "markersize": 6, "markevery": 18}
+    if number or method == "reimbert":  # the handbook's curves: thin, told apart by number and marker
+        style |= {"linewidth": 0.9, "markersize": 3.5, "alpha": 0.75}
+    if phase == "filling":
+        style["markerfacecolor"] = "none"
+    for panel, column in zip(axes, ("wall_normal_pressure_kPa", "ratio_to_janssen"), strict=True):
+        panel.plot(table[column], table.depth_m, label=table.curve.iloc[0] if panel is axes[0] else None, **style)
+    if number:
+        foot = table.iloc[-1]
+        axes[0].annotate(number, (foot.wall_normal_pressure_kPa, foot.depth_m), xytext=(0, -9), textcoords="offset points",
+                         ha="center", va="center", fontsize=7)  # fmt: skip
+
+
+def _band(cube: xr.Dataset, phase: str, static: xr.DataArray) -> pd.DataFrame | None:
+    """Least and largest wall pressure over the sets of characteristic values."""
+    sets = [m for m in map(str, cube["method"].values) if m.startswith(SETS) and m != LOCAL]
+    if not sets:
+        return None
+    pressure = cube["wall_normal_pressure"].sel({"method": sets, "phase": phase})
+    table = {"curve": f"EN 1991-4, all sets of characteristic values, {phase}", "depth_m": cube["depth"].values}
+    table |= {"wall_normal_pressure_kPa": pressure.min("method").values / 1e3, "upper_kPa": pressure.max("method").values / 1e3}
+    table["ratio_to_janssen"] = (pressure.min("method") / static.where(static > 0)).values
+    table["upper_ratio"] = (pressure.max("method") / static.where(static > 0)).values
+    return pd.DataFrame(table).dropna(subset="wall_normal_pressure_kPa")
+
+
+def _draw_band(axes: tuple[Axes, Axes], band: pd.DataFrame, phase: str) -> None:
+    hatched: dict[str, Any] = {
+        "facecolor": "none",
+        "edgecolor": "#2166AC",
+        "alpha": 0.4,
+        "linewidth": 0.3,
+        "hatch": HATCHES[phase],
+    }
+    edges = (("wall_normal_pressure_kPa", "upper_kPa"), ("ratio_to_janssen", "upper_ratio"))
+    for panel, (low, high) in zip(axes, edges, strict=True):
+        label = band.curve.iloc[0] if panel is axes[0] else None
+        panel.fill_betweenx(band.depth_m, band[low], band[high], facecolor="#2166AC", alpha=0.12, linewidth=0)
+        panel.fill_betweenx(band.depth_m, band[low], band[high], label=label, **hatched)
+
+
+def _measured_here(cube: xr.Dataset) -> list[Measured]:
+    """Measured points of a silo of these very dimensions."""
+    sizes = 4 * float(cube["hydraulic_radius"]), float(cube["cylinder_depth"])
+    return [point for point in measured_silos() if np.allclose((point.diameter, point.height), sizes, rtol=1e-6, atol=0)]

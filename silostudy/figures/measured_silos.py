@@ -1,0 +1,90 @@
+"""Measured wall pressures against every method: curves with the measured points, and by how much each method is off."""
+
+from pathlib import Path
+
+import matplotlib.pyplot as plt
+import numpy as np
+import pandas as pd
+import xarray as xr
+
+from silostudy.figures.style import PHASE_LINES, look, save, title
+from silostudy.tables.measured import Measured, measured_silos
+
+
+def draw(cube: xr.Dataset, stem: Path) -> None:
+    """Writes a pair of panels for each measured silo of the study (curves, deviations) and the deviations as numbers."""
+    found = {place: _points(cube, place) for place in range(cube.sizes["silo"])}
+    places = [place for place, points in found.items() if points]
+    figure, axes = plt.subplots(len(places), 2, figsize=(12.5, 6.2 * len(places)), squeeze=False, width_ratios=(1, 1.15))
+    tables = []
+    for (curves, bars), place in zip(axes, places, strict=True):
+        here = cube.isel(silo=place)
+        _curves(curves, here, found[place])
+        for point in found[place]:
+            tables.append(deviations(here, point))
+            _bars(bars, tables[-1], point)
+    figure.suptitle(cube.attrs["title"])
+    figure.legend(*axes[0, 0].get_legend_handles_labels(), loc="outside lower center", ncols=3, fontsize=8)
+    save(figure, pd.concat(tables, ignore_index=True), stem)
+
+
+def _points(cube: xr.Dataset, place: int) -> list[Measured]:
+    """The measured points of the silo at a place on the axis, known by its dimensions."""
+    here = cube.isel(silo=place)
+    sizes = 4 * float(here["hydraulic_radius"]), float(here["cylinder_depth"])
+    return [point for point in measured_silos() if np.allclose((point.diameter, point.height), sizes, rtol=1e-6, atol=0)]
+
+
+def deviations(here: xr.Dataset, point: Measured) -> pd.DataFrame:
+    """Each method's pressure at the measured depth, by how much it is off, and which methods bracket the measurement."""
+    rows = []
+    depth = here["depth"].values
+    for method in map(str, here["method"].values):
+        for phase in map(str, here["phase"].values):
+            pressure = here["wall_normal_pressure"].sel({"method": method, "phase": phase}).values
+            computed = float(np.interp(point.depth, depth, pressure))
+            if np.isfinite(computed):
+                rows.append({"silo": point.silo, "method": method, "phase": phase, "title": f"{title(here, method)}, {phase}",
+                             "depth_m": point.depth, "measured_kPa": point.wall_normal_pressure / 1e3,
+                             "computed_kPa": computed / 1e3, "off": computed / point.wall_normal_pressure - 1})  # fmt: skip
+    table = pd.DataFrame(rows).sort_values("off", kind="stable", ignore_index=True)
+    same = table[table.phase == point.phase]
+    below, above = same[same.off < 0].off.max(), same[same.off >= 0].off.min()
+    bracket = np.where(table.off == below, "next below", np.where(table.off == above, "next above", ""))
+    return table.assign(bracket=np.where(table.phase == point.phase, bracket, ""), source=f"{point.source}, {point.locator}")
+
+
+def _curves(panel, here: xr.Dataset, points: list[Measured]) -> None:
+    for method in map(str, here["method"].values):
+        for phase in map(str, here["phase"].values):
+            pressure = here["wall_normal_pressure"].sel({"method": method, "phase": phase})
+            if pressure.notnull().any():
+                style = {
+                    **look(here, method),
+                    "linestyle": PHASE_LINES[phase],
+                    "linewidth": 1.2,
+                    "markersize": 4.5,
+                    "markevery": 12,
+                }
+                style |= {"markerfacecolor": "none"} if phase == "filling" else {}
+                panel.plot(pressure / 1e3, here["depth"], label=f"{title(here, method)}, {phase}", **style)
+    for point in points:
+        panel.plot(point.wall_normal_pressure / 1e3, point.depth, "k*", markersize=15, label=f"measured in {point.phase}")
+    panel.set(xlabel="wall normal pressure (kPa)", ylabel="depth z (m)", xlim=(0, None), ylim=(float(here["depth"].max()), 0))
+    panel.set_title(points[0].title)
+
+
+def _bars(panel, table: pd.DataFrame, point: Measured) -> None:
+    own = table.phase == point.phase
+    colours = np.where(table.bracket != "", "#2166AC", np.where(own, "#92C5DE", "#E0E0E0"))
+    panel.barh(np.arange(len(table)), 100 * table.off, color=colours, edgecolor="0.4", linewidth=0.5)
+    for place, row in enumerate(table.itertuples()):
+        note = f"  {100 * row.off:+.0f} % {row.bracket}"
+        panel.text(max(100 * row.off, 0), place, note, va="center", fontsize=7.5)
+    panel.set_yticks(np.arange(len(table)), table.title, fontsize=7.5)
+    panel.axvline(0, color="black", linewidth=1)
+    panel.set(xlabel="computed over measured, less one (%)", xlim=(None, 100 * table.off.max() + 45))
+    panel.set_title(
+        f"against {point.wall_normal_pressure / 1e3:.1f} kPa at {point.depth:g} m, {point.phase} (blue: same phase)"
+    )
+    panel.grid(axis="y", visible=False)

@@ -1,0 +1,169 @@
+"""One silo to scale with its wall pressures drawn off the wall: normal pressure on the right, wall friction on the left.
+
+A row for each method with a hopper, a column for each load case.  The switch is shown half-way up the hopper: flow field
+below, initial field above, the ring force between them.
+"""
+
+from pathlib import Path
+
+import matplotlib.pyplot as plt
+import numpy as np
+import pandas as pd
+import xarray as xr
+from matplotlib.axes import Axes
+
+from silostudy.figures.style import save, title
+
+SIDES = {
+    "normal": (1, "wall_normal_pressure", "hopper_normal_pressure"),
+    "friction": (-1, "wall_friction_traction", "hopper_friction_traction"),
+}
+HATCHES = {"normal": "////", "friction": "...."}
+COLOURS = {"normal": "#B2182B", "friction": "#2166AC"}
+WIDEST = 0.75  # diameters that the largest pressure reaches out
+
+
+def draw(cube: xr.Dataset, stem: Path) -> None:
+    """Writes the figure and the pressures it shows."""
+    methods = [m for m in map(str, cube["method"].values) if cube["hopper_balance"].sel({"method": m}).notnull().any()]
+    phases = [phase for phase in ("filling", "switch", "discharge") if phase in cube["phase"].values]
+    given = {(method, phase): state(cube, method, phase) for method in methods for phase in phases}
+    states = {where: found for where, found in given.items() if found is not None}
+    largest = max(float(table.pressure_kPa.max()) for table in states.values())
+    figure, panels = plt.subplots(
+        len(methods), len(phases), figsize=(4.3 * len(phases), 6.6 * len(methods)), squeeze=False, sharex=True, sharey=True
+    )
+    for row, method in zip(panels, methods, strict=True):
+        for panel, phase in zip(row, phases, strict=True):
+            panel.set_title(f"{title(cube, method)}: {phase}", fontsize=9)
+            panel.set_aspect("equal")
+            _silo(panel, cube)
+            if (method, phase) in states:
+                _pressures(panel, cube, states[method, phase], largest)
+                _forces(panel, cube, method, phase)
+            else:
+                panel.text(0, float(cube["cylinder_depth"]) / 2, "not given by\nthis method", ha="center", va="center")
+            panel.tick_params(labelbottom=True)
+    _frame(panels, cube, largest)
+    figure.suptitle(cube.attrs["title"])
+    numbers = pd.concat([t.assign(method=m, phase=p) for (m, p), t in states.items()], ignore_index=True)
+    save(figure, numbers[["method", "phase", "side", "depth_m", "wall_radius_m", "pressure_kPa"]], stem)
+
+
+def diameter(cube: xr.Dataset) -> float:
+    """Width (m) of the cylinder, from the hopper's height and angle."""
+    return 2 * float(cube["hopper_height"]) * np.tan(float(cube["hopper_half_angle"]))
+
+
+def wall(cube: xr.Dataset) -> tuple[np.ndarray, np.ndarray]:
+    """(depth, radius) (m) of the places on the hopper wall."""
+    radius = diameter(cube) / 2
+    outlet = float(cube["outlet_width"]) / 2
+    at = radius - cube["hopper_position"].values * (radius - outlet)
+    return float(cube["cylinder_depth"]) + (radius - at) / np.tan(float(cube["hopper_half_angle"])), at
+
+
+def state(cube: xr.Dataset, method: str, phase: str) -> pd.DataFrame | None:
+    """Pressures (kPa) along the whole wall in a load case, both sides; None where the method gives no hopper pressures."""
+    tables = []
+    if phase == "switch" and cube["switch_force"].sel({"method": method}).isnull().all():
+        return None
+    for side, (_, on_cylinder, on_hopper) in SIDES.items():
+        lower = _hopper(cube[on_hopper].sel({"method": method}), phase)
+        if np.isnan(lower).all():
+            return None
+        upper = cube[on_cylinder].sel({"method": method, "phase": phase}).values
+        depth, radius = wall(cube)
+        table = {
+            "side": side,
+            "part": ["cylinder"] * upper.size + ["hopper"] * lower.size,
+            "depth_m": np.concatenate([cube["depth"].values, depth]),
+            "wall_radius_m": np.concatenate([np.full(upper.size, diameter(cube) / 2), radius]),
+            "pressure_kPa": np.concatenate([upper, lower]) / 1e3,
+        }
+        tables.append(pd.DataFrame(table))
+    return pd.concat(tables, ignore_index=True)
+
+
+def _hopper(pressure: xr.DataArray, phase: str) -> np.ndarray:
+    if phase != "switch":
+        return pressure.sel({"phase": phase}).values
+    filling, flow = (pressure.sel({"phase": one}).values for one in ("filling", "discharge"))
+    return np.where(pressure["hopper_position"].values < 0.5, filling, flow)
+
+
+def _silo(panel: Axes, cube: xr.Dataset) -> None:
+    radius, (depth, at) = diameter(cube) / 2, wall(cube)
+    for sign in (1, -1):
+        panel.plot(
+            [sign * radius] * 2 + list(sign * at), [0, float(cube["cylinder_depth"]), *depth], color="black", linewidth=1.8
+        )
+    panel.plot([-radius, radius], [0, 0], color="0.5", linewidth=0.8)
+    panel.plot([-radius, radius], [float(cube["cylinder_depth"])] * 2, color="0.6", linewidth=0.6, linestyle=(0, (6, 4)))
+
+
+def _pressures(panel: Axes, cube: xr.Dataset, table: pd.DataFrame, largest: float) -> None:
+    scale, angle = WIDEST * diameter(cube) / largest, float(cube["hopper_half_angle"])
+    for (side, part), group in table.groupby(["side", "part"], sort=False):
+        sign = SIDES[side][0]
+        out, down = (np.cos(angle), np.sin(angle)) if part == "hopper" else (1.0, 0.0)
+        x = sign * (group.wall_radius_m + group.pressure_kPa * scale * out)
+        y = group.depth_m + group.pressure_kPa * scale * down
+        foot = sign * group.wall_radius_m
+        outline = np.concatenate([np.stack([x, y], 1), np.stack([foot, group.depth_m], 1)[::-1]])
+        outline = outline[np.isfinite(outline).all(axis=1)]
+        panel.fill(*outline.T, facecolor=COLOURS[side], alpha=0.15, linewidth=0)
+        panel.fill(*outline.T, facecolor="none", edgecolor=COLOURS[side], hatch=HATCHES[side], linewidth=0, alpha=0.45)
+        panel.plot(x, y, color=COLOURS[side], linewidth=1.3)
+    here = table[table.side == "normal"]
+    top = here.loc[here.pressure_kPa.idxmax()]
+    out, down = (np.cos(angle), np.sin(angle)) if top.part == "hopper" else (1.0, 0.0)
+    tip = (top.wall_radius_m + top.pressure_kPa * scale * out, top.depth_m + top.pressure_kPa * scale * down)
+    panel.annotate(f"{top.pressure_kPa:.0f} kPa", tip, xytext=(3, 2), textcoords="offset points", fontsize=8, va="center")
+
+
+def _forces(panel: Axes, cube: xr.Dataset, method: str, phase: str) -> None:
+    """Ring force at its place, and the balance of vertical forces on the hopper's contents (kN) in the middle."""
+    one = cube.sel({"method": method, "phase": phase})
+    depth, radius = wall(cube)
+    if phase == "switch":
+        place = int(np.argmin(np.abs(cube["hopper_position"].values - 0.5)))
+        ring = float(one["switch_force"][place])
+        text = f"switch half-way up\nring force {ring / 1e3:.0f} kN"
+        most = int(np.nanargmax(one["switch_force"].values))
+        text += f"\nlargest on its way\n{float(one['switch_force'][most]) / 1e3:.0f} kN at {depth[most]:.1f} m"
+    else:
+        place, ring = 0, float(one["ring_force"]) if "ring_force" in one else np.nan
+        kilo = {
+            name: float(one[name]) / 1e3 for name in ("hopper_weight", "transition_force", "hopper_wall_force", "outlet_force")
+        }
+        ring_text = f"\nring      {ring / 1e3:7.0f}" if ring == ring else ""
+        text = (
+            f"hopper (kN)\ncontents  {kilo['hopper_weight']:7.0f}\nload      {kilo['transition_force']:7.0f}\nwall      "
+            f"{kilo['hopper_wall_force']:7.0f}{ring_text}\noutlet    {kilo['outlet_force']:7.0f}\n"
+            f"missing  {abs(float(one['hopper_balance'])):8.0e}"
+        )
+    panel.text(0, float(cube["cylinder_depth"]) * 0.45, text, ha="center", va="center", fontsize=7.5, family="monospace")
+    if ring > 0:
+        arrow = {"arrowstyle": "-|>", "linewidth": 2.2, "color": "black", "shrinkA": 0, "shrinkB": 0}
+        start = (radius[place] + 0.28 * diameter(cube), depth[place] - 0.16 * diameter(cube))
+        panel.annotate(
+            f"P {ring / 1e3:.0f} kN", (radius[place], depth[place]), xytext=start, arrowprops=arrow, fontsize=8, va="bottom"
+        )
+
+
+def _frame(panels: np.ndarray, cube: xr.Dataset, largest: float) -> None:
+    width, bottom = diameter(cube), float(wall(cube)[0][-1])
+    bar = 10 ** np.floor(np.log10(largest))
+    length = bar * WIDEST * width / largest
+    for panel in panels.flat:
+        panel.set(xlim=(-1.45 * width, 1.45 * width), ylim=(bottom + 0.45 * width, -0.06 * width))
+        panel.plot([0.75 * width, 0.75 * width + length], [bottom + 0.3 * width] * 2, color="black", linewidth=2)
+        panel.text(0.75 * width + length / 2, bottom + 0.27 * width, f"{bar:.0f} kPa", ha="center", va="bottom", fontsize=8)
+        panel.text(1.4 * width, 0.3, "normal\npressure", ha="right", va="top", color=COLOURS["normal"], fontsize=8)
+        panel.text(-1.4 * width, 0.3, "wall\nfriction", ha="left", va="top", color=COLOURS["friction"], fontsize=8)
+        panel.grid(False)
+    for panel in panels[:, 0]:
+        panel.set_ylabel("depth z (m)")
+    for panel in panels[-1]:
+        panel.set_xlabel("distance from the axis (m)")

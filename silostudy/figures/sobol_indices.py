@@ -1,0 +1,51 @@
+"""Which property of the stored solid matters: first-order and total Sobol indices of the largest wall pressure."""
+
+from pathlib import Path
+
+import matplotlib.pyplot as plt
+import numpy as np
+import pandas as pd
+import xarray as xr
+
+from silostudy.figures.style import save, title
+
+LOOKS = {
+    "internal_friction_angle": ("#F4A582", "////"),
+    "wall_friction": ("#2166AC", ""),
+    "lateral_pressure_ratio": ("#92C5DE", "...."),
+    "unit_weight": ("#B2182B", "xxxx"),
+}
+
+
+def draw(cube: xr.Dataset, stem: Path) -> None:
+    """Writes a bar for each method and phase, split by first-order index, a tick at the sum of the total indices."""
+    numbers = _numbers(cube)
+    bars = numbers.groupby("curve", sort=False)
+    figure, panel = plt.subplots(figsize=(10, 0.3 * len(bars) + 2.2))
+    start = np.zeros(len(bars))
+    for parameter, (colour, hatch) in LOOKS.items():
+        share = numbers[numbers.parameter == parameter].first_order.clip(lower=0).to_numpy()
+        name = parameter.replace("_", " ")
+        panel.barh(
+            np.arange(len(bars)), share, left=start, color=colour, hatch=hatch, edgecolor="white", height=0.75, label=name
+        )
+        start = start + share
+    panel.plot(bars.total.sum().to_numpy(), np.arange(len(bars)), "k|", markersize=11, label="sum of the total indices")
+    panel.set_yticks(np.arange(len(bars)), list(bars.groups))
+    panel.set(xlabel="share of the variance of the largest wall pressure (first-order Sobol index)", xlim=(0, 1.1))
+    panel.invert_yaxis()
+    panel.grid(axis="y", visible=False)
+    figure.suptitle(cube.attrs["title"])
+    figure.legend(loc="outside lower center", ncols=3)
+    save(figure, numbers, stem)
+
+
+def _numbers(cube: xr.Dataset) -> pd.DataFrame:
+    tables = []
+    for method in map(str, cube["method"].values):
+        for phase in map(str, cube["phase"].values):
+            one = cube.sel({"method": method, "phase": phase})
+            table = {"curve": f"{title(cube, method)}, {phase}", "parameter": cube["parameter"].values}
+            table |= {"first_order": one["sobol_first"].values, "total": one["sobol_total"].values}
+            tables.append(pd.DataFrame(table))
+    return pd.concat(tables, ignore_index=True).dropna()

@@ -1,0 +1,59 @@
+"""The scatter of the stored solid, method by method: median and the middle nine tenths of the wall pressure over depth."""
+
+from pathlib import Path
+from typing import Any
+
+import matplotlib.pyplot as plt
+import pandas as pd
+import xarray as xr
+from matplotlib.axes import Axes
+
+from silostudy.figures.style import save, title
+
+LOOKS = {
+    "filling": ("#4393C3", "\\\\\\\\", (0, (4, 2))),
+    "switch": ("#5E3C99", "....", ":"),
+    "discharge": ("#D6604D", "////", "-"),
+}
+
+
+def draw(cube: xr.Dataset, stem: Path) -> None:
+    """Writes a panel for each method and the quantiles it shows."""
+    quantiles = cube["wall_normal_pressure_quantile"] / 1e3
+    methods = [m for m in map(str, cube["method"].values) if quantiles.sel({"method": m}).notnull().any()]
+    columns = min(4, len(methods))
+    rows = -(-len(methods) // columns)
+    figure, axes = plt.subplots(
+        rows, columns, figsize=(3.2 * columns, 3.0 * rows + 0.8), squeeze=False, sharex=True, sharey=True
+    )
+    tables = []
+    for panel, method in zip(axes.flat, methods, strict=False):
+        for phase in map(str, cube["phase"].values):
+            low, middle, high = (quantiles.sel({"method": method, "phase": phase}).isel(quantile=i) for i in range(3))
+            if middle.notnull().any():
+                _band(panel, cube["depth"], (low, middle, high), phase)
+                table = {"method": method, "phase": phase, "depth_m": cube["depth"].values}
+                table |= {"p05_kPa": low.values, "p50_kPa": middle.values, "p95_kPa": high.values}
+                tables.append(pd.DataFrame(table))
+        panel.set_title(title(cube, method), fontsize=8.5)
+    for panel in list(axes.flat)[len(methods) :]:
+        panel.set_visible(False)
+    axes[0, 0].set(ylim=(float(cube["depth"].max()), 0), xlim=(0, None))
+    for place, panel in enumerate(list(axes.flat)[: len(methods)]):
+        panel.set_ylabel("depth z (m)" if place % columns == 0 else "")
+        if place + columns >= len(methods):
+            panel.set_xlabel("wall normal pressure (kPa)")
+            panel.tick_params(labelbottom=True)
+    found = {label: handle for panel in axes.flat for handle, label in zip(*panel.get_legend_handles_labels(), strict=True)}
+    figure.legend(found.values(), found.keys(), loc="outside lower center", ncols=4)
+    figure.suptitle(f"{cube.attrs['title']}\nscatter of friction angle, wall friction, lateral pressure ratio and unit weight")
+    save(figure, pd.concat(tables, ignore_index=True).dropna(), stem)
+
+
+def _band(panel: Axes, depth, quantiles: tuple, phase: str) -> None:
+    low, middle, high = quantiles
+    colour, hatch, line = LOOKS[phase]
+    panel.fill_betweenx(depth, low, high, facecolor=colour, alpha=0.25, linewidth=0)
+    hatched: dict[str, Any] = {"facecolor": "none", "edgecolor": colour, "hatch": hatch, "alpha": 0.5, "linewidth": 0}
+    panel.fill_betweenx(depth, low, high, label=f"{phase}: 5 % to 95 %", **hatched)
+    panel.plot(middle, depth, color=colour, linestyle=line, linewidth=1.6, label=f"{phase}: median")
