@@ -35,7 +35,8 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     for point in _measured_here(cube):
         left.plot(point.wall_normal_pressure / 1e3, point.depth, "k*", markersize=13, label=f"measured: {point.title}")
     left.set(xlabel="wall normal pressure (kPa)", ylabel="depth z (m)", xlim=(0, None))
-    right.set(xlabel="ratio to static Janssen", xlim=(0.5, 6))
+    right.set(xlabel="ratio to static Janssen", xlim=_ratios(tables, float(cube["cylinder_depth"])))
+    _number_ends(left, tables)
     left.set_ylim(float(cube["cylinder_depth"]) * 1.05, 0)
     figure.legend(loc="outside lower center", ncols=3, fontsize=8)
     figure.suptitle(cube.attrs["title"])
@@ -54,6 +55,7 @@ def _curve(cube: xr.Dataset, method: str, phase: str, static: xr.DataArray) -> p
     ratio = (pressure / static.where(static > 0)).values
     table = {"curve": f"{title(cube, method)}, {phase}", "depth_m": cube["depth"].values}
     table |= {"wall_normal_pressure_kPa": pressure.values / 1e3, "ratio_to_janssen": ratio}
+    table["number"] = str(cube["method_number"].sel({"method": method}).values)
     return pd.DataFrame(table).dropna(subset="wall_normal_pressure_kPa")
 
 
@@ -66,10 +68,23 @@ def _draw_curve(axes: tuple[Axes, Axes], cube: xr.Dataset, table: pd.DataFrame, 
         style["markerfacecolor"] = "none"
     for panel, column in zip(axes, ("wall_normal_pressure_kPa", "ratio_to_janssen"), strict=True):
         panel.plot(table[column], table.depth_m, label=table.curve.iloc[0] if panel is axes[0] else None, **style)
-    if number:
-        foot = table.iloc[-1]
-        axes[0].annotate(number, (foot.wall_normal_pressure_kPa, foot.depth_m), xytext=(0, -9), textcoords="offset points",
-                         ha="center", va="center", fontsize=7)  # fmt: skip
+
+
+def _ratios(tables: list[pd.DataFrame], height: float) -> tuple[float, float]:
+    """Limits of the ratio axis: all ratios below a tenth of the height (nearer the surface some grow without bound)."""
+    ratios = pd.concat([table[table.depth_m > height / 10].ratio_to_janssen for table in tables])
+    return min(0.5, 0.95 * ratios.min()), 1.05 * ratios.max()
+
+
+def _number_ends(axes: Axes, tables: list[pd.DataFrame]) -> None:
+    """The handbook's number at the foot of its curves, on two lines where they stand close."""
+    feet = sorted((t.wall_normal_pressure_kPa.iloc[-1], t.depth_m.iloc[-1], t.number.iloc[0]) for t in tables if "number" in t)
+    last = [-np.inf, -np.inf]
+    for x, y, number in (foot for foot in feet if foot[2]):
+        line = int(x - last[0] < 0.02 * feet[-1][0])
+        last[line] = x
+        place = {"xytext": (0, -9 - 9 * line), "textcoords": "offset points", "ha": "center", "va": "center", "fontsize": 7.5}
+        axes.annotate(number, (x, y), **place)
 
 
 def _band(cube: xr.Dataset, phase: str, static: xr.DataArray) -> pd.DataFrame | None:

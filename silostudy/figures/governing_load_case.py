@@ -42,7 +42,7 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     axes[0, 0].set_ylabel("half angle of the cone (°)")
     handles = [Patch(color=colour, label=f"{short}  {name}") for name, (colour, short) in CASES.items()]
     handles.append(
-        Patch(facecolor="white", edgecolor="0.6", label="blank: a load case is not given there (flow beyond mass flow)")
+        Patch(facecolor="white", edgecolor="0.6", label="blank: discharge not given there (beyond mass flow; EN: shallow)")
     )
     figure.legend(handles=handles, loc="outside lower center", ncols=3)
     figure.suptitle(f"{cube.attrs['title']}\nload case and place of the largest hopper wall pressure")

@@ -64,15 +64,15 @@ def wall(cube: xr.Dataset) -> tuple[np.ndarray, np.ndarray]:
 
 
 def state(cube: xr.Dataset, method: str, phase: str) -> pd.DataFrame | None:
-    """Pressures (kPa) along the whole wall in a load case, both sides; None where the method gives no hopper pressures."""
+    """Pressures (kPa) along the whole wall in a load case, both sides; None where the method does not treat it."""
     tables = []
     if phase == "switch" and cube["switch_force"].sel({"method": method}).isnull().all():
         return None
     for side, (_, on_cylinder, on_hopper) in SIDES.items():
         lower = _hopper(cube[on_hopper].sel({"method": method}), phase)
-        if np.isnan(lower).all():
-            return None
         upper = cube[on_cylinder].sel({"method": method, "phase": phase}).values
+        if np.isnan(upper).all():
+            return None
         depth, radius = wall(cube)
         table = {
             "side": side,
@@ -114,7 +114,7 @@ def _pressures(panel: Axes, cube: xr.Dataset, table: pd.DataFrame, largest: floa
         outline = outline[np.isfinite(outline).all(axis=1)]
         panel.fill(*outline.T, facecolor=COLOURS[side], alpha=0.15, linewidth=0)
         panel.fill(*outline.T, facecolor="none", edgecolor=COLOURS[side], hatch=HATCHES[side], linewidth=0, alpha=0.45)
-        panel.plot(x, y, color=COLOURS[side], linewidth=1.3)
+        panel.plot(*outline.T, color=COLOURS[side], linewidth=1.3)
     here = table[table.side == "normal"]
     top = here.loc[here.pressure_kPa.idxmax()]
     out, down = (np.cos(angle), np.sin(angle)) if top.part == "hopper" else (1.0, 0.0)
@@ -133,6 +133,9 @@ def _forces(panel: Axes, cube: xr.Dataset, method: str, phase: str) -> None:
         most = int(np.nanargmax(one["switch_force"].values))
         text += f"\nlargest on its way\n{float(one['switch_force'][most]) / 1e3:.0f} kN at {depth[most]:.1f} m"
     else:
+        if one["hopper_normal_pressure"].isnull().all():
+            panel.text(0, depth.mean(), "hopper not\ngiven by\nthis method", ha="center", va="center", fontsize=7.5)
+            return
         place, ring = 0, float(one["ring_force"]) if "ring_force" in one else np.nan
         kilo = {
             name: float(one[name]) / 1e3 for name in ("hopper_weight", "transition_force", "hopper_wall_force", "outlet_force")
@@ -141,20 +144,19 @@ def _forces(panel: Axes, cube: xr.Dataset, method: str, phase: str) -> None:
         text = (
             f"hopper (kN)\ncontents  {kilo['hopper_weight']:7.0f}\nload      {kilo['transition_force']:7.0f}\nwall      "
             f"{kilo['hopper_wall_force']:7.0f}{ring_text}\noutlet    {kilo['outlet_force']:7.0f}\n"
-            f"missing  {abs(float(one['hopper_balance'])):8.0e}"
+            f"missing   {abs(float(one['hopper_balance'])):7.0e}"
         )
     panel.text(0, float(cube["cylinder_depth"]) * 0.45, text, ha="center", va="center", fontsize=7.5, family="monospace")
     if ring > 0:
         arrow = {"arrowstyle": "-|>", "linewidth": 2.2, "color": "black", "shrinkA": 0, "shrinkB": 0}
-        start = (radius[place] + 0.28 * diameter(cube), depth[place] - 0.16 * diameter(cube))
-        panel.annotate(
-            f"P {ring / 1e3:.0f} kN", (radius[place], depth[place]), xytext=start, arrowprops=arrow, fontsize=8, va="bottom"
-        )
+        start = (-radius[place] - 0.4 * diameter(cube), depth[place] - 0.12 * diameter(cube))
+        label = {"xytext": start, "arrowprops": arrow, "fontsize": 8, "ha": "right", "va": "bottom"}
+        panel.annotate(f"P {ring / 1e3:.0f} kN", (-radius[place], depth[place]), **label)
 
 
 def _frame(panels: np.ndarray, cube: xr.Dataset, largest: float) -> None:
     width, bottom = diameter(cube), float(wall(cube)[0][-1])
-    bar = 10 ** np.floor(np.log10(largest))
+    bar = max(n * 10.0**power for power in range(-3, 7) for n in (1, 2, 5) if n * 10.0**power <= largest / 2)
     length = bar * WIDEST * width / largest
     for panel in panels.flat:
         panel.set(xlim=(-1.45 * width, 1.45 * width), ylim=(bottom + 0.45 * width, -0.06 * width))

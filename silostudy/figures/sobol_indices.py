@@ -8,6 +8,7 @@ import pandas as pd
 import xarray as xr
 
 from silostudy.figures.style import save, title
+from silostudy.figures.uncertainty_bands import distinct_methods
 
 LOOKS = {
     "internal_friction_angle": ("#F4A582", "////"),
@@ -33,7 +34,7 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     panel.plot(bars.total.sum().to_numpy(), np.arange(len(bars)), "k|", markersize=11, label="sum of the total indices")
     panel.set_yticks(np.arange(len(bars)), list(bars.groups))
     panel.set(xlabel="share of the variance of the largest wall pressure (first-order Sobol index)", xlim=(0, 1.1))
-    panel.invert_yaxis()
+    panel.set_ylim(len(bars) - 0.4, -0.6)
     panel.grid(axis="y", visible=False)
     figure.suptitle(cube.attrs["title"])
     figure.legend(loc="outside lower center", ncols=3)
@@ -42,7 +43,7 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
 
 def _numbers(cube: xr.Dataset) -> pd.DataFrame:
     tables = []
-    for method in map(str, cube["method"].values):
+    for method in distinct_methods(cube):
         for phase in map(str, cube["phase"].values):
             one = cube.sel({"method": method, "phase": phase})
             table = {"curve": f"{title(cube, method)}, {phase}", "parameter": cube["parameter"].values}

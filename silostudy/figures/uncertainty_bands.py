@@ -20,7 +20,7 @@ LOOKS = {
 def draw(cube: xr.Dataset, stem: Path) -> None:
     """Writes a panel for each method and the quantiles it shows."""
     quantiles = cube["wall_normal_pressure_quantile"] / 1e3
-    methods = [m for m in map(str, cube["method"].values) if quantiles.sel({"method": m}).notnull().any()]
+    methods = distinct_methods(cube)
     columns = min(4, len(methods))
     rows = -(-len(methods) // columns)
     figure, axes = plt.subplots(
@@ -46,8 +46,20 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
             panel.tick_params(labelbottom=True)
     found = {label: handle for panel in axes.flat for handle, label in zip(*panel.get_legend_handles_labels(), strict=True)}
     figure.legend(found.values(), found.keys(), loc="outside lower center", ncols=4)
-    figure.suptitle(f"{cube.attrs['title']}\nscatter of friction angle, wall friction, lateral pressure ratio and unit weight")
+    figure.suptitle(
+        f"{cube.attrs['title']}\nscatter of friction angle, wall friction, lateral pressure ratio and unit weight (methods that coincide are shown once)"
+    )
     save(figure, pd.concat(tables, ignore_index=True).dropna(), stem)
+
+
+def distinct_methods(cube: xr.Dataset) -> list[str]:
+    """Methods with quantiles, each curve once: sampled, the rows of one code's sets of characteristic values coincide."""
+    kept: dict[bytes, str] = {}
+    for method in map(str, cube["method"].values):
+        quantiles = cube["wall_normal_pressure_quantile"].sel({"method": method})
+        if quantiles.notnull().any():
+            kept.setdefault(quantiles.fillna(-1).values.tobytes(), method)
+    return list(kept.values())
 
 
 def _band(panel: Axes, depth, quantiles: tuple, phase: str) -> None:

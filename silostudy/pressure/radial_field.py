@@ -40,7 +40,10 @@ def flow_slope(half_angle, wall_friction, effective_friction_angle, slot):
 
 
 def initial_slope(half_angle, wall_friction, stress_ratio, slot):
-    """Normal wall pressure over unit weight and height above the apex (1) before flow; inf where no field exists.
+    """Normal wall pressure over unit weight and height above the apex (1) before flow.
+
+    inf where wall friction is too small to hold a field (its peak sinks to the apex), NaN where it would ask for tension on
+    the axis.
 
     Source: silo_handbook, section 4.5.2; peaked radial field of the module's first lines.
     """
@@ -96,7 +99,7 @@ def _initial(half_angle, wall_friction, stress_ratio, slot):
     exists = resistance > 0
     on_axis = -(t_weight + wall_friction * b_weight) / np.where(exists, resistance, 1.0)
     slope = (b_weight + on_axis * b_unit) / np.cos(half_angle)
-    return np.where(exists & (on_axis > 0), slope, np.inf)
+    return np.select([~exists, on_axis > 0], [np.inf, slope], np.nan)
 
 
 def _flow(half_angle, wall_friction, effective_friction_angle, slot):
