@@ -83,7 +83,13 @@ def _number_ends(axes: Axes, tables: list[pd.DataFrame]) -> None:
     for x, y, number in (foot for foot in feet if foot[2]):
         line = int(x - last[0] < 0.02 * feet[-1][0])
         last[line] = x
-        place = {"xytext": (0, -9 - 9 * line), "textcoords": "offset points", "ha": "center", "va": "center", "fontsize": 7.5}
+        place: dict[str, Any] = {
+            "xytext": (0, -9 - 9 * line),
+            "textcoords": "offset points",
+            "ha": "center",
+            "va": "center",
+            "fontsize": 7.5,
+        }
         axes.annotate(number, (x, y), **place)
 
 

@@ -39,9 +39,7 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
         ylabel="height of the peak over the hopper's height i₁", title="initial, no load on the hopper, K = 0.8", ylim=(0, 1)
     )
     axes[1].set(
-        ylabel="q₂ = Q₂ / (γ D³)",
-        title=f"flow, effective friction angle {delta:.0f}° (upright stroke: the field ends)",
-        ylim=(0, None),
+        ylabel="q₂ = Q₂ / (γ D³)", title=f"flow, effective friction angle {delta:.0f}° (upright stroke: the field ends)"
     )
     for panel in axes:
         panel.set(xlabel="half angle of the cone θ (°)", xlim=(0, None))

@@ -5,6 +5,7 @@ below, initial field above, the ring force between them.
 """
 
 from pathlib import Path
+from typing import Any
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -112,6 +113,7 @@ def _pressures(panel: Axes, cube: xr.Dataset, table: pd.DataFrame, largest: floa
         foot = sign * group.wall_radius_m
         outline = np.concatenate([np.stack([x, y], 1), np.stack([foot, group.depth_m], 1)[::-1]])
         outline = outline[np.isfinite(outline).all(axis=1)]
+        outline = np.vstack([outline, outline[:1]])
         panel.fill(*outline.T, facecolor=COLOURS[side], alpha=0.15, linewidth=0)
         panel.fill(*outline.T, facecolor="none", edgecolor=COLOURS[side], hatch=HATCHES[side], linewidth=0, alpha=0.45)
         panel.plot(*outline.T, color=COLOURS[side], linewidth=1.3)
@@ -150,7 +152,7 @@ def _forces(panel: Axes, cube: xr.Dataset, method: str, phase: str) -> None:
     if ring > 0:
         arrow = {"arrowstyle": "-|>", "linewidth": 2.2, "color": "black", "shrinkA": 0, "shrinkB": 0}
         start = (-radius[place] - 0.4 * diameter(cube), depth[place] - 0.12 * diameter(cube))
-        label = {"xytext": start, "arrowprops": arrow, "fontsize": 8, "ha": "right", "va": "bottom"}
+        label: dict[str, Any] = {"xytext": start, "arrowprops": arrow, "fontsize": 8, "ha": "right", "va": "bottom"}
         panel.annotate(f"P {ring / 1e3:.0f} kN", (-radius[place], depth[place]), **label)
 
 
@@ -160,8 +162,8 @@ def _frame(panels: np.ndarray, cube: xr.Dataset, largest: float) -> None:
     length = bar * WIDEST * width / largest
     for panel in panels.flat:
         panel.set(xlim=(-1.45 * width, 1.45 * width), ylim=(bottom + 0.45 * width, -0.06 * width))
-        panel.plot([0.75 * width, 0.75 * width + length], [bottom + 0.3 * width] * 2, color="black", linewidth=2)
-        panel.text(0.75 * width + length / 2, bottom + 0.27 * width, f"{bar:.0f} kPa", ha="center", va="bottom", fontsize=8)
+        panel.plot([-1.3 * width, -1.3 * width + length], [bottom + 0.3 * width] * 2, color="black", linewidth=2)
+        panel.text(-1.3 * width + length / 2, bottom + 0.27 * width, f"{bar:.0f} kPa", ha="center", va="bottom", fontsize=8)
         panel.text(1.4 * width, 0.3, "normal\npressure", ha="right", va="top", color=COLOURS["normal"], fontsize=8)
         panel.text(-1.4 * width, 0.3, "wall\nfriction", ha="left", va="top", color=COLOURS["friction"], fontsize=8)
         panel.grid(False)

@@ -46,9 +46,8 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
             panel.tick_params(labelbottom=True)
     found = {label: handle for panel in axes.flat for handle, label in zip(*panel.get_legend_handles_labels(), strict=True)}
     figure.legend(found.values(), found.keys(), loc="outside lower center", ncols=4)
-    figure.suptitle(
-        f"{cube.attrs['title']}\nscatter of friction angle, wall friction, lateral pressure ratio and unit weight (methods that coincide are shown once)"
-    )
+    sampled = "scatter of friction angle, wall friction, lateral pressure ratio and unit weight"
+    figure.suptitle(f"{cube.attrs['title']}\n{sampled} (methods that coincide are shown once)")
     save(figure, pd.concat(tables, ignore_index=True).dropna(), stem)
 
 
