@@ -4,11 +4,12 @@ import hashlib
 from pathlib import Path
 
 PACKAGE = Path(__file__).parent
-SCENE = ("catalogue", "errors", "files", "tables", "config", "scene", "figures/__init__", "pressure")
+SCENE = ("catalogue", "errors", "files", "tables", "config", "scene", "figures/__init__", "pressure", "buckling")
 # stage -> rooms whose change makes its results stale (a test follows the imports)
 STAGES = {
     "cases": SCENE,
     "pressure": (*SCENE, "compute", "cube"),
+    "buckling": (*SCENE, "compute", "cube"),
     "draw": ("catalogue", "errors", "files", "tables", "cube", "figures"),
 }
 

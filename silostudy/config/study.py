@@ -9,7 +9,7 @@ from silostudy.config.fields import Range, Strict, described, expand
 from silostudy.figures import OUTPUTS
 
 OutputKey: TypeAlias = Literal[tuple(OUTPUTS)]  # type: ignore[valid-type]
-TAKEN = ("method", "phase", "depth", "relative_depth", "case")
+TAKEN = ("method", "phase", "depth", "relative_depth", "case", "rule")
 
 
 class Axis(Strict):

@@ -1,0 +1,85 @@
+"""Steel shells in SI units: a single cylinder, and the wall of a silo."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from math import sqrt
+from pathlib import Path
+
+from silostudy.config.buckling import BucklingStudy, TestCylinder
+from silostudy.config.steel import Cylinder, Making, Steel
+from silostudy.tables.miller1977 import TESTS, MillerTest
+
+QUALITY = {"A": 40.0, "B": 25.0, "C": 16.0}  # EN 1993-1-6: Q of the fabrication quality classes, second-hand transcription
+
+
+@dataclass(frozen=True, kw_only=True)
+class Shell:
+    """One cylinder under axial compression, by the names of the buckling rules' parameters."""
+
+    youngs_modulus: float
+    shell_poisson_ratio: float
+    yield_stress: float
+    shell_radius: float
+    thickness: float
+    bay_length: float
+    ring_area: float
+    fabricated: bool
+    safe_constants: bool
+    fabrication_quality: float
+    end_factor: float
+    lower_internal_pressure: float = 0.0
+    upper_internal_pressure: float = 0.0
+    test: MillerTest | None = None
+
+
+def buckling_builder(study: BucklingStudy, folder: Path, where: str) -> Callable[..., Shell]:
+    """Builds the shells of a buckling study."""
+    return lambda config, settings: tested(config) if isinstance(config, TestCylinder) else cylinder(config)
+
+
+def making(config: Making) -> dict[str, float]:
+    """Parameters that say how well a shell is made and how its ends are held."""
+    return {"fabrication_quality": QUALITY[config.quality], "end_factor": float(config.end_factor)}
+
+
+def steel(config: Steel) -> dict[str, float]:
+    """Parameters of the steel and of its making."""
+    return {
+        "youngs_modulus": config.youngs_modulus_GPa * 1e9,
+        "shell_poisson_ratio": config.shell_poisson_ratio,
+        "yield_stress": config.yield_stress_MPa * 1e6,
+        "fabricated": config.manufacture != "manufactured",
+        "safe_constants": config.manufacture == "fabricated_safe",
+        **making(config),
+    }
+
+
+def tested(config: TestCylinder) -> Shell:
+    """A test cylinder: the small ones count as manufactured, the large ones as fabricated; steel with nu = 0.3."""
+    test = TESTS[config.test]
+    sizes = ("youngs_modulus", "yield_stress", "shell_radius", "thickness", "bay_length", "ring_area")
+    return Shell(
+        **{name: getattr(test, name) for name in sizes},
+        **making(config),
+        shell_poisson_ratio=0.3,
+        fabricated=test.scale == "large",
+        safe_constants=config.safe_constants,
+        test=test,
+    )
+
+
+def cylinder(config: Cylinder) -> Shell:
+    """A cylinder from its sizes or its ratios."""
+    thickness = config.thickness_mm / 1e3 if config.thickness_mm else config.radius_m / (config.radius_over_thickness or 1)
+    bay = config.bay_length_m or (config.relative_bay_length or 1) * sqrt(config.radius_m * thickness)
+    area = config.ring_area_cm2 * 1e-4 if config.ring_area_cm2 else config.ring_area_ratio * bay * thickness
+    lower, upper = config.lower_internal_pressure_kPa, config.upper_internal_pressure_kPa
+    return Shell(
+        **steel(config),
+        shell_radius=config.radius_m,
+        thickness=thickness,
+        bay_length=bay,
+        ring_area=area,
+        lower_internal_pressure=lower * 1e3,
+        upper_internal_pressure=(lower if upper is None else upper) * 1e3,
+    )
