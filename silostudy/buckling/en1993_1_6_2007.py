@@ -62,9 +62,7 @@ def buckles(critical, alpha, chi, yield_stress) -> Strength:
     return Strength(elastic, np.nan, elastic, chi * yield_stress, mode)
 
 
-def strength(
-    *, youngs_modulus, yield_stress, shell_radius, thickness, bay_length, fabrication_quality, end_factor
-):
+def strength(*, youngs_modulus, yield_stress, shell_radius, thickness, bay_length, fabrication_quality, end_factor):
     """Strength (Pa) without internal pressure. Source: en1993_1_6_2007, annex D and section 8.5, second-hand."""
     critical = critical_stress(
         youngs_modulus=youngs_modulus,

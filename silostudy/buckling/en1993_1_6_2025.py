@@ -42,9 +42,7 @@ def capacity(slenderness, alpha, delta):
     return np.where(slenderness >= plastic_limit, alpha / slenderness**2, inelastic)
 
 
-def strength(
-    *, youngs_modulus, yield_stress, shell_radius, thickness, bay_length, fabrication_quality, end_factor
-):
+def strength(*, youngs_modulus, yield_stress, shell_radius, thickness, bay_length, fabrication_quality, end_factor):
     """Strength (Pa) without internal pressure. Source: en1993_1_6_2025, second-hand transcription."""
     critical = critical_stress(
         youngs_modulus=youngs_modulus,

@@ -9,21 +9,21 @@ import numpy as np
 from silostudy.catalogue import Row
 from silostudy.errors import BadInput
 
-# Every parameter a rule may ask for, in SI.
+# Every parameter a rule may ask for: (unit, symbol and meaning).
 PARAMETERS = {
-    "youngs_modulus": "Pa",
-    "shell_poisson_ratio": "1",
-    "yield_stress": "Pa",
-    "shell_radius": "m",  # of the middle surface
-    "thickness": "m",
-    "bay_length": "m",  # ring spacing, or the whole length where there are no rings
-    "ring_area": "m2",  # 0: no rings
-    "fabricated": "1",  # 1: put together from plates; 0: manufactured, as a tube
-    "safe_constants": "1",  # 1: Miller's constants in place of his formulas for fabricated shells
-    "fabrication_quality": "1",  # EN's Q: 40, 25, 16 for classes A, B, C
-    "end_factor": "1",  # EN's C_xb: 6, 3 or 1
-    "lower_internal_pressure": "Pa",  # smallest guaranteed, with which the wall is steadied
-    "upper_internal_pressure": "Pa",  # largest, with which the foot of the wall yields
+    "youngs_modulus": ("Pa", "E"),
+    "shell_poisson_ratio": ("1", "nu"),
+    "yield_stress": ("Pa", "sigma_y, f_y"),
+    "shell_radius": ("m", "R, r, of the middle surface"),
+    "thickness": ("m", "t"),
+    "bay_length": ("m", "L, ring spacing, or the whole length without rings"),
+    "ring_area": ("m2", "A_r, 0 without rings"),
+    "fabricated": ("1", "1: put together from plates; 0: manufactured as a tube"),
+    "safe_constants": ("1", "1: constants in place of the formulas for fabricated shells"),
+    "fabrication_quality": ("1", "Q, 40, 25, 16 for classes A, B, C"),
+    "end_factor": ("1", "C_xb, 6, 3 or 1"),
+    "lower_internal_pressure": ("Pa", "p_s, smallest guaranteed, which steadies the wall"),
+    "upper_internal_pressure": ("Pa", "p_g, largest, with which the foot of the wall yields"),
 }
 POSITIVE = ("youngs_modulus", "yield_stress", "shell_radius", "thickness", "bay_length", "fabrication_quality", "end_factor")
 MODES = (
@@ -120,7 +120,7 @@ def with_rings(*, ring_area):
 
 
 def evaluate(row: BucklingRule, parameters: Mapping) -> dict[str, np.ndarray]:
-    """Every quantity of QUANTITIES, `buckling_mode` and `buckling_stress_scope`; NaN (mode -1) and the reason outside the scope.
+    """Every quantity of QUANTITIES, its mode and its scope; outside the scope NaN, mode -1 and the reason.
 
     Raises BadInput for a parameter that no shell can have.
     """
@@ -149,7 +149,7 @@ def check_parameters(parameters: Mapping) -> None:
     """BadInput where a size or a property of the steel is not positive, or rings have a negative area."""
     for name in POSITIVE:
         if not np.all(np.asarray(parameters[name]) > 0):
-            raise BadInput(name, float(np.min(parameters[name])), f"must be above 0 {PARAMETERS[name]}")
+            raise BadInput(name, float(np.min(parameters[name])), f"must be above 0 {PARAMETERS[name][0]}")
     if not np.all(np.asarray(parameters["ring_area"]) >= 0):
         raise BadInput("ring_area", float(np.min(parameters["ring_area"])), "must not be negative")
     if not np.all(np.asarray(parameters["lower_internal_pressure"]) <= np.asarray(parameters["upper_internal_pressure"])):

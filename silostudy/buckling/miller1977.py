@@ -123,7 +123,7 @@ def beyond_range(reading: Reading) -> Callable:
 
 def small_rings(*, ring_area, bay_length, thickness):
     """True where rings are too small to count: A_r / (L t) below 0.06. Source: miller1977, text after eq. (12)."""
-    return (ring_area > 0) & (ring_area / (bay_length * thickness) < LEAST_RING_RATIO)
+    return (ring_area > 0) & (ring_area / (bay_length * thickness) < LEAST_RING_RATIO * (1 - 1e-9))  # 0.06 itself counts
 
 
 def rule(reading: Reading, **looks) -> BucklingRule:

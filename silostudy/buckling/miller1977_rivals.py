@@ -40,8 +40,12 @@ def _rival(key: str, title: str, locator: str, what: str, reading: Reading):
 ROWS = (
     _rival("junction_3_5", "junction at (J/C)^(3/5)", "text after eq. (7)", "M = (J/C)^(3/5)", Reading(junction_exponent=0.6)),
     _rival("natural_log", "natural logarithm", "eqs. (4) to (7)", "log to base e", Reading(logarithm=np.log)),
-    _rival("radius_15_in", "radius 15 in.", "text on the small tests", "R twice as large, M as printed", Reading(radius_factor=2)),
-    _rival("diameter_7_5_in", "diameter 7.5 in.", "note to Table 2", "R half as large, M as printed", Reading(radius_factor=0.5)),
+    _rival(
+        "radius_15_in", "radius 15 in.", "text on the small tests", "R twice as large, M as printed", Reading(radius_factor=2)
+    ),
+    _rival(
+        "diameter_7_5_in", "diameter 7.5 in.", "note to Table 2", "R half as large, M as printed", Reading(radius_factor=0.5)
+    ),
     _rival("eq_14b", "plasticity by (13), (14b)", "eqs. (13), (14)", "(14) for (15)", Reading(inelastic=inelastic_ratio_14b)),
     _rival("plain_6_2", "(15c) to a plain 6.2", "eq. (15c)", "1 from x = 1.6", Reading(inelastic=inelastic_ratio_plain_6_2)),
     _rival(

@@ -1,4 +1,4 @@
-"""NASA SP-8007: a lower bound to tests of unstiffened cylinders, from which EN and others set out (second-hand transcription)."""
+"""NASA SP-8007: a lower bound to tests of cylinders without rings (second-hand transcription)."""
 
 import numpy as np
 

@@ -38,9 +38,7 @@ def buckling_cube(expansion: Expansion) -> xr.Dataset:
     coords = {**rule_coordinates(rules), **axis_coordinates(study)}
     text = study.model_dump_json(exclude_defaults=True)
     sources = [rule.source for rule in rules]
-    return check(
-        xr.Dataset(data, coords, {**provenance(study.title, text, sources, "buckling"), "sweep_axes": " ".join(axes)})
-    )
+    return check(xr.Dataset(data, coords, {**provenance(study.title, text, sources, "buckling"), "sweep_axes": " ".join(axes)}))
 
 
 def rule_coordinates(rules: list[BucklingRule]) -> dict[str, tuple]:

@@ -2,7 +2,13 @@
 
 import numpy as np
 
-from silostudy.buckling.miller1977 import inelastic_ratio, local_coefficient, long_coefficient, ring_coefficient, short_coefficient
+from silostudy.buckling.miller1977 import (
+    inelastic_ratio,
+    local_coefficient,
+    long_coefficient,
+    ring_coefficient,
+    short_coefficient,
+)
 from silostudy.compute.variables import attributes
 
 SLENDER = np.geomspace(100, 3000, 60)

@@ -1,13 +1,14 @@
 """A buckling study: the strength of shells by theories and design codes, of any cylinder or of Miller's test cylinders."""
 
-from typing import Annotated, Any, Literal, TypeAlias
+from typing import Annotated, Any, Literal, Self, TypeAlias
 
-from pydantic import Discriminator, Tag, field_validator
+from pydantic import Discriminator, Tag, field_validator, model_validator
 
 from silostudy.buckling import BUCKLING, RIVALS
 from silostudy.config.fields import described
 from silostudy.config.steel import Cylinder, Making
 from silostudy.config.study import BaseStudy, distinct
+from silostudy.figures import OUTPUTS
 from silostudy.tables.miller1977 import TESTS
 
 RuleKey: TypeAlias = Literal[tuple(BUCKLING)]  # type: ignore[valid-type]
@@ -40,6 +41,14 @@ class RuleChoice(BaseStudy):
         if not rules:
             raise ValueError(f"a study needs a rule; known: {', '.join(BUCKLING)}")
         return distinct(rules)
+
+    @model_validator(mode="after")
+    def _rules_of_outputs(self) -> Self:
+        for key in self.outputs:
+            without = set(OUTPUTS[key].rules) - set(self.rule_keys)
+            if without:
+                raise ValueError(f"output {key} needs the rules {', '.join(sorted(without))}")
+        return self
 
     @property
     def rule_keys(self) -> tuple[str, ...]:

@@ -1,5 +1,6 @@
 """What a user writes about a steel shell: the steel, how well it is made, and its ends."""
 
+from itertools import pairwise
 from typing import Literal, Self, TypeAlias
 
 from pydantic import Field, model_validator
@@ -80,6 +81,6 @@ class SiloWall(Steel):
     @model_validator(mode="after")
     def _strakes_reach_the_foot(self) -> Self:
         edges = [strake.down_to for strake in self.strakes]
-        if edges and (edges[-1] != 1 or any(b <= a for a, b in zip(edges, edges[1:], strict=False))):
+        if edges and (edges[-1] != 1 or any(b <= a for a, b in pairwise(edges))):
             raise ValueError("the strakes' down_to must increase and end at 1, the foot of the cylinder")
         return self

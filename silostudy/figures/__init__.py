@@ -19,7 +19,10 @@ class Output(Row):
     single_case: bool = False
     methods: tuple[str, ...] = ()  # methods whose curves it cannot do without
     phases: tuple[str, ...] = ()  # phases likewise
+    rules: tuple[str, ...] = ()  # buckling rules it cannot do without
 
+
+SHELL_AXES = ("radius_over_thickness", "relative_bay_length", "ring_area_ratio", "steel", "making")
 
 OUTPUTS: Family[Output] = Family(
     "output",
@@ -62,6 +65,98 @@ OUTPUTS: Family[Output] = Family(
             kind="figure",
             stage="pressure",
             axes=("diameter", "slenderness"),
+        ),
+        Output(
+            key="miller_fig_1",
+            title="C M^2 against M^2: Miller's elastic local coefficient and his tests",
+            source="miller1977",
+            locator="Fig. 1",
+            kind="figure",
+            stage="buckling",
+            axes=("test",),
+        ),
+        Output(
+            key="miller_fig_2_3",
+            title="C and J against R/t with their lower bounds",
+            source="miller1977",
+            locator="Figs. 2, 3",
+            kind="figure",
+            stage="buckling",
+            axes=("test",),
+        ),
+        Output(
+            key="miller_fig_4_5",
+            title="General buckling: C_3 M_e^2 against M_e^2, C_3 against ring area",
+            source="miller1977",
+            locator="Figs. 4, 5",
+            kind="figure",
+            stage="buckling",
+            axes=("test",),
+        ),
+        Output(
+            key="miller_fig_6_7",
+            title="Inelastic buckling: formula against tests with and without rings",
+            source="miller1977",
+            locator="Figs. 6, 7",
+            kind="figure",
+            stage="buckling",
+            axes=("test",),
+            rules=("miller1977",),
+        ),
+        Output(
+            key="test_over_prediction",
+            title="Test over prediction by rule and by rival reading of the source",
+            source="miller1977",
+            locator="Tables 2, 3",
+            kind="figure",
+            stage="buckling",
+            axes=("test",),
+        ),
+        Output(
+            key="miller_statistics",
+            title="Test over prediction: mean, scatter, least, largest by group of tests",
+            source="miller1977",
+            locator="Tables 2, 3",
+            kind="table",
+            stage="buckling",
+            axes=("test",),
+        ),
+        Output(
+            key="miller_tests",
+            title="Every test with every rule, and the errors of the source",
+            source="miller1977",
+            locator="Tables 2, 3",
+            kind="table",
+            stage="buckling",
+            axes=("test",),
+        ),
+        Output(
+            key="knockdown_over_slenderness",
+            title="Elastic knock-down factor against R/t by rule, tests as points",
+            source="miller1977",
+            locator="Table 2",
+            kind="figure",
+            stage="buckling",
+            axes=SHELL_AXES,
+        ),
+        Output(
+            key="buckling_stress_map",
+            title="Buckling stress over R/t and bay length by rule",
+            source="miller1977",
+            locator="eqs. (1) to (15)",
+            kind="figure",
+            stage="buckling",
+            axes=SHELL_AXES,
+        ),
+        Output(
+            key="ring_area_map",
+            title="Buckling stress over R/t and ring area, and which mode governs",
+            source="miller1977",
+            locator="eqs. (8) to (12)",
+            kind="figure",
+            stage="buckling",
+            axes=SHELL_AXES,
+            rules=("miller1977",),
         ),
     ],
 )
