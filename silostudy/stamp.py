@@ -10,6 +10,7 @@ STAGES = {
     "cases": SCENE,
     "pressure": (*SCENE, "compute", "cube"),
     "buckling": (*SCENE, "compute", "cube"),
+    "shell": (*SCENE, "compute", "cube"),
     "draw": ("catalogue", "errors", "files", "tables", "cube", "figures"),
 }
 

@@ -152,5 +152,5 @@ def check_parameters(parameters: Mapping) -> None:
             raise BadInput(name, float(np.min(parameters[name])), f"must be above 0 {PARAMETERS[name][0]}")
     if not np.all(np.asarray(parameters["ring_area"]) >= 0):
         raise BadInput("ring_area", float(np.min(parameters["ring_area"])), "must not be negative")
-    if not np.all(np.asarray(parameters["lower_internal_pressure"]) <= np.asarray(parameters["upper_internal_pressure"])):
+    if np.any(np.asarray(parameters["lower_internal_pressure"]) > np.asarray(parameters["upper_internal_pressure"])):
         raise BadInput("lower_internal_pressure", "above upper_internal_pressure", "must not exceed it")

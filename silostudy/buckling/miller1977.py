@@ -152,7 +152,7 @@ ROWS = (
         formula=FORMULA,
         validity="tests of R/t 242 to 504 (manufactured); manufactured shells to R/t = 2329, where C reaches 0; rings of "
         "A_r/(L t) below 0.06 are masked; internal pressure is left out; suction is masked",
-        colour="#000000",
+        colour="#882255",
         marker="o",
         line="-",
     ),

@@ -2,6 +2,7 @@
 
 from silostudy.config.buckling import BucklingStudy
 from silostudy.config.pressure import PressureStudy
+from silostudy.config.shell import ShellStudy
 from silostudy.config.study import BaseStudy
 
-KINDS: dict[str, type[BaseStudy]] = {"pressure": PressureStudy, "buckling": BucklingStudy}
+KINDS: dict[str, type[BaseStudy]] = {"pressure": PressureStudy, "buckling": BucklingStudy, "shell": ShellStudy}

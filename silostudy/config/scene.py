@@ -93,6 +93,8 @@ class SolidProperties(Strict):
     wall_friction: float | None = described("wall friction coefficient; replaces the wall kind's", ge=0, default=None)
     lateral_pressure_ratio: float | None = described("lateral pressure ratio K = p_h / p_v", ge=0, default=None)
     poisson_ratio: float | None = described("Poisson's ratio of the solid", ge=0, lt=0.5, default=None)
+    wall_friction_spread: float | None = described("upper wall friction over its mean (EN 1991-4: a_mu)", ge=1, default=None)
+    lateral_pressure_ratio_spread: float | None = described("upper K over its mean (EN 1991-4: a_K)", ge=1, default=None)
 
 
 class SceneConfig(Strict):
@@ -110,5 +112,11 @@ class SceneConfig(Strict):
         "null: the table's K, and rankine where it has none",
         "",
         default=None,
+    )
+    wall_friction_end: Literal["mean", "upper"] = described(
+        "upper: the unsafe end for buckling of a steel wall: roughness factor + 0.05 on Pieper's roughness groups, else wall "
+        "friction and K times properties.wall_friction_spread and lateral_pressure_ratio_spread",
+        "",
+        default="mean",
     )
     properties: SolidProperties = described("values that replace the table's", "", default=SolidProperties())

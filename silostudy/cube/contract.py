@@ -22,6 +22,7 @@ def _v(name: str, units: str, long_name: str, *dims: str) -> Variable:
 
 
 OVER_DEPTH = ("method", "phase", "...", "depth")
+BY_RULE = ("rule", "method", "...", "depth")  # what the phases share
 VARIABLES = {
     variable.name: variable
     for variable in (
@@ -79,6 +80,16 @@ VARIABLES = {
         _v("chart_relative_length", "1", "M = L / sqrt(R t)", "chart_relative_length"),
         _v("chart_ring_area_ratio", "1", "ring area over bay area L t", "chart_ring_area_ratio"),
         _v("chart_elastic_ratio", "1", "elastic stress over yield stress", "chart_elastic_ratio"),
+        _v("axial_force_source", "1", "what the axial wall force follows from", "method", "phase"),
+        _v("carried_share", "1", "axial wall force at the transition over the contents' weight", "method", "phase", "..."),
+        _v("lower_internal_pressure", "Pa", "smallest pressure that a method guarantees", "method", "...", "depth"),
+        _v("upper_internal_pressure", "Pa", "largest pressure of a method", "method", "...", "depth"),
+        _v("wall_thickness", "m", "thickness of the strake", "...", "depth"),
+        _v("axial_wall_stress", "Pa", "axial stress in the wall, compression positive", *OVER_DEPTH),
+        _v("wall_buckling_stress", "Pa", "axial stress at which the wall buckles", *BY_RULE),
+        _v("wall_buckling_mode", "1", "how the wall buckles", *BY_RULE),
+        _v("utilisation", "1", "axial stress times safety factor over buckling stress", "rule", *OVER_DEPTH),
+        _v("required_thickness", "m", "wall thickness that the largest load of all phases asks for", *BY_RULE),
         _v("rule", "1", "buckling rule", "rule"),
         _v("rule_title", "1", "name of the rule for people", "rule"),
         _v("rule_colour", "1", "colour of the rule in figures", "rule"),

@@ -46,8 +46,12 @@ def build(config: SceneConfig, solids: Family[SolidRow], where: str = "") -> Sce
         solid=solids[config.solid],
         wall=WALLS[config.wall] if config.wall else None,
         lateral_pressure_ratio_rule=config.lateral_pressure_ratio_rule,
+        wall_friction_end=config.wall_friction_end,
         own=own,
     )
+    if scene.wall_friction_end == "upper" and not scene.on_roughness_group and "wall_friction_spread" not in own:
+        allowed = "needs one of Pieper's roughness groups as wall, or scene.properties.wall_friction_spread"
+        raise BadInput("scene.wall_friction_end", "upper", allowed, where)
     if scene.wall is None and "wall_friction" not in own and isnan(scene.solid.wall_friction):
         allowed = f"solid {config.solid} has no wall friction of its own: choose a wall kind ({', '.join(WALLS)})"
         raise BadInput("scene.wall", None, f"{allowed} or give scene.properties.wall_friction", where)

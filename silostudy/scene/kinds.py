@@ -4,6 +4,6 @@ A builder takes (study, folder of the study file, name for errors) once and retu
 """
 
 from silostudy.scene.build import pressure_builder
-from silostudy.scene.shell import buckling_builder
+from silostudy.scene.shell import buckling_builder, shell_builder
 
-BUILDERS = {"pressure": pressure_builder, "buckling": buckling_builder}
+BUILDERS = {"pressure": pressure_builder, "buckling": buckling_builder, "shell": shell_builder}

@@ -1,12 +1,15 @@
 """Steel shells in SI units: a single cylinder, and the wall of a silo."""
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from math import sqrt
 from pathlib import Path
 
 from silostudy.config.buckling import BucklingStudy, TestCylinder
-from silostudy.config.steel import Cylinder, Making, Steel
+from silostudy.config.shell import ShellStudy, SteelSilo
+from silostudy.config.steel import Cylinder, Making, SiloWall, Steel
+from silostudy.scene.build import pressure_builder
+from silostudy.scene.scene import Scene
 from silostudy.tables.miller1977 import TESTS, MillerTest
 
 QUALITY = {"A": 40.0, "B": 25.0, "C": 16.0}  # EN 1993-1-6: Q of the fabrication quality classes, second-hand transcription
@@ -82,4 +85,50 @@ def cylinder(config: Cylinder) -> Shell:
         ring_area=area,
         lower_internal_pressure=lower * 1e3,
         upper_internal_pressure=(lower if upper is None else upper) * 1e3,
+    )
+
+
+@dataclass(frozen=True, kw_only=True)
+class Wall:
+    """The steel wall of a silo's cylinder.
+
+    steel: parameters of the buckling rules by name; edges: depth of each strake's lower edge over the cylinder's height,
+    with its thickness (m) beside it; bay_length: ring spacing (m), None without rings.
+    """
+
+    steel: dict[str, float]
+    edges: tuple[float, ...]
+    thicknesses: tuple[float, ...]
+    bay_length: float | None
+    ring_area: float
+    safety_factor: float
+
+
+@dataclass(frozen=True, kw_only=True)
+class ShellScene(Scene):
+    """A silo with its contents and its steel wall."""
+
+    shell: Wall
+
+
+def shell_builder(study: ShellStudy, folder: Path, where: str) -> Callable[..., ShellScene]:
+    """Builds the scenes of a shell study: those of a pressure study, each with its wall."""
+    build = pressure_builder(study, folder, where)
+
+    def build_one(config: SteelSilo, settings: dict) -> ShellScene:
+        scene = build(config, settings)
+        return ShellScene(**{item.name: getattr(scene, item.name) for item in fields(scene)}, shell=wall(config.shell))
+
+    return build_one
+
+
+def wall(config: SiloWall) -> Wall:
+    """The wall that a configuration describes."""
+    return Wall(
+        steel=steel(config),
+        edges=tuple(strake.down_to for strake in config.strakes),
+        thicknesses=tuple(strake.thickness_mm / 1e3 for strake in config.strakes),
+        bay_length=config.rings.spacing_m if config.rings else None,
+        ring_area=config.rings.area_cm2 * 1e-4 if config.rings else 0.0,
+        safety_factor=config.safety_factor,
     )
