@@ -18,8 +18,8 @@ PARAMETERS = {
     "thickness": ("m", "t"),
     "bay_length": ("m", "L, ring spacing, or the whole length without rings"),
     "ring_area": ("m2", "A_r, 0 without rings"),
-    "fabricated": ("1", "1: put together from plates; 0: manufactured as a tube"),
-    "safe_constants": ("1", "1: constants in place of the formulas for fabricated shells"),
+    "fabricated": ("1", "kind of shell, 1 fabricated from plates, 0 manufactured as a tube"),
+    "safe_constants": ("1", "choice, 1 constants in place of the formulas for fabricated shells, 0 formulas"),
     "fabrication_quality": ("1", "Q, 40, 25, 16 for classes A, B, C"),
     "end_factor": ("1", "C_xb, 6, 3 or 1"),
     "lower_internal_pressure": ("Pa", "p_s, smallest guaranteed, which steadies the wall"),
@@ -66,7 +66,7 @@ class Strength:
     """
 
     elastic_local: np.ndarray
-    elastic_general: np.ndarray
+    elastic_general: np.ndarray | float
     elastic: np.ndarray
     strength: np.ndarray
     mode: np.ndarray

@@ -1,4 +1,4 @@
-"""`silostudy explain KEY`, of a pressure method or a buckling rule: formula, symbols, source, range, and what its source gets wrong."""
+"""`silostudy explain KEY`: formula, symbols, source, range of a method or rule, and what its source gets wrong."""
 
 
 def add(sub) -> None:

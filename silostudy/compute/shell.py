@@ -6,7 +6,7 @@ import numpy as np
 import xarray as xr
 
 from silostudy.buckling import BUCKLING
-from silostudy.buckling.family import IN_SCOPE, MODES, NO_LOAD, REASONS, BucklingRule, evaluate
+from silostudy.buckling.family import IN_SCOPE, MODES, NO_LOAD, OUT_OF_RANGE, REASONS, BucklingRule, evaluate
 from silostudy.compute.buckling import rule_coordinates
 from silostudy.compute.pressure import row_of
 from silostudy.compute.shell_load import SOURCES, axial_wall_force, carried_share, depths, internal_pressures
@@ -99,13 +99,13 @@ def required_thickness(rule: BucklingRule, parameters: Mapping, force: np.ndarra
         with np.errstate(invalid="ignore"):
             return safety * force / thickness <= with_thickness(rule, parameters, thickness)["buckling_stress"]
 
-    found = enough(thick)
+    found, lightest = enough(thick), enough(thin)
     for _ in range(HALVINGS):
         middle = np.sqrt(thin * thick)
         carries = enough(middle)
         thin, thick = np.where(carries, thin, middle), np.where(carries, middle, thick)
     scope = with_thickness(rule, parameters, np.where(found, thick * (1 - 1e-6), radius / STOCKIEST))["buckling_stress_scope"]
-    scope = np.where(np.isnan(force), NO_LOAD, scope).astype(np.int8)
+    scope = np.select([np.isnan(force), lightest], [NO_LOAD, OUT_OF_RANGE], scope).astype(np.int8)
     return np.where(found, thick, np.nan), scope
 
 

@@ -1,5 +1,7 @@
 """Miller's tests as points in his own coordinates: C, M, C_3, M_e."""
 
+from typing import Any
+
 import numpy as np
 import pandas as pd
 import xarray as xr
@@ -44,5 +46,11 @@ def scatter(panel: Axes, tests: pd.DataFrame, x: str, y: str) -> None:
             part = here[here.elastic == elastic]
             if len(part):
                 text = f"{label}, {'elastic' if elastic else 'inelastic'}"
-                style = {"linestyle": "none", "marker": marker, "markersize": 6, "color": "#D55E00", "markerfacecolor": fill}
+                style: dict[str, Any] = {
+                    "linestyle": "none",
+                    "marker": marker,
+                    "markersize": 6,
+                    "color": "#D55E00",
+                    "markerfacecolor": fill,
+                }
                 panel.plot(part[x], part[y], label=text, **style)

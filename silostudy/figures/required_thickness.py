@@ -1,6 +1,7 @@
 """The wall thickness that each pressure method and buckling rule asks for: how far the choice of theory moves the steel."""
 
 from pathlib import Path
+from typing import Any
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -17,7 +18,7 @@ RULE, METHOD = "en1993_1_6_2007", "janssen"  # what the curves hold fixed in tur
 
 def draw(cube: xr.Dataset, stem: Path) -> None:
     """Writes the figure and its numbers, all for the thickest strake (the largest over depth and phases), in mm."""
-    needed = cube["required_thickness"].max("relative_depth") * 1e3
+    needed = cube["required_thickness"].max("relative_depth" if "relative_depth" in cube.dims else "depth") * 1e3
     covered = needed.notnull().any([dim for dim in needed.dims if dim != "method"])
     kept = {"method": np.flatnonzero(covered)}
     cube, needed = cube.isel(kept), needed.isel(kept)
@@ -25,7 +26,7 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     here = {"diameter": DIAMETER, "slenderness": SLENDERNESS}
     at, place = upper.sel(here, method="nearest"), needed.sel(here, method="nearest")
     figure = plt.figure(figsize=(14, 14))
-    grid = figure.subfigures(3, 1, height_ratios=(1.15, 1, 1))
+    grid: Any = figure.subfigures(3, 1, height_ratios=(1.15, 1, 1))
     left, right = grid[0].subplots(1, 2, sharey=True)
     size = f"D {float(at.diameter):g} m, H/D {float(at.slenderness):g}"
     _matrix(left, at, cube, "{:.1f}", f"thickness (mm), {size}, wall friction at its upper (unsafe) end")

@@ -1,6 +1,7 @@
 """Test over prediction for every rule and every rival reading of the source: which reading do the tests want?"""
 
 from pathlib import Path
+from typing import Any
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -24,7 +25,13 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
         for kind, (marker, _) in GROUPS.items():
             values = ratio.sel({"rule": rule}).values[groups == kind]
             level = np.full(len(values), place + OFFSET[kind])
-            style = {"marker": marker, "linestyle": "none", "markersize": 4.5, "markerfacecolor": "none", "alpha": 0.8}
+            style: dict[str, Any] = {
+                "marker": marker,
+                "linestyle": "none",
+                "markersize": 4.5,
+                "markerfacecolor": "none",
+                "alpha": 0.8,
+            }
             panel.plot(values, level, color="#D55E00" if is_rival(rule) else "black", **style)
         panel.text(1.01, place, _note(found, rule), transform=panel.get_yaxis_transform(), va="center", fontsize=8)
     rivals = sum(map(is_rival, rules))
@@ -43,7 +50,7 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
         "Left of 1 the prediction is unsafe. Below the line: rival readings of the source, taken at their word\n"
         "(numbers: mean and coefficient of variation of the small tests; masked tests are those a rule does not cover)"
     )
-    looks = {"linestyle": "none", "color": "black", "markerfacecolor": "none"}
+    looks: dict[str, Any] = {"linestyle": "none", "color": "black", "markerfacecolor": "none"}
     handles = [Line2D([], [], marker=marker, label=label, **looks) for marker, label in GROUPS.values()]
     figure.legend(handles=handles, loc="outside lower center", ncols=3)
     save(figure, _numbers(cube, ratio, groups), stem)

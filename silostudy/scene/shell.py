@@ -4,6 +4,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, fields
 from math import sqrt
 from pathlib import Path
+from typing import Any
 
 from silostudy.config.buckling import BucklingStudy, TestCylinder
 from silostudy.config.shell import ShellStudy, SteelSilo
@@ -40,12 +41,12 @@ def buckling_builder(study: BucklingStudy, folder: Path, where: str) -> Callable
     return lambda config, settings: tested(config) if isinstance(config, TestCylinder) else cylinder(config)
 
 
-def making(config: Making) -> dict[str, float]:
+def making(config: Making) -> dict[str, Any]:
     """Parameters that say how well a shell is made and how its ends are held."""
     return {"fabrication_quality": QUALITY[config.quality], "end_factor": float(config.end_factor)}
 
 
-def steel(config: Steel) -> dict[str, float]:
+def steel(config: Steel) -> dict[str, Any]:
     """Parameters of the steel and of its making."""
     return {
         "youngs_modulus": config.youngs_modulus_GPa * 1e9,
