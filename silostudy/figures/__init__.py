@@ -159,6 +159,15 @@ OUTPUTS: Family[Output] = Family(
             rules=("miller1977",),
         ),
         Output(
+            key="strength_over_pressure",
+            title="Buckling stress over internal pressure: help first, then the elephant's foot",
+            source="en1993_4_1",
+            locator="axial compression with internal pressure",
+            kind="figure",
+            stage="buckling",
+            axes=("radius_over_thickness", "internal_pressure"),
+        ),
+        Output(
             key="required_thickness",
             title="Wall thickness that each pressure method and buckling rule asks for, over D and H/D",
             source="silo_handbook",

@@ -2,6 +2,9 @@
 
 import copy
 import re
+import subprocess
+import sys
+from pathlib import Path
 
 import matplotlib.pyplot as plt
 import pytest
@@ -10,6 +13,7 @@ from silostudy.__main__ import main
 from silostudy.compute.buckling import buckling_cube
 from silostudy.compute.pressure import pressure_cube
 from silostudy.compute.shell import shell_cube
+from silostudy.cube.io import read, write
 from silostudy.errors import BadInput
 from silostudy.figures import required_thickness, shell_over_depth, test_over_prediction
 from silostudy.figures.style import save
@@ -116,6 +120,16 @@ def test_map_covers_what_it_says():
         assert float(cube[axis].min()) == pytest.approx(least)
         assert float(cube[axis].max()) == pytest.approx(largest)
     assert float(cube["buckling_stress"].sel({"rule": "miller1977"}).notnull().mean()) > 0.9
+
+
+@pytest.mark.parametrize("name", ["miller-1977", "buckling-map", "buckling-pressure", "steel-wheat-silo"])
+def test_cubes_keep_to_cf_1_11(name, tmp_path):
+    path, expansion = tmp_path / "cube.nc", expand_file(ROOT / f"config/studies/{name}.yaml")
+    write(drawn_shell(name) if expansion.study.kind == "shell" else buckling_cube(expansion), path)
+    checker = Path(sys.executable).parent / "compliance-checker"
+    done = subprocess.run([checker, "-t", "cf:1.11", "-c", "strict", path], capture_output=True, text=True)
+    assert "All tests passed!" in done.stdout, done.stdout + done.stderr
+    assert read(path).attrs["references"]
 
 
 def test_commands(tmp_path, capsys):
