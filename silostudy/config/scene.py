@@ -93,8 +93,8 @@ class SolidProperties(Strict):
     wall_friction: float | None = described("wall friction coefficient; replaces the wall kind's", ge=0, default=None)
     lateral_pressure_ratio: float | None = described("lateral pressure ratio K = p_h / p_v", ge=0, default=None)
     poisson_ratio: float | None = described("Poisson's ratio of the solid", ge=0, lt=0.5, default=None)
-    wall_friction_spread: float | None = described("upper wall friction over its mean (EN 1991-4: a_mu)", ge=1, default=None)
-    lateral_pressure_ratio_spread: float | None = described("upper K over its mean (EN 1991-4: a_K)", ge=1, default=None)
+    a_K: float | None = described("spread of the lateral pressure ratio: upper over mean", ge=1, le=10, default=None)
+    a_mu: float | None = described("spread of the wall friction: upper over mean", ge=1, le=10, default=None)
 
 
 class SceneConfig(Strict):
@@ -115,7 +115,7 @@ class SceneConfig(Strict):
     )
     wall_friction_end: Literal["mean", "upper"] = described(
         "upper: the unsafe end for buckling of a steel wall: roughness factor + 0.05 on Pieper's roughness groups, else wall "
-        "friction and K times properties.wall_friction_spread and lateral_pressure_ratio_spread",
+        "friction and lateral pressure ratio times their spreads a_mu and a_K",
         "",
         default="mean",
     )

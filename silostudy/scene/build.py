@@ -10,7 +10,7 @@ from silostudy.catalogue import Family
 from silostudy.config.pressure import PressureStudy
 from silostudy.config.scene import AnySilo, SceneConfig
 from silostudy.errors import BadInput
-from silostudy.scene.scene import Scene
+from silostudy.scene.scene import Scene, solid_parameters
 from silostudy.scene.silo import Hopper, Silo
 from silostudy.tables.solids import SOLIDS, SolidRow, read_solids
 from silostudy.tables.units import split_unit
@@ -49,13 +49,19 @@ def build(config: SceneConfig, solids: Family[SolidRow], where: str = "") -> Sce
         wall_friction_end=config.wall_friction_end,
         own=own,
     )
-    if scene.wall_friction_end == "upper" and not scene.on_roughness_group and "wall_friction_spread" not in own:
-        allowed = "needs one of Pieper's roughness groups as wall, or scene.properties.wall_friction_spread"
-        raise BadInput("scene.wall_friction_end", "upper", allowed, where)
     if scene.wall is None and "wall_friction" not in own and isnan(scene.solid.wall_friction):
         allowed = f"solid {config.solid} has no wall friction of its own: choose a wall kind ({', '.join(WALLS)})"
         raise BadInput("scene.wall", None, f"{allowed} or give scene.properties.wall_friction", where)
+    if scene.wall_friction_end == "upper" and not scene.on_roughness_group and not _spreads_known(scene):
+        allowed = "needs one of Pieper's roughness groups as wall, or scene.properties.a_mu and a_K"
+        raise BadInput("scene.wall_friction_end", "upper", allowed, where)
     return scene
+
+
+def _spreads_known(scene: Scene) -> bool:
+    """Whether wall friction and lateral pressure ratio have an upper end."""
+    values = solid_parameters(scene, "")
+    return not (isnan(values["wall_friction"]) or isnan(values["lateral_pressure_ratio"]))
 
 
 def _silo(config: AnySilo, where: str) -> Silo:

@@ -56,12 +56,15 @@ def upper_friction(scene: Scene, values: dict[str, float]) -> dict[str, float]:
     """Wall friction and lateral pressure ratio (1) at the end that is unsafe for buckling of a steel wall.
 
     Source: silo_handbook, section 4.5.1 (Pieper: roughness factor + 0.05); else the mean values times their spreads, as
-    EN 1991-4 does (second-hand).  More friction also lowers the pressure that steadies the wall: both go together.
+    EN 1991-4 does (second-hand); NaN where a spread is not known.  More friction also lowers the pressure that steadies the
+    wall: both go together.  The spreads are then counted, and 1 for whatever method asks for them.
     """
     if scene.wall is not None and scene.on_roughness_group:
         rough = scene.wall.factors.get(scene.solid.grain, nan) + PIEPER_BUCKLING
         return {"wall_friction": tan(rough * values["internal_friction_angle"])}
-    return {name: values[name] * scene.own.get(f"{name}_spread", 1.0) for name in ("wall_friction", "lateral_pressure_ratio")}
+    spreads = {"wall_friction": "a_mu", "lateral_pressure_ratio": "a_K"}
+    raised = {name: values[name] * values.get(spread, nan) for name, spread in spreads.items()}
+    return {**raised, **dict.fromkeys(spreads.values(), 1.0)}
 
 
 def _table_values(row: SolidRow) -> dict[str, float]:

@@ -21,7 +21,7 @@ STUDY = {
     "scene": {
         "silo": {"plan": "circular", "diameter_m": 8.0, "cylinder_depth_m": 20.0},
         "solid": "wheat_benchmark",
-        "properties": {"wall_friction_spread": 1.16, "lateral_pressure_ratio_spread": 1.11},
+        "properties": {"a_mu": 1.16, "a_K": 1.11},
         "shell": {
             "yield_stress_MPa": 235.0,
             "quality": "B",

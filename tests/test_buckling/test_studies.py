@@ -91,7 +91,9 @@ def test_mistake_is_one_clear_line(case):
 def test_upper_friction_needs_to_know_how_far():
     content = copy.deepcopy(SILO)
     content["scene"] |= {"wall_friction_end": "upper", "properties": {}}
-    with pytest.raises(BadInput, match="wall_friction_end = 'upper': needs one of Pieper's roughness groups"):
+    with pytest.raises(
+        BadInput, match=r"wall_friction_end = 'upper': needs one of Pieper's roughness groups as wall, or .*a_mu and a_K"
+    ):
         expanded(content)
 
 
