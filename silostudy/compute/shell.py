@@ -28,27 +28,35 @@ def shell_cube(expansion: Expansion, pressure: xr.Dataset) -> xr.Dataset:
         raise BadInput("pressure cube", pressure.attrs["title"], f"is of another study than {expansion.name}")
     rules = [BUCKLING[key] for key in study.rule_keys]
     force, source = axial_wall_force(pressure)
-    lower, upper = internal_pressures(pressure)
-    parameters = wall_parameters(expansion, lower, upper)
+    pressures = internal_pressures(pressure)
+    parameters = wall_parameters(expansion, *pressures)
     safety = _of_cases(expansion, [case.scene.shell.safety_factor for case in expansion.cases])
-    axes = tuple(axis.axis for axis in study.sweep)
-    level = "relative_depth" if "relative_depth" in pressure.dims else "depth"
-    over = ("method", "phase", *axes, level)
-    data: dict = {
-        "axial_wall_force": (over, force, attributes("axial_wall_force")),
-        "axial_force_source": (over[:2], source, flags("what the axial wall force follows from", SOURCES)),
-        "carried_share": (over[:-1], carried_share(force, pressure), attributes("carried_share")),
-        "lower_internal_pressure": (("method", *axes, level), lower, attributes("lower_internal_pressure")),
-        "upper_internal_pressure": (("method", *axes, level), upper, attributes("upper_internal_pressure")),
-        **{name: pressure[name] for name in ("case", "cylinder_depth", "hydraulic_radius", "wall_friction")},
-        **required_thicknesses(rules, parameters, np.fmax.reduce(force, axis=1), safety, ("rule", "method", *axes, level)),
-    }
-    if expansion.cases[0].scene.shell.edges:
+    over = tuple(map(str, pressure["wall_normal_pressure"].dims))
+    by_rule = ("rule", *(dim for dim in over if dim != "phase"))
+    data = load_variables(pressure, force, source, pressures, over)
+    data |= required_thicknesses(rules, parameters, np.fmax.reduce(force, axis=1), safety, by_rule)
+    if all(case.scene.shell.edges for case in expansion.cases):
         data |= utilisations(rules, parameters, force, safety, strakes(expansion, pressure), over)
     coords = {**{str(name): value for name, value in pressure.coords.items()}, **rule_coordinates(rules)}
     sources = [rule.source for rule in rules] + [row_of(str(method)).source for method in pressure["method"].values]
-    header = {**provenance(study.title, text, sources, "shell"), "sweep_axes": " ".join(axes)}
+    header = {**provenance(study.title, text, sources, "shell"), "sweep_axes": pressure.attrs["sweep_axes"]}
     return check(xr.Dataset(data, coords, header))
+
+
+def load_variables(pressure: xr.Dataset, force, source, pressures, over: tuple[str, ...]) -> dict[str, tuple | xr.DataArray]:
+    """What loads the wall, and what the figures need of the pressure cube."""
+    whole = (over[0], *over[2:])
+    values = {
+        "axial_wall_force": (over, force),
+        "carried_share": (over[:-1], carried_share(force, pressure)),
+        "lower_internal_pressure": (whole, pressures[0]),
+        "upper_internal_pressure": (whole, pressures[1]),
+    }
+    return {
+        **{name: (dims, value, attributes(name)) for name, (dims, value) in values.items()},
+        "axial_force_source": (over[:2], source, flags("what the axial wall force follows from", SOURCES)),
+        **{name: pressure[name] for name in ("case", "cylinder_depth", "hydraulic_radius", "wall_friction")},
+    }
 
 
 def _of_cases(expansion: Expansion, values: list) -> np.ndarray:
@@ -114,8 +122,9 @@ def strakes(expansion: Expansion, pressure: xr.Dataset) -> np.ndarray:
     z = depths(pressure).reshape(len(expansion.cases), -1)
     found = []
     for levels, case in zip(z, expansion.cases, strict=True):
-        wall, height = case.scene.shell, case.scene.silo.cylinder_depth
-        place = np.searchsorted(np.array(wall.edges) * (1 + 1e-9), levels / height)
+        wall, silo = case.scene.shell, case.scene.silo
+        share = (levels - (silo.cylinder_depth - silo.wall_depth)) / silo.wall_depth  # the heap stands above the wall
+        place = np.searchsorted(np.array(wall.edges) * (1 + 1e-9), share)
         found.append(np.array(wall.thicknesses)[place])
     return np.array(found).reshape(*expansion.shape, -1)
 
