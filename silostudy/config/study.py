@@ -108,6 +108,8 @@ class BaseStudy(Strict):
             if missing or (row.single_case and axes):
                 wanted = f"the axes {', '.join(row.axes)}" if missing else "a study without sweep"
                 raise ValueError(f"output {key} needs {wanted}")
+            if row.only_axes and axes - set(row.axes):
+                raise ValueError(f"output {key} can show no axes but {', '.join(row.axes)}")
         return self
 
 

@@ -9,7 +9,8 @@ from silostudy.catalogue import Family, Row
 class Output(Row):
     """A figure or table of a study.
 
-    axes: sweep axes it needs; single_case: it shows one silo, so it needs a study without sweep.
+    axes: sweep axes it needs; only_axes: it can show no others; single_case: it shows one silo, so it needs a study without
+    sweep; strakes: it needs a wall of given thickness.
     The module of the same name in this room draws it (loaded only then: drawing needs matplotlib).
     """
 
@@ -20,6 +21,8 @@ class Output(Row):
     methods: tuple[str, ...] = ()  # methods whose curves it cannot do without
     phases: tuple[str, ...] = ()  # phases likewise
     rules: tuple[str, ...] = ()  # buckling rules it cannot do without
+    only_axes: bool = False
+    strakes: bool = False
 
 
 SHELL_AXES = ("radius_over_thickness", "relative_bay_length", "ring_area_ratio", "steel", "making")
@@ -74,6 +77,7 @@ OUTPUTS: Family[Output] = Family(
             kind="figure",
             stage="buckling",
             axes=("test",),
+            only_axes=True,
         ),
         Output(
             key="miller_fig_2_3",
@@ -83,6 +87,7 @@ OUTPUTS: Family[Output] = Family(
             kind="figure",
             stage="buckling",
             axes=("test",),
+            only_axes=True,
         ),
         Output(
             key="miller_fig_4_5",
@@ -92,6 +97,7 @@ OUTPUTS: Family[Output] = Family(
             kind="figure",
             stage="buckling",
             axes=("test",),
+            only_axes=True,
         ),
         Output(
             key="miller_fig_6_7",
@@ -102,6 +108,7 @@ OUTPUTS: Family[Output] = Family(
             stage="buckling",
             axes=("test",),
             rules=("miller1977",),
+            only_axes=True,
         ),
         Output(
             key="test_over_prediction",
@@ -111,6 +118,7 @@ OUTPUTS: Family[Output] = Family(
             kind="figure",
             stage="buckling",
             axes=("test",),
+            only_axes=True,
         ),
         Output(
             key="miller_statistics",
@@ -120,6 +128,7 @@ OUTPUTS: Family[Output] = Family(
             kind="table",
             stage="buckling",
             axes=("test",),
+            only_axes=True,
         ),
         Output(
             key="miller_tests",
@@ -129,6 +138,7 @@ OUTPUTS: Family[Output] = Family(
             kind="table",
             stage="buckling",
             axes=("test",),
+            only_axes=True,
         ),
         Output(
             key="knockdown_over_slenderness",
@@ -138,6 +148,7 @@ OUTPUTS: Family[Output] = Family(
             kind="figure",
             stage="buckling",
             axes=SHELL_AXES,
+            only_axes=True,
         ),
         Output(
             key="buckling_stress_map",
@@ -147,6 +158,7 @@ OUTPUTS: Family[Output] = Family(
             kind="figure",
             stage="buckling",
             axes=SHELL_AXES,
+            only_axes=True,
         ),
         Output(
             key="ring_area_map",
@@ -157,6 +169,7 @@ OUTPUTS: Family[Output] = Family(
             stage="buckling",
             axes=SHELL_AXES,
             rules=("miller1977",),
+            only_axes=True,
         ),
         Output(
             key="strength_over_pressure",
@@ -166,6 +179,7 @@ OUTPUTS: Family[Output] = Family(
             kind="figure",
             stage="buckling",
             axes=("radius_over_thickness", "internal_pressure"),
+            only_axes=True,
         ),
         Output(
             key="required_thickness",
@@ -177,6 +191,7 @@ OUTPUTS: Family[Output] = Family(
             axes=("diameter", "slenderness", "wall_friction_end"),
             rules=("en1993_1_6_2007",),
             methods=("janssen",),
+            only_axes=True,
         ),
         Output(
             key="shell_over_depth",
@@ -186,6 +201,8 @@ OUTPUTS: Family[Output] = Family(
             kind="figure",
             stage="shell",
             axes=("wall_friction_end",),
+            only_axes=True,
+            strakes=True,
         ),
         Output(
             key="shell_summary",
@@ -194,6 +211,7 @@ OUTPUTS: Family[Output] = Family(
             locator="sections 4.2.2 and 4.5.4",
             kind="table",
             stage="shell",
+            strakes=True,
         ),
     ],
 )

@@ -5,7 +5,7 @@ from pathlib import Path
 import matplotlib.pyplot as plt
 import xarray as xr
 
-from silostudy.figures.rules import name
+from silostudy.figures.rules import demand, making, name
 from silostudy.figures.style import save
 
 LEVELS = [5, 10, 20, 30, 50, 75, 100, 150, 200, 250]
@@ -14,6 +14,7 @@ MAKING = 1  # the middle one: fabricated, class B
 
 def draw(cube: xr.Dataset, stem: Path) -> None:
     """Writes the map and its numbers for shells without rings."""
+    demand(cube, "ring_area_ratio", (0.0,))
     cube = cube.sel(ring_area_ratio=0.0).isel(steel=0, making=min(MAKING, cube.sizes["making"] - 1))
     rules = list(map(str, cube["rule"].values))
     columns = min(3, len(rules))
@@ -38,9 +39,8 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
         panel.set_ylabel("L / sqrt(R t)")
     figure.colorbar(filled, ax=axes, label="buckling stress (MPa)", shrink=0.8)
     steel = float(cube["steel"]) / 1e6
-    making = f"{cube.making_manufacture.values} (Miller), class {cube.making_quality.values} (EN)".replace("_", " ")
     figure.suptitle(
-        f"Buckling stress without rings or pressure, yield stress {steel:g} MPa, {making}; white: outside the rule's scope"
+        f"Buckling stress, no rings or pressure, yield stress {steel:g} MPa, {making(cube)}; white: outside the rule's scope"
     )
     numbers = cube["buckling_stress"].to_dataframe().reset_index()
     save(figure, numbers[["rule", "radius_over_thickness", "relative_bay_length", "buckling_stress"]], stem)

@@ -18,6 +18,7 @@ RULE, METHOD = "en1993_1_6_2007", "janssen"  # what the curves hold fixed in tur
 
 def draw(cube: xr.Dataset, stem: Path) -> None:
     """Writes the figure and its numbers, all for the thickest strake (the largest over depth and phases), in mm."""
+    rules.demand(cube, "wall_friction_end", ("mean", "upper"))
     needed = cube["required_thickness"].max("relative_depth" if "relative_depth" in cube.dims else "depth") * 1e3
     covered = needed.notnull().any([dim for dim in needed.dims if dim != "method"])
     kept = {"method": np.flatnonzero(covered)}

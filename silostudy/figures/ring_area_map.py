@@ -5,6 +5,7 @@ from pathlib import Path
 import matplotlib.pyplot as plt
 import xarray as xr
 
+from silostudy.figures.rules import making
 from silostudy.figures.style import save
 
 LEVELS = [20, 30, 50, 75, 100, 125, 150, 175, 200]
@@ -30,9 +31,9 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
         panel.minorticks_off()
     axes[0].set_ylabel("ring area over bay area $A_r / (L t)$")
     figure.colorbar(filled, ax=axes, label="buckling stress (MPa)")
-    steel, making = float(cube["steel"]) / 1e6, str(cube["making_manufacture"].values).replace("_", " ")
+    steel = float(cube["steel"]) / 1e6
     figure.suptitle(
-        f"Miller's buckling stress with rings, {making} shells, yield stress {steel:g} MPa\n"
+        f"Miller's buckling stress with rings, {making(cube)}, yield stress {steel:g} MPa\n"
         "hatched: the shell buckles with its rings, so that larger rings help; elsewhere the bay buckles between them"
     )
     numbers = cube[["buckling_stress", "elastic_local_stress", "elastic_general_stress"]].to_dataframe().reset_index()

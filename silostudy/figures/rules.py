@@ -3,6 +3,8 @@
 import numpy as np
 import xarray as xr
 
+from silostudy.errors import BadInput
+
 KPA_PER_PSI = 6.894757293
 PSI = KPA_PER_PSI * 1e3
 # group of tests -> (marker, filled, label); markers tell them apart without colour
@@ -33,3 +35,17 @@ def group(cube: xr.Dataset) -> np.ndarray:
     """For each test the group it belongs to: a key of GROUPS."""
     small = np.where(cube["ring_area"].values > 0, "ringed", "unstiffened")
     return np.where(cube["test_scale"].values == "large", "large", small)
+
+
+def demand(cube: xr.Dataset, axis: str, values: tuple) -> None:
+    """BadInput unless an axis of the study holds the values that a figure is drawn at."""
+    missing = [value for value in values if value not in cube[axis].values]
+    if missing:
+        raise BadInput(f"axis {axis}", cube[axis].values.tolist(), f"the figure also needs {', '.join(map(str, missing))}")
+
+
+def making(one: xr.Dataset) -> str:
+    """How the shells at one position of the making axis are made, in words."""
+    told = (("making_manufacture", "{} (Miller)"), ("making_quality", "class {} (EN)"))
+    words = [text.format(one[coord].values) for coord, text in told if coord in one.coords]
+    return ", ".join(words).replace("_", " ") or f"making {one['making'].values}"

@@ -16,6 +16,7 @@ ENDS = {"mean": {"linestyle": (0, (4, 2)), "linewidth": 1.0}, "upper": {"linesty
 
 def draw(cube: xr.Dataset, stem: Path) -> None:
     """Writes the figure and its numbers; stress, strength and utilisation are the first method's, at its worst phase."""
+    rules.demand(cube, "wall_friction_end", tuple(ENDS))
     level = "relative_depth" if "relative_depth" in cube.dims else "depth"
     first = str(cube["method"].values[0])
     figure, axes = plt.subplots(1, 4, figsize=(17, 8.4), sharey=True)
@@ -25,7 +26,7 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
         for method in map(str, cube["method"].values):
             one = here.sel({"method": method})
             lines = {"color": look(cube, method)["color"], **style}
-            marks = {"marker": look(cube, method)["marker"], "markevery": len(z) // 8, "markersize": 5}
+            marks = {"marker": look(cube, method)["marker"], "markevery": max(1, len(z) // 8), "markersize": 5}
             axes[0].plot(one["axial_wall_force"].max("phase") / 1e3, z, **lines, **marks)
             axes[1].plot(one["lower_internal_pressure"] / 1e3, z, **lines, **marks)
         stress = here["axial_wall_stress"].sel({"method": first}).max("phase")
@@ -34,7 +35,11 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
             strength = here["wall_buckling_stress"].sel({"method": first, "rule": rule})
             used = here["utilisation"].sel({"method": first, "rule": rule}).max("phase")
             lines = {"color": rules.look(cube, rule)["color"], **style}
-            marks = {"marker": str(cube.sel({"rule": rule}).rule_marker.values), "markevery": len(z) // 8, "markersize": 5}
+            marks = {
+                "marker": str(cube.sel({"rule": rule}).rule_marker.values),
+                "markevery": max(1, len(z) // 8),
+                "markersize": 5,
+            }
             axes[2].plot(strength / 1e6, z, **lines, **marks)
             axes[3].plot(used, z, **lines, **marks)
     _write_strakes(axes[0], cube)

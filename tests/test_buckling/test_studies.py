@@ -46,6 +46,8 @@ def silo(**changes):
     return content
 
 
+ENDS = {"axis": "wall_friction_end", "values": {"wall_friction_end": ["mean", "upper"]}}
+DIAMETERS = {"axis": "diameter", "values": {"silo.diameter_m": [5.0, 8.0]}}
 MISTAKES = {
     "zero thickness": (cylinder(thickness_mm=0.0), "scene.thickness_mm = 0.0: must be greater than 0"),
     "zero bay": (cylinder(bay_length_m=0.0), "scene.bay_length_m = 0.0: must be greater than 0"),
@@ -76,6 +78,14 @@ MISTAKES = {
     "strakes out of order": (
         silo(strakes=[{"down_to": 0.9, "thickness_mm": 6.0}, {"down_to": 0.5, "thickness_mm": 6.0}]),
         "the strakes' down_to must increase and end at 1",
+    ),
+    "figure of strakes without strakes": (
+        {**silo(strakes=[]), "sweep": [ENDS], "outputs": ["shell_over_depth"]},
+        "output shell_over_depth needs scene.shell.strakes",
+    ),
+    "axis that a figure cannot show": (
+        {**silo(), "sweep": [ENDS, DIAMETERS], "outputs": ["shell_over_depth"]},
+        "output shell_over_depth can show no axes but wall_friction_end",
     ),
 }
 
@@ -186,6 +196,14 @@ def test_shell_over_depth_is_labelled(tmp_path, kept):
     assert labels[2] == "axial stress; buckling stress (MPa)"
     texts = {text.get_text() for text in axes[0].texts}
     assert texts == {"t = 4 mm", "t = 6 mm", "t = 8 mm", "t = 9 mm"}
+
+
+def test_figure_says_which_end_of_the_friction_it_misses(tmp_path):
+    content = silo()
+    content["sweep"] = [{"axis": "wall_friction_end", "values": {"wall_friction_end": ["mean"]}}]
+    expansion = expanded(content)
+    with pytest.raises(BadInput, match=r"axis wall_friction_end = \['mean'\]: the figure also needs upper"):
+        shell_over_depth.draw(shell_cube(expansion, pressure_cube(expansion)), tmp_path / "figure")
 
 
 def test_required_thickness_shows_every_pair(tmp_path, kept):
