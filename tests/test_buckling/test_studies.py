@@ -223,3 +223,8 @@ def test_readings_are_told_apart(tmp_path, kept):
     assert labels[-1] == "Miller (1977)"
     assert sum(label.startswith("reading: ") for label in labels) == 7
     assert "over predicted buckling stress" in panel.get_xlabel()
+
+
+def test_a_study_computes_only_the_cubes_it_needs():
+    assert expanded(CYLINDER).study.stages == ("buckling",)
+    assert expanded(silo()).study.stages == ("pressure", "shell")
