@@ -28,7 +28,8 @@ def axial_wall_force(pressure: xr.Dataset) -> tuple[np.ndarray, np.ndarray]:
 
     A method's own force where it has one; elsewhere its own wall friction traction, or wall friction times its wall
     pressure, integrated from the surface.  The friction coefficient is then the one in the method's own traction, or the one
-    handed to it.  Where the wall pressure itself is masked, the force below is unknown.
+    handed to it.  The integral of an envelope (Jenike's discharge) is an upper bound, no single state of the silo.  Where
+    the wall pressure itself is masked, the force below is unknown.
     """
     z, handed = depths(pressure), pressure["wall_friction"].values
     normal, own, traction = (
