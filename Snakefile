@@ -87,6 +87,33 @@ rule uncertainty:
         "python -m silostudy uncertainty {input[0]} {output} > {log} 2>&1"
 
 
+rule buckling:
+    input:
+        study_files,
+    output:
+        RESULTS + "/{study}/buckling.nc",
+    params:
+        code=stamp(*STAGES["buckling"]),
+    log:
+        RESULTS + "/{study}/logs/buckling.log",
+    shell:
+        "python -m silostudy buckling {input[0]} {output} > {log} 2>&1"
+
+
+rule shell:
+    input:
+        study_files,
+        pressure=RESULTS + "/{study}/pressure.nc",
+    output:
+        RESULTS + "/{study}/shell.nc",
+    params:
+        code=stamp(*STAGES["shell"]),
+    log:
+        RESULTS + "/{study}/logs/shell.log",
+    shell:
+        "python -m silostudy shell {input[0]} {input.pressure} {output} > {log} 2>&1"
+
+
 def cube_of(wildcards):
     """The cube that a figure or table is drawn from."""
     key = getattr(wildcards, "figure", None) or wildcards.table

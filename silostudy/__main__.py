@@ -5,10 +5,10 @@ import sys
 from collections.abc import Sequence
 
 from silostudy import __version__
-from silostudy.commands import bench, cite, compare, explain, listing, stages
+from silostudy.commands import bench, cite, compare, explain, listing, shells, stages
 from silostudy.errors import BadInput
 
-ROOMS = (listing, explain, compare, cite, stages, bench)
+ROOMS = (listing, explain, compare, cite, stages, shells, bench)
 
 
 def parser() -> argparse.ArgumentParser:

@@ -4,12 +4,14 @@ import hashlib
 from pathlib import Path
 
 PACKAGE = Path(__file__).parent
-SCENE = ("catalogue", "errors", "files", "tables", "config", "scene", "figures/__init__", "pressure")
+SCENE = ("catalogue", "errors", "files", "tables", "config", "scene", "figures/__init__", "pressure", "buckling")
 # stage -> rooms whose change makes its results stale (a test follows the imports)
 STAGES = {
     "cases": SCENE,
     "pressure": (*SCENE, "compute", "cube"),
     "uncertainty": (*SCENE, "compute", "cube"),
+    "buckling": (*SCENE, "compute", "cube"),
+    "shell": (*SCENE, "compute", "cube"),
     "draw": ("catalogue", "errors", "files", "tables", "cube", "figures"),
 }
 

@@ -14,15 +14,24 @@ BASE = {"catalogue", "errors", "files", "stamp", "__init__"}
 MAY_IMPORT = {
     "tables": set(),
     "pressure": {"tables"},
+    "buckling": set(),
     "figures": {"cube", "tables"},
-    "config": {"tables", "pressure", "figures"},
+    "config": {"tables", "pressure", "buckling", "figures"},
     "scene": {"config", "tables", "pressure"},
     "cube": {"tables"},
-    "compute": {"scene", "config", "tables", "pressure", "cube"},
+    "compute": {"scene", "config", "tables", "pressure", "buckling", "cube"},
 }
-HEAVY_FREE = {"tables", "pressure", "figures/__init__.py", "config", "scene"}  # quick to import: no xarray, no matplotlib
+HEAVY_FREE = {
+    "tables",
+    "pressure",
+    "buckling",
+    "figures/__init__.py",
+    "config",
+    "scene",
+}  # quick to import: no xarray, no matplotlib
 ENTRIES = {"cases": ["scene/expand.py"], "pressure": ["compute/pressure.py", "scene/expand.py"]}
 ENTRIES["uncertainty"] = ["compute/uncertainty.py", "scene/expand.py"]
+ENTRIES |= {stage: [f"compute/{stage}.py", "scene/expand.py"] for stage in ("buckling", "shell")}
 ENTRIES["draw"] = [f"figures/{path.name}" for path in sorted((PACKAGE / "figures").glob("*.py"))]
 
 

@@ -1,9 +1,11 @@
-"""`silostudy explain METHOD`: formula, symbols, source, range, and what its source gets wrong."""
+"""`silostudy explain KEY`: formula, symbols, source, range of a method or rule, and what its source gets wrong."""
 
 
 def add(sub) -> None:
-    command = sub.add_parser("explain", help="explain a method: formula, symbols, source, range, known errors of the source")
-    command.add_argument("method")
+    command = sub.add_parser(
+        "explain", help="explain a method or rule: formula, symbols, source, range, known errors of the source"
+    )
+    command.add_argument("method", help="see `silostudy list methods` and `silostudy list buckling`")
     command.set_defaults(run=run)
 
 
@@ -12,12 +14,20 @@ def run(chosen) -> None:
 
 
 def explanation(key: str) -> list[str]:
-    """The lines that explain a pressure method; BadInput lists the known ones."""
+    """The lines that explain a pressure method or a buckling rule; BadInput lists the known ones."""
+    from silostudy.buckling import BUCKLING, RIVALS
+    from silostudy.commands import explain_buckling
+    from silostudy.errors import unknown
     from silostudy.pressure import PRESSURE
     from silostudy.pressure.family import PARAMETERS
     from silostudy.tables.handbook import errata
     from silostudy.tables.references import cite
 
+    rules = {**BUCKLING, **RIVALS}
+    if key in rules:
+        return explain_buckling.explanation(rules[key])
+    if key not in PRESSURE:
+        raise unknown("method or rule", key, [*PRESSURE, *rules])
     row = PRESSURE[key]
     lines = [f"{row.title} ({row.key})", f"  formula   {row.formula}", f"  range     {row.validity}"]
     lines.append(f"  plans     {', '.join(sorted(row.plans))}")

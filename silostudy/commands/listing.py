@@ -4,7 +4,7 @@ from pathlib import Path
 
 
 def add(sub) -> None:
-    command = sub.add_parser("list", help="list methods, solids, walls, studies or outputs")
+    command = sub.add_parser("list", help="list methods, buckling rules, solids, walls, studies or outputs")
     command.add_argument("what", choices=LISTS)
     command.add_argument("--studies", type=Path, default=Path("config/studies"), help="folder of study files")
     command.set_defaults(run=run)
@@ -20,6 +20,13 @@ def _methods(chosen):
 
     for row in PRESSURE.values():
         yield f"{row.key:22}", f"{row.title:32}", f"{', '.join(row.phases):20}", f"{row.source}, {row.locator}"
+
+
+def _buckling(chosen):
+    from silostudy.buckling import BUCKLING, RIVALS
+
+    for row in (*BUCKLING.values(), *RIVALS.values()):
+        yield f"{row.key:28}", f"{row.title:26}", f"{row.source}, {row.locator}"
 
 
 def _solids(chosen):
@@ -58,4 +65,11 @@ def _outputs(chosen):
         yield f"{row.key:30}", f"{row.kind:7}", f"{wants:28}", row.title
 
 
-LISTS = {"methods": _methods, "solids": _solids, "walls": _walls, "studies": _studies, "outputs": _outputs}
+LISTS = {
+    "methods": _methods,
+    "buckling": _buckling,
+    "solids": _solids,
+    "walls": _walls,
+    "studies": _studies,
+    "outputs": _outputs,
+}

@@ -37,8 +37,10 @@ def run_check(chosen) -> None:
     axes = " x ".join(f"{axis.axis} {len(axis.settings())}" for axis in study.sweep) or "no sweep"
     print(f"{path}: {study.title}")
     print(f"  {len(expansion.cases)} case(s): {axes}")
-    for line in (*counts(expansion), *cautions(expansion)) if study.kind == "pressure" else ():
+    for line in (*counts(expansion), *cautions(expansion)) if "pressure" in study.stages else ():
         print(f"  {line}")
+    if rules := getattr(study, "rule_keys", ()):
+        print(f"  {len(rules)} buckling rule(s)")
 
 
 def counts(expansion) -> list[str]:

@@ -1,6 +1,8 @@
 """The kinds of study: what the key `kind` of a study file may say."""
 
+from silostudy.config.buckling import BucklingStudy
 from silostudy.config.pressure import PressureStudy
+from silostudy.config.shell import ShellStudy
 from silostudy.config.study import BaseStudy
 
-KINDS: dict[str, type[BaseStudy]] = {"pressure": PressureStudy}
+KINDS: dict[str, type[BaseStudy]] = {"pressure": PressureStudy, "buckling": BucklingStudy, "shell": ShellStudy}

@@ -117,7 +117,7 @@ class PressureStudy(BaseStudy):
     @property
     def stages(self) -> tuple[str, ...]:
         """The pressure cube, and the sampled one where uncertainty is asked for."""
-        return (self.kind, "uncertainty") if self.uncertainty is not None else (self.kind,)
+        return ("pressure", "uncertainty") if self.uncertainty is not None else ("pressure",)
 
     @property
     def method_keys(self) -> tuple[str, ...]:

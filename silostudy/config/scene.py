@@ -134,4 +134,10 @@ class SceneConfig(Strict):
         "",
         default=None,
     )
+    wall_friction_end: Literal["mean", "upper"] = described(
+        "upper: the unsafe end for buckling of a steel wall: roughness factor + 0.05 on Pieper's roughness groups, else wall "
+        "friction and lateral pressure ratio times their spreads a_mu and a_K",
+        "",
+        default="mean",
+    )
     properties: SolidProperties = described("values that replace the table's", "", default=SolidProperties())

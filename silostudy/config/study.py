@@ -9,7 +9,7 @@ from silostudy.config.fields import Range, Strict, described, expand
 from silostudy.figures import OUTPUTS
 
 OutputKey: TypeAlias = Literal[tuple(OUTPUTS)]  # type: ignore[valid-type]
-TAKEN = ("method", "phase", "depth", "relative_depth", "hopper_position", "case")
+TAKEN = ("method", "phase", "depth", "relative_depth", "hopper_position", "case", "rule")
 
 
 class Axis(Strict):
@@ -108,6 +108,8 @@ class BaseStudy(Strict):
             if missing or (row.single_case and axes):
                 wanted = f"the axes {', '.join(row.axes)}" if missing else "a study without sweep"
                 raise ValueError(f"output {key} needs {wanted}")
+            if row.only_axes and axes - set(row.axes):
+                raise ValueError(f"output {key} can show no axes but {', '.join(row.axes)}")
         return self
 
 

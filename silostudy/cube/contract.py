@@ -24,6 +24,7 @@ def _v(name: str, units: str, long_name: str, *dims: str) -> Variable:
 OVER_DEPTH = ("method", "phase", "...", "depth")
 OVER_HOPPER = ("method", "phase", "...", "hopper_position")
 TOTAL = ("method", "phase", "...")
+BY_RULE = ("rule", "method", "...", "depth")  # what the phases share
 VARIABLES = {
     variable.name: variable
     for variable in (
@@ -96,6 +97,50 @@ VARIABLES = {
         _v("method_values", "1", "characteristic values that the method uses in place of those handed to it", "method"),
         _v("hopper_position", "1", "place on the hopper wall: 0 transition, 1 outlet", "hopper_position"),
         _v("phase", "1", "phase of operation", "phase"),
+        _v("elastic_local_stress", "Pa", "elastic stress at which the bay between rings buckles", "rule", "..."),
+        _v("elastic_general_stress", "Pa", "elastic stress at which the shell buckles with its rings", "rule", "..."),
+        _v("elastic_buckling_stress", "Pa", "elastic stress behind the buckling stress, imperfections included", "rule", "..."),
+        _v("buckling_stress", "Pa", "axial stress at which the shell buckles, yielding included", "rule", "..."),
+        _v("elastic_knockdown_factor", "1", "elastic buckling stress over the classical stress", "rule", "..."),
+        _v("knockdown_factor", "1", "buckling stress over the classical stress", "rule", "..."),
+        _v("buckling_mode", "1", "how the shell buckles", "rule", "..."),
+        _v("youngs_modulus", "Pa", "Young's modulus of the shell", "..."),
+        _v("yield_stress", "Pa", "yield stress of the shell", "..."),
+        _v("shell_radius", "m", "radius of the shell's middle surface", "..."),
+        _v("thickness", "m", "thickness of the shell", "..."),
+        _v("bay_length", "m", "ring spacing, or the whole length without rings", "..."),
+        _v("ring_area", "m2", "area of one ring, 0 without rings", "..."),
+        _v("test_lower_buckling_stress", "Pa", "measured collapse stress, lower value", "..."),
+        _v("test_upper_buckling_stress", "Pa", "measured collapse stress, upper value", "..."),
+        _v("test_scale", "1", "small or large test", "..."),
+        _v("test_material", "1", "material letter of the test", "..."),
+        _v("test_collapse", "1", "observed collapse: G general, L local, empty where not said", "..."),
+        _v("test_total_length", "m", "length between end plates, where printed", "..."),
+        _v("chart_long_coefficient", "1", "Miller's C of a long shell", "chart_making", "chart_slenderness"),
+        _v("chart_short_coefficient", "1", "Miller's J of a short shell", "chart_making", "chart_slenderness"),
+        _v("chart_local_coefficient", "1", "Miller's C", "chart_making", "chart_slenderness", "chart_relative_length"),
+        _v("chart_ring_coefficient", "1", "Miller's C_3", "chart_making", "chart_slenderness", "chart_ring_area_ratio"),
+        _v("chart_strength_ratio", "1", "Miller's buckling stress over yield stress", "chart_elastic_ratio"),
+        _v("chart_making", "1", "Miller's kind of shell", "chart_making"),
+        _v("chart_slenderness", "1", "R/t", "chart_slenderness"),
+        _v("chart_relative_length", "1", "M = L / sqrt(R t)", "chart_relative_length"),
+        _v("chart_ring_area_ratio", "1", "ring area over bay area L t", "chart_ring_area_ratio"),
+        _v("chart_elastic_ratio", "1", "elastic stress over yield stress", "chart_elastic_ratio"),
+        _v("axial_force_source", "1", "what the axial wall force follows from", "method", "phase"),
+        _v("carried_share", "1", "axial wall force at the transition over the contents' weight", "method", "phase", "..."),
+        _v("lower_internal_pressure", "Pa", "smallest pressure that a method guarantees", "method", "...", "depth"),
+        _v("upper_internal_pressure", "Pa", "largest pressure of a method", "method", "...", "depth"),
+        _v("wall_thickness", "m", "thickness of the strake", "...", "depth"),
+        _v("axial_wall_stress", "Pa", "axial stress in the wall, compression positive", *OVER_DEPTH),
+        _v("wall_buckling_stress", "Pa", "axial stress at which the wall buckles", *BY_RULE),
+        _v("wall_buckling_mode", "1", "how the wall buckles", *BY_RULE),
+        _v("utilisation", "1", "axial stress times safety factor over buckling stress", "rule", *OVER_DEPTH),
+        _v("required_thickness", "m", "wall thickness that the largest load of all phases asks for", *BY_RULE),
+        _v("rule", "1", "buckling rule", "rule"),
+        _v("rule_title", "1", "name of the rule for people", "rule"),
+        _v("rule_colour", "1", "colour of the rule in figures", "rule"),
+        _v("rule_marker", "1", "marker of the rule in figures", "rule"),
+        _v("rule_line", "1", "line style of the rule in figures", "rule"),
         _v("relative_depth", "1", "depth over the depth of the transition", "relative_depth"),
     )
 }

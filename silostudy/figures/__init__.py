@@ -9,7 +9,9 @@ from silostudy.catalogue import Family, Row
 class Output(Row):
     """A figure or table of a study.
 
-    axes: sweep axes it needs; single_case: it shows one silo, so it needs a study without sweep.
+    axes: sweep axes it needs; only_axes: it can show no others; single_case: it shows one silo, so it needs a study without
+    sweep; strakes: it needs a wall of given thickness; hopper: it shows the hopper wall, so the study must ask for
+    hopper_position.
     The module of the same name in this room draws it (loaded only then: drawing needs matplotlib).
     """
 
@@ -19,8 +21,13 @@ class Output(Row):
     single_case: bool = False
     methods: tuple[str, ...] = ()  # methods whose curves it cannot do without
     phases: tuple[str, ...] = ()  # phases likewise
-    hopper: bool = False  # it shows the hopper wall, so the study must ask for hopper_position
+    rules: tuple[str, ...] = ()  # buckling rules it cannot do without
+    only_axes: bool = False
+    strakes: bool = False
+    hopper: bool = False
 
+
+SHELL_AXES = ("radius_over_thickness", "relative_bay_length", "ring_area_ratio", "steel", "making")
 
 OUTPUTS: Family[Output] = Family(
     "output",
@@ -63,6 +70,150 @@ OUTPUTS: Family[Output] = Family(
             kind="figure",
             stage="pressure",
             axes=("diameter", "slenderness"),
+        ),
+        Output(
+            key="miller_fig_1",
+            title="C M^2 against M^2: Miller's elastic local coefficient and his tests",
+            source="miller1977",
+            locator="Fig. 1",
+            kind="figure",
+            stage="buckling",
+            axes=("test",),
+            only_axes=True,
+        ),
+        Output(
+            key="miller_fig_2_3",
+            title="C and J against R/t with their lower bounds",
+            source="miller1977",
+            locator="Figs. 2, 3",
+            kind="figure",
+            stage="buckling",
+            axes=("test",),
+            only_axes=True,
+        ),
+        Output(
+            key="miller_fig_4_5",
+            title="General buckling: C_3 M_e^2 against M_e^2, C_3 against ring area",
+            source="miller1977",
+            locator="Figs. 4, 5",
+            kind="figure",
+            stage="buckling",
+            axes=("test",),
+            only_axes=True,
+        ),
+        Output(
+            key="miller_fig_6_7",
+            title="Inelastic buckling: formula against tests with and without rings",
+            source="miller1977",
+            locator="Figs. 6, 7",
+            kind="figure",
+            stage="buckling",
+            axes=("test",),
+            rules=("miller1977",),
+            only_axes=True,
+        ),
+        Output(
+            key="test_over_prediction",
+            title="Test over prediction by rule and by rival reading of the source",
+            source="miller1977",
+            locator="Tables 2, 3",
+            kind="figure",
+            stage="buckling",
+            axes=("test",),
+            only_axes=True,
+        ),
+        Output(
+            key="miller_statistics",
+            title="Test over prediction: mean, scatter, least, largest by group of tests",
+            source="miller1977",
+            locator="Tables 2, 3",
+            kind="table",
+            stage="buckling",
+            axes=("test",),
+            only_axes=True,
+        ),
+        Output(
+            key="miller_tests",
+            title="Every test with every rule, and the errors of the source",
+            source="miller1977",
+            locator="Tables 2, 3",
+            kind="table",
+            stage="buckling",
+            axes=("test",),
+            only_axes=True,
+        ),
+        Output(
+            key="knockdown_over_slenderness",
+            title="Elastic knock-down factor against R/t by rule, tests as points",
+            source="miller1977",
+            locator="Table 2",
+            kind="figure",
+            stage="buckling",
+            axes=SHELL_AXES,
+            only_axes=True,
+        ),
+        Output(
+            key="buckling_stress_map",
+            title="Buckling stress over R/t and bay length by rule",
+            source="miller1977",
+            locator="eqs. (1) to (15)",
+            kind="figure",
+            stage="buckling",
+            axes=SHELL_AXES,
+            only_axes=True,
+        ),
+        Output(
+            key="ring_area_map",
+            title="Buckling stress over R/t and ring area, and which mode governs",
+            source="miller1977",
+            locator="eqs. (8) to (12)",
+            kind="figure",
+            stage="buckling",
+            axes=SHELL_AXES,
+            rules=("miller1977",),
+            only_axes=True,
+        ),
+        Output(
+            key="strength_over_pressure",
+            title="Buckling stress over internal pressure: help first, then the elephant's foot",
+            source="en1993_4_1",
+            locator="axial compression with internal pressure",
+            kind="figure",
+            stage="buckling",
+            axes=("radius_over_thickness", "internal_pressure"),
+            only_axes=True,
+        ),
+        Output(
+            key="required_thickness",
+            title="Wall thickness that each pressure method and buckling rule asks for, over D and H/D",
+            source="silo_handbook",
+            locator="sections 4.2.2 and 4.5.4",
+            kind="figure",
+            stage="shell",
+            axes=("diameter", "slenderness", "wall_friction_end"),
+            rules=("en1993_1_6_2007",),
+            methods=("janssen",),
+            only_axes=True,
+        ),
+        Output(
+            key="shell_over_depth",
+            title="A steel wall over its depth: force, pressure, strength, utilisation",
+            source="silo_handbook",
+            locator="sections 4.2.2 and 4.5.4",
+            kind="figure",
+            stage="shell",
+            axes=("wall_friction_end",),
+            only_axes=True,
+            strakes=True,
+        ),
+        Output(
+            key="shell_summary",
+            title="Where a steel wall is used most, by rule, method and phase",
+            source="silo_handbook",
+            locator="sections 4.2.2 and 4.5.4",
+            kind="table",
+            stage="shell",
+            strakes=True,
         ),
         Output(
             key="silo_pressures",

@@ -95,8 +95,9 @@ def _row(key, title, weight, extra, colour, marker) -> PressureMethod:
         formula="Janssen with gamma (2 max + min)/3 in a large silo, (max + 2 min)/3 in a small one; lambda 0.31 and 0.47 for "
         "flour; mu = tan(C phi) in filling, tan(0.8 C phi) in discharge, C by roughness",
         validity="needs a lower and an upper unit weight; the flour's lambda serves every powder (not soya flour: the source "
-        "warns); averages over 0.7 widths of height, not local peaks; the formulas are the source's but no published numbers "
-        "were at hand: checked in 50-digit arithmetic",
+        "warns); averages over 0.7 widths of height, not local peaks; the row for buckling adds its 0.05 itself: not to be "
+        "joined with wall_friction_end: upper; the formulas are the source's but no published numbers were at hand: checked "
+        "in 50-digit arithmetic",
         colour=colour,
         marker=marker,
         equilibrium=("filling", "discharge"),

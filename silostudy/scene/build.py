@@ -60,13 +60,23 @@ def build(config: SceneConfig, solids: Family[SolidRow], where: str = "") -> Sce
         solid=solids[config.solid],
         wall=WALLS[config.wall] if config.wall else None,
         lateral_pressure_ratio_rule=config.lateral_pressure_ratio_rule,
+        wall_friction_end=config.wall_friction_end,
         own=own,
         hopper_wall=WALLS[config.silo.hopper.wall] if config.silo.hopper and config.silo.hopper.wall else None,
     )
     if scene.wall is None and "wall_friction" not in own and isnan(scene.solid.wall_friction):
         allowed = f"solid {config.solid} has no wall friction of its own: choose a wall kind ({', '.join(WALLS)})"
         raise BadInput("scene.wall", None, f"{allowed} or give scene.properties.wall_friction", where)
+    if scene.wall_friction_end == "upper" and not scene.on_roughness_group and not _spreads_known(scene):
+        allowed = "needs one of Pieper's roughness groups as wall, or scene.properties.a_mu and a_K"
+        raise BadInput("scene.wall_friction_end", "upper", allowed, where)
     return scene
+
+
+def _spreads_known(scene: Scene) -> bool:
+    """Whether wall friction and lateral pressure ratio have an upper end."""
+    values = solid_parameters(scene, "")
+    return not (isnan(values["wall_friction"]) or isnan(values["lateral_pressure_ratio"]))
 
 
 def _silo(config: AnySilo, where: str) -> Silo:

@@ -3,6 +3,13 @@
 A builder takes (study, folder of the study file, name for errors) once and returns build(config, settings) -> scene.
 """
 
-from silostudy.scene.build import pressure_builder
+from collections.abc import Callable
 
-BUILDERS = {"pressure": pressure_builder}
+from silostudy.scene.build import pressure_builder
+from silostudy.scene.shell import buckling_builder, shell_builder
+
+BUILDERS: dict[str, Callable[..., Callable]] = {
+    "pressure": pressure_builder,
+    "buckling": buckling_builder,
+    "shell": shell_builder,
+}

@@ -7,6 +7,7 @@ from silostudy.scene.silo import Silo
 from silostudy.tables.solids import CATEGORIES, RANGES, SolidRow
 from silostudy.tables.walls import WallRow
 
+PIEPER_BUCKLING = 0.05  # added to the roughness factor where the shell may buckle
 K_RULES = {
     "rankine": lambda phi: (1 - sin(phi)) / (1 + sin(phi)),
     "one_minus_sine": lambda phi: 1 - sin(phi),
@@ -22,7 +23,13 @@ class Scene:
     wall: WallRow | None = None
     hopper_wall: WallRow | None = None
     lateral_pressure_ratio_rule: str | None = None
+    wall_friction_end: str = "mean"
     own: dict[str, float] = field(default_factory=dict)
+
+    @property
+    def on_roughness_group(self) -> bool:
+        """Whether the wall friction follows from one of Pieper's roughness groups."""
+        return self.wall is not None and self.wall.rule == "angle_ratio" and "wall_friction" not in self.own
 
 
 def solid_parameters(scene: Scene, method: str, as_printed: bool = False) -> dict[str, float]:
@@ -36,13 +43,30 @@ def solid_parameters(scene: Scene, method: str, as_printed: bool = False) -> dic
     phi = values["internal_friction_angle"]
     if scene.wall is not None and "wall_friction" not in scene.own:
         values["wall_friction"] = wall_friction(scene.wall, row, phi)
-    values["hopper_wall_friction"] = capped(_hopper_friction(scene, values), phi)
-    values["wall_friction_uncapped"] = values["wall_friction"]
-    values["wall_friction"] = capped(values["wall_friction"], phi)
     rule = scene.lateral_pressure_ratio_rule
     if "lateral_pressure_ratio" not in scene.own and (rule or isnan(values["lateral_pressure_ratio"])):
         values["lateral_pressure_ratio"] = K_RULES[rule or "rankine"](phi)
+    if scene.wall_friction_end == "upper":
+        values |= upper_friction(scene, values)
+    values["hopper_wall_friction"] = capped(_hopper_friction(scene, values), phi)
+    values["wall_friction_uncapped"] = values["wall_friction"]
+    values["wall_friction"] = capped(values["wall_friction"], phi)
     return values
+
+
+def upper_friction(scene: Scene, values: dict[str, float]) -> dict[str, float]:
+    """Wall friction and lateral pressure ratio (1) at the end that is unsafe for buckling of a steel wall.
+
+    Source: silo_handbook, section 4.5.1 (Pieper: roughness factor + 0.05); else the mean values times their spreads, as
+    EN 1991-4 does (second-hand); NaN where a spread is not known.  More friction also lowers the pressure that steadies the
+    wall: both go together.  The spreads are then counted, and 1 for whatever method asks for them.
+    """
+    if scene.wall is not None and scene.on_roughness_group:
+        rough = scene.wall.factors.get(scene.solid.grain, nan) + PIEPER_BUCKLING
+        return {"wall_friction": tan(rough * values["internal_friction_angle"])}
+    spreads = {"wall_friction": "a_mu", "lateral_pressure_ratio": "a_K"}
+    raised = {name: values[name] * values.get(spread, nan) for name, spread in spreads.items()}
+    return {**raised, **dict.fromkeys(spreads.values(), 1.0)}
 
 
 def _table_values(row: SolidRow) -> dict[str, float]:

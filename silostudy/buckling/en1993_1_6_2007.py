@@ -1,0 +1,96 @@
+"""EN 1993-1-6:2007: elastic critical stress, imperfection factor and capacity curve under axial compression.
+
+Second-hand transcription, checked against two open programs; the printed standard was not seen.
+"""
+
+import numpy as np
+
+from silostudy.buckling.family import (
+    LOCAL_ELASTIC,
+    LOCAL_INELASTIC,
+    SUCTION,
+    YIELDING,
+    BucklingRule,
+    Strength,
+    under_suction,
+)
+
+SQUASH_LIMIT = 0.2  # lambda_0
+PLASTIC_RANGE = 0.6  # beta; the interaction exponent eta is 1
+
+
+def length_factor(relative_length, radius_over_thickness, end_factor):
+    """C_x (1) from omega = l / sqrt(r t): short, medium or long. Source: en1993_1_6_2007, annex D, second-hand."""
+    short = 1.36 - 1.83 / relative_length + 2.07 / relative_length**2
+    long = np.maximum(0.6, 1 + 0.2 / end_factor * (1 - 2 * relative_length / radius_over_thickness))
+    medium_or_long = np.where(relative_length <= 0.5 * radius_over_thickness, 1.0, long)
+    return np.where(relative_length <= 1.7, short, medium_or_long)
+
+
+def critical_stress(*, youngs_modulus, shell_radius, thickness, bay_length, end_factor):
+    """sigma_Rcr (Pa), elastic critical stress of the perfect shell: 0.605 E C_x t / r. Source: en1993_1_6_2007, annex D."""
+    omega = bay_length / np.sqrt(shell_radius * thickness)
+    factor = length_factor(omega, shell_radius / thickness, end_factor)
+    return 0.605 * youngs_modulus * factor * thickness / shell_radius
+
+
+def relative_imperfection(shell_radius, thickness, fabrication_quality):
+    """delta (1), characteristic imperfection over thickness: sqrt(r/t) / Q. Source: en1993_1_6_2007, annex D."""
+    return np.sqrt(shell_radius / thickness) / fabrication_quality
+
+
+def imperfection_factor(delta):
+    """alpha (1): 0.62 / (1 + 1.91 delta^1.44). Source: en1993_1_6_2007, annex D, second-hand."""
+    return 0.62 / (1 + 1.91 * delta**1.44)
+
+
+def capacity(slenderness, alpha, delta):
+    """chi (1), strength over yield stress, from lambda = sqrt(f_y / sigma_Rcr). Source: en1993_1_6_2007, section 8.5.
+
+    Between lambda_0 and lambda_p = sqrt(alpha / (1 - beta)) straight in lambda; delta plays no part in this edition.
+    """
+    plastic_limit = np.sqrt(alpha / (1 - PLASTIC_RANGE))
+    between = 1 - PLASTIC_RANGE * (slenderness - SQUASH_LIMIT) / (plastic_limit - SQUASH_LIMIT)
+    inelastic = np.where(slenderness <= SQUASH_LIMIT, 1.0, between)
+    return np.where(slenderness >= plastic_limit, alpha / slenderness**2, inelastic)
+
+
+def buckles(critical, alpha, chi, yield_stress) -> Strength:
+    """Strength (Pa) from the capacity chi; elastic where chi lambda^2 reaches alpha, yielding where chi reaches 1."""
+    elastic = alpha * critical
+    mode = np.where(chi >= 1, YIELDING, np.where(chi * yield_stress >= elastic * (1 - 1e-12), LOCAL_ELASTIC, LOCAL_INELASTIC))
+    return Strength(elastic, np.nan, elastic, chi * yield_stress, mode)
+
+
+def strength(*, youngs_modulus, yield_stress, shell_radius, thickness, bay_length, fabrication_quality, end_factor):
+    """Strength (Pa) without internal pressure. Source: en1993_1_6_2007, annex D and section 8.5, second-hand."""
+    critical = critical_stress(
+        youngs_modulus=youngs_modulus,
+        shell_radius=shell_radius,
+        thickness=thickness,
+        bay_length=bay_length,
+        end_factor=end_factor,
+    )
+    delta = relative_imperfection(shell_radius, thickness, fabrication_quality)
+    alpha = imperfection_factor(delta)
+    chi = capacity(np.sqrt(yield_stress / critical), alpha, delta)
+    return buckles(critical, alpha, chi, yield_stress)
+
+
+ROWS = (
+    BucklingRule(
+        key="en1993_1_6_2007",
+        title="EN 1993-1-6:2007",
+        source="en1993_1_6_2007",
+        locator="annex D and section 8.5, axial compression",
+        strength=strength,
+        limits=((SUCTION, under_suction),),
+        formula="sigma_Rcr = 0.605 E C_x t / r; alpha = 0.62 / (1 + 1.91 delta^1.44), delta = sqrt(r/t) / Q; "
+        "lambda = sqrt(f_y / sigma_Rcr); chi = 1 to 0.2, straight to lambda_p = sqrt(alpha / 0.4), then alpha / lambda^2",
+        validity="second-hand transcription, checked against two open programs, printed standard not seen; rings are taken as "
+        "boundaries of a bay, buckling together with them is not covered; internal pressure is left out; suction is masked",
+        colour="#0072B2",
+        marker="s",
+        line="dashed",
+    ),
+)

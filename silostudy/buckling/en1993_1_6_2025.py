@@ -1,0 +1,77 @@
+"""EN 1993-1-6:2025: the same critical stress, another imperfection factor and a curved capacity with strain hardening.
+
+Second-hand transcription; the printed standard was not seen.
+"""
+
+import numpy as np
+
+from silostudy.buckling.en1993_1_6_2007 import buckles, critical_stress, relative_imperfection
+from silostudy.buckling.family import SUCTION, BucklingRule, under_suction
+
+SQUASH_LIMIT = 0.10  # lambda_0
+HARDENING_LIMIT = 1.10  # chi_h
+
+
+def imperfection_factor(delta):
+    """alpha (1): 0.83 / (1 + 2.2 delta^0.75). Source: en1993_1_6_2025, second-hand transcription."""
+    return 0.83 / (1 + 2.2 * delta**0.75)
+
+
+def plastic_range(delta):
+    """beta (1): 1 - 0.75 / (1 + 1.1 delta). Source: en1993_1_6_2025, second-hand transcription."""
+    return 1 - 0.75 / (1 + 1.1 * delta)
+
+
+def interaction_exponent(share, delta):
+    """eta (1) at a share of the way from lambda_0 to lambda_p, straight from eta_0 to eta_p.
+
+    Source: en1993_1_6_2025, second-hand transcription: eta_0 = 1.35 - 0.10 delta, eta_p = 1 / (0.45 + 0.72 delta).
+    """
+    start, stop = 1.35 - 0.10 * delta, 1 / (0.45 + 0.72 * delta)
+    return start + (stop - start) * share
+
+
+def capacity(slenderness, alpha, delta):
+    """chi (1), strength over yield stress; up to 1.10 for stocky shells. Source: en1993_1_6_2025, second-hand."""
+    beta = plastic_range(delta)
+    plastic_limit = np.sqrt(alpha / (1 - beta))
+    share = np.clip((slenderness - SQUASH_LIMIT) / (plastic_limit - SQUASH_LIMIT), 0, 1)
+    between = 1 - beta * share ** interaction_exponent(share, delta)
+    hardened = HARDENING_LIMIT - slenderness / SQUASH_LIMIT * (HARDENING_LIMIT - 1)
+    inelastic = np.where(slenderness <= SQUASH_LIMIT, hardened, between)
+    return np.where(slenderness >= plastic_limit, alpha / slenderness**2, inelastic)
+
+
+def strength(*, youngs_modulus, yield_stress, shell_radius, thickness, bay_length, fabrication_quality, end_factor):
+    """Strength (Pa) without internal pressure. Source: en1993_1_6_2025, second-hand transcription."""
+    critical = critical_stress(
+        youngs_modulus=youngs_modulus,
+        shell_radius=shell_radius,
+        thickness=thickness,
+        bay_length=bay_length,
+        end_factor=end_factor,
+    )
+    delta = relative_imperfection(shell_radius, thickness, fabrication_quality)
+    alpha = imperfection_factor(delta)
+    chi = capacity(np.sqrt(yield_stress / critical), alpha, delta)
+    return buckles(critical, alpha, chi, yield_stress)
+
+
+ROWS = (
+    BucklingRule(
+        key="en1993_1_6_2025",
+        title="EN 1993-1-6:2025",
+        source="en1993_1_6_2025",
+        locator="axial compression",
+        strength=strength,
+        limits=((SUCTION, under_suction),),
+        formula="sigma_Rcr and delta as in 2007; alpha = 0.83 / (1 + 2.2 delta^0.75), beta = 1 - 0.75 / (1 + 1.1 delta); "
+        "chi = 1.1 - lambda to 0.1, 1 - beta ((lambda - 0.1) / (lambda_p - 0.1))^eta to lambda_p = sqrt(alpha / (1 - beta)), "
+        "then alpha / lambda^2; eta straight from 1.35 - 0.10 delta to 1 / (0.45 + 0.72 delta)",
+        validity="second-hand transcription, printed standard not seen; rings are taken as boundaries of a bay, buckling "
+        "together with them is not covered; internal pressure is left out; suction is masked",
+        colour="#D55E00",
+        marker="D",
+        line="solid",
+    ),
+)

@@ -1,0 +1,102 @@
+"""EN 1993-4-1: what the stored solid's pressure does to the wall of a silo, with either edition of EN 1993-1-6.
+
+The pressure first smooths the imperfections (smallest guaranteed pressure), then makes the foot of the wall yield
+("elephant's foot", largest pressure); the smaller imperfection factor counts.  Second-hand transcription.
+"""
+
+from collections.abc import Callable
+from types import ModuleType
+
+import numpy as np
+
+from silostudy.buckling import en1993_1_6_2007, en1993_1_6_2025
+from silostudy.buckling.family import (
+    ELEPHANTS_FOOT,
+    HOOP_YIELD,
+    SUCTION,
+    BucklingRule,
+    Strength,
+    under_suction,
+)
+
+
+def pressurised_elastic_factor(alpha, relative_pressure):
+    """alpha_pe (1): alpha + (1 - alpha) p_s / (p_s + 0.3 / sqrt(alpha)), p_s = p r / (t sigma_Rcr).
+
+    Source: en1993_4_1, second-hand transcription.
+    """
+    return alpha + (1 - alpha) * relative_pressure / (relative_pressure + 0.3 / np.sqrt(alpha))
+
+
+def elephants_foot_factor(slenderness, radius_over_thickness, relative_pressure):
+    """alpha_pp (1): (1 - (p_g/lambda^2)^2) (1 - 1/(1.12 + s^1.5)) (s^2 + 1.21 lambda^2) / (s (s + 1)), s = r / (400 t).
+
+    Source: en1993_4_1, second-hand transcription.
+    """
+    s, squared = radius_over_thickness / 400, slenderness**2
+    hoop = 1 - (relative_pressure / squared) ** 2
+    return hoop * (1 - 1 / (1.12 + s**1.5)) * (s**2 + 1.21 * squared) / (s * (s + 1))
+
+
+def strength(edition: ModuleType) -> Callable[..., Strength]:
+    """The rule's function with one edition of EN 1993-1-6."""
+
+    def pressurised(
+        *,
+        youngs_modulus,
+        yield_stress,
+        shell_radius,
+        thickness,
+        bay_length,
+        fabrication_quality,
+        end_factor,
+        lower_internal_pressure,
+        upper_internal_pressure,
+    ):
+        critical = en1993_1_6_2007.critical_stress(
+            youngs_modulus=youngs_modulus,
+            shell_radius=shell_radius,
+            thickness=thickness,
+            bay_length=bay_length,
+            end_factor=end_factor,
+        )
+        slenderness, hoop = np.sqrt(yield_stress / critical), shell_radius / (thickness * critical)
+        delta = en1993_1_6_2007.relative_imperfection(shell_radius, thickness, fabrication_quality)
+        helped = pressurised_elastic_factor(edition.imperfection_factor(delta), lower_internal_pressure * hoop)
+        foot = elephants_foot_factor(slenderness, shell_radius / thickness, upper_internal_pressure * hoop)
+        alpha = np.minimum(helped, foot)
+        found = en1993_1_6_2007.buckles(critical, alpha, edition.capacity(slenderness, alpha, delta), yield_stress)
+        mode = np.where(foot < helped, ELEPHANTS_FOOT, found.mode)
+        return Strength(found.elastic_local, found.elastic_general, found.elastic, found.strength, mode)
+
+    pressurised.__doc__ = f"Strength (Pa) with internal pressure. Source: en1993_4_1 on {edition.ROWS[0].title}, second-hand."
+    return pressurised
+
+
+def hoop_yields(*, upper_internal_pressure, shell_radius, thickness, yield_stress):
+    """True where the largest pressure alone makes the wall yield in hoop tension: nothing is left for the axial force."""
+    return upper_internal_pressure * shell_radius / thickness >= yield_stress
+
+
+def _row(edition: ModuleType, year: str, **looks) -> BucklingRule:
+    return BucklingRule(
+        key=f"en1993_4_1_{year}",
+        title=f"EN 1993-4-1 on 1-6:{year}",
+        source="en1993_4_1",
+        locator="axial compression with internal pressure",
+        strength=strength(edition),
+        limits=((SUCTION, under_suction), (HOOP_YIELD, hoop_yields)),
+        formula=f"EN 1993-1-6:{year} with the smaller of alpha_pe = alpha + (1 - alpha) p_s / (p_s + 0.3 / sqrt(alpha)) and "
+        "alpha_pp = (1 - (p_g/lambda^2)^2) (1 - 1/(1.12 + s^1.5)) (s^2 + 1.21 lambda^2) / (s (s + 1)), s = r / (400 t), in "
+        "place of alpha; p = p r / (t sigma_Rcr), smallest guaranteed in p_s, largest in p_g",
+        validity="second-hand transcription, printed standard not seen; the elephant's foot is taken to threaten every depth, "
+        "not only the foot; masked for suction and where the pressure alone makes the wall yield",
+        pressurised=True,
+        **looks,
+    )
+
+
+ROWS = (
+    _row(en1993_1_6_2007, "2007", colour="#56B4E9", marker="P", line="dashed"),
+    _row(en1993_1_6_2025, "2025", colour="#CC79A7", marker="X", line="solid"),
+)

@@ -1,0 +1,156 @@
+"""What a buckling rule is: one row with a function from the shell to its strength under axial compression."""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from inspect import signature
+
+import numpy as np
+
+from silostudy.catalogue import Row
+from silostudy.errors import BadInput
+
+# Every parameter a rule may ask for: (unit, symbol and meaning).
+PARAMETERS = {
+    "youngs_modulus": ("Pa", "E"),
+    "shell_poisson_ratio": ("1", "nu"),
+    "yield_stress": ("Pa", "sigma_y, f_y"),
+    "shell_radius": ("m", "R, r, of the middle surface"),
+    "thickness": ("m", "t"),
+    "bay_length": ("m", "L, ring spacing, or the whole length without rings"),
+    "ring_area": ("m2", "A_r, 0 without rings"),
+    "fabricated": ("1", "kind of shell, 1 fabricated from plates, 0 manufactured as a tube"),
+    "safe_constants": ("1", "choice, 1 constants in place of the formulas for fabricated shells, 0 formulas"),
+    "fabrication_quality": ("1", "Q, 40, 25, 16 for classes A, B, C"),
+    "end_factor": ("1", "C_xb, 6, 3 or 1"),
+    "lower_internal_pressure": ("Pa", "p_s, smallest guaranteed, which steadies the wall"),
+    "upper_internal_pressure": ("Pa", "p_g, largest, with which the foot of the wall yields"),
+}
+POSITIVE = ("youngs_modulus", "yield_stress", "shell_radius", "thickness", "bay_length", "fabrication_quality", "end_factor")
+MODES = (
+    "local_elastic",
+    "local_inelastic",
+    "general_elastic",
+    "general_inelastic",
+    "yielding",
+    "elephants_foot",
+)
+LOCAL_ELASTIC, LOCAL_INELASTIC, GENERAL_ELASTIC, GENERAL_INELASTIC, YIELDING, ELEPHANTS_FOOT = range(len(MODES))
+
+# Why a value is masked: position = flag value in the cube.
+REASONS = (
+    "in_scope",
+    "radius_over_thickness_out_of_range",
+    "rings_not_covered",
+    "rings_too_small_to_count",
+    "suction_not_covered",
+    "hoop_stress_at_yield",
+    "load_or_pressure_masked",
+)
+IN_SCOPE, OUT_OF_RANGE, NO_RINGS, SMALL_RINGS, SUCTION, HOOP_YIELD, NO_LOAD = range(len(REASONS))
+QUANTITIES = (
+    "elastic_local_stress",
+    "elastic_general_stress",
+    "elastic_buckling_stress",
+    "buckling_stress",
+    "elastic_knockdown_factor",
+    "knockdown_factor",
+)
+
+
+@dataclass(frozen=True)
+class Strength:
+    """Axial stresses (Pa) at which a shell with its imperfections buckles, and how.
+
+    elastic_local and elastic_general: without yielding, between the rings and with them (NaN where a rule has none);
+    elastic: that of the two behind the strength; strength: with yielding; mode: position in MODES.
+    """
+
+    elastic_local: np.ndarray
+    elastic_general: np.ndarray | float
+    elastic: np.ndarray
+    strength: np.ndarray
+    mode: np.ndarray
+
+
+@dataclass(frozen=True, kw_only=True)
+class BucklingRule(Row):
+    """A theory, a researcher's formula or a design code.
+
+    strength: function(*, parameters) -> Strength; limits: (reason, function(*, parameters) -> True outside the rule's scope).
+    pressurised: the rule counts the internal pressure; the others leave out its help and do not see its harm.
+    """
+
+    strength: Callable[..., Strength]
+    limits: tuple[tuple[int, Callable], ...]
+    formula: str
+    validity: str
+    colour: str
+    marker: str
+    line: str  # a name of matplotlib
+    pressurised: bool = False
+
+    @property
+    def needs(self) -> frozenset[str]:
+        """Names of all parameters that its functions ask for."""
+        functions = [self.strength, *(limit for _, limit in self.limits)]
+        return frozenset(name for function in functions for name in signature(function).parameters)
+
+
+def call(function: Callable, available: Mapping):
+    """The function, handed those of the available parameters that it asks for."""
+    return function(**{name: available[name] for name in signature(function).parameters})
+
+
+def classical_stress(*, youngs_modulus, shell_poisson_ratio, shell_radius, thickness):
+    """Axial stress (Pa) at which a perfect elastic cylinder of medium length buckles: E t / (R sqrt(3 (1 - nu^2))).
+
+    Source: classical_buckling, textbook result.
+    """
+    return youngs_modulus * thickness / shell_radius / np.sqrt(3 * (1 - shell_poisson_ratio**2))
+
+
+def under_suction(*, lower_internal_pressure):
+    """True where the pressure draws the wall inward, which no rule here covers."""
+    return lower_internal_pressure < 0
+
+
+def with_rings(*, ring_area):
+    """True where the shell has rings."""
+    return ring_area > 0
+
+
+def evaluate(row: BucklingRule, parameters: Mapping) -> dict[str, np.ndarray]:
+    """Every quantity of QUANTITIES, its mode and its scope; outside the scope NaN, mode -1 and the reason.
+
+    Raises BadInput for a parameter that no shell can have.
+    """
+    check_parameters(parameters)
+    with np.errstate(invalid="ignore", divide="ignore"):  # outside a rule's scope its formula may break down
+        found = call(row.strength, parameters)
+        outside = [(call(limit, parameters), reason) for reason, limit in row.limits]
+    shape = np.broadcast_shapes(*(np.shape(parameters[name]) for name in parameters))
+    conditions = [np.broadcast_to(condition, shape) for condition, _ in outside]
+    scope = np.select(conditions, [reason for _, reason in outside], IN_SCOPE).astype(np.int8)
+    classical = call(classical_stress, parameters)
+    values = {
+        "elastic_local_stress": found.elastic_local,
+        "elastic_general_stress": found.elastic_general,
+        "elastic_buckling_stress": found.elastic,
+        "buckling_stress": found.strength,
+        "elastic_knockdown_factor": found.elastic / classical,
+        "knockdown_factor": found.strength / classical,
+    }
+    masked = {name: np.where(scope == IN_SCOPE, value, np.nan) for name, value in values.items()}
+    mode = np.where(scope == IN_SCOPE, found.mode, -1).astype(np.int8)
+    return {**masked, "buckling_mode": mode, "buckling_stress_scope": scope}
+
+
+def check_parameters(parameters: Mapping) -> None:
+    """BadInput where a size or a property of the steel is not positive, or rings have a negative area."""
+    for name in POSITIVE:
+        if not np.all(np.asarray(parameters[name]) > 0):
+            raise BadInput(name, float(np.min(parameters[name])), f"must be above 0 {PARAMETERS[name][0]}")
+    if not np.all(np.asarray(parameters["ring_area"]) >= 0):
+        raise BadInput("ring_area", float(np.min(parameters["ring_area"])), "must not be negative")
+    if np.any(np.asarray(parameters["lower_internal_pressure"]) > np.asarray(parameters["upper_internal_pressure"])):
+        raise BadInput("lower_internal_pressure", "above upper_internal_pressure", "must not exceed it")

@@ -1,0 +1,42 @@
+"""The curves of Miller's figures 1 to 7, tabulated for the cube of a study of his tests."""
+
+import numpy as np
+
+from silostudy.buckling.miller1977 import (
+    inelastic_ratio,
+    local_coefficient,
+    long_coefficient,
+    ring_coefficient,
+    short_coefficient,
+)
+from silostudy.compute.variables import attributes
+
+SLENDER = np.geomspace(100, 3000, 60)
+LENGTH = np.geomspace(0.5, 100, 90)
+RING_RATIO = np.linspace(0, 0.4, 81)
+ELASTIC_RATIO = np.geomspace(0.1, 10, 120)
+MAKING = ("manufactured", "fabricated")
+
+
+def charts() -> dict[str, tuple]:
+    """Chart variables and their coordinates: Miller's coefficients over R/t, M, ring area ratio, and his plasticity curve."""
+    fabricated = np.array([False, True])[:, None]
+    with np.errstate(invalid="ignore"):
+        long = long_coefficient(SLENDER, fabricated, False)
+        long = np.where(long > 0, long, np.nan)
+        short = np.where(np.isnan(long), np.nan, short_coefficient(SLENDER, fabricated, False))
+        local = local_coefficient(LENGTH, long[..., None], short[..., None])
+    ring = np.where(np.isnan(long)[..., None], np.nan, ring_coefficient(RING_RATIO, long[..., None]))
+    values = {
+        "chart_long_coefficient": (("chart_making", "chart_slenderness"), long),
+        "chart_short_coefficient": (("chart_making", "chart_slenderness"), short),
+        "chart_local_coefficient": (("chart_making", "chart_slenderness", "chart_relative_length"), local),
+        "chart_ring_coefficient": (("chart_making", "chart_slenderness", "chart_ring_area_ratio"), ring),
+        "chart_strength_ratio": (("chart_elastic_ratio",), inelastic_ratio(ELASTIC_RATIO)),
+        "chart_making": (("chart_making",), np.array(MAKING)),
+        "chart_slenderness": (("chart_slenderness",), SLENDER),
+        "chart_relative_length": (("chart_relative_length",), LENGTH),
+        "chart_ring_area_ratio": (("chart_ring_area_ratio",), RING_RATIO),
+        "chart_elastic_ratio": (("chart_elastic_ratio",), ELASTIC_RATIO),
+    }
+    return {name: (dims, array, attributes(name)) for name, (dims, array) in values.items()}

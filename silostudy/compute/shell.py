@@ -1,0 +1,151 @@
+"""The shell stage: what the pressures of a cube ask of the silo's steel wall, by every buckling rule of the study."""
+
+from collections.abc import Mapping
+
+import numpy as np
+import xarray as xr
+
+from silostudy.buckling import BUCKLING
+from silostudy.buckling.family import IN_SCOPE, MODES, NO_LOAD, OUT_OF_RANGE, REASONS, BucklingRule, evaluate
+from silostudy.compute.buckling import rule_coordinates
+from silostudy.compute.pressure import row_of
+from silostudy.compute.shell_load import SOURCES, axial_wall_force, carried_share, depths, internal_pressures
+from silostudy.compute.variables import attributes, flags
+from silostudy.cube.contract import check
+from silostudy.cube.provenance import provenance
+from silostudy.errors import BadInput
+from silostudy.scene.expand import Expansion
+
+SLENDEREST, STOCKIEST = 10_000, 10  # R/t between which the required thickness is sought
+HALVINGS = 40
+
+
+def shell_cube(expansion: Expansion, pressure: xr.Dataset) -> xr.Dataset:
+    """The cube of a shell study: loads, required thickness, and with strakes the utilisation over depth."""
+    study = expansion.study
+    text = study.model_dump_json(exclude_defaults=True)
+    if pressure.attrs["study"] != text:
+        raise BadInput("pressure cube", pressure.attrs["title"], f"is of another study than {expansion.name}")
+    rules = [BUCKLING[key] for key in study.rule_keys]
+    force, source = axial_wall_force(pressure)
+    pressures = internal_pressures(pressure)
+    parameters = wall_parameters(expansion, *pressures)
+    safety = _of_cases(expansion, [case.scene.shell.safety_factor for case in expansion.cases])
+    over = tuple(map(str, pressure["wall_normal_pressure"].dims))
+    by_rule = ("rule", *(dim for dim in over if dim != "phase"))
+    data = load_variables(pressure, force, source, pressures, over)
+    data |= required_thicknesses(rules, parameters, np.fmax.reduce(force, axis=1), safety, by_rule)
+    if all(case.scene.shell.edges for case in expansion.cases):
+        data |= utilisations(rules, parameters, force, safety, strakes(expansion, pressure), over)
+    coords = {**{str(name): value for name, value in pressure.coords.items()}, **rule_coordinates(rules)}
+    sources = [rule.source for rule in rules] + [row_of(str(method)).source for method in pressure["method"].values]
+    header = {**provenance(study.title, text, sources, "shell"), "sweep_axes": pressure.attrs["sweep_axes"]}
+    return check(xr.Dataset(data, coords, header))
+
+
+def load_variables(pressure: xr.Dataset, force, source, pressures, over: tuple[str, ...]) -> dict[str, tuple | xr.DataArray]:
+    """What loads the wall, and what the figures need of the pressure cube."""
+    whole = (over[0], *over[2:])
+    values = {
+        "axial_wall_force": (over, force),
+        "carried_share": (over[:-1], carried_share(force, pressure)),
+        "lower_internal_pressure": (whole, pressures[0]),
+        "upper_internal_pressure": (whole, pressures[1]),
+    }
+    return {
+        **{name: (dims, value, attributes(name)) for name, (dims, value) in values.items()},
+        "axial_force_source": (over[:2], source, flags("what the axial wall force follows from", SOURCES)),
+        **{name: pressure[name] for name in ("case", "cylinder_depth", "hydraulic_radius", "wall_friction")},
+    }
+
+
+def _of_cases(expansion: Expansion, values: list) -> np.ndarray:
+    """One value a case, shape (axes..., 1)."""
+    return np.array(values, dtype=float).reshape(*expansion.shape, 1)
+
+
+def wall_parameters(expansion: Expansion, lower: np.ndarray, upper: np.ndarray) -> dict[str, np.ndarray]:
+    """The buckling rules' parameters but thickness and shell_radius; `inner_radius` (m) in their place."""
+    walls, silos = ([getattr(case.scene, name) for case in expansion.cases] for name in ("shell", "silo"))
+    bays = [wall.bay_length or silo.wall_depth for wall, silo in zip(walls, silos, strict=True)]
+    return {
+        **{name: _of_cases(expansion, [wall.steel[name] for wall in walls]) for name in walls[0].steel},
+        "bay_length": _of_cases(expansion, bays),
+        "ring_area": _of_cases(expansion, [wall.ring_area for wall in walls]),
+        "inner_radius": _of_cases(expansion, [silo.diameter / 2 for silo in silos]),
+        "lower_internal_pressure": lower,
+        "upper_internal_pressure": upper,
+    }
+
+
+def with_thickness(rule: BucklingRule, parameters: Mapping, thickness: np.ndarray) -> dict[str, np.ndarray]:
+    """Every quantity of a rule for walls of this thickness (m); masked where the pressure it needs is unknown."""
+    own = {name: value for name, value in parameters.items() if name != "inner_radius"}
+    found = evaluate(rule, {**own, "thickness": thickness, "shell_radius": parameters["inner_radius"] + thickness / 2})
+    if rule.pressurised:
+        unknown = np.isnan(parameters["lower_internal_pressure"]) | np.isnan(parameters["upper_internal_pressure"])
+        found["buckling_stress_scope"] = np.where(unknown, np.int8(NO_LOAD), found["buckling_stress_scope"])
+    return found
+
+
+def required_thicknesses(rules, parameters: Mapping, force: np.ndarray, safety, dims: tuple[str, ...]) -> dict[str, tuple]:
+    """`required_thickness` by rule, and as its scope what masks the rule for a wall a hair thinner."""
+    found = [required_thickness(rule, parameters, force, safety) for rule in rules]
+    meaning = "why required_thickness is masked, or what but the strength keeps the wall from being thinner"
+    return {
+        "required_thickness": (dims, np.array([one[0] for one in found]), attributes("required_thickness")),
+        "required_thickness_scope": (dims, np.array([one[1] for one in found]), flags(meaning, REASONS)),
+    }
+
+
+def required_thickness(rule: BucklingRule, parameters: Mapping, force: np.ndarray, safety) -> tuple[np.ndarray, np.ndarray]:
+    """(thickness (m) at which the rule's strength meets the force (N/m), scope flag), by halving the range of log R/t."""
+    radius = np.broadcast_to(parameters["inner_radius"], force.shape)
+    thin, thick = radius / SLENDEREST, radius / STOCKIEST
+
+    def enough(thickness):
+        with np.errstate(invalid="ignore"):
+            return safety * force / thickness <= with_thickness(rule, parameters, thickness)["buckling_stress"]
+
+    found, lightest = enough(thick), enough(thin)
+    for _ in range(HALVINGS):
+        middle = np.sqrt(thin * thick)
+        carries = enough(middle)
+        thin, thick = np.where(carries, thin, middle), np.where(carries, middle, thick)
+    scope = with_thickness(rule, parameters, np.where(found, thick * (1 - 1e-6), radius / STOCKIEST))["buckling_stress_scope"]
+    scope = np.select([np.isnan(force), lightest], [NO_LOAD, OUT_OF_RANGE], scope).astype(np.int8)
+    return np.where(found, thick, np.nan), scope
+
+
+def strakes(expansion: Expansion, pressure: xr.Dataset) -> np.ndarray:
+    """Thickness (m) of the strake at every depth, shape (axes..., depth); an edge belongs to the strake above it."""
+    z = depths(pressure).reshape(len(expansion.cases), -1)
+    found = []
+    for levels, case in zip(z, expansion.cases, strict=True):
+        wall, silo = case.scene.shell, case.scene.silo
+        share = (levels - (silo.cylinder_depth - silo.wall_depth)) / silo.wall_depth  # the heap stands above the wall
+        place = np.searchsorted(np.array(wall.edges) * (1 + 1e-9), share)
+        found.append(np.array(wall.thicknesses)[place])
+    return np.array(found).reshape(*expansion.shape, -1)
+
+
+def utilisations(rules, parameters: Mapping, force, safety, thickness, over: tuple[str, ...]) -> dict[str, tuple]:
+    """Stress, strength, mode and utilisation of a wall of given strakes."""
+    stress = force / thickness
+    found = [with_thickness(rule, parameters, thickness) for rule in rules]
+    strength = np.array([one["buckling_stress"] for one in found])
+    scope = np.array([one["buckling_stress_scope"] for one in found])
+    by_rule = ("rule", over[0], *over[2:])
+    shape = (len(rules), force.shape[0], *force.shape[2:])
+    mode = np.broadcast_to(np.array([one["buckling_mode"] for one in found]), strength.shape)
+    used = safety * stress / strength[:, :, None]
+    masked = np.where(np.isnan(stress), NO_LOAD, np.broadcast_to(scope[:, :, None], used.shape)).astype(np.int8)
+    return {
+        "wall_thickness": (over[2:], thickness, attributes("wall_thickness")),
+        "axial_wall_stress": (over, stress, attributes("axial_wall_stress")),
+        "wall_buckling_stress": (by_rule, np.broadcast_to(strength, shape), attributes("wall_buckling_stress")),
+        "wall_buckling_stress_scope": (by_rule, np.broadcast_to(scope, shape), flags("why it is masked", REASONS)),
+        "wall_buckling_mode": (by_rule, np.broadcast_to(mode, shape), flags("how the wall buckles (-1: masked)", MODES)),
+        "utilisation": (("rule", *over), np.where(masked == IN_SCOPE, used, np.nan), attributes("utilisation")),
+        "utilisation_scope": (("rule", *over), masked, flags("why utilisation is masked", REASONS)),
+    }

@@ -1,0 +1,22 @@
+"""Attributes of the cube's variables, from the contract."""
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from silostudy.cube.contract import VARIABLES
+
+
+def attributes(name: str) -> dict[str, str]:
+    """Unit and long name of a variable."""
+    return {"units": VARIABLES[name].units, "long_name": VARIABLES[name].long_name}
+
+
+def flags(long_name: str, meanings: Sequence[str]) -> dict:
+    """Attributes of a variable whose values are positions in a list of meanings."""
+    return {
+        "long_name": long_name,
+        "standard_name": "status_flag",
+        "flag_values": np.arange(len(meanings), dtype=np.int8),
+        "flag_meanings": " ".join(meanings),
+    }

@@ -1,0 +1,38 @@
+"""A shell study: a silo's wall pressures by theories and codes, and what they ask of its steel wall by buckling rules."""
+
+from typing import Literal, Self
+
+from pydantic import model_validator
+
+from silostudy.config.buckling import RuleChoice
+from silostudy.config.fields import described
+from silostudy.config.pressure import PressureStudy
+from silostudy.config.scene import CircularSilo, SceneConfig
+from silostudy.config.steel import SiloWall
+from silostudy.figures import OUTPUTS
+
+
+class SteelSilo(SceneConfig):
+    """One circular silo with a steel wall, and its contents."""
+
+    silo: CircularSilo = described("shape and size", "")
+    shell: SiloWall = described("the steel wall of the cylinder", "")
+
+
+class ShellStudy(PressureStudy, RuleChoice):
+    """A pressure study that goes on to the shell."""
+
+    kind: Literal["shell"] = described("shell: wall pressures, and the steel wall that carries them", "")  # type: ignore[assignment]
+    scene: SteelSilo = described("the base scene", "")
+
+    @model_validator(mode="after")
+    def _wall_of_outputs(self) -> Self:
+        for key in self.outputs:
+            if OUTPUTS[key].strakes and not self.scene.shell.strakes:
+                raise ValueError(f"output {key} needs scene.shell.strakes")
+        return self
+
+    @property
+    def stages(self) -> tuple[str, ...]:
+        """The pressures first, then the shell under them."""
+        return (*super().stages, "shell")

@@ -1,0 +1,86 @@
+"""What a user writes about a steel shell: the steel, how well it is made, and its ends."""
+
+from itertools import pairwise
+from typing import Literal, Self, TypeAlias
+
+from pydantic import Field, model_validator
+
+from silostudy.config.fields import Strict, described
+
+Quality: TypeAlias = Literal["A", "B", "C"]
+Manufacture: TypeAlias = Literal["manufactured", "fabricated", "fabricated_safe"]
+
+
+class Making(Strict):
+    """How well a shell is made and how its ends are held."""
+
+    quality: Quality = described("EN 1993-1-6 fabrication quality class: A excellent, B high, C normal", "")
+    end_factor: Literal[6, 3, 1] = described("EN 1993-1-6 factor C_xb of the end conditions, for long shells", default=1)
+
+
+class Steel(Making):
+    """The steel of a shell."""
+
+    youngs_modulus_GPa: float = described("Young's modulus", "GPa", gt=0, default=210.0)
+    shell_poisson_ratio: float = described("Poisson's ratio of the steel", ge=0, lt=0.5, default=0.3)
+    yield_stress_MPa: float = described("yield stress", "MPa", gt=0)
+    manufacture: Manufacture = described(
+        "Miller's kind of shell: manufactured as a tube, fabricated from plates, or fabricated with his safe constants", ""
+    )
+
+
+class Cylinder(Steel):
+    """One unpressurised or pressurised cylinder under axial compression."""
+
+    radius_m: float = described("radius of the middle surface", "m", gt=0)
+    thickness_mm: float | None = described("wall thickness", "mm", gt=0, default=None)
+    radius_over_thickness: float | None = described("R/t, in place of thickness_mm", gt=1, default=None)
+    bay_length_m: float | None = described("ring spacing; the whole length where there are no rings", "m", gt=0, default=None)
+    relative_bay_length: float | None = described("L / sqrt(R t), in place of bay_length_m", gt=0, default=None)
+    ring_area_cm2: float | None = described("area of one ring; left out: no rings", "cm2", gt=0, default=None)
+    ring_area_ratio: float = described("ring area over bay area L t, in place of ring_area_cm2; 0: no rings", ge=0, default=0.0)
+    lower_internal_pressure_kPa: float = described("smallest guaranteed internal pressure", "kPa", default=0.0)
+    upper_internal_pressure_kPa: float | None = described("largest internal pressure; null: the smallest", "kPa", default=None)
+
+    @model_validator(mode="after")
+    def _one_of_two(self) -> Self:
+        for first, second in (("thickness_mm", "radius_over_thickness"), ("bay_length_m", "relative_bay_length")):
+            if (getattr(self, first) is None) == (getattr(self, second) is None):
+                raise ValueError(f"give either {first} or {second}, and not both")
+        if self.ring_area_cm2 is not None and self.ring_area_ratio:
+            raise ValueError("give either ring_area_cm2 or ring_area_ratio, and not both")
+        upper = self.upper_internal_pressure_kPa
+        if upper is not None and upper < self.lower_internal_pressure_kPa:
+            raise ValueError("upper_internal_pressure_kPa must not be below lower_internal_pressure_kPa")
+        return self
+
+
+class Strake(Strict):
+    """A part of the wall with its own thickness."""
+
+    down_to: float = described("depth of its lower edge over the height of the cylinder", gt=0, le=1)
+    thickness_mm: float = described("wall thickness", "mm", gt=0)
+
+
+class Rings(Strict):
+    """Equal rings at equal distances."""
+
+    spacing_m: float = described("distance of the rings", "m", gt=0)
+    area_cm2: float = described("area of one ring", "cm2", gt=0)
+
+
+class SiloWall(Steel):
+    """The steel wall of a silo's cylinder."""
+
+    strakes: tuple[Strake, ...] = Field(
+        default=(), description="from the top down; none: only the thickness that the load asks for is computed"
+    )
+    rings: Rings | None = described("ring stiffeners; null: none, and the bay is the whole height", "", default=None)
+    safety_factor: float = described("number by which the axial stress is multiplied before it meets the strength", ge=1)
+
+    @model_validator(mode="after")
+    def _strakes_reach_the_foot(self) -> Self:
+        edges = [strake.down_to for strake in self.strakes]
+        if edges and (edges[-1] != 1 or any(b <= a for a, b in pairwise(edges))):
+            raise ValueError("the strakes' down_to must increase and end at 1, the foot of the cylinder")
+        return self

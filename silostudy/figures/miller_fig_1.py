@@ -1,0 +1,39 @@
+"""Miller's Fig. 1 again: C M^2 against M^2, design curves and his own tests."""
+
+from pathlib import Path
+
+import matplotlib.pyplot as plt
+import pandas as pd
+import xarray as xr
+
+from silostudy.figures.miller_points import points, scatter
+from silostudy.figures.style import save
+
+SLENDER = (250, 375, 500)
+LINES = {"manufactured": "solid", "fabricated": "dashed"}
+
+
+def draw(cube: xr.Dataset, stem: Path) -> None:
+    """Writes the figure and its numbers."""
+    figure, panel = plt.subplots(figsize=(8.5, 6.5))
+    length = cube["chart_relative_length"].values
+    curves = []
+    for making, line in LINES.items():
+        for shade, slender in zip(("0.0", "0.35", "0.6"), SLENDER, strict=True):
+            near = cube["chart_local_coefficient"].sel({"chart_making": making})
+            value = near.interp({"chart_slenderness": slender}).values * length**2
+            panel.plot(length**2, value, color=shade, linestyle=line, linewidth=1.2, label=f"{making}, R/t {slender}")
+            curves.append(pd.DataFrame({"curve": f"{making}, R/t {slender}", "M2": length**2, "CM2": value}))
+    panel.plot(
+        length**2, 0.605 * length**2, color="#0072B2", linestyle=":", linewidth=1.5, label="perfect long shell, C = 0.605"
+    )
+    tests = points(cube)
+    scatter(panel, tests, "M2", "CM2")
+    panel.set(xscale="log", yscale="log", xlabel="M² = L² / (R t)", ylabel="C M² = (σ R / (E t)) M²")
+    panel.set(xlim=(0.5, 5000), ylim=(0.2, 3000))
+    panel.legend(fontsize=8, loc="upper left")
+    panel.set_title(
+        "Elastic local buckling (source's Fig. 1): Miller's own tests against the design curves\n"
+        "filled: elastic (σ ≤ 0.55 $\\sigma_y$); open: beyond, so that yielding holds the point down"
+    )
+    save(figure, pd.concat([*curves, tests.assign(curve="test")], ignore_index=True), stem)

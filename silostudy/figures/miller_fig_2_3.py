@@ -1,0 +1,42 @@
+"""Miller's Figs. 2 and 3 again: the coefficients C (long shells) and J (short shells) against R/t with their lower bounds."""
+
+from pathlib import Path
+
+import matplotlib.pyplot as plt
+import pandas as pd
+import xarray as xr
+
+from silostudy.figures.miller_points import points, scatter
+from silostudy.figures.style import save
+
+JUNCTION = 10  # M from which a shell counts as long, for choosing the points
+
+
+def draw(cube: xr.Dataset, stem: Path) -> None:
+    """Writes the figure and its numbers."""
+    figure, (left, right) = plt.subplots(1, 2, figsize=(12, 5.8))
+    slender, tests, curves = cube["chart_slenderness"].values, points(cube), []
+    for panel, name, symbol, safe in (
+        (left, "chart_long_coefficient", "C", 0.125),
+        (right, "chart_short_coefficient", "J", 0.5),
+    ):
+        for making, line in (("manufactured", "solid"), ("fabricated", "dashed")):
+            value = cube[name].sel({"chart_making": making}).values
+            panel.plot(slender, value, color="black", linestyle=line, label=f"{symbol}, {making}")
+            curves.append(pd.DataFrame({"curve": f"{symbol} {making}", "R_over_t": slender, "value": value}))
+        panel.axhline(safe, color="black", linestyle=":", label=f"{symbol} = {safe}, the safe choice")
+        panel.set(xscale="log", xlabel="R/t", ylim=(0, None))
+        panel.set_xticks([100, 200, 300, 500, 1000, 2000, 3000], labels=["100", "200", "300", "500", "1000", "2000", "3000"])
+        panel.minorticks_off()
+    long, short = tests[tests.M2 >= JUNCTION**2], tests[tests.M2 < JUNCTION**2]
+    scatter(left, long, "R_over_t", "C")
+    scatter(right, short, "R_over_t", "J")
+    left.set(ylabel="C = σ R / (E t)", ylim=(0, 0.4), title="long shells and bays (M ≥ 10)")
+    right.set(ylabel=r"$J = C\,M^{0.6}$", title="short bays (M < 10)")
+    for panel in (left, right):
+        panel.legend(fontsize=8)
+    figure.suptitle(
+        "Lower bounds of the elastic coefficients, Miller's own tests (source's Fig. 2; its Fig. 3 sets the same bounds\n"
+        "against aluminium tests whose values it does not print). Filled: elastic; open: beyond 0.55 $\\sigma_y$"
+    )
+    save(figure, pd.concat([*curves, tests.assign(curve="test")], ignore_index=True), stem)

@@ -1,0 +1,36 @@
+"""Miller's Figs. 6 and 7 again: inelastic buckling, the formula against his tests with and without rings."""
+
+from pathlib import Path
+
+import matplotlib.pyplot as plt
+import pandas as pd
+import xarray as xr
+
+from silostudy.figures.miller_points import points, scatter
+from silostudy.figures.style import save
+
+
+def draw(cube: xr.Dataset, stem: Path) -> None:
+    """Writes the figure and its numbers."""
+    rule = cube.sel({"rule": "miller1977"})
+    tests = points(cube).assign(elastic_ratio=(rule["elastic_buckling_stress"] / rule["yield_stress"]).values)
+    x, y = cube["chart_elastic_ratio"].values, cube["chart_strength_ratio"].values
+    figure, axes = plt.subplots(1, 2, figsize=(12, 5.6), sharey=True)
+    for panel, kinds, title in (
+        (axes[0], ("ringed", "large"), "with rings (source's Fig. 6)"),
+        (axes[1], ("unstiffened",), "without rings (source's Fig. 7; its fabricated shells are not printed)"),
+    ):
+        panel.plot(x, y, color="black", label="formula (15)")
+        panel.plot(x[x <= 1], x[x <= 1], color="black", linestyle=":", label="no yielding")
+        scatter(panel, tests[tests.group.isin(kinds)], "elastic_ratio", "strength_ratio")
+        panel.set(
+            xlabel=r"elastic stress over yield stress, $\sigma_{ec} / \sigma_y$", title=title, xlim=(0, 2), ylim=(0, 1.05)
+        )
+        panel.legend(fontsize=8, loc="lower right")
+    axes[0].set_ylabel(r"buckling stress over yield stress, $\sigma_{cr} / \sigma_y$")
+    figure.suptitle("Inelastic buckling: points above the line were stronger than predicted")
+    save(
+        figure,
+        pd.concat([pd.DataFrame({"curve": "formula", "elastic_ratio": x, "strength_ratio": y}), tests.assign(curve="test")]),
+        stem,
+    )

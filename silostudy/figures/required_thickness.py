@@ -1,0 +1,89 @@
+"""The wall thickness that each pressure method and buckling rule asks for: how far the choice of theory moves the steel."""
+
+from pathlib import Path
+from typing import Any
+
+import matplotlib.pyplot as plt
+import numpy as np
+import pandas as pd
+import xarray as xr
+from matplotlib.axes import Axes
+
+from silostudy.figures import rules
+from silostudy.figures.style import look, save, title
+
+DIAMETER, SLENDERNESS = 10.0, 2.0  # the silo of the matrices; the nearest of the study is taken
+RULE, METHOD = "en1993_1_6_2007", "janssen"  # what the curves hold fixed in turn
+
+
+def draw(cube: xr.Dataset, stem: Path) -> None:
+    """Writes the figure and its numbers, all for the thickest strake (the largest over depth and phases), in mm."""
+    rules.demand(cube, "wall_friction_end", ("mean", "upper"))
+    needed = cube["required_thickness"].max("relative_depth" if "relative_depth" in cube.dims else "depth") * 1e3
+    covered = needed.notnull().any([dim for dim in needed.dims if dim != "method"])
+    kept = {"method": np.flatnonzero(covered)}
+    cube, needed = cube.isel(kept), needed.isel(kept)
+    upper = needed.sel(wall_friction_end="upper")
+    here = {"diameter": DIAMETER, "slenderness": SLENDERNESS}
+    at, place = upper.sel(here, method="nearest"), needed.sel(here, method="nearest")
+    figure = plt.figure(figsize=(14, 14))
+    grid: Any = figure.subfigures(3, 1, height_ratios=(1.15, 1, 1))
+    left, right = grid[0].subplots(1, 2, sharey=True)
+    size = f"D {float(at.diameter):g} m, H/D {float(at.slenderness):g}"
+    _matrix(left, at, cube, "{:.1f}", f"thickness (mm), {size}, wall friction at its upper (unsafe) end")
+    change = (place.sel(wall_friction_end="upper") / place.sel(wall_friction_end="mean") - 1) * 100
+    _matrix(right, change.round(), cube, "{:+g}", "change of that thickness from mean to upper wall friction (%)")
+    fixed = {"diameter": {"slenderness": SLENDERNESS}, "slenderness": {"diameter": DIAMETER}}
+    for row, (axis, label) in zip(grid[1:], (("diameter", "diameter D (m)"), ("slenderness", "H/D")), strict=True):
+        _curves(row, upper.sel(fixed[axis], method="nearest"), cube, axis, label)
+    spread = float((upper.max("method") / upper.min("method")).median())
+    figure.suptitle(
+        f"{cube.attrs['title']}\n* the method's friction would carry more than the contents weigh (wall friction times a "
+        f"design pressure)\nlargest over smallest method, median of all silos and rules: {spread:.2f}"
+    )
+    save(figure, _numbers(needed), stem)
+
+
+def _matrix(panel: Axes, values: xr.DataArray, cube: xr.Dataset, form: str, heading: str) -> None:
+    """A matrix rule by method with its numbers written in."""
+    field = values.transpose("rule", "method")
+    panel.imshow(field, cmap="Greys", aspect="auto", vmin=0, vmax=2 * float(np.nanmax(field)))
+    heavy = _beyond_weight(cube)
+    for (i, j), value in np.ndenumerate(field.values):
+        text = "-" if np.isnan(value) else form.format(value + 0.0) + ("*" if heavy[j] else "")
+        panel.text(j, i, text, ha="center", va="center", fontsize=9)
+    panel.set_xticks(
+        range(field.sizes["method"]), [title(cube, str(m)) for m in field["method"].values], rotation=40, ha="right"
+    )
+    panel.set_yticks(range(field.sizes["rule"]), [rules.name(cube, str(r)) for r in field["rule"].values])
+    panel.set_title(heading, fontsize=10)
+    panel.grid(False)
+
+
+def _beyond_weight(cube: xr.Dataset) -> list[bool]:
+    """For each method whether its axial force at the matrix's silo exceeds the weight of the contents."""
+    here = {"diameter": DIAMETER, "slenderness": SLENDERNESS}
+    share = cube["carried_share"].sel(here, method="nearest").sel(wall_friction_end="upper").max("phase")
+    return [bool(value > 1) for value in share.values]
+
+
+def _curves(row, needed: xr.DataArray, cube: xr.Dataset, axis: str, label: str) -> None:
+    """Left every method by one rule, right every rule by one method, over one axis."""
+    left, right = row.subplots(1, 2, sharey=True)
+    for method in map(str, needed["method"].values):
+        values = needed.sel({"method": method, "rule": RULE})
+        left.plot(needed[axis], values, linewidth=1.3, markersize=5, label=title(cube, method), **look(cube, method))
+    for rule in map(str, needed["rule"].values):
+        values = needed.sel({"method": METHOD, "rule": rule})
+        marker = str(cube.sel({"rule": rule}).rule_marker.values)
+        right.plot(needed[axis], values, marker=marker, markersize=5, label=rules.name(cube, rule), **rules.look(cube, rule))
+    fixed = f"H/D {float(needed.slenderness):g}" if axis == "diameter" else f"D {float(needed.diameter):g} m"
+    for panel, heading in ((left, f"every method, {rules.name(cube, RULE)}"), (right, f"every rule, {title(cube, METHOD)}")):
+        panel.set(xlabel=label, title=f"{heading}, {fixed}", ylim=(0, None))
+        panel.legend(fontsize=8)
+    left.set_ylabel("required thickness (mm)")
+
+
+def _numbers(needed: xr.DataArray) -> pd.DataFrame:
+    keep = ["rule", "method", "diameter", "slenderness", "wall_friction_end", "required_thickness_mm"]
+    return needed.rename("required_thickness_mm").to_dataframe().reset_index()[keep].dropna()

@@ -1,0 +1,53 @@
+"""What rings buy: Miller's buckling stress over R/t and ring area, and where general buckling takes over."""
+
+from pathlib import Path
+
+import matplotlib.pyplot as plt
+import xarray as xr
+
+from silostudy.figures.rules import making
+from silostudy.figures.style import save
+
+LEVELS = [20, 30, 50, 75, 100, 125, 150, 175, 200]
+LENGTHS = (2.0, 4.0, 8.0)
+MAKING = 1  # the middle one: fabricated
+
+
+def draw(cube: xr.Dataset, stem: Path) -> None:
+    """Writes the map and its numbers; ring areas below 0.06 do not count and are left out."""
+    cube = cube.sel({"rule": "miller1977"}).isel(steel=0, making=min(MAKING, cube.sizes["making"] - 1))
+    cube = cube.sel(ring_area_ratio=cube["ring_area_ratio"] >= 0.06)
+    figure, axes = plt.subplots(1, len(LENGTHS), figsize=(4.6 * len(LENGTHS), 5), sharey=True)
+    for panel, length in zip(axes, LENGTHS, strict=True):
+        here = cube.sel(relative_bay_length=length, method="nearest")
+        order = ("ring_area_ratio", "radius_over_thickness")
+        stress, x, y = here["buckling_stress"].transpose(*order) / 1e6, here["radius_over_thickness"], here["ring_area_ratio"]
+        filled = panel.contourf(x, y, stress, levels=LEVELS, cmap="viridis", extend="both", alpha=0.8)
+        panel.clabel(panel.contour(x, y, stress, levels=LEVELS, colors="black", linewidths=0.7), fontsize=8, fmt="%g")
+        excess = (here["elastic_local_stress"] / here["elastic_general_stress"]).transpose(*order)
+        panel.contourf(x, y, excess, levels=[1, 1e9], colors="none", hatches=["//"])
+        panel.set(xscale="log", xlabel="R/t", title=f"ring spacing {float(here['relative_bay_length']):g} sqrt(R t)")
+        panel.set_xticks([100, 200, 500, 1000, 2000, 3000], labels=["100", "200", "500", "1000", "2000", "3000"])
+        panel.minorticks_off()
+    axes[0].set_ylabel("ring area over bay area $A_r / (L t)$")
+    figure.colorbar(filled, ax=axes, label="buckling stress (MPa)")
+    steel = float(cube["steel"]) / 1e6
+    figure.suptitle(
+        f"Miller's buckling stress with rings, {making(cube)}, yield stress {steel:g} MPa\n"
+        "hatched: the shell buckles with its rings, so that larger rings help; elsewhere the bay buckles between them"
+    )
+    numbers = cube[["buckling_stress", "elastic_local_stress", "elastic_general_stress"]].to_dataframe().reset_index()
+    save(
+        figure,
+        numbers[
+            [
+                "radius_over_thickness",
+                "relative_bay_length",
+                "ring_area_ratio",
+                "buckling_stress",
+                "elastic_local_stress",
+                "elastic_general_stress",
+            ]
+        ],
+        stem,
+    )

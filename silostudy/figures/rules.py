@@ -1,0 +1,51 @@
+"""How buckling rules and Miller's tests look in every figure."""
+
+import numpy as np
+import xarray as xr
+
+from silostudy.errors import BadInput
+
+KPA_PER_PSI = 6.894757293
+PSI = KPA_PER_PSI * 1e3
+# group of tests -> (marker, filled, label); markers tell them apart without colour
+GROUPS = {
+    "unstiffened": ("o", "small, no rings"),
+    "ringed": ("^", "small, rings"),
+    "large": ("s", "large, rings"),
+}
+
+
+def look(cube: xr.Dataset, rule: str) -> dict:
+    """Colour and line of a rule, as line properties."""
+    one = cube.sel({"rule": rule})
+    return {"color": str(one.rule_colour.values), "linestyle": str(one.rule_line.values)}
+
+
+def name(cube: xr.Dataset, rule: str) -> str:
+    """Name of a rule for a legend."""
+    return str(cube.sel({"rule": rule}).rule_title.values)
+
+
+def is_rival(rule: str) -> bool:
+    """Whether a name on the rule axis is a rival reading of a source rather than a rule."""
+    return rule.startswith("miller1977_")
+
+
+def group(cube: xr.Dataset) -> np.ndarray:
+    """For each test the group it belongs to: a key of GROUPS."""
+    small = np.where(cube["ring_area"].values > 0, "ringed", "unstiffened")
+    return np.where(cube["test_scale"].values == "large", "large", small)
+
+
+def demand(cube: xr.Dataset, axis: str, values: tuple) -> None:
+    """BadInput unless an axis of the study holds the values that a figure is drawn at."""
+    missing = [value for value in values if value not in cube[axis].values]
+    if missing:
+        raise BadInput(f"axis {axis}", cube[axis].values.tolist(), f"the figure also needs {', '.join(map(str, missing))}")
+
+
+def making(one: xr.Dataset) -> str:
+    """How the shells at one position of the making axis are made, in words."""
+    told = (("making_manufacture", "{} (Miller)"), ("making_quality", "class {} (EN)"))
+    words = [text.format(one[coord].values) for coord, text in told if coord in one.coords]
+    return ", ".join(words).replace("_", " ") or f"making {one['making'].values}"

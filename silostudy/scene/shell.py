@@ -1,0 +1,135 @@
+"""Steel shells in SI units: a single cylinder, and the wall of a silo."""
+
+from collections.abc import Callable
+from dataclasses import dataclass, fields
+from math import sqrt
+from pathlib import Path
+from typing import Any
+
+from silostudy.config.buckling import BucklingStudy, TestCylinder
+from silostudy.config.shell import ShellStudy, SteelSilo
+from silostudy.config.steel import Cylinder, Making, SiloWall, Steel
+from silostudy.scene.build import pressure_builder
+from silostudy.scene.scene import Scene
+from silostudy.tables.miller1977 import TESTS, MillerTest
+
+QUALITY = {"A": 40.0, "B": 25.0, "C": 16.0}  # EN 1993-1-6: Q of the fabrication quality classes, second-hand transcription
+
+
+@dataclass(frozen=True, kw_only=True)
+class Shell:
+    """One cylinder under axial compression, by the names of the buckling rules' parameters."""
+
+    youngs_modulus: float
+    shell_poisson_ratio: float
+    yield_stress: float
+    shell_radius: float
+    thickness: float
+    bay_length: float
+    ring_area: float
+    fabricated: bool
+    safe_constants: bool
+    fabrication_quality: float
+    end_factor: float
+    lower_internal_pressure: float = 0.0
+    upper_internal_pressure: float = 0.0
+    test: MillerTest | None = None
+
+
+def buckling_builder(study: BucklingStudy, folder: Path, where: str) -> Callable[..., Shell]:
+    """Builds the shells of a buckling study."""
+    return lambda config, settings: tested(config) if isinstance(config, TestCylinder) else cylinder(config)
+
+
+def making(config: Making) -> dict[str, Any]:
+    """Parameters that say how well a shell is made and how its ends are held."""
+    return {"fabrication_quality": QUALITY[config.quality], "end_factor": float(config.end_factor)}
+
+
+def steel(config: Steel) -> dict[str, Any]:
+    """Parameters of the steel and of its making."""
+    return {
+        "youngs_modulus": config.youngs_modulus_GPa * 1e9,
+        "shell_poisson_ratio": config.shell_poisson_ratio,
+        "yield_stress": config.yield_stress_MPa * 1e6,
+        "fabricated": config.manufacture != "manufactured",
+        "safe_constants": config.manufacture == "fabricated_safe",
+        **making(config),
+    }
+
+
+def tested(config: TestCylinder) -> Shell:
+    """A test cylinder: the small ones count as manufactured, the large ones as fabricated; steel with nu = 0.3."""
+    test = TESTS[config.test]
+    sizes = ("youngs_modulus", "yield_stress", "shell_radius", "thickness", "bay_length", "ring_area")
+    return Shell(
+        **{name: getattr(test, name) for name in sizes},
+        **making(config),
+        shell_poisson_ratio=0.3,
+        fabricated=test.scale == "large",
+        safe_constants=config.safe_constants,
+        test=test,
+    )
+
+
+def cylinder(config: Cylinder) -> Shell:
+    """A cylinder from its sizes or its ratios."""
+    thickness = config.thickness_mm / 1e3 if config.thickness_mm else config.radius_m / (config.radius_over_thickness or 1)
+    bay = config.bay_length_m or (config.relative_bay_length or 1) * sqrt(config.radius_m * thickness)
+    area = config.ring_area_cm2 * 1e-4 if config.ring_area_cm2 else config.ring_area_ratio * bay * thickness
+    lower, upper = config.lower_internal_pressure_kPa, config.upper_internal_pressure_kPa
+    return Shell(
+        **steel(config),
+        shell_radius=config.radius_m,
+        thickness=thickness,
+        bay_length=bay,
+        ring_area=area,
+        lower_internal_pressure=lower * 1e3,
+        upper_internal_pressure=(lower if upper is None else upper) * 1e3,
+    )
+
+
+@dataclass(frozen=True, kw_only=True)
+class Wall:
+    """The steel wall of a silo's cylinder.
+
+    steel: parameters of the buckling rules by name; edges: depth of each strake's lower edge over the cylinder's height,
+    with its thickness (m) beside it; bay_length: ring spacing (m), None without rings.
+    """
+
+    steel: dict[str, float]
+    edges: tuple[float, ...]
+    thicknesses: tuple[float, ...]
+    bay_length: float | None
+    ring_area: float
+    safety_factor: float
+
+
+@dataclass(frozen=True, kw_only=True)
+class ShellScene(Scene):
+    """A silo with its contents and its steel wall."""
+
+    shell: Wall
+
+
+def shell_builder(study: ShellStudy, folder: Path, where: str) -> Callable[..., ShellScene]:
+    """Builds the scenes of a shell study: those of a pressure study, each with its wall."""
+    build = pressure_builder(study, folder, where)
+
+    def build_one(config: SteelSilo, settings: dict) -> ShellScene:
+        scene = build(config, settings)
+        return ShellScene(**{item.name: getattr(scene, item.name) for item in fields(scene)}, shell=wall(config.shell))
+
+    return build_one
+
+
+def wall(config: SiloWall) -> Wall:
+    """The wall that a configuration describes."""
+    return Wall(
+        steel=steel(config),
+        edges=tuple(strake.down_to for strake in config.strakes),
+        thicknesses=tuple(strake.thickness_mm / 1e3 for strake in config.strakes),
+        bay_length=config.rings.spacing_m if config.rings else None,
+        ring_area=config.rings.area_cm2 * 1e-4 if config.rings else 0.0,
+        safety_factor=config.safety_factor,
+    )
