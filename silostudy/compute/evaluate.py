@@ -4,7 +4,7 @@ from collections.abc import Callable, Mapping
 
 import numpy as np
 
-from silostudy.cube.contract import VARIABLES
+from silostudy.compute.variables import attributes, flags
 from silostudy.pressure import PRESSURE
 from silostudy.pressure.family import (
     ABOVE_CONTACT,
@@ -77,19 +77,9 @@ def above_contact(found: tuple, z: np.ndarray, parameters: Mapping) -> tuple:
     return np.where(above, np.nan, value), np.where(above, np.int8(ABOVE_CONTACT), scope)
 
 
-def attributes_of(name: str) -> dict[str, str]:
-    """Unit and long name of a variable, from the cube's contract."""
-    return {"units": VARIABLES[name].units, "long_name": VARIABLES[name].long_name}
-
-
 def scope_attributes(name: str) -> dict:
     """Attributes of the flags that say why values are masked."""
-    return {
-        "long_name": f"why {name} is masked",
-        "standard_name": "status_flag",
-        "flag_values": np.arange(len(REASONS), dtype=np.int8),
-        "flag_meanings": " ".join(REASONS),
-    }
+    return flags(f"why {name} is masked", REASONS)
 
 
 def looks(labels: list[str]) -> dict[str, tuple]:
@@ -99,4 +89,4 @@ def looks(labels: list[str]) -> dict[str, tuple]:
     for name in ("number", "colour", "marker"):
         found[name] = [getattr(row_of(label), name) for label in labels]
     found["values"] = ["; ".join(f"{q}: {v}" for q, v in row_of(label).values.items()) for label in labels]
-    return {f"method_{name}": ("method", texts, attributes_of(f"method_{name}")) for name, texts in found.items()}
+    return {f"method_{name}": ("method", texts, attributes(f"method_{name}")) for name, texts in found.items()}

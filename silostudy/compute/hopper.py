@@ -4,7 +4,8 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from silostudy.compute.evaluate import attributes_of, gather, masked, plans, row_of, scope_attributes
+from silostudy.compute.evaluate import gather, masked, plans, row_of, scope_attributes
+from silostudy.compute.variables import attributes
 from silostudy.config.fields import expand
 from silostudy.pressure import hopper_shape, mass_flow
 from silostudy.pressure.family import (
@@ -57,7 +58,7 @@ def _variables(expansion, labels, names, last_dims, evaluate, *last_shape) -> di
     dims = ("method", "phase", *(axis.axis for axis in expansion.study.sweep), *last_dims)
     data: dict[str, tuple] = {}
     for name in names:
-        data[name] = (dims, values[name], {**attributes_of(name), "ancillary_variables": f"{name}_scope"})
+        data[name] = (dims, values[name], {**attributes(name), "ancillary_variables": f"{name}_scope"})
         data[f"{name}_scope"] = (dims, scopes[name], scope_attributes(name))
     return data
 
@@ -155,7 +156,7 @@ def _shape(expansion: Expansion) -> dict[str, tuple]:
         "perimeter": parameters["perimeter"],
         "mass_flow_limit": mass_flow.limit_angle(*friction),
     }
-    data = {name: (dims, value[..., 0], attributes_of(name)) for name, value in found.items()}
+    data = {name: (dims, value[..., 0], attributes(name)) for name, value in found.items()}
     flags = np.arange(len(mass_flow.PATTERNS), dtype=np.int8)
     meanings = {"flag_values": flags, "flag_meanings": " ".join(mass_flow.PATTERNS)}
-    return {**data, "flow_pattern": (dims, pattern[..., 0], {**attributes_of("flow_pattern"), **meanings})}
+    return {**data, "flow_pattern": (dims, pattern[..., 0], {**attributes("flow_pattern"), **meanings})}

@@ -8,7 +8,6 @@ import xarray as xr
 from silostudy.compute.axes import axis_coordinates
 from silostudy.compute.evaluate import (
     above_contact,
-    attributes_of,
     functions_of,
     gather,
     looks,
@@ -19,6 +18,7 @@ from silostudy.compute.evaluate import (
     scope_attributes,
 )
 from silostudy.compute.hopper import hopper_variables, total_variables
+from silostudy.compute.variables import attributes
 from silostudy.config.fields import expand
 from silostudy.cube.contract import check
 from silostudy.cube.provenance import provenance
@@ -96,41 +96,41 @@ def _assemble(expansion: Expansion, labels: list[str], z, values, scopes, handed
     dims = ("method", "phase", *axes, level)
     data: dict = {}
     for name, value in values.items():
-        data[name] = (dims, value, {**attributes_of(name), "ancillary_variables": f"{name}_scope"})
+        data[name] = (dims, value, {**attributes(name), "ancillary_variables": f"{name}_scope"})
         data[f"{name}_scope"] = (dims, scopes[name], scope_attributes(name))
     for name, value in handed.items():
         if name in HANDED_IF_KNOWN and np.isnan(value).all():
             continue
         kept = value.astype(np.int8) if name == "wall_friction_capped" else value
-        data[name] = (("method", *axes), kept, attributes_of(name))
+        data[name] = (("method", *axes), kept, attributes(name))
     for name in ("hydraulic_radius", "cylinder_depth"):
         sizes = np.array([getattr(case.scene.silo, name) for case in expansion.cases]).reshape(expansion.shape)
-        data[name] = (axes, sizes, attributes_of(name))
-    data["case"] = (axes, np.array([case.id for case in expansion.cases]).reshape(expansion.shape), attributes_of("case"))
+        data[name] = (axes, sizes, attributes(name))
+    data["case"] = (axes, np.array([case.id for case in expansion.cases]).reshape(expansion.shape), attributes("case"))
     data |= total_variables(expansion, labels)
     if expansion.study.hopper_position is not None:
         data |= hopper_variables(expansion, labels)
     depth = {"standard_name": "depth", "units": "m", "positive": "down", "axis": "Z"}
     depth["long_name"] = "depth below the equivalent flat surface of the stored solid"
     coords: dict = {
-        "method": ("method", labels, attributes_of("method")),
+        "method": ("method", labels, attributes("method")),
         **looks(labels),
-        "phase": ("phase", list(expansion.study.phases), attributes_of("phase")),
+        "phase": ("phase", list(expansion.study.phases), attributes("phase")),
         **axis_coordinates(expansion.study),
     }
     if by_metres:
         coords["depth"] = ("depth", np.array(expansion.study.depths), depth)
     else:
-        coords["relative_depth"] = (level, np.array(expansion.study.depths), attributes_of("relative_depth"))
+        coords["relative_depth"] = (level, np.array(expansion.study.depths), attributes("relative_depth"))
         depth.pop("axis")
         coords["depth"] = ((*axes, level), z, depth)
     if expansion.study.hopper_position is not None:
         coords["hopper_position"] = (
             "hopper_position",
             expand(expansion.study.hopper_position),
-            attributes_of("hopper_position"),
+            attributes("hopper_position"),
         )
     study = expansion.study.model_dump_json(exclude_defaults=True)
     sources = [row_of(label).source for label in labels] + [case.scene.solid.source for case in expansion.cases]
-    attributes = {**provenance(expansion.study.title, study, sources, "pressure"), "sweep_axes": " ".join(axes)}
-    return check(xr.Dataset(data, coords, attributes))
+    about = {**provenance(expansion.study.title, study, sources, "pressure"), "sweep_axes": " ".join(axes)}
+    return check(xr.Dataset(data, coords, about))

@@ -11,8 +11,9 @@ import numpy as np
 import xarray as xr
 from scipy.stats import qmc, sobol_indices, uniform
 
-from silostudy.compute.evaluate import attributes_of, functions_of, gather, looks, method_labels, plans, row_of
+from silostudy.compute.evaluate import functions_of, gather, looks, method_labels, plans, row_of
 from silostudy.compute.pressure import depths_in_metres, evaluate
+from silostudy.compute.variables import attributes
 from silostudy.cube.contract import check
 from silostudy.cube.provenance import provenance
 from silostudy.scene.expand import Expansion
@@ -95,24 +96,24 @@ def _assemble(expansion: Expansion, labels: list[str], quantiles: np.ndarray, in
         "wall_normal_pressure_quantile": (
             ("method", "phase", "quantile", level),
             quantiles,
-            attributes_of("wall_normal_pressure_quantile"),
+            attributes("wall_normal_pressure_quantile"),
         ),
-        "sobol_first": (over, indices[0], attributes_of("sobol_first")),
-        "sobol_total": (over, indices[1], attributes_of("sobol_total")),
-        "cylinder_depth": ((), expansion.cases[0].scene.silo.cylinder_depth, attributes_of("cylinder_depth")),
+        "sobol_first": (over, indices[0], attributes("sobol_first")),
+        "sobol_total": (over, indices[1], attributes("sobol_total")),
+        "cylinder_depth": ((), expansion.cases[0].scene.silo.cylinder_depth, attributes("cylinder_depth")),
     }
     depth = {"standard_name": "depth", "units": "m", "positive": "down"}
     depth["long_name"] = "depth below the equivalent flat surface of the stored solid"
     coords = {
-        "method": ("method", labels, attributes_of("method")),
+        "method": ("method", labels, attributes("method")),
         **looks(labels),
-        "phase": ("phase", list(expansion.study.phases), attributes_of("phase")),
-        "quantile": ("quantile", list(QUANTILES), attributes_of("quantile")),
-        "parameter": ("parameter", list(SAMPLED), attributes_of("parameter")),
+        "phase": ("phase", list(expansion.study.phases), attributes("phase")),
+        "quantile": ("quantile", list(QUANTILES), attributes("quantile")),
+        "parameter": ("parameter", list(SAMPLED), attributes("parameter")),
         "depth": (level, depths_in_metres(expansion), depth),
     }
     if not by_metres:
-        coords["relative_depth"] = (level, np.array(expansion.study.depths), attributes_of("relative_depth"))
+        coords["relative_depth"] = (level, np.array(expansion.study.depths), attributes("relative_depth"))
     study = expansion.study.model_dump_json(exclude_defaults=True)
     sources = [row_of(label).source for label in labels] + [case.scene.solid.source for case in expansion.cases]
     return check(
