@@ -43,7 +43,7 @@ def run(chosen: argparse.Namespace) -> None:
     cube = pressure_cube(expansion)
     print("\n".join([*table(cube), *hopper_table(cube), *values_used(cube), *cautions(expansion)]))
     if chosen.figure:
-        from silostudy.figures.fig_4_2_11 import draw
+        from silostudy.figures.comparison_today import draw
 
         draw(cube, chosen.figure)
         print(f"drawn: {chosen.figure}.png, {chosen.figure}.svg, {chosen.figure}.csv")

@@ -1,5 +1,6 @@
 """Hoppers: vertical balance over random scenes, radial fields against other solvers, the switch, and the flow pattern."""
 
+import mpmath
 import numpy as np
 import pytest
 from hypothesis import given, settings
@@ -128,6 +129,31 @@ def test_peak_without_load_is_the_sources_formula():
         peak = scene["unit_weight"] * 5.0 / (2 * (1 + (1 - slot) * state.peak) * spread)
         assert float(state.largest) == pytest.approx(float(peak), rel=1e-12, abs=0)
         assert float(state.normal_pressure(np.array([state.peak * state.height]))[0]) == pytest.approx(float(peak), rel=1e-12)
+
+
+@pytest.mark.parametrize("excess", [0.0, 1e-15, 1e-12, 1e-8, 1e-4, 0.3, 50.0, 1e6, 1e12])
+@pytest.mark.parametrize("slot", [0.0, 1.0])
+@pytest.mark.parametrize("share", [1e-6, 0.3, 0.9999999, 1.0])
+def test_force_in_fifty_digits_from_peaks_at_the_transition_to_peaks_at_the_apex(excess, slot, share):
+    """Bearing 1 + excess: i = 1 for no excess, i -> 0 for a large one; both ends are removable singularities."""
+    m = int(1 - slot)
+    scene = BIN | {"slot": slot, "perimeter": 2.0 if slot else np.pi * 5, "hydraulic_radius": 2.5 if slot else 1.25}
+    steepness = float(hopper_shape.steepness(scene["hopper_half_angle"], scene["hopper_wall_friction"]))
+    state = State(lambda: (1 + excess) / (steepness * (1 + m)), scene, loaded=0.0)
+    with mpmath.workdps(50):
+        bearing = mpmath.mpf(float(state.slope)) * mpmath.mpf(steepness) * (1 + m)
+        carried = min(mpmath.mpf(1), bearing)
+        g = carried * (1 + m) / bearing
+        i = 2 * g / (1 + mpmath.sqrt(1 + 4 * m * g))
+        x = mpmath.mpf(share)
+        below = min(x, i)
+        area = below ** (m + 2) / (i * (m + 2))
+        if x > i:
+            area += ((x ** (m + 1) - i ** (m + 1)) / (m + 1) - (x ** (m + 2) - i ** (m + 2)) / (m + 2)) / (1 - i)
+        wall = carried / (1 + m * i) * (1 + m) * (2 + m) * area
+        exact = float(wall), float(wall - x ** (2 + m))
+    found = float(state.force(np.array([share * float(state.height)]))[0] / state.weight)
+    assert found == pytest.approx(exact[1], rel=1e-13, abs=3e-15 * exact[0])  # a difference of two forces
 
 
 def test_transition_force_is_the_sources_formula():
