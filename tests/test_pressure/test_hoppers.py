@@ -57,7 +57,7 @@ def scenes(draw, slots=True):
 
 
 @pytest.mark.parametrize(("method", "phase"), WITH_BALANCE)
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=40, deadline=None)
 @given(scene=scenes())
 def test_weight_and_load_are_carried(method, phase, scene):
     found = balanced(PRESSURE[method], phase, one(scene))["hopper_balance"][0]
@@ -165,7 +165,7 @@ def test_transition_force_is_the_sources_formula():
         assert float(call(janssen.transition_force, None, scene)) == pytest.approx(q, rel=1e-12, abs=0)
 
 
-@pytest.mark.parametrize(("theta", "phi_w", "delta"), [(10, 15, 40), (20, 20, 40), (25, 10, 50), (15, 25, 60)])
+@pytest.mark.parametrize(("theta", "phi_w", "delta"), [(20, 20, 40), (25, 10, 50)])
 @pytest.mark.parametrize("m", [0, 1])
 def test_flow_field_against_a_boundary_value_solver(theta, phi_w, delta, m):
     half, wall, k = np.radians(theta), np.radians(phi_w), np.sin(np.radians(delta))

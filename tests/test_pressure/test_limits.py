@@ -109,7 +109,10 @@ def test_strain_energy_envelope_in_fifty_digits(share, slenderness, mu, k, nu):
     exact = exact_envelope(share * depth, depth, mu, k, nu, 7845.32, 1.25)
     changed = {"wall_friction": mu, "lateral_pressure_ratio": k, "poisson_ratio": nu, "cylinder_depth": depth}
     found = call(envelope_pressure, share * depth, {**WHEAT, **changed})
-    assert float(found) == pytest.approx(exact, rel=2e-13, abs=0)
+    if nu == 0 and share == 1:
+        assert float(found) == 0  # a solid that does not widen leaves the wall at the transition; 50 digits only come close
+    else:
+        assert float(found) == pytest.approx(exact, rel=2e-13, abs=0)
 
 
 def test_strain_energy_survives_extremes():
