@@ -191,6 +191,13 @@ def test_flow_field_against_a_boundary_value_solver(theta, phi_w, delta, m):
     assert solved.success
     expected = solved.y[0, -1] * (1 + k * np.cos(target)) / np.cos(half)
     assert float(found) == pytest.approx(expected, rel=2e-5, abs=0)
+    if m:  # the cone as a whole: wall = weight + what the field presses through a spherical cap, all over gamma r^3
+        s, w = solved.y
+        down = s * (1 - k * np.cos(w)) * np.cos(solved.x) + s * k * np.sin(w) * np.sin(solved.x)
+        cap = np.trapezoid(2 * np.pi * np.sin(solved.x) * down, solved.x)
+        pressure = float(found) * np.cos(half)
+        carried = 2 * np.pi / 3 * np.sin(half) * pressure * (np.sin(half) + np.tan(wall) * np.cos(half))
+        assert carried == pytest.approx(2 * np.pi / 3 * (1 - np.cos(half)) + cap, rel=1e-4, abs=0)
 
 
 @pytest.mark.parametrize("m", [0, 1])
