@@ -27,10 +27,10 @@ wildcard_constraints:
 
 
 def study_files(wildcards):
-    """The study file and the user's materials file, if it names one."""
-    path = STUDIES[wildcards.study]
-    materials = getattr(EXPANSIONS[wildcards.study].study, "materials", None)
-    return [path, path.parent / materials] if materials else [path]
+    """The study file and the user's own files that it names."""
+    path, expansion = STUDIES[wildcards.study], EXPANSIONS[wildcards.study]
+    materials = getattr(expansion.study, "materials", None)
+    return [path, *([path.parent / materials] if materials else []), *expansion.files]
 
 
 def wanted(name):
@@ -112,6 +112,19 @@ rule shell:
         RESULTS + "/{study}/logs/shell.log",
     shell:
         "python -m silostudy shell {input[0]} {input.pressure} {output} > {log} 2>&1"
+
+
+rule seismic:
+    input:
+        study_files,
+    output:
+        RESULTS + "/{study}/seismic.nc",
+    params:
+        code=stamp(*STAGES["seismic"]),
+    log:
+        RESULTS + "/{study}/logs/seismic.log",
+    shell:
+        "python -m silostudy seismic {input[0]} {output} > {log} 2>&1"
 
 
 def cube_of(wildcards):

@@ -4,7 +4,8 @@ import hashlib
 from pathlib import Path
 
 PACKAGE = Path(__file__).parent
-SCENE = ("catalogue", "errors", "files", "tables", "config", "scene", "figures/__init__", "pressure", "buckling")
+SHAKING = ("seismic/beam", "seismic/readers", "seismic/records")  # what a seismic scene is made of
+SCENE = ("catalogue", "errors", "files", "tables", "config", "scene", "figures/__init__", "pressure", "buckling", *SHAKING)
 # stage -> rooms whose change makes its results stale (a test follows the imports)
 STAGES = {
     "cases": SCENE,
@@ -12,6 +13,7 @@ STAGES = {
     "uncertainty": (*SCENE, "compute", "cube"),
     "buckling": (*SCENE, "compute", "cube"),
     "shell": (*SCENE, "compute", "cube"),
+    "seismic": (*SCENE, "compute", "cube", "seismic"),
     "draw": ("catalogue", "errors", "files", "tables", "cube", "figures"),
 }
 

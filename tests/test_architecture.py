@@ -15,23 +15,25 @@ MAY_IMPORT = {
     "tables": set(),
     "pressure": {"tables"},
     "buckling": set(),
+    "seismic": {"tables"},
     "figures": {"cube", "tables"},
     "config": {"tables", "pressure", "buckling", "figures"},
-    "scene": {"config", "tables", "pressure"},
+    "scene": {"config", "tables", "pressure", "seismic"},
     "cube": {"tables"},
-    "compute": {"scene", "config", "tables", "pressure", "buckling", "cube"},
+    "compute": {"scene", "config", "tables", "pressure", "buckling", "seismic", "cube"},
 }
 HEAVY_FREE = {
     "tables",
     "pressure",
     "buckling",
+    "seismic",
     "figures/__init__.py",
     "config",
     "scene",
 }  # quick to import: no xarray, no matplotlib
 ENTRIES = {"cases": ["scene/expand.py"], "pressure": ["compute/pressure.py", "scene/expand.py"]}
 ENTRIES["uncertainty"] = ["compute/uncertainty.py", "scene/expand.py"]
-ENTRIES |= {stage: [f"compute/{stage}.py", "scene/expand.py"] for stage in ("buckling", "shell")}
+ENTRIES |= {stage: [f"compute/{stage}.py", "scene/expand.py"] for stage in ("buckling", "shell", "seismic")}
 ENTRIES["draw"] = [f"figures/{path.name}" for path in sorted((PACKAGE / "figures").glob("*.py"))]
 
 

@@ -5,7 +5,7 @@ def add(sub) -> None:
     command = sub.add_parser(
         "explain", help="explain a method or rule: formula, symbols, source, range, known errors of the source"
     )
-    command.add_argument("method", help="see `silostudy list methods` and `silostudy list buckling`")
+    command.add_argument("method", help="see `silostudy list methods` `buckling` and `mass-rules`")
     command.set_defaults(run=run)
 
 
@@ -14,20 +14,23 @@ def run(chosen) -> None:
 
 
 def explanation(key: str) -> list[str]:
-    """The lines that explain a pressure method or a buckling rule; BadInput lists the known ones."""
+    """The lines that explain a pressure method, a buckling rule or an effective mass rule; BadInput lists the known ones."""
     from silostudy.buckling import BUCKLING, RIVALS
-    from silostudy.commands import explain_buckling
+    from silostudy.commands import explain_buckling, explain_seismic
     from silostudy.errors import unknown
     from silostudy.pressure import PRESSURE
     from silostudy.pressure.family import PARAMETERS
+    from silostudy.seismic.rules import MASS_RULES
     from silostudy.tables.handbook import errata
     from silostudy.tables.references import cite
 
+    if key in MASS_RULES:
+        return explain_seismic.explanation(MASS_RULES[key])
     rules = {**BUCKLING, **RIVALS}
     if key in rules:
         return explain_buckling.explanation(rules[key])
     if key not in PRESSURE:
-        raise unknown("method or rule", key, [*PRESSURE, *rules])
+        raise unknown("method or rule", key, [*PRESSURE, *rules, *MASS_RULES])
     row = PRESSURE[key]
     lines = [f"{row.title} ({row.key})", f"  formula   {row.formula}", f"  range     {row.validity}"]
     lines.append(f"  plans     {', '.join(sorted(row.plans))}")

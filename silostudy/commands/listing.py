@@ -4,7 +4,7 @@ from pathlib import Path
 
 
 def add(sub) -> None:
-    command = sub.add_parser("list", help="list methods, buckling rules, solids, walls, studies or outputs")
+    command = sub.add_parser("list", help="list methods, buckling or mass rules, solids, walls, records, studies or outputs")
     command.add_argument("what", choices=LISTS)
     command.add_argument("--studies", type=Path, default=Path("config/studies"), help="folder of study files")
     command.set_defaults(run=run)
@@ -27,6 +27,20 @@ def _buckling(chosen):
 
     for row in (*BUCKLING.values(), *RIVALS.values()):
         yield f"{row.key:28}", f"{row.title:26}", f"{row.source}, {row.locator}"
+
+
+def _mass_rules(chosen):
+    from silostudy.seismic.rules import MASS_RULES
+
+    for row in MASS_RULES.values():
+        yield f"{row.key:18}", f"{row.title:52}", f"{row.source}, {row.locator}"
+
+
+def _records(chosen):
+    from silostudy.tables.records import RECORDS
+
+    for row in RECORDS.values():
+        yield f"{row.key:18}", row.title, f"{row.source}, {row.locator}", row.remark
 
 
 def _solids(chosen):
@@ -61,15 +75,17 @@ def _outputs(chosen):
     from silostudy.figures import OUTPUTS
 
     for row in OUTPUTS.values():
-        wants = "one silo" if row.single_case else f"axes {', '.join(row.axes)}"
+        wants = "one silo" if row.single_case else f"axes {', '.join(row.axes) or 'any'}"
         yield f"{row.key:30}", f"{row.kind:7}", f"{wants:28}", row.title
 
 
 LISTS = {
     "methods": _methods,
     "buckling": _buckling,
+    "mass-rules": _mass_rules,
     "solids": _solids,
     "walls": _walls,
+    "records": _records,
     "studies": _studies,
     "outputs": _outputs,
 }

@@ -2,6 +2,8 @@
 
 from pathlib import Path
 
+from silostudy.commands import seismic
+
 
 def add(sub) -> None:
     check = sub.add_parser("check", help="validate a study and count its cases, without computing anything")
@@ -38,6 +40,8 @@ def run_check(chosen) -> None:
     print(f"{path}: {study.title}")
     print(f"  {len(expansion.cases)} case(s): {axes}")
     for line in (*counts(expansion), *cautions(expansion)) if "pressure" in study.stages else ():
+        print(f"  {line}")
+    for line in seismic.told(expansion) if "seismic" in study.stages else ():
         print(f"  {line}")
     if rules := getattr(study, "rule_keys", ()):
         print(f"  {len(rules)} buckling rule(s)")

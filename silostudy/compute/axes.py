@@ -20,8 +20,15 @@ def axis_coordinates(study: BaseStudy) -> dict[str, tuple]:
             count = np.arange(len(axis.settings()))
             coords[axis.axis] = (axis.axis, count, {"long_name": f"position on {axis.axis}", "units": "1"})
             for key, values in columns.items():
-                coords[f"{axis.axis}_{split_unit(key.split('.')[-1])[0]}"] = _coordinate(axis.axis, key, values)
+                coords[f"{axis.axis}_{_short(key, columns)}"] = _coordinate(axis.axis, key, values)
     return coords
+
+
+def _short(key: str, others: dict[str, Any]) -> str:
+    """The last part of a dotted key without its unit; all of its parts where another key ends in the same."""
+    last = key.split(".")[-1]
+    whole = sum(other.split(".")[-1] == last for other in others) > 1
+    return split_unit(key.replace(".", "_") if whole else last)[0]
 
 
 def _columns(axis: Axis) -> dict[str, list[Any]]:

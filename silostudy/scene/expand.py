@@ -31,6 +31,11 @@ class Expansion:
     shape: tuple[int, ...]
     cases: tuple[Case, ...]
 
+    @property
+    def files(self) -> tuple[Path, ...]:
+        """The user's own files that the scenes were made from."""
+        return tuple(dict.fromkeys(file for case in self.cases for file in getattr(case.scene, "files", ())))
+
 
 def expand_file(path: Path) -> Expansion:
     """The cases of a study file; BadInput names file, key, value and what is allowed."""

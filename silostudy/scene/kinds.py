@@ -6,10 +6,12 @@ A builder takes (study, folder of the study file, name for errors) once and retu
 from collections.abc import Callable
 
 from silostudy.scene.build import pressure_builder
+from silostudy.scene.seismic import seismic_builder
 from silostudy.scene.shell import buckling_builder, shell_builder
 
 BUILDERS: dict[str, Callable[..., Callable]] = {
     "pressure": pressure_builder,
     "buckling": buckling_builder,
     "shell": shell_builder,
+    "seismic": seismic_builder,
 }

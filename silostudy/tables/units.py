@@ -8,6 +8,7 @@ SUFFIXES: dict[str, tuple[str, float]] = {
     "_t_m2": ("Pa", 9806.65),
     "_kN_m3": ("N m-3", 1e3),
     "_N_m3": ("N m-3", 1.0),
+    "_kg_m3": ("kg m-3", 1.0),
     "_kPa": ("Pa", 1e3),
     "_MPa": ("Pa", 1e6),
     "_GPa": ("Pa", 1e9),
@@ -18,6 +19,8 @@ SUFFIXES: dict[str, tuple[str, float]] = {
     "_cm2": ("m2", 1e-4),
     "_in2": ("m2", 0.0254**2),
     "_in": ("m", 0.0254),
+    "_gal": ("m s-2", 1e-2),
+    "_Hz": ("Hz", 1.0),
     "_mm": ("m", 1e-3),
     "_m": ("m", 1.0),
 }

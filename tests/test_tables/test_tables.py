@@ -22,6 +22,7 @@ def test_every_row_of_every_table_has_a_source(path):
     text = {"solid", "method", "parameter", "value", "as_printed", "grain", "wall", "rule", "particle_size", "phase"}
     text |= {"erratum", "place", "printed", "right", "evidence", "silo", "plan"}
     text |= {"test", "material", "steel", "collapse", "shape", "ring"}
+    text |= {"record", "package", "file"}
     found = rows(path, text=text)
     assert found
     for row in found:

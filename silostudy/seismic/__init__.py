@@ -1,0 +1,1 @@
+"""Effective mass of a silo's contents in an earthquake: beam, records, response, likeness, identification, code rules."""

@@ -1,0 +1,179 @@
+"""The effective mass coefficient that makes the beam answer like a measured response, and how sure it is."""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from scipy.optimize import brentq
+
+from silostudy.errors import BadInput
+from silostudy.seismic.beam import Tube, modes
+from silostudy.seismic.likeness import amplitude_error, spectrum
+from silostudy.seismic.records import Record
+from silostudy.seismic.response import absolute_acceleration
+
+BAND_SHIFT = 0.2  # how far each end of the band is moved inward to see what the band does
+REPLICATES = 40  # noisy copies behind the noise's share
+CONTRIBUTIONS = ("noise", "damping", "band", "step")
+
+
+@dataclass(frozen=True, kw_only=True)
+class Question:
+    """What is known when a response is judged: the tube, its stiffness and damping, the base motion, band and candidates."""
+
+    tube: Tube
+    stiffness_reduction: float
+    damping_ratio: float
+    base: Record
+    band: tuple[float, float]  # Hz
+    coefficients: np.ndarray
+    damping_mismatch: float  # relative half-width within which the damping ratio is known
+
+
+@dataclass(frozen=True)
+class Bank:
+    """Fourier transforms (m s-1) of each candidate's top acceleration inside the band: (coefficient, frequency)."""
+
+    question: Question
+    first_frequency: np.ndarray  # Hz, of each candidate
+    frequency: np.ndarray  # Hz, of each component
+    known: np.ndarray  # with the damping as known
+    lower: np.ndarray  # with the least damping that the mismatch admits
+    higher: np.ndarray  # with the most
+
+
+@dataclass(frozen=True)
+class Estimate:
+    """The coefficient by E_A, and what moves it (all dimensionless); contributions in the order of CONTRIBUTIONS."""
+
+    coefficient: float
+    contributions: np.ndarray
+
+    @property
+    def uncertainty(self) -> float:
+        """Half-width U: root sum of squares of noise, damping and band, and half a step on top (a step can always add up)."""
+        return float(np.sqrt((self.contributions[:3] ** 2).sum()) + self.contributions[3])
+
+
+def top_acceleration(question: Question, coefficient: float, damping_ratio: float | None = None) -> np.ndarray:
+    """Absolute acceleration (m s-2) of the top for one coefficient."""
+    shapes = modes(question.tube, coefficient, question.stiffness_reduction)
+    damping = question.damping_ratio if damping_ratio is None else damping_ratio
+    return absolute_acceleration(question.base.acceleration, question.base.dt, shapes, damping)[0]
+
+
+def bank(question: Question) -> Bank:
+    """The responses of all candidates."""
+    base, mismatch = question.base, question.damping_mismatch
+    dampings = [question.damping_ratio * factor for factor in (1.0, 1 - mismatch, 1 + mismatch)]
+    found, firsts = [], []
+    for coefficient in question.coefficients:
+        shapes = modes(question.tube, coefficient, question.stiffness_reduction)
+        tops = [absolute_acceleration(base.acceleration, base.dt, shapes, damping)[0] for damping in dampings]
+        frequency, transforms = spectrum(tops, base.dt, question.band)
+        found.append(transforms)
+        firsts.append(shapes.frequency[0])
+    return Bank(question, np.array(firsts), frequency, *np.swapaxes(np.array(found), 0, 1))
+
+
+def transform(question: Question, measured: np.ndarray) -> np.ndarray:
+    """Fourier transform (m s-1) of a measured top acceleration (m s-2) inside the question's band."""
+    return spectrum(measured, question.base.dt, question.band)[1]
+
+
+def least(values: np.ndarray, coefficients: np.ndarray) -> float:
+    """The candidate of the least error (the first of several)."""
+    return float(coefficients[np.argmin(values)])
+
+
+def vertex(values: np.ndarray, coefficients: np.ndarray) -> float:
+    """Where the least error lies between equally spaced candidates: the indices are sums of moduli, so their valley is a V.
+
+    The V has equal slopes through the least value and its neighbours; at either end of the candidates it is the end.
+    """
+    place = int(np.argmin(values))
+    if place in (0, len(values) - 1):
+        return float(coefficients[place])
+    before, here, after = values[place - 1 : place + 2]
+    slope = max(before, after) - here
+    step = coefficients[place + 1] - coefficients[place]
+    return float(coefficients[place] + (step * (before - after) / (2 * slope) if slope > 0 else 0.0))
+
+
+def estimate(bank: Bank, measured: np.ndarray, random: np.random.Generator) -> Estimate:
+    """The coefficient by E_A from the transform of a measured response, with what noise, damping, band and step do to it."""
+    question = bank.question
+    found = _by_amplitude(bank, measured, bank.known)
+    contributions = [
+        _noise(bank, measured, found, random),
+        _half_range([_by_amplitude(bank, measured, other) for other in (bank.known, bank.lower, bank.higher)]),
+        _half_range([_by_amplitude(bank, measured, bank.known, inside) for inside in _bands(bank)]),
+        float(np.diff(question.coefficients).max()) / 2,
+    ]
+    return Estimate(found, np.array(contributions))
+
+
+def _by_amplitude(bank: Bank, measured: np.ndarray, computed: np.ndarray, inside: slice | np.ndarray = slice(None)) -> float:
+    return vertex(amplitude_error(computed[:, inside], measured[inside]), bank.question.coefficients)
+
+
+def _noise(bank: Bank, measured: np.ndarray, found: float, random: np.random.Generator) -> float:
+    """Twice the spread of the answer when what the best candidate leaves unexplained is thrown anew as white noise."""
+    model = bank.known[int(np.argmin(np.abs(bank.question.coefficients - found)))]
+    spread = np.sqrt(np.mean(np.abs(measured - model) ** 2) / 2)  # of the real and of the imaginary part
+    parts = random.standard_normal((2, REPLICATES, len(model)))
+    copies = model + spread * (parts[0] + 1j * parts[1])
+    return 2 * float(np.std([_by_amplitude(bank, one, bank.known) for one in copies], ddof=1))
+
+
+def _half_range(answers: list[float]) -> float:
+    return (max(answers) - min(answers)) / 2
+
+
+def _bands(bank: Bank) -> list[np.ndarray]:
+    """The components inside the band, and with its lower, its upper and both ends moved inward."""
+    low, high = bank.question.band
+    lows, highs = (low, low * (1 + BAND_SHIFT)), (high, high * (1 - BAND_SHIFT))
+    return [(bank.frequency >= one) & (bank.frequency <= other) for one in lows for other in highs]
+
+
+def imitation(question: Question, coefficient: float, damping_ratio: float, noise_ratio: float, random) -> np.ndarray:
+    """A synthetic response (m s-2): the model with known coefficient and damping, and white noise of a share of its rms."""
+    clean = top_acceleration(question, coefficient, damping_ratio)
+    return clean + noise_ratio * np.sqrt(np.mean(clean**2)) * random.standard_normal(len(clean))
+
+
+def recovery(bank: Bank, trials: int, noise_ratio: float, random: np.random.Generator) -> np.ndarray:
+    """(truth, answer, its uncertainty) of trials whose truth, damping and noise are thrown anew: shape (3, trials).
+
+    Truth evenly over the candidates, damping evenly within the mismatch the question admits.
+    """
+    question = bank.question
+    found = np.empty((3, trials))
+    for trial in range(trials):
+        truth = random.uniform(question.coefficients[0], question.coefficients[-1])
+        damping = question.damping_ratio * (1 + question.damping_mismatch * random.uniform(-1, 1))
+        measured = imitation(question, truth, damping, noise_ratio, random)
+        answer = estimate(bank, transform(question, measured), random)
+        found[:, trial] = truth, answer.coefficient, answer.uncertainty
+    return found
+
+
+def coefficient_of_frequency(tube: Tube, stiffness_reduction: float, frequency: float) -> float:
+    """The coefficient (1) that brings the first frequency of a tube, wholly or partly filled, to `frequency` (Hz)."""
+
+    def miss(coefficient: float) -> float:
+        return modes(tube, coefficient, stiffness_reduction).frequency[0] - frequency
+
+    if miss(0.0) < 0:
+        raise BadInput("full_frequency_Hz", frequency, "must be below the empty tube's frequency")
+    high = 1.0
+    while miss(high) > 0:
+        high *= 2
+        if high > 1e3:
+            raise BadInput("full_frequency_Hz", frequency, "is lower than any added mass explains")
+    return float(brentq(miss, 0.0, high, xtol=1e-10))
+
+
+def emptied(tube: Tube) -> float:
+    """First natural frequency (Hz) of the tube without contents and with its whole stiffness."""
+    return float(modes(replace(tube, fill_height=tube.height), 0.0).frequency[0])

@@ -1,0 +1,42 @@
+"""How alike two responses are: weighted relative errors of Fourier amplitudes and phases, in a stated band."""
+
+import numpy as np
+
+
+def spectrum(acceleration, dt: float, band: tuple[float, float]) -> tuple[np.ndarray, np.ndarray]:
+    """(frequency (Hz), Fourier transform (m s-1, complex)) of histories along the last axis, inside a band (Hz)."""
+    frequency = np.fft.rfftfreq(np.shape(acceleration)[-1], dt)
+    inside = (frequency >= band[0]) & (frequency <= band[1])
+    return frequency[inside], np.fft.rfft(acceleration, axis=-1)[..., inside] * dt
+
+
+def amplitude_error(computed, measured):
+    """E_A (1): mean relative error of Fourier amplitudes, weighted with the measured amplitudes; spectra along the last axis.
+
+    Source: sasaki_yoshimura_effective_mass, equations (3) and (5); the weight cancels the quotient, so that a measured
+    amplitude of 0 does no harm.
+    """
+    wanted = np.abs(measured)
+    return np.abs(np.abs(computed) - wanted).sum(axis=-1) / (wanted.shape[-1] * wanted.sum(axis=-1))
+
+
+def phase_error(computed, measured):
+    """E_P (1): mean wrapped phase difference over pi, weighted with the measured amplitudes; spectra along the last axis.
+
+    Source: sasaki_yoshimura_effective_mass, equations (4) and (5), but for the divisor: the source divides by the
+    measured phase, which depends on where time begins.  The difference is wrapped to at most pi.
+    """
+    weight = np.abs(measured)
+    difference = np.abs(np.angle(computed * np.conj(measured)))
+    return (difference * weight).sum(axis=-1) / (np.pi * weight.shape[-1] * weight.sum(axis=-1))
+
+
+def phase_error_as_printed(computed, measured):
+    """E_P (1) with the source's own divisor, the measured phase; it changes when the origin of time is moved.
+
+    Source: sasaki_yoshimura_effective_mass, equations (4) and (5), phases between -pi and pi.
+    """
+    phase, weight = np.angle(measured), np.abs(measured)
+    known = (phase != 0) & (weight > 0)
+    relative = np.where(known, np.abs(np.angle(computed) - phase) / np.where(known, np.abs(phase), 1), 0)
+    return (relative * weight).sum(axis=-1) / (weight.shape[-1] * weight.sum(axis=-1))
