@@ -126,9 +126,9 @@ def _given(scene: Shaken, question: identify.Question, unreduced: float) -> dict
         said = f"synthetic: model with C_eff = {true.effective_mass_coefficient:g} and damping ratio {true.damping_ratio:g}, "
         said += f"and white noise of {true.noise_ratio:.0%} of its rms"
     return {
-        "wall_radius": tube.radius,
-        "wall_thickness": tube.thickness,
-        "wall_height": tube.height,
+        "tube_radius": tube.radius,
+        "tube_thickness": tube.thickness,
+        "tube_height": tube.height,
         "fill_height": tube.fill_height,
         "mass_ratio": mass_ratio(volume_ratio=ratio, **densities),
         "unreduced_frequency": unreduced,
