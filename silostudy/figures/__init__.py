@@ -29,6 +29,27 @@ class Output(Row):
 
 SHELL_AXES = ("radius_over_thickness", "relative_bay_length", "ring_area_ratio", "steel", "making")
 
+SEISMIC = {  # key -> title, locator, kind
+    "seismic_resonance": ("Resonance curves of the empty and the filled tube", "section 3 and Fig. 2", "figure"),
+    "seismic_histories": (
+        "Histories of base and top, measured and computed with several coefficients",
+        "Figs. 3 and 6",
+        "figure",
+    ),
+    "seismic_spectra": ("Fourier amplitudes of the top, measured and computed with several coefficients", "Fig. 4", "figure"),
+    "seismic_indices": (
+        "Likeness indices over the effective mass coefficient, with the first frequency",
+        "Figs. 5 and 7",
+        "figure",
+    ),
+    "seismic_recovery": (
+        "How well a known coefficient is found again, and what moves the answer",
+        "equations (3) and (5)",
+        "figure",
+    ),
+    "seismic_demand": ("Shear, moment, axial wall force and additional wall pressure over depth", "section 1", "figure"),
+    "sasaki_1991": ("The source's printed numbers beside the computed ones", "sections 3 and 4", "table"),
+}
 OUTPUTS: Family[Output] = Family(
     "output",
     [
@@ -287,61 +308,9 @@ OUTPUTS: Family[Output] = Family(
             stage="pressure",
             axes=("silo",),
         ),
-        Output(
-            key="seismic_resonance",
-            title="Resonance curves of the empty and the filled tube",
-            source="sasaki_yoshimura_effective_mass",
-            locator="section 3 and Fig. 2",
-            kind="figure",
-            stage="seismic",
-        ),
-        Output(
-            key="seismic_histories",
-            title="Histories of base and top, measured and computed with several coefficients",
-            source="sasaki_yoshimura_effective_mass",
-            locator="Figs. 3 and 6",
-            kind="figure",
-            stage="seismic",
-        ),
-        Output(
-            key="seismic_spectra",
-            title="Fourier amplitudes of the top, measured and computed with several coefficients",
-            source="sasaki_yoshimura_effective_mass",
-            locator="Fig. 4",
-            kind="figure",
-            stage="seismic",
-        ),
-        Output(
-            key="seismic_indices",
-            title="Likeness indices over the effective mass coefficient, with the first frequency",
-            source="sasaki_yoshimura_effective_mass",
-            locator="Figs. 5 and 7",
-            kind="figure",
-            stage="seismic",
-        ),
-        Output(
-            key="seismic_recovery",
-            title="How well a known coefficient is found again, and what moves the answer",
-            source="sasaki_yoshimura_effective_mass",
-            locator="equations (3) and (5)",
-            kind="figure",
-            stage="seismic",
-        ),
-        Output(
-            key="seismic_demand",
-            title="Shear, moment, axial wall force and additional wall pressure over depth",
-            source="sasaki_yoshimura_effective_mass",
-            locator="section 1",
-            kind="figure",
-            stage="seismic",
-        ),
-        Output(
-            key="sasaki_1991",
-            title="The source's printed numbers beside the computed ones",
-            source="sasaki_yoshimura_effective_mass",
-            locator="sections 3 and 4",
-            kind="table",
-            stage="seismic",
+        *(
+            Output(key=key, title=title, source="sasaki_yoshimura_effective_mass", locator=locator, kind=kind, stage="seismic")
+            for key, (title, locator, kind) in SEISMIC.items()
         ),
     ],
 )
