@@ -5,7 +5,19 @@ from pathlib import Path
 
 PACKAGE = Path(__file__).parent
 SHAKING = ("seismic/beam", "seismic/readers", "seismic/records")  # what a seismic scene is made of
-SCENE = ("catalogue", "errors", "files", "tables", "config", "scene", "figures/__init__", "pressure", "buckling", *SHAKING)
+SCENE = (
+    "catalogue",
+    "errors",
+    "files",
+    "tables",
+    "config",
+    "scene",
+    "figures/__init__",
+    "figures/seismic_rows",
+    "pressure",
+    "buckling",
+    *SHAKING,
+)
 # stage -> rooms whose change makes its results stale (a test follows the imports)
 STAGES = {
     "cases": SCENE,
