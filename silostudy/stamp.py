@@ -13,7 +13,6 @@ SCENE = (
     "config",
     "scene",
     "figures/__init__",
-    "figures/seismic_rows",
     "pressure",
     "buckling",
     *SHAKING,
