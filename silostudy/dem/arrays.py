@@ -1,0 +1,92 @@
+"""The arrays of a run, struct by struct.  A part that a scene does not call for has length zero or one."""
+
+from typing import NamedTuple
+
+import numpy as np
+
+BLOCK = 64  # discs that are moved together, right after the last contact that can touch them
+LANES = 256  # contacts whose forces are computed together, in the first-level cache
+LINE = 64  # bytes of a cache line
+
+
+class Discs(NamedTuple):
+    """rows (n, 8): x, y (m), u, v (m/s), w (rad/s), fx, fy (N/m), torque (N m/m); held: the velocities an integrator keeps."""
+
+    rows: np.ndarray
+    held: np.ndarray
+    radius: np.ndarray  # m; length one where all are equal, as are the next three
+    mass: np.ndarray  # kg/m
+    inverse_mass: np.ndarray
+    inverse_inertia: np.ndarray
+    label: np.ndarray  # number of the disc in its packing
+
+
+class Contacts(NamedTuple):
+    """A list of near pairs in the order (first, second), or of discs near walls in the order (disc, wall)."""
+
+    first: np.ndarray
+    second: np.ndarray
+    stored: np.ndarray  # tangential spring force, N/m
+    rolled: np.ndarray  # rolling moment, N m/m
+    arm: np.ndarray  # radius of the first, m; length one where all are equal, as are the next two
+    other: np.ndarray  # radius of the second, m
+    mass: np.ndarray  # reduced mass, kg/m
+    begin: np.ndarray  # where each block starts
+
+
+class Record(NamedTuple):
+    """What the walls feel: every wall contact of this step, thread by thread, and the cells' sums over a window of steps."""
+
+    force: np.ndarray  # (threads, contacts, 2) along the inner normal (pressing positive), along the wall (carrying positive)
+    cell: np.ndarray  # (threads, contacts)
+    count: np.ndarray  # (threads,)
+    now: np.ndarray  # (cells, 2) this step
+    window: np.ndarray  # (cells, 2, 3) sum, least, largest since the window began
+
+
+class Memory(NamedTuple):
+    """Histories of touching contacts by key first * 2**32 + second, sorted: what survives a new list, and a restart."""
+
+    key: np.ndarray
+    stored: np.ndarray
+    rolled: np.ndarray
+
+
+class Walls(NamedTuple):
+    """shape (n, 7): start x, y (m), unit direction, length (m), kinds of the ends; the solid lies left of the direction."""
+
+    shape: np.ndarray
+    live: np.ndarray
+    cells: np.ndarray  # (n, 2): first cell and number of cells between the cells of the two ends
+
+
+class Blocks(NamedTuple):
+    """Per block of discs: the distance travelled since the list was made, the distance it allows, the last step's most."""
+
+    travel: np.ndarray
+    skin: np.ndarray
+    peak: np.ndarray
+
+
+class Scratch(NamedTuple):
+    """Lanes of one thread, its cell grid, and the numbers it borrows from its neighbours (ghosts)."""
+
+    lanes: np.ndarray
+    force: np.ndarray
+    motion: np.ndarray
+    motion_bits: np.ndarray  # the same memory as unsigned integers: their maximum vectorises, and a NaN comes out largest
+    cell_begin: np.ndarray
+    order: np.ndarray
+    found: np.ndarray  # neighbours of one disc
+    cross: np.ndarray  # keys of pairs whose first disc belongs to an earlier thread
+    slot: np.ndarray
+    ghost: np.ndarray
+    count: np.ndarray  # ghosts, kept pair histories, kept wall histories
+
+
+def aligned(*shape: int, dtype=np.float64) -> np.ndarray:
+    """Zeros that start on a cache line."""
+    size = int(np.prod(shape)) * np.dtype(dtype).itemsize
+    raw = np.zeros(size + LINE, np.uint8)
+    offset = -raw.ctypes.data % LINE
+    return raw[offset : offset + size].view(dtype).reshape(shape)

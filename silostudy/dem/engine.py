@@ -1,0 +1,156 @@
+"""The engine: the arrays of one model and the compiled kernel that steps them, on one thread or several."""
+
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import replace
+
+import numpy as np
+
+from silostudy.dem.arrays import BLOCK, Blocks, Discs, Memory, Record, Walls, aligned
+from silostudy.dem.integrate import INTEGRATORS
+from silostudy.dem.kernel import EXPLODED, FRESH, REMEMBERED, SHORT_OF_ROOM, STALE, kernel
+from silostudy.dem.lanes import U, V, W, X, Y
+from silostudy.dem.model import Model
+from silostudy.dem.part import Part
+from silostudy.dem.walls import cells_of, shape_of
+from silostudy.errors import BadInput
+
+FAR = 1e9  # m: where the pair stands that pads the lists
+
+
+class Explosion(RuntimeError):
+    """A disc moved more than its radius in one step, or is not finite; what was recorded up to then is kept."""
+
+    def __init__(self, disc: int, step: int, dt: float, cause: str):
+        self.disc, self.step, self.time, self.cause = disc, step, step * dt, cause
+        super().__init__(f"disc {disc} ran away at t = {step * dt:.6g} s (step {step}): {cause}")
+
+
+def sweep_order(x: np.ndarray, y: np.ndarray, radius: np.ndarray) -> np.ndarray:
+    """Order of discs in strips across the longer side of their box: neighbours come close together in memory."""
+    long, short = (y, x) if np.ptp(y) >= np.ptp(x) else (x, y)
+    strip = np.floor((long - long.min()) / (2.0 * radius.max()))
+    return np.lexsort((short, strip))
+
+
+class Engine:
+    """A model in motion.  The number of threads and the skin (m, 0: chosen by the engine) change no bit of what it gives."""
+
+    def __init__(self, model: Model, *, threads: int = 1, skin: float = 0.0, sort: bool = True):
+        if threads < 1:
+            raise BadInput("threads", threads, "must be 1 or more")
+        if not 0.0 <= skin < 2.0 * model.radius.min():
+            raise BadInput("skin", skin, "must be less than the smallest diameter")
+        self.model, self.threads, self.skin = model, threads, skin
+        self.n = self.most = len(model.x)
+        self.contacts = (model.pair, model.wall)
+        self.gravity = model.gravity
+        label = sweep_order(model.x, model.y, model.radius) if sort else np.arange(self.n)
+        self.discs = self._discs(label.astype(np.int32))
+        self.walls = Walls(
+            shape_of(model.walls), np.array([wall.live for wall in model.walls], bool), cells_of(model.walls)
+        )
+        blocks = self.n // BLOCK + 2
+        self.blocks = Blocks(np.zeros(blocks), np.zeros(blocks), np.zeros(blocks))
+        self.clock = np.zeros(2 + threads, np.int64)
+        self.said = np.full(threads, REMEMBERED)
+        self.gate = np.zeros(2, np.int64)
+        self.parts = [Part(self, number) for number in range(threads)]
+        self.record = self._record()
+        self._pool = ThreadPoolExecutor(threads) if threads > 1 else None
+        self._kernel = kernel(model.pieces)
+
+    def _discs(self, label: np.ndarray) -> Discs:
+        model, unequal = self.model, self.model.unequal
+        ghosts = self.threads * (2 + (0 if self.threads == 1 else 1024 + 8 * int(self.n**0.5)))
+        rows = aligned(self.n + ghosts, 8)
+        for lane, values in ((X, model.x), (Y, model.y), (U, model.u), (V, model.v), (W, model.w)):
+            if values is not None:
+                rows[: self.n, lane] = values[label]
+        radius = model.radius[label] if unequal else model.radius[:1].copy()
+        mass = model.mass[label] if unequal else model.mass[:1].copy()
+        holds = INTEGRATORS[model.integrator].holds
+        held = aligned(self.n if holds else 0, 4)
+        held[:, :3] = rows[: len(held), [U, V, W]]
+        return Discs(rows, held, radius, mass, 1.0 / mass, 2.0 / (mass * radius**2), label)
+
+    def _record(self) -> Record:
+        room = max(part.wall_room for part in self.parts)
+        cells = int((self.walls.cells[:, 1] + 2).sum()) if self.model.watched else 0
+        record = Record(
+            force=np.zeros((self.threads, room, 2)),
+            cell=np.zeros((self.threads, room), np.int32),
+            count=np.zeros(self.threads, np.int64),
+            now=np.zeros((cells, 2)),
+            window=np.zeros((cells, 2, 3)),
+        )
+        return record
+
+    @property
+    def step(self) -> int:
+        """Steps made since the start of the model."""
+        return int(self.clock[0])
+
+    @property
+    def time(self) -> float:
+        """Time (s) since the start of the model."""
+        return self.step * self.model.dt
+
+    def column(self, lane: int) -> np.ndarray:
+        """One number of every disc that is left, in the order of `labels`."""
+        return self.discs.rows[: self.n, lane]
+
+    @property
+    def labels(self) -> np.ndarray:
+        """Numbers of the discs that are left, in the engine's own order."""
+        return self.discs.label[: self.n]
+
+    def bounds(self, number: int) -> tuple[int, int]:
+        """First disc of a thread and first of the next: whole blocks, evenly shared."""
+        blocks = (self.n + BLOCK - 1) // BLOCK
+        return tuple(min(self.n, blocks * k // self.threads * BLOCK) for k in (number, number + 1))
+
+    def step_to(self, stop: int) -> None:
+        """Step until `stop` steps have been made since the start; raises Explosion where a disc runs away."""
+        while self.step < stop:
+            self._run(stop)
+            if (self.said == EXPLODED).any():
+                raise self._explosion()
+            for part in self.parts:
+                if self.said[part.number] == SHORT_OF_ROOM:
+                    part.grow()
+                    self.said[part.number] = REMEMBERED
+            room = max(part.wall_room for part in self.parts)
+            if room > self.record.force.shape[1]:
+                self.record = self.record._replace(
+                    force=np.zeros((self.threads, room, 2)), cell=np.zeros((self.threads, room), np.int32)
+                )
+
+    def _run(self, stop: int) -> None:
+        calls = [self._arguments(part, stop) for part in self.parts]
+        if self._pool is None:
+            self._kernel(*calls[0])
+            return
+        for done in [self._pool.submit(self._kernel, *call) for call in calls]:
+            done.result()
+
+    def _arguments(self, part: Part, stop: int) -> tuple:
+        lo, hi = self.bounds(part.number)
+        base = self.most + part.number * (part.ghost_room + 2)
+        self.discs.rows[base + part.ghost_room, X] = FAR
+        self.discs.rows[base + part.ghost_room + 1, X] = -FAR
+        quake = self.model.quake if self.model.quake is not None else np.zeros((1, 2))
+        limits = (float(self.model.radius.min()), self.skin)
+        laws = tuple(contact.ordered for contact in self.contacts)
+        return (
+            self.discs, part.pairs, part.near, part.memories, self.walls, self.blocks, part.scratch, laws, self.record,
+            quake, self.clock, self.said, self.gate, part.number, self.threads, self.n, lo, hi, base, stop,
+            self.gravity, self.model.dt, limits,
+        )  # fmt: skip
+
+    def _explosion(self) -> Explosion:
+        part = int(np.argmax(self.said == EXPLODED))
+        disc = int(self.clock[2 + part])
+        cause = "the time step is too long for the stiffness and damping, or the discs overlapped at the start"
+        if not np.isfinite(self.discs.rows[disc, : W + 1]).all():
+            cause = "its motion is not finite: two centres fell together, or a force overflowed"
+        return Explosion(int(self.labels[disc]), self.step, self.model.dt, cause)

@@ -1,0 +1,47 @@
+"""The force pass: the contact laws of a scene on lanes of contacts, a loop that the compiler vectorises."""
+
+from math import sqrt
+
+from numba.extending import register_jitable
+
+
+def force_pass(laws, *, unequal, slides, rolls, flat):
+    """Function that turns lanes of relative motion into lanes of force, for discs of one size or of many.
+
+    laws: four functions (normal, tangential, rolling, cohesion); slides and rolls: whether histories are carried;
+    flat: the second body is a wall.
+    A contact's force depends on nothing but its own numbers: the same bits wherever it stands in the list.
+    """
+    normal_law, tangential_law, rolling_law, cohesion_law = laws
+
+    @register_jitable
+    def forces(lanes, out, stored, rolled, arm, other, mass, count, dt, c):
+        a, b, m = arm[0], other[0], mass[0]
+        for k in range(count):
+            if unequal:
+                a, b, m = arm[k], other[k], mass[k]
+            dx, dy, du, dv = lanes[0, k], lanes[1, k], lanes[2, k], lanes[3, k]
+            distance = sqrt(dx * dx + dy * dy)
+            nx, ny = dx / distance, dy / distance
+            overlap = a + b - distance
+            touching = overlap > 0.0
+            depth = overlap if touching else 0.0
+            elastic, push = normal_law(depth, -(du * nx + dv * ny), m, dt, c[0])
+            spin = 0.5 * (lanes[4, k] * (a + b) + lanes[5, k] * (a - b)) if unequal else lanes[4, k] * a
+            old = stored[k] if slides else 0.0
+            held, drag = tangential_law(old, dv * nx - du * ny - spin, m, dt, elastic, push, c[1])
+            turned = rolled[k] if rolls else 0.0
+            moment = rolling_law(turned, lanes[5, k], dt, elastic, a if flat else a * b / (a + b), c[2])
+            push = push - cohesion_law(c[3]) if touching else 0.0
+            drag = drag if touching else 0.0
+            moment = moment if touching else 0.0
+            if slides:
+                stored[k] = held if touching else 0.0
+            if rolls:
+                rolled[k] = moment
+            out[0, k] = push * nx - drag * ny
+            out[1, k] = push * ny + drag * nx
+            out[2, k] = moment - drag * a
+            out[3, k] = -moment - drag * b
+
+    return forces

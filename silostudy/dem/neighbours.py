@@ -1,0 +1,236 @@
+"""The list of near contacts: made anew when a disc has moved beyond its allowance, carrying the histories over.
+
+What the list holds beyond the touching contacts never changes a result: forces of contacts that do not touch are zero,
+and the order of the others is fixed by the numbers of the discs.
+"""
+
+import numpy as np
+from numba import njit
+
+from silostudy.dem.arrays import BLOCK
+from silostudy.dem.cells import OPTIONS, bin_discs, cell_of
+from silostudy.dem.lanes import WIDTH, X, Y
+from silostudy.dem.walls import nearest
+
+SHIFT = 32  # key = first << SHIFT | second
+LOOK_AHEAD = 48.0  # steps that a list should last at the speed of its discs
+MOST, LEAST = 0.4, 0.004  # of the smallest radius: limits of a disc's allowance
+GHOSTS, KEPT_PAIRS, KEPT_WALLS = range(3)  # places in Scratch.count
+
+
+@njit(**OPTIONS)
+def allow(blocks, block_from, block_to, smallest, fixed_skin):
+    """Choose the distance (m) that the discs of each block may travel before the next list: from their speed now."""
+    for b in range(block_from, block_to):
+        foreseen = min(LOOK_AHEAD * blocks.peak[b] + LEAST * smallest, MOST * smallest)
+        blocks.skin[b] = 0.5 * fixed_skin if fixed_skin > 0.0 else foreseen
+        blocks.travel[b] = 0.0
+
+
+@njit(**OPTIONS)
+def remember(contacts, begin, end, base, ghost, memory, kept):
+    """Append the histories of a stretch of the list that are not zero to the memory; gives the new count."""
+    for k in range(begin, end):
+        held = contacts.stored[k] if contacts.stored.size else 0.0
+        turned = contacts.rolled[k] if contacts.rolled.size else 0.0
+        if held != 0.0 or turned != 0.0:
+            first, second = np.int64(contacts.first[k]), np.int64(contacts.second[k])
+            first = np.int64(ghost[first - base]) if first >= base else first
+            second = np.int64(ghost[second - base]) if second >= base else second
+            memory.key[kept] = (first << SHIFT) | second
+            memory.stored[kept] = held
+            memory.rolled[kept] = turned
+            kept += 1
+    return kept
+
+
+@njit(**OPTIONS)
+def recall(contacts, place, key, memory, kept, at):
+    """Give a new list entry the history of its key, or none; the keys come in order, so the search goes on from `at`."""
+    while at < kept and memory.key[at] < key:
+        at += 1
+    same = at < kept and memory.key[at] == key
+    if contacts.stored.size:
+        contacts.stored[place] = memory.stored[at] if same else 0.0
+    if contacts.rolled.size:
+        contacts.rolled[place] = memory.rolled[at] if same else 0.0
+    return at
+
+
+@njit(**OPTIONS)
+def pad(contacts, fill, dummy):
+    """Fill up to a multiple of the lane width with pairs that never touch, so that a block is whole vectors."""
+    while fill % WIDTH:
+        contacts.first[fill], contacts.second[fill] = dummy, dummy + 1
+        if contacts.stored.size:
+            contacts.stored[fill] = 0.0
+        if contacts.rolled.size:
+            contacts.rolled[fill] = 0.0
+        fill += 1
+    return fill
+
+
+@njit(**OPTIONS)
+def near_discs(rows, radius, skin, i, lo, grid, scratch):
+    """Discs after i within reach of it, in order; pairs with a disc before `lo` go to scratch.cross. Gives how many."""
+    x0, y0, size, nx, ny = grid
+    found = scratch.found
+    x, y = rows[i, X], rows[i, Y]
+    cx, cy = cell_of(x, x0, size, nx), cell_of(y, y0, size, ny)
+    reach_i = radius[i if radius.size > 1 else 0] + skin[i // BLOCK]
+    count, crossing = 0, scratch.cross[0]
+    for row in range(max(cy - 1, 0), min(cy + 2, ny)):
+        begin = scratch.cell_begin[row * nx + max(cx - 1, 0)]
+        end = scratch.cell_begin[row * nx + min(cx + 2, nx)]
+        for t in range(begin, end):
+            j = scratch.order[t]
+            if lo <= j <= i:
+                continue
+            reach = reach_i + radius[j if radius.size > 1 else 0] + skin[j // BLOCK]
+            dx, dy = rows[j, X] - x, rows[j, Y] - y
+            if dx * dx + dy * dy >= reach * reach:
+                continue
+            if j < lo:
+                crossing += 1
+                if crossing < scratch.cross.size:
+                    scratch.cross[crossing] = (np.int64(j) << SHIFT) | i
+            elif count < found.size:
+                k = count
+                while k > 0 and found[k - 1] > j:
+                    found[k] = found[k - 1]
+                    k -= 1
+                found[k] = j
+                count += 1
+    scratch.cross[0] = crossing
+    return count
+
+
+@njit(**OPTIONS)
+def ghost_of(j, scratch, base):
+    """Place in the rows of this thread's copy of a disc that belongs to another thread."""
+    if scratch.slot[j] < 0:
+        count = scratch.count[GHOSTS]
+        if count >= scratch.ghost.size:
+            return -1
+        scratch.slot[j] = count
+        scratch.ghost[count] = j
+        scratch.count[GHOSTS] = count + 1
+    return base + scratch.slot[j]
+
+
+@njit(**OPTIONS)
+def enter(discs, contacts, fill, i, j, first, second):
+    """Write one pair of the list, with its radii and reduced mass where discs differ."""
+    contacts.first[fill], contacts.second[fill] = first, second
+    if contacts.arm.size > 1:
+        contacts.arm[fill], contacts.other[fill] = discs.radius[i], discs.radius[j]
+        contacts.mass[fill] = 1.0 / (discs.inverse_mass[i] + discs.inverse_mass[j])
+
+
+@njit(**OPTIONS)
+def largest_of(values, count):
+    """Largest of the first values."""
+    most = values[0]
+    for k in range(count):
+        most = max(most, values[k])
+    return most
+
+
+@njit(**OPTIONS)
+def sort(keys, begin, end):
+    """Sort a stretch of keys in place (Shell's method: nothing is allocated while a scene runs)."""
+    gap = (end - begin) // 2
+    while gap > 0:
+        for k in range(begin + gap, end):
+            key, at = keys[k], k
+            while at >= begin + gap and keys[at - gap] > key:
+                keys[at] = keys[at - gap]
+                at -= gap
+            keys[at] = key
+        gap //= 2
+
+
+@njit(**OPTIONS)
+def list_pairs(discs, contacts, memory, blocks, scratch, n, lo, hi, base):
+    """List the near pairs of discs lo to hi, then the pairs that reach back to earlier threads; False if room is short."""
+    widest = largest_of(blocks.skin, (n + BLOCK - 1) // BLOCK)
+    largest = largest_of(discs.radius, min(n, discs.radius.size))
+    grid = bin_discs(discs.rows, n, 2.0 * (largest + widest), scratch.cell_begin, scratch.order)
+    kept, room, dummy = scratch.count[KEPT_PAIRS], contacts.first.size - WIDTH, base + scratch.ghost.size
+    scratch.slot[:] = -1
+    scratch.count[GHOSTS] = 0
+    scratch.cross[0] = 0
+    fill, at = 0, 0
+    for i in range(lo, hi):
+        if (i - lo) % BLOCK == 0:
+            fill = pad(contacts, fill, dummy)
+            contacts.begin[(i - lo) // BLOCK] = fill
+        count = near_discs(discs.rows, discs.radius, blocks.skin, i, lo, grid, scratch)
+        if fill + count > room or count == scratch.found.size:
+            return False
+        for c in range(count):
+            j = scratch.found[c]
+            second = j if j < hi else ghost_of(j, scratch, base)
+            if second < 0:
+                return False
+            enter(discs, contacts, fill, i, j, i, second)
+            at = recall(contacts, fill, (np.int64(i) << SHIFT) | j, memory, kept, at)
+            fill += 1
+    last = (hi - lo + BLOCK - 1) // BLOCK
+    fill = pad(contacts, fill, dummy)
+    contacts.begin[last] = fill
+    fill = list_crossing(discs, contacts, memory, scratch, fill, base)
+    contacts.begin[last + 1] = pad(contacts, fill, dummy)
+    return fill >= 0
+
+
+@njit(**OPTIONS)
+def list_crossing(discs, contacts, memory, scratch, fill, base):
+    """List the pairs whose first disc belongs to an earlier thread; -1 if room is short."""
+    crossing = scratch.cross[0]
+    if crossing >= scratch.cross.size or fill + crossing > contacts.first.size - WIDTH:
+        return -1
+    sort(scratch.cross, 1, crossing + 1)
+    at = 0
+    for k in range(1, crossing + 1):
+        key = scratch.cross[k]
+        i, j = key >> SHIFT, key & 0xFFFFFFFF
+        first = ghost_of(i, scratch, base)
+        if first < 0:
+            return -1
+        enter(discs, contacts, fill, i, j, first, j)
+        at = recall(contacts, fill, key, memory, scratch.count[KEPT_PAIRS], at)
+        fill += 1
+    return fill
+
+
+@njit(**OPTIONS)
+def list_walls(discs, near, memory, walls, blocks, scratch, lo, hi):
+    """List the discs lo to hi near each live wall, in the order (disc, wall); False if room is short."""
+    fill, at, kept = 0, 0, scratch.count[KEPT_WALLS]
+    for i in range(lo, hi):
+        if (i - lo) % BLOCK == 0:
+            near.begin[(i - lo) // BLOCK] = fill
+        reach = discs.radius[i if discs.radius.size > 1 else 0] + blocks.skin[i // BLOCK]
+        for q in range(walls.live.size):
+            dx, dy, _ = nearest(walls.shape, q, discs.rows[i, X], discs.rows[i, Y])
+            if not walls.live[q] or dx * dx + dy * dy >= reach * reach:
+                continue
+            if fill == near.first.size:
+                return False
+            near.first[fill], near.second[fill] = i, q
+            if near.arm.size > 1:
+                near.arm[fill], near.mass[fill] = discs.radius[i], discs.mass[i]
+            at = recall(near, fill, (np.int64(i) << SHIFT) | q, memory, kept, at)
+            fill += 1
+    near.begin[(hi - lo + BLOCK - 1) // BLOCK] = fill
+    return True
+
+
+@njit(**OPTIONS)
+def harvest(contacts, near, pair_memory, wall_memory, scratch, last, base):
+    """Take the histories out of both lists into sorted memories; `last` is the number of blocks."""
+    begin, never = contacts.begin, np.int64(1) << 62
+    kept = remember(contacts, begin[last], begin[last + 1], base, scratch.ghost, pair_memory, 0)
+    scratch.count[KEPT_PAIRS] = remember(contacts, 0, begin[last], base, scratch.ghost, pair_memory, kept)
+    scratch.count[KEPT_WALLS] = remember(near, 0, near.begin[last], never, scratch.ghost, wall_memory, 0)

@@ -1,0 +1,81 @@
+"""The share of one thread in a scene: its contact lists, the memories of their histories, and its scratch."""
+
+import numpy as np
+
+from silostudy.dem.arrays import BLOCK, LANES, Contacts, Memory, Scratch, aligned
+from silostudy.dem.kernel import Laws
+from silostudy.dem.lanes import WIDTH
+
+
+class Part:
+    """The share of one thread: its lists, memories and scratch."""
+
+    def __init__(self, engine, number: int):
+        self.number, self.engine = number, engine
+        self.room, self.wall_room = 3 * BLOCK * WIDTH + int(2.7 * engine.most), 64 + engine.most // 16
+        self.ghost_room = 0 if engine.threads == 1 else 1024 + 8 * int(engine.n**0.5)
+        self.memories = (self._memory(0), self._memory(0))
+        self.make_lists()
+
+    def _memory(self, room: int) -> Memory:
+        return Memory(np.zeros(room, np.int64), np.zeros(room), np.zeros(room))
+
+    def _contacts(self, room: int, laws: Laws, other: float, mass: float) -> Contacts:
+        each = room if self.engine.model.unequal else 1
+        return Contacts(
+            first=np.zeros(room, np.int32),
+            second=np.zeros(room, np.int32),
+            stored=aligned(room if laws.slides else 0),
+            rolled=aligned(room if laws.rolls else 0),
+            arm=np.full(each, self.engine.discs.radius[0]),
+            other=np.full(each, other),
+            mass=np.full(each, mass),
+            begin=np.zeros(self.engine.most // BLOCK + 3, np.int64),
+        )
+
+    def make_lists(self):
+        """Lists with the room asked for; memories grow with them and keep what they hold."""
+        engine, model = self.engine, self.engine.model
+        mass, radius = engine.discs.mass[0], engine.discs.radius[0]
+        self.pairs = self._contacts(self.room, model.pair.laws, radius, 0.5 * mass)
+        self.near = self._contacts(self.wall_room, model.wall.laws, 0.0, mass)
+        stores = (model.pair.laws.slides or model.pair.laws.rolls, model.wall.laws.slides or model.wall.laws.rolls)
+        self.memories = tuple(
+            self._grown(memory, room if storing else 0)
+            for memory, room, storing in zip(self.memories, (self.room, self.wall_room), stores, strict=True)
+        )
+        motion = aligned(BLOCK)
+        self.scratch = Scratch(
+            lanes=aligned(6, LANES),
+            force=aligned(4, LANES),
+            motion=motion,
+            motion_bits=motion.view(np.uint64),
+            cell_begin=np.zeros(engine.n + 1024, np.int32),
+            order=np.zeros(engine.n, np.int32),
+            found=np.zeros(1024, np.int32),
+            cross=np.zeros(4 * self.ghost_room + 1, np.int64),
+            slot=np.zeros(engine.n if engine.threads > 1 else 0, np.int32),
+            ghost=np.zeros(self.ghost_room, np.int32),
+            count=self.scratch.count if hasattr(self, "scratch") else np.zeros(3, np.int64),
+        )
+
+    def _grown(self, memory: Memory, room: int) -> Memory:
+        new = self._memory(room)
+        for old, fresh in zip(memory, new, strict=True):
+            fresh[: min(len(old), room)] = old[:room]
+        return new
+
+    def grow(self):
+        """More room for everything, after a list ran out of it; the memories keep the histories."""
+        self.room, self.wall_room = int(1.3 * self.room) + 256, 2 * self.wall_room
+        self.make_lists()
+
+    def load(self, pair_memory: Memory, wall_memory: Memory):
+        """Take histories from outside; the next list is made with them."""
+        self.room = max(self.room, len(pair_memory.key) + 1)
+        self.wall_room = max(self.wall_room, len(wall_memory.key) + 1)
+        self.make_lists()
+        for mine, given in zip(self.memories, (pair_memory, wall_memory), strict=True):
+            for old, new in zip(mine, given, strict=True):
+                old[: len(new)] = new
+        self.scratch.count[1:] = len(pair_memory.key), len(wall_memory.key)

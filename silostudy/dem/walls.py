@@ -1,0 +1,101 @@
+"""Walls: straight pieces with two ends, which push a disc from their nearest point; an end pushes in any direction.
+
+The edges L and R of Kiyama & Fujimura's slit are the inner ends of the two halves of the floor (1983, section 4).
+"""
+
+from math import hypot
+
+import numpy as np
+from numba import njit
+from numba.extending import register_jitable
+
+from silostudy.dem.cells import OPTIONS
+from silostudy.dem.lanes import FX, FY, TORQUE, U, V, W, X, Y
+
+JOINED, OUT_OF_REACH = 1.0, 1e30
+
+
+@njit(**OPTIONS)
+def nearest(shape, wall, x, y):
+    """Vector (m) from the wall's nearest point to (x, y), and that point's distance (m) from the wall's start.
+
+    Beyond an end that is joined to another wall there is nothing to touch: the vector is then out of any disc's reach.
+    """
+    dx, dy = x - shape[wall, 0], y - shape[wall, 1]
+    along = dx * shape[wall, 2] + dy * shape[wall, 3]
+    if (along < 0.0 and shape[wall, 5] == JOINED) or (along > shape[wall, 4] and shape[wall, 6] == JOINED):
+        return OUT_OF_REACH, OUT_OF_REACH, along
+    along = min(max(along, 0.0), shape[wall, 4])
+    return dx - along * shape[wall, 2], dy - along * shape[wall, 3], along
+
+
+@register_jitable
+def gather_walls(rows, shape, disc, wall, start, count, lanes):
+    """Lanes of discs near walls: the wall is at rest and does not turn."""
+    for k in range(count):
+        i = disc[start + k]
+        dx, dy, _ = nearest(shape, wall[start + k], rows[i, X], rows[i, Y])
+        lanes[0, k], lanes[1, k] = dx, dy
+        lanes[2, k], lanes[3, k] = rows[i, U], rows[i, V]
+        lanes[4, k] = rows[i, W]
+        lanes[5, k] = rows[i, W]
+
+
+@register_jitable
+def scatter_walls(rows, disc, start, count, force):
+    """Add the walls' forces to their discs, after the forces of all other discs."""
+    for k in range(count):
+        i = disc[start + k]
+        rows[i, FX] += force[0, k]
+        rows[i, FY] += force[1, k]
+        rows[i, TORQUE] += force[2, k]
+
+
+@njit(**OPTIONS)
+def note_walls(rows, walls, near, start, count, force, record, part):
+    """Note each wall contact's force: along the inner normal (pressing positive), along the wall (carrying positive)."""
+    for k in range(count):
+        i, q, at = near.first[start + k], near.second[start + k], start + k
+        tx, ty, length = walls.shape[q, 2], walls.shape[q, 3], walls.shape[q, 4]
+        _, _, along = nearest(walls.shape, q, rows[i, X], rows[i, Y])
+        upward = -1.0 if ty < 0.0 else 1.0
+        record.force[part, at, 0] = force[1, k] * tx - force[0, k] * ty
+        record.force[part, at, 1] = upward * (force[0, k] * tx + force[1, k] * ty)
+        inner = walls.cells[q, 1]
+        place = 0 if along <= 0.0 else inner + 1 if along >= length else 1 + min(int(along / length * inner), inner - 1)
+        record.cell[part, at] = walls.cells[q, 0] + place
+
+
+@njit(**OPTIONS)
+def add_to_window(record):
+    """Add this step's wall forces to the window, contact by contact in the order of the discs."""
+    now, window = record.now, record.window
+    now[:] = 0.0
+    for part in range(record.count.size):
+        for k in range(record.count[part]):
+            now[record.cell[part, k], 0] += record.force[part, k, 0]
+            now[record.cell[part, k], 1] += record.force[part, k, 1]
+    for c in range(now.shape[0]):
+        for way in range(2):
+            value = now[c, way]
+            window[c, way, 0] += value
+            window[c, way, 1] = min(window[c, way, 1], value)
+            window[c, way, 2] = max(window[c, way, 2], value)
+
+
+def shape_of(walls) -> np.ndarray:
+    """Start, unit direction, length (m) and the kinds of both ends, a row a wall."""
+    rows = []
+    for wall in walls:
+        (x0, y0), (x1, y1) = wall.start, wall.end
+        length = hypot(x1 - x0, y1 - y0)
+        ends = [JOINED if joined else 0.0 for joined in wall.joined]
+        rows.append([x0, y0, (x1 - x0) / length, (y1 - y0) / length, length, *ends])
+    return np.array(rows, float).reshape(-1, 7)
+
+
+def cells_of(walls) -> np.ndarray:
+    """First cell and number of inner cells of each wall; the two ends have a cell each, before and after the inner ones."""
+    inner = np.array([wall.cells for wall in walls], np.int64)
+    first = np.cumsum(inner + 2) - (inner + 2)
+    return np.column_stack([first, inner]).reshape(-1, 2)
