@@ -5,12 +5,12 @@ from typing import NamedTuple
 import numpy as np
 
 BLOCK = 64  # discs that are moved together, right after the last contact that can touch them
-LANES = 256  # contacts whose forces are computed together, in the first-level cache
+LANES = 248  # contacts whose forces are computed together, in the first-level cache
 LINE = 64  # bytes of a cache line
 
 
 class Discs(NamedTuple):
-    """rows (n, 8): x, y (m), u, v (m/s), w (rad/s), fx, fy (N/m), torque (N m/m); held: the velocities an integrator keeps."""
+    """rows (n, 8): x, y (m), u, v (m/s), w (rad/s), fx, fy (N/m), torque (N m/m); held (n, 4): velocities an integrator keeps."""
 
     rows: np.ndarray
     held: np.ndarray

@@ -22,7 +22,8 @@ def force_pass(laws, *, unequal, slides, rolls, flat):
                 a, b, m = arm[k], other[k], mass[k]
             dx, dy, du, dv = lanes[0, k], lanes[1, k], lanes[2, k], lanes[3, k]
             distance = sqrt(dx * dx + dy * dy)
-            nx, ny = dx / distance, dy / distance
+            inverse = 1.0 / distance
+            nx, ny = dx * inverse, dy * inverse
             overlap = a + b - distance
             touching = overlap > 0.0
             depth = overlap if touching else 0.0
@@ -42,6 +43,6 @@ def force_pass(laws, *, unequal, slides, rolls, flat):
             out[0, k] = push * nx - drag * ny
             out[1, k] = push * ny + drag * nx
             out[2, k] = moment - drag * a
-            out[3, k] = -moment - drag * b
+            out[3, k] = moment + drag * b  # taken from the second
 
     return forces

@@ -13,7 +13,7 @@ from silostudy.dem.arrays import BLOCK, LANES
 from silostudy.dem.cells import OPTIONS
 from silostudy.dem.force import force_pass
 from silostudy.dem.integrate import INTEGRATORS
-from silostudy.dem.lanes import FX, FY, TORQUE, U, V, W, WIDTH, X, Y, gather, scatter
+from silostudy.dem.lanes import FX, FY, TORQUE, U, V, W, X, Y, gather, scatter
 from silostudy.dem.neighbours import GHOSTS, allow, harvest, list_pairs, list_walls
 from silostudy.dem.threads import meet
 from silostudy.dem.walls import add_to_window, gather_walls, note_walls, scatter_walls
@@ -77,16 +77,14 @@ def pair_pass(laws: Laws, unequal: bool):
     def pairs_between(rows, pairs, begin, end, scratch, dt, c):
         for start in range(begin, end, LANES):
             count = min(end - start, LANES)
-            for k in range(0, count, WIDTH):
-                gather(rows, pairs.first, pairs.second, start + k, scratch.lanes, k)
+            gather(rows, pairs.first, pairs.second, start, count, scratch.lanes)
             stored = pairs.stored[start:] if slides else pairs.stored
             rolled = pairs.rolled[start:] if rolls else pairs.rolled
             arm = pairs.arm[start:] if unequal else pairs.arm
             other = pairs.other[start:] if unequal else pairs.other
             mass = pairs.mass[start:] if unequal else pairs.mass
             forces(scratch.lanes, scratch.force, stored, rolled, arm, other, mass, count, dt, c)
-            for k in range(0, count, WIDTH):
-                scatter(rows, pairs.first, pairs.second, start + k, scratch.force, k)
+            scatter(rows, pairs.first, pairs.second, start, count, scratch.force)
 
     return pairs_between
 
@@ -134,8 +132,7 @@ def move_pass(integrator: str, unequal: bool, turns: bool):
             rows[i, Y] += dv
             rows[i, U], rows[i, V] = u, v
             if turns:
-                w, hw, _ = advance(rows[i, W], hw, rows[i, TORQUE] * ii, kick, dt)
-                rows[i, W] = w
+                rows[i, W], hw, _ = advance(rows[i, W], hw, rows[i, TORQUE] * ii, kick, dt)
             if holds:
                 held[i, 0], held[i, 1], held[i, 2] = hu, hv, hw
             rows[i, FX], rows[i, FY], rows[i, TORQUE] = 0.0, 0.0, 0.0
@@ -204,7 +201,7 @@ def relist(discs, pairs, near, memories, walls, blocks, scratch, said, part, par
     allow(blocks, lo // BLOCK, (hi + BLOCK - 1) // BLOCK, limits[0], limits[1])
     meet(gate, parties)
     enough = list_pairs(discs, pairs, memories[0], blocks, scratch, n, lo, hi, base)
-    enough = enough and list_walls(discs, near, memories[1], walls, blocks, scratch, lo, hi)
+    enough = enough and list_walls(discs, near, memories[1], walls, blocks, scratch, lo, hi, base + scratch.ghost.size)
     said[part] = FRESH if enough else SHORT_OF_ROOM
 
 

@@ -18,27 +18,26 @@ _REAL, _INDEX, _LANE = ir.DoubleType(), ir.IntType(64), ir.IntType(32)
 _EIGHT, _FOUR = ir.VectorType(_REAL, 8), ir.VectorType(_REAL, 4)
 
 
-def gather(rows, first, second, start, lanes, offset):
-    """Relative position and velocity of eight pairs: lanes 0-3 differences of x, y, u, v; 4 sum and 5 difference of w."""
-    for lane in range(WIDTH):
+def gather(rows, first, second, start, count, lanes):
+    """Relative motion of `count` pairs: lanes 0-3 differences of x, y, u, v; 4 the sum and 5 the difference of w."""
+    for lane in range(count):
         a, b = rows[first[start + lane]], rows[second[start + lane]]
         for component in (X, Y, U, V):
-            lanes[component, offset + lane] = a[component] - b[component]
-        lanes[4, offset + lane] = a[W] + b[W]
-        lanes[5, offset + lane] = a[W] - b[W]
+            lanes[component, lane] = a[component] - b[component]
+        lanes[4, lane] = a[W] + b[W]
+        lanes[5, lane] = a[W] - b[W]
 
 
-def scatter(rows, first, second, start, force, offset):
-    """Add the force on the first of each pair and its reaction on the second, pair after pair: lanes fx, fy, two torques."""
-    for lane in range(WIDTH):
+def scatter(rows, first, second, start, count, force):
+    """Add fx, fy and the first torque to the first of each pair, take fx, fy and the second torque from the second.
+
+    Pair after pair: the order of the list is the order of the sums.
+    """
+    for lane in range(count):
         a, b = rows[first[start + lane]], rows[second[start + lane]]
-        fx, fy = force[0, offset + lane], force[1, offset + lane]
-        a[FX] += fx
-        a[FY] += fy
-        a[TORQUE] += force[2, offset + lane]
-        b[FX] -= fx
-        b[FY] -= fy
-        b[TORQUE] += force[3, offset + lane]
+        for component, own, others in ((FX, 0, 0), (FY, 1, 1), (TORQUE, 2, 3)):
+            a[component] += force[own, lane]
+            b[component] -= force[others, lane]
 
 
 def _pointer(builder, base, index, vector):
@@ -115,30 +114,34 @@ def _scatter(typing, rows, first, second, start, force, offset):
     def generate(context, builder, signature, args):
         data, one, two, lanes = (_data(context, builder, signature, args, k) for k in (0, 1, 2, 4))
         stride = _stride(context, builder, signature, args)
-        column = [
+        fx, fy, own, others = (
             _load(builder, lanes, builder.add(args[5], builder.mul(stride, ir.Constant(_INDEX, c))), _EIGHT)
             for c in range(4)
-        ]
-        for lane in range(WIDTH):
-            pair = [lane, WIDTH + lane]
-            push = _mix(builder, _mix(builder, column[0], column[1], pair), _mix(builder, column[2], column[3], pair), [0, 1, 2, 3])
-            for indices, torque in ((one, 2), (two, 3)):
+        )
+        nothing = ir.Constant(_EIGHT, [0.0] * WIDTH)  # for the spin that stands before the force in a row
+        for lane, push in enumerate(_transpose(builder, [nothing, fx, fy, own, nothing, fx, fy, others])):
+            for indices, half, add in ((one, [0, 1, 2, 3], builder.fadd), (two, [4, 5, 6, 7], builder.fsub)):
                 place = _plus(builder, _row_of(builder, indices, args[3], lane), W)
-                held = _load(builder, data, place, _FOUR)
-                force_lanes = _mix(builder, push, push, [0, 0, 1, torque])
-                more, less = builder.fadd(held, force_lanes), builder.fsub(held, force_lanes)
-                total = more if indices is one else _mix(builder, less, more, [0, 1, 2, 7])
-                _store(builder, _mix(builder, held, total, [0, 5, 6, 7]), data, place, _FOUR)
+                total = add(_load(builder, data, place, _FOUR), _mix(builder, push, push, half))
+                _store(builder, total, data, place, _FOUR)
         return context.get_dummy_value()
 
     return types.void(rows, first, second, start, force, offset), generate
 
 
 @overload(gather)
-def _gather_overload(rows, first, second, start, lanes, offset):
-    return lambda rows, first, second, start, lanes, offset: _gather(rows, first, second, start, lanes, offset)
+def _gather_overload(rows, first, second, start, count, lanes):
+    def eight_at_a_time(rows, first, second, start, count, lanes):
+        for k in range(0, count, WIDTH):
+            _gather(rows, first, second, start + k, lanes, k)
+
+    return eight_at_a_time
 
 
 @overload(scatter)
-def _scatter_overload(rows, first, second, start, force, offset):
-    return lambda rows, first, second, start, force, offset: _scatter(rows, first, second, start, force, offset)
+def _scatter_overload(rows, first, second, start, count, force):
+    def eight_at_a_time(rows, first, second, start, count, force):
+        for k in range(0, count, WIDTH):
+            _scatter(rows, first, second, start + k, force, k)
+
+    return eight_at_a_time

@@ -58,10 +58,10 @@ def recall(contacts, place, key, memory, kept, at):
 
 
 @njit(**OPTIONS)
-def pad(contacts, fill, dummy):
+def pad(contacts, fill, first, second):
     """Fill up to a multiple of the lane width with pairs that never touch, so that a block is whole vectors."""
     while fill % WIDTH:
-        contacts.first[fill], contacts.second[fill] = dummy, dummy + 1
+        contacts.first[fill], contacts.second[fill] = first, second
         if contacts.stored.size:
             contacts.stored[fill] = 0.0
         if contacts.rolled.size:
@@ -163,7 +163,7 @@ def list_pairs(discs, contacts, memory, blocks, scratch, n, lo, hi, base):
     fill, at = 0, 0
     for i in range(lo, hi):
         if (i - lo) % BLOCK == 0:
-            fill = pad(contacts, fill, dummy)
+            fill = pad(contacts, fill, dummy, dummy + 1)
             contacts.begin[(i - lo) // BLOCK] = fill
         count = near_discs(discs.rows, discs.radius, blocks.skin, i, lo, grid, scratch)
         if fill + count > room or count == scratch.found.size:
@@ -177,10 +177,10 @@ def list_pairs(discs, contacts, memory, blocks, scratch, n, lo, hi, base):
             at = recall(contacts, fill, (np.int64(i) << SHIFT) | j, memory, kept, at)
             fill += 1
     last = (hi - lo + BLOCK - 1) // BLOCK
-    fill = pad(contacts, fill, dummy)
+    fill = pad(contacts, fill, dummy, dummy + 1)
     contacts.begin[last] = fill
     fill = list_crossing(discs, contacts, memory, scratch, fill, base)
-    contacts.begin[last + 1] = pad(contacts, fill, dummy)
+    contacts.begin[last + 1] = pad(contacts, fill, dummy, dummy + 1)
     return fill >= 0
 
 
@@ -205,25 +205,26 @@ def list_crossing(discs, contacts, memory, scratch, fill, base):
 
 
 @njit(**OPTIONS)
-def list_walls(discs, near, memory, walls, blocks, scratch, lo, hi):
+def list_walls(discs, near, memory, walls, blocks, scratch, lo, hi, dummy):
     """List the discs lo to hi near each live wall, in the order (disc, wall); False if room is short."""
     fill, at, kept = 0, 0, scratch.count[KEPT_WALLS]
     for i in range(lo, hi):
         if (i - lo) % BLOCK == 0:
+            fill = pad(near, fill, dummy, 0)
             near.begin[(i - lo) // BLOCK] = fill
         reach = discs.radius[i if discs.radius.size > 1 else 0] + blocks.skin[i // BLOCK]
         for q in range(walls.live.size):
             dx, dy, _ = nearest(walls.shape, q, discs.rows[i, X], discs.rows[i, Y])
             if not walls.live[q] or dx * dx + dy * dy >= reach * reach:
                 continue
-            if fill == near.first.size:
+            if fill >= near.first.size - WIDTH:
                 return False
             near.first[fill], near.second[fill] = i, q
             if near.arm.size > 1:
                 near.arm[fill], near.mass[fill] = discs.radius[i], discs.mass[i]
             at = recall(near, fill, (np.int64(i) << SHIFT) | q, memory, kept, at)
             fill += 1
-    near.begin[(hi - lo + BLOCK - 1) // BLOCK] = fill
+    near.begin[(hi - lo + BLOCK - 1) // BLOCK] = pad(near, fill, dummy, 0)
     return True
 
 
