@@ -226,7 +226,8 @@ def copy_ghosts(rows, scratch, base):
 def kernel(pieces: Pieces):
     """The compiled stepper of a scene made of these pieces.
 
-    It steps from clock[0] to `stop` and leaves early when a list needs room or a disc runs away (said[part], clock[1]).
+    It steps from clock[0] to `stop` and returns with lists that hold; it leaves early, with a word in said[part], when a
+    list needs room or a disc runs away (its number then is in clock[2 + part]).
     """
     sweep = sweep_pass(pieces)
     shaken, watched = pieces.shaken, pieces.watched
@@ -238,7 +239,7 @@ def kernel(pieces: Pieces):
     ):  # fmt: skip
         step = clock[0]
         gx, gy = gravity
-        while step < stop:
+        while True:
             if worst(said) != FRESH:
                 meet(gate, parties)
                 if said[part] == FRESH:
@@ -250,6 +251,8 @@ def kernel(pieces: Pieces):
                 meet(gate, parties)
                 if worst(said) != FRESH:
                     break
+            if step >= stop:
+                break
             copy_ghosts(discs.rows, scratch, base)
             meet(gate, parties)
             if shaken:

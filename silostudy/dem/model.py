@@ -42,7 +42,7 @@ class Contact:
     coefficients: dict[str, float] = field(default_factory=dict)
 
     def __post_init__(self):
-        needed = {name for row in self._rows for name in row.coefficients}
+        needed = {name for row in self.rows for name in row.coefficients}
         for name in sorted(needed ^ self.coefficients.keys()):
             state = "missing" if name in needed else "unknown"
             raise BadInput(name, self.coefficients.get(name), f"{state}; these laws take {', '.join(sorted(needed))}")
@@ -51,14 +51,14 @@ class Contact:
                 raise BadInput(name, value, "must be positive" if "stiffness" in name else "must be zero or more")
 
     @property
-    def _rows(self):
+    def rows(self):
         laws = self.laws
         return NORMAL[laws.normal], TANGENTIAL[laws.tangential], ROLLING[laws.rolling], COHESION[laws.cohesion]
 
     @property
     def ordered(self) -> tuple[tuple[float, ...], ...]:
         """Coefficients of the four laws in the order that their functions take."""
-        return tuple(tuple(float(self.coefficients[name]) for name in row.coefficients) for row in self._rows)
+        return tuple(tuple(float(self.coefficients[name]) for name in row.coefficients) for row in self.rows)
 
 
 @dataclass(frozen=True, eq=False)
