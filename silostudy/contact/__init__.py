@@ -9,9 +9,10 @@ from silostudy.contact import cohesion, line, linear, none, rolling, sliding
 
 @dataclass(frozen=True, kw_only=True)
 class Law(Row):
-    """A contact law: its function, the coefficients it takes in order, and whether it carries a history."""
+    """A contact law: its function, the coefficients it takes in order, whether it carries a history; a normal law's energy."""
 
     law: Callable
+    energy: Callable | None = None
     coefficients: tuple[str, ...] = ()
     stores: bool = False
 
@@ -29,6 +30,7 @@ NORMAL: Family[Law] = Family(
             source=KIYAMA,
             locator="eqs. (6)-(9)",
             law=linear.cut,
+            energy=linear.energy,
             coefficients=_SPRING,
         ),
         Law(
@@ -37,6 +39,7 @@ NORMAL: Family[Law] = Family(
             source=KIYAMA,
             locator="eqs. (6)-(9) without the cut of the sum",
             law=linear.pulling,
+            energy=linear.energy,
             coefficients=_SPRING,
         ),
         Law(
@@ -45,6 +48,7 @@ NORMAL: Family[Law] = Family(
             source=KIYAMA,
             locator="eqs. (6)-(9), dashpot at the new speed",
             law=linear.implicit,
+            energy=linear.energy,
             coefficients=_SPRING,
         ),
         Law(
@@ -53,6 +57,7 @@ NORMAL: Family[Law] = Family(
             source=KIYAMA,
             locator="eqs. (22a), (22b)",
             law=line.law,
+            energy=line.energy,
             coefficients=("line_compliance", "line_bracket", "normal_damping", "normal_damping_root"),
         ),
     ],

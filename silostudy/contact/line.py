@@ -64,3 +64,10 @@ def law(overlap, closing, mass, dt, c):
     elastic = load_of(overlap, c[0], c[1])
     total = elastic + (c[2] + c[3] * sqrt(mass)) * closing
     return elastic, (total if total > 0.0 else 0.0)
+
+
+@register_jitable
+def energy(overlap, c):
+    """Energy (J/m) of the line contact at an overlap (m): the integral of q over A q (B - ln q); c = (A, B, ...)."""
+    q = load_of(overlap, c[0], c[1])
+    return 0.0 if q == 0.0 else 0.5 * c[0] * q * q * (c[1] - 0.5 - log(q))

@@ -37,3 +37,9 @@ def implicit(overlap, closing, mass, dt, c):
     damping = c[1] + c[2] * sqrt(mass)
     total = (elastic + damping * closing) / (1.0 + damping * dt / mass)
     return elastic, (total if total > 0.0 else 0.0)
+
+
+@register_jitable
+def energy(overlap, c):
+    """Energy (J/m) that a linear spring holds at an overlap (m); c = (stiffness, ...)."""
+    return 0.5 * c[0] * overlap * overlap

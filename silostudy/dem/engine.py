@@ -115,6 +115,29 @@ class Engine:
         """First row of a thread's own room beyond the discs: for its ghosts, and for the pair that pads its lists."""
         return self.most + part.number * (part.ghost_room + 2)
 
+    def blocks_of(self, part: Part) -> int:
+        """Number of blocks of a thread's discs."""
+        lo, hi = self.bounds(part.number)
+        return -(-(hi - lo) // BLOCK)
+
+    def true_number(self, part: Part, listed: np.ndarray) -> np.ndarray:
+        """The engine's numbers of discs in a thread's list, whose ghosts stand elsewhere."""
+        base = self.base(part)
+        ghosts = np.append(part.scratch.ghost, [0, 0])  # the padding pair counts as disc 0; it never touches
+        return np.where(listed < base, listed, ghosts[np.maximum(listed - base, 0)])
+
+    @property
+    def radius(self) -> np.ndarray:
+        """Radius (m) of every disc that is left, in the engine's own order."""
+        return np.broadcast_to(self.discs.radius[: self.n], self.n)
+
+    @property
+    def places(self) -> np.ndarray:
+        """x, y (m) of every disc by its label; NaN for those that were dropped."""
+        places = np.full((self.most, 2), np.nan)
+        places[self.labels] = self.discs.rows[: self.n, [X, Y]]
+        return places
+
     def step_to(self, stop: int) -> None:
         """Step until `stop` steps have been made since the start; raises Explosion where a disc runs away."""
         while True:
@@ -169,9 +192,8 @@ class Engine:
     def take_memories(self) -> tuple[Memory, Memory]:
         """Histories of all touching pairs and wall contacts, sorted by key; the engine goes on with them."""
         for part in self.parts:
-            lo, hi = self.bounds(part.number)
             if self.said[part.number] in (FRESH, STALE, EXPLODED):
-                harvest(part.pairs, part.near, *part.memories, part.scratch, -(-(hi - lo) // BLOCK), self.base(part))
+                harvest(part.pairs, part.near, *part.memories, part.scratch, self.blocks_of(part), self.base(part))
                 self.said[part.number] = REMEMBERED
         return self._joined(0, KEPT_PAIRS), self._joined(1, KEPT_WALLS)
 

@@ -1,0 +1,110 @@
+"""Snapshots: the contacts of this instant with their forces, read without disturbing the run."""
+
+from dataclasses import dataclass
+from functools import lru_cache
+
+import numpy as np
+from numba import njit
+
+from silostudy.dem.arrays import LANES, aligned
+from silostudy.dem.cells import OPTIONS
+from silostudy.dem.force import force_pass
+from silostudy.dem.kernel import Laws
+from silostudy.dem.lanes import X, Y, gather
+from silostudy.dem.walls import gather_walls, nearest
+
+
+@dataclass(frozen=True)
+class Contacts:
+    """Touching contacts: labels of the discs (the second may be a wall), place (m), force on the first disc (N/m)."""
+
+    first: np.ndarray
+    second: np.ndarray
+    x: np.ndarray
+    y: np.ndarray
+    fx: np.ndarray
+    fy: np.ndarray
+
+
+@lru_cache(maxsize=None)
+def reader(laws: Laws, unequal: bool, flat: bool):
+    """Compiled function that computes the forces of a list without changing its histories."""
+    forces = force_pass(laws.functions, unequal=unequal, slides=laws.slides, rolls=laws.rolls, flat=flat)
+
+    @njit(**OPTIONS)
+    def read(rows, contacts, shape, count, lanes, out, stored, rolled, dt, c):
+        size = lanes.shape[1]
+        for start in range(0, count, size):
+            many = min(size, count - start)
+            if flat:
+                gather_walls(rows, shape, contacts.first, contacts.second, start, many, lanes)
+            else:
+                gather(rows, contacts.first, contacts.second, start, many, lanes)
+            arm = contacts.arm[start:] if unequal else contacts.arm
+            other = contacts.other[start:] if unequal else contacts.other
+            mass = contacts.mass[start:] if unequal else contacts.mass
+            forces(lanes, out[:, start:], stored[start:], rolled[start:], arm, other, mass, many, dt, c)
+
+    return read
+
+
+def _forces(engine, part, laws, contacts, count, flat, c):
+    out = np.zeros((4, count))
+    lanes = aligned(6, LANES)
+    read = reader(laws, engine.model.unequal, flat)
+    stored, rolled = contacts.stored[:count].copy(), contacts.rolled[:count].copy()
+    read(engine.discs.rows, contacts, engine.walls.shape, count, lanes, out, stored, rolled, engine.model.dt, c)
+    return out
+
+
+def pair_contacts(engine) -> Contacts:
+    """Every touching pair once, in the order of the engine's own numbers, first before second."""
+    columns = []
+    for part in engine.parts:
+        last = engine.blocks_of(part)
+        count = int(part.pairs.begin[last + 1])
+        out = _forces(engine, part, engine.model.pair.laws, part.pairs, count, False, engine.contacts[0].ordered)
+        lo, _ = engine.bounds(part.number)
+        first, second = (engine.true_number(part, column[:count]) for column in part.pairs[:2])
+        touching = ((out[0] != 0.0) | (out[1] != 0.0)) & (first >= lo)
+        columns.append(np.vstack([first, second, out[:2]])[:, touching])
+    first, second, fx, fy = np.hstack(columns)
+    i, j = first.astype(int), second.astype(int)
+    place, radius = engine.discs.rows[:, [X, Y]], engine.radius
+    share = (radius[i] / (radius[i] + radius[j]))[:, None]
+    x, y = (place[i] + (place[j] - place[i]) * share).T
+    return Contacts(engine.labels[i], engine.labels[j], x, y, fx, fy)
+
+
+def wall_contacts(engine) -> Contacts:
+    """Every disc that touches a wall, with the number of the wall."""
+    columns = []
+    for part in engine.parts:
+        count = int(part.near.begin[engine.blocks_of(part)])
+        out = _forces(engine, part, engine.model.wall.laws, part.near, count, True, engine.contacts[1].ordered)
+        touching = (out[0] != 0.0) | (out[1] != 0.0)
+        columns.append(np.vstack([part.near.first[:count], part.near.second[:count], out[:2]])[:, touching])
+    first, second, fx, fy = np.hstack(columns)
+    i, q = first.astype(int), second.astype(int)
+    place = engine.discs.rows[i][:, [X, Y]]
+    away = np.array([nearest(engine.walls.shape, wall, *xy)[:2] for wall, xy in zip(q, place, strict=True)])
+    x, y = (place - away.reshape(-1, 2)).T
+    return Contacts(engine.labels[i], q, x, y, fx, fy)
+
+
+def stress(engine, edges_x: np.ndarray, edges_y: np.ndarray) -> np.ndarray:
+    """Coarse-grained stress (ny, nx, 2, 2) in Pa, compression positive: sum of branch times force over each cell's area.
+
+    Love-Weber average over the contacts whose place lies in the cell; wall contacts count with the disc's radius.
+    """
+    pairs, walls = pair_contacts(engine), wall_contacts(engine)
+    place = engine.places
+    branch = np.vstack([place[pairs.first] - place[pairs.second], place[walls.first] - np.c_[walls.x, walls.y]])
+    force = np.vstack([np.c_[pairs.fx, pairs.fy], np.c_[walls.fx, walls.fy]])
+    x, y = np.r_[pairs.x, walls.x], np.r_[pairs.y, walls.y]
+    area = np.diff(edges_y)[:, None] * np.diff(edges_x)[None, :]
+    total = np.empty((len(edges_y) - 1, len(edges_x) - 1, 2, 2))
+    for a in range(2):
+        for b in range(2):
+            total[:, :, a, b] = np.histogram2d(y, x, [edges_y, edges_x], weights=branch[:, a] * force[:, b])[0] / area
+    return total

@@ -1,0 +1,13 @@
+"""Discs whose places are known: from an earlier run, or from another program."""
+
+import numpy as np
+
+from silostudy.errors import BadInput
+
+
+def place(*, x, y, radius):
+    """x, y and radius (m) as given, a radius for each disc or one for all.  Raises BadInput where the lengths differ."""
+    x, y = np.asarray(x, float), np.asarray(y, float)
+    if x.shape != y.shape or x.ndim != 1:
+        raise BadInput("x", x.shape, f"x and y must be two rows of equal length, y has {y.shape}")
+    return x, y, np.broadcast_to(np.asarray(radius, float), x.shape).copy()
