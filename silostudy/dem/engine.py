@@ -132,6 +132,11 @@ class Engine:
         return np.broadcast_to(self.discs.radius[: self.n], self.n)
 
     @property
+    def mass(self) -> np.ndarray:
+        """Mass (kg/m) of every disc that is left, in the engine's own order."""
+        return np.broadcast_to(self.discs.mass[: self.n], self.n)
+
+    @property
     def places(self) -> np.ndarray:
         """x, y (m) of every disc by its label; NaN for those that were dropped."""
         places = np.full((self.most, 2), np.nan)
