@@ -10,6 +10,7 @@ from silostudy.dem.arrays import BLOCK, Blocks, Discs, Memory, Record, Walls, al
 from silostudy.dem.integrate import INTEGRATORS
 from silostudy.dem.kernel import EXPLODED, FRESH, REMEMBERED, SHORT_OF_ROOM, STALE, kernel
 from silostudy.dem.lanes import U, V, W, X, Y
+from silostudy.dem.ledger import Ledger, empty
 from silostudy.dem.model import Contact, Model
 from silostudy.dem.neighbours import KEPT_PAIRS, KEPT_WALLS, SHIFT, harvest
 from silostudy.dem.part import Part
@@ -59,8 +60,17 @@ class Engine:
         self.gate = np.zeros(2, np.int64)
         self.parts = [Part(self, number) for number in range(threads)]
         self.record = self._record()
+        self.ledger = self._ledger()
         self._pool = ThreadPoolExecutor(threads) if threads > 1 else None
         self._kernel = kernel(model.pieces)
+
+    def _ledger(self) -> Ledger:
+        if not self.model.booked:
+            return empty(self.discs.rows, 0, 0)
+        if self.threads > 1:
+            raise BadInput("threads", self.threads, "the energy ledger sums in one order: use 1 thread")
+        fresh = empty(self.discs.rows, self.parts[0].room, self.parts[0].wall_room)
+        return fresh._replace(account=self.ledger.account) if hasattr(self, "ledger") else fresh
 
     def _discs(self, label: np.ndarray) -> Discs:
         model, unequal = self.model, self.model.unequal
@@ -158,6 +168,7 @@ class Engine:
             self._widen_record()
 
     def _widen_record(self) -> None:
+        self.ledger = self._ledger()
         room = max(part.wall_room for part in self.parts)
         if room > self.record.force.shape[1]:
             self.record = self.record._replace(
@@ -181,7 +192,7 @@ class Engine:
         limits = (float(self.model.radius.min()), self.skin)
         laws = tuple(contact.ordered for contact in self.contacts)
         return (
-            self.discs, part.pairs, part.near, part.memories, self.walls, self.blocks, part.scratch, laws, self.record,
+            self.discs, part.pairs, part.near, part.memories, self.walls, self.blocks, part.scratch, laws, self.record, self.ledger,
             quake, self.clock, self.said, self.gate, part.number, self.threads, self.n, lo, hi, base, stop,
             self.gravity, self.model.dt, limits,
         )  # fmt: skip
@@ -266,6 +277,7 @@ class Engine:
             "live": self.walls.live.copy(),
             "gravity": np.array(self.gravity),
             "window": self.record.window.copy(),
+            "account": self.ledger.account.copy(),
             "coefficients": np.array([value for contact in self.contacts for law in contact.ordered for value in law]),
         }
 
@@ -278,6 +290,7 @@ class Engine:
         self.discs.held[: self.n] = saved["held"]
         self.walls.live[:] = saved["live"]
         self.record.window[:] = saved["window"]
+        self.ledger.account[:] = saved["account"]
         self.gravity = tuple(float(value) for value in saved["gravity"])
         self.contacts = self._contacts_from(list(saved["coefficients"]))
         memories = [Memory(*(saved[f"{kind}_{name}"] for name in Memory._fields)) for kind in ("pair", "wall")]

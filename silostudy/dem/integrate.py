@@ -15,6 +15,7 @@ class Integrator(Row):
     advance: Callable
     holds: bool  # whether it keeps a velocity apart from the rate that the forces see
     order: int  # of the error on a smooth force without damping
+    half_start: bool = False  # the first kick is half a step
 
 
 @register_jitable
@@ -77,6 +78,7 @@ INTEGRATORS: Family[Integrator] = Family(
             advance=verlet,
             holds=True,
             order=2,
+            half_start=True,
         ),
     ],
 )

@@ -1,4 +1,8 @@
-"""The kernel: one compiled function that steps a scene, built from exactly the pieces that the scene calls for."""
+"""The kernel: one compiled function that steps a scene, built from exactly the pieces that the scene calls for.
+
+Its parts close over plain functions only (register_jitable): numba names a kept kernel by the bytes of what it closes
+over, and a compiled function in there would have other bytes in every process, so that nothing would be found again.
+"""
 
 from dataclasses import dataclass
 from functools import lru_cache
@@ -13,6 +17,7 @@ from silostudy.dem.arrays import BLOCK, LANES
 from silostudy.dem.cells import OPTIONS
 from silostudy.dem.force import force_pass
 from silostudy.dem.integrate import INTEGRATORS
+from silostudy.dem.ledger import book_pass, keep_histories
 from silostudy.dem.lanes import FX, FY, TORQUE, U, V, W, X, Y, gather, scatter
 from silostudy.dem.neighbours import GHOSTS, allow, harvest, list_pairs, list_walls
 from silostudy.dem.threads import meet
@@ -62,6 +67,7 @@ class Pieces:
     unequal: bool = False  # discs of several sizes
     shaken: bool = False  # the box is accelerated
     watched: bool = False  # wall forces are recorded every step
+    booked: bool = False  # the energy ledger is kept
 
     @property
     def turns(self) -> bool:
@@ -155,26 +161,45 @@ def sweep_pass(pieces: Pieces):
     pairs_between = pair_pass(pieces.pair, pieces.unequal)
     walls_between = wall_pass(pieces.wall, pieces.unequal, pieces.watched)
     move = move_pass(pieces.integrator, pieces.unequal, pieces.turns)
+    booked, book = pieces.booked, book_pass(pieces)
 
     @register_jitable
-    def sweep(discs, pairs, near, walls, blocks, scratch, laws, record, part, lo, hi, gx, gy, kick, dt):
-        last = (hi - lo + BLOCK - 1) // BLOCK
-        stale = FRESH
+    def block_forces(discs, pairs, near, walls, scratch, laws, record, part, b, dt):
+        pairs_between(discs.rows, pairs, pairs.begin[b], pairs.begin[b + 1], scratch, dt, laws[0])
+        begin, end = near.begin[b], near.begin[b + 1]
+        walls_between(discs.rows, near, walls, begin, end, scratch, dt, laws[1], record, part)
+
+    @register_jitable
+    def block_moves(discs, blocks, scratch, block, hi, gx, gy, kick, dt):
+        start = block * BLOCK
+        way = move(discs, start, min(start + BLOCK, hi), gx, gy, kick, dt, scratch.motion, scratch.motion_bits)
+        blocks.peak[block] = way
+        blocks.travel[block] += way
+        return FRESH if blocks.travel[block] <= blocks.skin[block] else STALE
+
+    @register_jitable
+    def forces_and_book(discs, pairs, near, walls, scratch, laws, record, ledger, part, n, last, g, gravity, kick, dt):
+        keep_histories(pairs, pairs.begin[last], ledger.pair_stored, ledger.pair_rolled)
+        keep_histories(near, near.begin[last], ledger.wall_stored, ledger.wall_rolled)
+        for b in range(last):
+            block_forces(discs, pairs, near, walls, scratch, laws, record, part, b, dt)
+        book(discs, pairs, near, walls, scratch, ledger, laws, n, last, g[0], g[1], gravity, kick, dt)
+
+    @register_jitable
+    def sweep(
+        discs, pairs, near, walls, blocks, scratch, laws, record, ledger, part, lo, hi, gx, gy, gravity, kick, dt
+    ):  # fmt: skip
+        last, stale = (hi - lo + BLOCK - 1) // BLOCK, FRESH
+        if booked:
+            g = (gx, gy)
+            forces_and_book(
+                discs, pairs, near, walls, scratch, laws, record, ledger, part, hi, last, g, gravity, kick, dt
+            )
         pairs_between(discs.rows, pairs, pairs.begin[last], pairs.begin[last + 1], scratch, dt, laws[0])
         for b in range(last):
-            pairs_between(discs.rows, pairs, pairs.begin[b], pairs.begin[b + 1], scratch, dt, laws[0])
-            walls_between(
-                discs.rows, near, walls, near.begin[b], near.begin[b + 1], scratch, dt, laws[1], record, part
-            )
-            start = lo + b * BLOCK
-            way = move(
-                discs, start, min(start + BLOCK, hi), gx, gy, kick, dt, scratch.motion, scratch.motion_bits
-            )
-            block = start // BLOCK
-            blocks.peak[block] = way
-            blocks.travel[block] += way
-            if not blocks.travel[block] <= blocks.skin[block]:
-                stale = STALE
+            if not booked:
+                block_forces(discs, pairs, near, walls, scratch, laws, record, part, b, dt)
+            stale = max(stale, block_moves(discs, blocks, scratch, lo // BLOCK + b, hi, gx, gy, kick, dt))
         record.count[part] = near.begin[last]
         return stale
 
@@ -231,10 +256,11 @@ def kernel(pieces: Pieces):
     """
     sweep = sweep_pass(pieces)
     shaken, watched = pieces.shaken, pieces.watched
+    half_start = INTEGRATORS[pieces.integrator].half_start
 
     @njit(_nrt=False, **OPTIONS)
     def run(
-        discs, pairs, near, memories, walls, blocks, scratch, laws, record, quake,
+        discs, pairs, near, memories, walls, blocks, scratch, laws, record, ledger, quake,
         clock, said, gate, part, parties, n, lo, hi, base, stop, gravity, dt, limits,
     ):  # fmt: skip
         step = clock[0]
@@ -259,8 +285,8 @@ def kernel(pieces: Pieces):
                 at = min(step, quake.shape[0] - 1)
                 gx, gy = gravity[0] - quake[at, 0], gravity[1] - quake[at, 1]
             word = sweep(
-                discs, pairs, near, walls, blocks, scratch, laws, record,
-                part, lo, hi, gx, gy, 0.5 * dt if step == 0 else dt, dt,
+                discs, pairs, near, walls, blocks, scratch, laws, record, ledger,
+                part, lo, hi, gx, gy, gravity, 0.5 * dt if half_start and step == 0 else dt, dt,
             )  # fmt: skip
             step += 1
             if word == STALE:

@@ -77,6 +77,7 @@ class Model:
     integrator: str = "17-18"
     quake: np.ndarray | None = None
     watched: bool = False
+    booked: bool = False
     u: np.ndarray | None = None
     v: np.ndarray | None = None
     w: np.ndarray | None = None
@@ -120,4 +121,5 @@ class Model:
             unequal=self.unequal,
             shaken=self.quake is not None,
             watched=self.watched,
+            booked=self.booked,
         )

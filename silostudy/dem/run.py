@@ -8,6 +8,7 @@ import numpy as np
 
 from silostudy.dem.engine import Engine, Explosion
 from silostudy.dem.lanes import U, V, W, Y
+from silostudy.dem.ledger import carry_out
 from silostudy.dem.snapshot import pair_contacts, wall_contacts
 from silostudy.errors import BadInput
 
@@ -172,6 +173,7 @@ class Run:
 
     def _take_out(self, kept: np.ndarray) -> None:
         self.dropped += float(self.engine.mass[~kept].sum())
+        carry_out(self.engine, ~kept)
         self.engine.keep(kept)
         self.recording.discharge_time.append(self.engine.time)
         self.recording.discharged.append(self.dropped)

@@ -51,7 +51,7 @@ def scatter_walls(rows, disc, start, count, force):
         rows[i, TORQUE] += force[2, k]
 
 
-@njit(**OPTIONS)
+@register_jitable
 def note_walls(rows, walls, near, start, count, force, record, part):
     """Note each wall contact's force: along the inner normal (pressing positive), along the wall (carrying positive)."""
     for k in range(count):

@@ -1,0 +1,171 @@
+"""The compiled step: its Python twin, effects that are neutral, orders of convergence, the cache."""
+
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+
+from silostudy.dem.engine import Engine
+from silostudy.dem.integrate import INTEGRATORS
+from silostudy.dem.kernel import Laws
+from silostudy.dem.lanes import U, X
+from silostudy.dem.model import Contact, Wall
+from silostudy.errors import BadInput
+
+from .scenes import DENSITY, RADIUS, SLIDING, STIFFNESS, contact, free, rows, silo
+
+
+FREQUENCY = np.sqrt(2.0 * STIFFNESS / (DENSITY * np.pi * RADIUS**2))  # of two equal discs in contact, 1/s
+
+
+def five_grains(**changes):
+    x, y = np.array([0.011, 0.0305, 0.021, 0.0112, 0.031]), np.array([0.0099, 0.0101, 0.0270, 0.0441, 0.0445])
+    walls = (Wall("floor", (0.0, 0.0), (0.05, 0.0), cells=3), Wall("left", (0.0, 0.1), (0.0, 0.0), cells=3))
+    settings = {"walls": walls, "gravity": (0.5, -9.81), "dt": 2.5e-5, "watched": True, "u": [0.3, -0.2, 0.1, 0.0, 0.0]}
+    return free(x, y, **(settings | changes))
+
+
+def test_python_twin_of_the_step():
+    compiled, plain = Engine(five_grains()), Engine(five_grains())
+    plain._kernel = plain._kernel.py_func
+    for engine in (compiled, plain):
+        engine.step_to(300)
+    assert np.array_equal(rows(compiled), rows(plain))
+    assert np.array_equal(compiled.record.window, plain.record.window)
+    assert compiled.record.window[:, 0, 2].max() > 0.0
+
+
+def test_the_list_gives_what_all_pairs_give():
+    """A list that always holds every pair, and one that the engine chooses, step alike."""
+    wide, chosen = Engine(silo(), skin=1.99 * RADIUS), Engine(silo())
+    for engine in (wide, chosen):
+        engine.step_to(3000)
+    assert np.array_equal(rows(wide), rows(chosen))
+    count = [engine.parts[0].pairs.begin[engine.blocks_of(engine.parts[0])] for engine in (wide, chosen)]
+    assert count[0] > 2 * count[1]
+
+
+NEUTRAL = {
+    "friction": dict(pair=contact(laws=Laws()), wall=contact(2.0, laws=Laws())),
+    "rolling": dict(
+        pair=contact(
+            laws=Laws(tangential="spring-slider", rolling="spring-slider"), rolling_stiffness=1.0, rolling_friction=0.0
+        )
+    ),
+    "cohesion": dict(pair=contact(laws=Laws(tangential="spring-slider", cohesion="constant-pull"), pull=0.0)),
+    "shaking": dict(quake=np.zeros((10, 2))),
+    "observers": dict(watched=False),
+}
+
+
+@pytest.mark.parametrize("effect", ["rolling", "cohesion", "shaking", "observers"])
+def test_an_effect_with_neutral_parameters_changes_no_bit(effect):
+    without, neutral = Engine(silo()), Engine(silo(**NEUTRAL[effect]))
+    for engine in (without, neutral):
+        engine.step_to(1500)
+    assert np.array_equal(rows(without), rows(neutral))
+
+
+def test_friction_of_zero_is_no_friction():
+    without = Engine(silo(**NEUTRAL["friction"]))
+    slippery = {"tangential_damping": 0.0}
+    neutral = Engine(silo(pair=contact(friction=0.0, **slippery), wall=contact(2.0, 0.0, **slippery)))
+    for engine in (without, neutral):
+        engine.step_to(1500)
+    assert np.array_equal(rows(without), rows(neutral))
+    assert without.parts[0].pairs.stored.size == 0  # no history where nothing slides
+
+
+def test_unequal_discs_of_equal_size_change_no_bit():
+    """A radius array all of one value gives the bits of the single radius."""
+    from dataclasses import replace
+
+    model = silo()
+    equal = Engine(model)
+    each = Engine(model)
+    each.model = type("Unequal", (type(model),), {"unequal": True})(**vars(model))
+    each.__init__(each.model)
+    assert replace(equal.model.pieces, unequal=True) == each.model.pieces
+    for engine in (equal, each):
+        engine.step_to(1500)
+    assert np.array_equal(rows(equal), rows(each))
+
+
+@pytest.mark.parametrize("integrator", INTEGRATORS)
+def test_order_of_convergence(integrator):
+    """Of a two-disc impact while the contact lasts: errors against a far finer step, halving the step."""
+
+    def end(dt):
+        model = free([0.0, 1.99 * RADIUS], [0.0, 0.0], u=[0.1, -0.1], pair=contact(damping=0.0), dt=dt, integrator=integrator)
+        engine = Engine(model)
+        engine.step_to(round(4e-4 / dt))
+        return rows(engine)[1, [X, U]] * [FREQUENCY, 1.0]
+
+    exact = end(1e-6 / 32)
+    errors = np.array([np.hypot(*(end(dt) - exact)) for dt in (4e-6, 2e-6, 1e-6)])
+    orders = np.log2(errors[:-1] / errors[1:])
+    assert orders == pytest.approx(INTEGRATORS[integrator].order, abs=0.2)
+
+
+def test_the_compiled_kernel_is_found_again_by_another_process():
+    code = (
+        "from tests.test_dem.scenes import silo; from silostudy.dem.engine import Engine;"
+        "engine = Engine(silo()); engine.step_to(3); stats = engine._kernel.stats;"
+        "print(sum(stats.cache_hits.values()), sum(stats.cache_misses.values()))"
+    )
+    outcomes = [subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True) for _ in "ab"]
+    assert outcomes[1].stdout.split() == ["1", "0"]
+
+
+def test_a_new_scene_of_the_same_pieces_compiles_nothing():
+    first = Engine(silo())
+    first.step_to(2)
+    compiled = len(first._kernel.signatures)
+    other = Engine(silo(across=9))
+    other.step_to(2)
+    assert other._kernel is first._kernel
+    assert len(other._kernel.signatures) == compiled
+
+
+def test_explosion_stops_with_disc_time_and_cause():
+    from silostudy.dem.engine import Explosion
+
+    engine = Engine(silo(dt=4e-4))
+    with pytest.raises(Explosion, match=r"disc \d+ ran away at t = .* time step") as caught:
+        engine.step_to(5000)
+    assert caught.value.step == engine.step < 5000
+    moved = np.hypot(*engine.discs.rows[: engine.n, [U, U + 1]].T) * 4e-4
+    assert moved.max() > RADIUS
+
+
+BAD = {
+    "zero radius": dict(radius=0.0),
+    "negative radius": dict(radius=-1.0),
+    "NaN in x": dict(x=np.full(5, np.nan)),
+    "zero density": dict(density=0.0),
+    "zero step": dict(dt=0.0),
+    "NaN step": dict(dt=np.nan),
+    "integrator": dict(integrator="17-20"),
+}
+
+
+@pytest.mark.parametrize("case", BAD)
+def test_bad_models(case):
+    (field,) = BAD[case]
+    with pytest.raises(BadInput) as caught:
+        five_grains(**BAD[case]) if field != "x" else free(BAD[case]["x"], np.zeros(5))
+    assert caught.value.field == field
+
+
+def test_bad_coefficients():
+    with pytest.raises(BadInput, match="normal_stiffness = 0.0"):
+        Contact(SLIDING, {**contact().coefficients, "normal_stiffness": 0.0})
+    with pytest.raises(BadInput, match="unknown.*these laws take"):
+        contact(bounce=1.0)
+    with pytest.raises(BadInput, match="sliding_friction = nan"):
+        contact(friction=np.nan)
+    with pytest.raises(BadInput, match="unknown; known: none, spring-slider"):
+        Contact(Laws(tangential="glue"), {})
+    with pytest.raises(BadInput, match="length"):
+        Wall("floor", (0.0, 0.0), (0.0, 0.0))

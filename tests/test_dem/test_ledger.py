@@ -1,0 +1,49 @@
+"""The energy ledger closes, and what the finite step creates shrinks with it."""
+
+import numpy as np
+import pytest
+
+from silostudy.dem.engine import Engine
+from silostudy.dem.ledger import CARRIED_OUT, CREATED, DASHPOT, SLIDING, TURNOVER, balance
+from silostudy.dem.run import Event, Run
+
+from .scenes import rows, silo
+
+OPEN = ("floor", "floor_left", "floor_right")
+
+
+def booked(integrator="17-18", dt=2.5e-5, flow=True):
+    engine = Engine(silo(booked=True, integrator=integrator, dt=dt))
+    engine.step_to(1)
+    start = balance(engine.ledger.account)
+    events = (Event("time", 0.02, "open", OPEN), Event("time", 0.3, "stop")) if flow else (Event("time", 0.05, "stop"),)
+    run = Run(engine, events, limit=1.0)
+    run.go()
+    return engine, start, run
+
+
+@pytest.mark.parametrize("integrator", ["17-18", "17-19", "velocity-verlet"])
+def test_the_ledger_closes(integrator):
+    engine, start, run = booked(integrator, dt=1e-5)
+    account = engine.ledger.account
+    assert run.dropped > 0.0
+    assert account[CARRIED_OUT] != 0.0
+    assert account[DASHPOT] > 0.0
+    assert account[SLIDING] > 0.0
+    assert abs(balance(account) - start) < 1e-9 * account[TURNOVER]
+
+
+def test_what_the_step_creates_shrinks_with_it():
+    created = []
+    for dt in (2e-5, 1e-5, 5e-6):
+        engine, _, _ = booked(dt=dt, flow=False)
+        created.append(abs(engine.ledger.account[CREATED]) / engine.ledger.account[TURNOVER])
+    assert created[0] > 1.5 * created[1] > 1.5**2 * created[2]
+    assert created[2] < 1e-2
+
+
+def test_the_ledger_changes_no_bit():
+    plain, kept = Engine(silo()), Engine(silo(booked=True))
+    for engine in (plain, kept):
+        engine.step_to(4000)
+    assert np.array_equal(rows(plain), rows(kept))
