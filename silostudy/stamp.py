@@ -25,6 +25,7 @@ STAGES = {
     "buckling": (*SCENE, "compute", "cube"),
     "shell": (*SCENE, "compute", "cube"),
     "seismic": (*SCENE, "compute", "cube", "seismic"),
+    "dem": (*SCENE, "compute", "cube", "contact", "dem", "packing"),
     "draw": ("catalogue", "errors", "files", "tables", "cube", "figures"),
 }
 

@@ -50,10 +50,15 @@ class Contact:
             if not (isfinite(value) and (value > 0.0 or (value == 0.0 and not name.endswith("normal_stiffness")))):
                 raise BadInput(name, value, "must be positive" if "stiffness" in name else "must be zero or more")
 
+    @staticmethod
+    def families(laws: Laws):
+        """Rows of the four laws."""
+        return NORMAL[laws.normal], TANGENTIAL[laws.tangential], ROLLING[laws.rolling], COHESION[laws.cohesion]
+
     @property
     def rows(self):
-        laws = self.laws
-        return NORMAL[laws.normal], TANGENTIAL[laws.tangential], ROLLING[laws.rolling], COHESION[laws.cohesion]
+        """Rows of this contact's laws."""
+        return self.families(self.laws)
 
     @property
     def ordered(self) -> tuple[tuple[float, ...], ...]:

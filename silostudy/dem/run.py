@@ -8,8 +8,8 @@ import numpy as np
 
 from silostudy.dem.engine import Engine, Explosion
 from silostudy.dem.lanes import U, V, W, Y
-from silostudy.dem.ledger import carry_out
-from silostudy.dem.snapshot import pair_contacts, wall_contacts
+from silostudy.dem.ledger import ENTRIES, carry_out
+from silostudy.dem.snapshot import pair_contacts, stress, wall_contacts
 from silostudy.errors import BadInput
 
 CHECK_EVERY = 100  # steps between looks at rest, discharge and drop-outs: counted from the start, so chunks do not matter
@@ -44,6 +44,7 @@ class Recording:
 
     window_time: list[float] = field(default_factory=list)  # s, end of each window
     window: list[np.ndarray] = field(default_factory=list)  # (cells, 2, 3): mean, least, largest
+    energy: list[np.ndarray] = field(default_factory=list)  # J/m, entries of the ledger, with each window
     discharge_time: list[float] = field(default_factory=list)
     discharged: list[float] = field(default_factory=list)  # kg/m
     snapshots: list[dict[str, np.ndarray]] = field(default_factory=list)
@@ -65,10 +66,12 @@ class Run:
         limit: float,
         window: int = 0,
         snapshots: tuple[int, ...] = (),
+        stress_edges: tuple[np.ndarray, np.ndarray] | None = None,
     ):
         if not events or events[-1].action != "stop":
             raise BadInput("events", [event.action for event in events], "the last event must be a stop")
         self.engine, self.events, self.window, self.snapshots = engine, events, window, snapshots
+        self.stress_edges = stress_edges
         self.recording, self.last = Recording(), round(limit / engine.model.dt)
         self.next_event, self.since, self.dropped = 0, 0, 0.0
         self.full = float(engine.model.mass.sum())
@@ -183,12 +186,25 @@ class Run:
         window[:, :, 0] /= self.window
         self.recording.window_time.append(self.engine.time)
         self.recording.window.append(window)
+        self.recording.energy.append(self.engine.ledger.account[: len(ENTRIES)].copy())
         self.engine.clear_window()
+
+    def checkpoint(self) -> dict:
+        """Everything that going on depends on: the engine's arrays, where the events stand, and what was recorded."""
+        stand = {"next_event": self.next_event, "since": self.since, "dropped": self.dropped}
+        return {"engine": self.engine.checkpoint(), "stand": stand, "recording": self.recording}
+
+    def restore(self, saved: dict) -> None:
+        """Go on from a checkpoint of the same scene."""
+        self.engine.restore(saved["engine"])
+        self.next_event, self.since = saved["stand"]["next_event"], saved["stand"]["since"]
+        self.dropped, self.recording = saved["stand"]["dropped"], saved["recording"]
 
     def snapshot(self) -> dict[str, np.ndarray]:
         """Places, velocities and force chains now."""
         engine = self.engine
-        return {
+        averaged = {} if self.stress_edges is None else {"stress": stress(engine, *self.stress_edges)}
+        return averaged | {
             "time": np.array(engine.time),
             "label": engine.labels.copy(),
             "motion": engine.discs.rows[: engine.n, : W + 1].copy(),

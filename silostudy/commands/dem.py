@@ -1,0 +1,58 @@
+"""`silostudy dem SCENE.yaml`: runs a discrete-element scene, with its progress, into a netCDF file."""
+
+import sys
+from pathlib import Path
+
+
+def add(sub) -> None:
+    command = sub.add_parser("dem", help="run a discrete-element scene into a netCDF file")
+    command.add_argument("scene", type=Path, help="a scene file")
+    command.add_argument("output", type=Path, nargs="?", help="netCDF file to write; default results/dem/SCENE.nc")
+    command.add_argument("--threads", type=int, default=1, help="threads that step the scene together (the bits stay the same)")
+    command.set_defaults(run=run)
+
+
+def run(chosen) -> None:
+    from silostudy.compute.dem import carry_through, cube_of, model_of, run_of
+    from silostudy.cube.io import write
+    from silostudy.errors import BadInput
+    from silostudy.scene.dem import load
+
+    scene = load(chosen.scene)
+    output = chosen.output or Path("results/dem") / f"{chosen.scene.stem}.nc"
+    model = model_of(scene, chosen.scene.parent, str(chosen.scene))
+    task = run_of(scene, model, threads=chosen.threads)
+    checkpoint = output.with_suffix(".checkpoint") if scene.record.checkpoint_every_s else None
+    with progress(task) as tell:
+        carry_through(task, scene, checkpoint, tell)
+    write(cube_of(task, scene), output)
+    if scene.record.paraview:
+        from silostudy.compute.paraview import export
+
+        export(task, output.with_suffix(""))
+    print(f"{scene.title}: {task.engine.step} steps of {model.dt:.3g} s, {task.engine.n} of {len(model.x)} discs left -> {output}")
+    if task.recording.explosion is not None:
+        raise BadInput("march.step_s", model.dt, f"{task.recording.explosion}; what was recorded is in {output}")
+
+
+class progress:
+    """A bar of model time with the rate in particle-steps a second and the time that remains."""
+
+    def __init__(self, task):
+        from tqdm import tqdm
+
+        self.task, self.done = task, 0
+        self.bar = tqdm(
+            total=task.last * len(task.engine.model.x), unit=" particle-steps", unit_scale=True, file=sys.stderr, mininterval=0.5
+        )
+
+    def __enter__(self):
+        return self.tell
+
+    def tell(self, step: int) -> None:
+        self.bar.set_postfix_str(f"t = {self.task.engine.time:.3f} s, {self.task.engine.n} discs", refresh=False)
+        self.bar.update((step - self.done) * len(self.task.engine.model.x))
+        self.done = step
+
+    def __exit__(self, kind, error, trace) -> None:
+        self.bar.close()

@@ -1,0 +1,187 @@
+"""What a user writes to describe one discrete-element scene, in the user's units."""
+
+from typing import Annotated, Literal, Self, TypeAlias
+
+from pydantic import Field, model_validator
+
+from silostudy.config.fields import Strict, described
+from silostudy.contact import COHESION, NORMAL, ROLLING, TANGENTIAL
+from silostudy.contact.line import PRINTED_CONSTANTS
+from silostudy.dem.integrate import INTEGRATORS
+
+NormalKey: TypeAlias = Literal[tuple(NORMAL)]  # type: ignore[valid-type]
+TangentialKey: TypeAlias = Literal[tuple(TANGENTIAL)]  # type: ignore[valid-type]
+RollingKey: TypeAlias = Literal[tuple(ROLLING)]  # type: ignore[valid-type]
+CohesionKey: TypeAlias = Literal[tuple(COHESION)]  # type: ignore[valid-type]
+IntegratorKey: TypeAlias = Literal[tuple(INTEGRATORS)]  # type: ignore[valid-type]
+ConstantKey: TypeAlias = Literal[tuple(PRINTED_CONSTANTS)]  # type: ignore[valid-type]
+
+
+class BoxConfig(Strict):
+    """A plane silo: vertical walls, a flat floor or a hopper, a slit in the middle of the bottom."""
+
+    width_m: float = described("inner width", "m", gt=0)
+    height_m: float = described("height of the vertical walls", "m", gt=0)
+    slit_width_m: float = described("width of the slit; 0: none", "m", ge=0, default=0.0)
+    hopper_half_angle_deg: float | None = described(
+        "half angle of hopper walls from the vertical, down to the slit; null: a flat floor", "deg", gt=0, lt=90, default=None
+    )
+    lid: bool = described("whether a lid closes the top", "", default=False)
+    wall_cells: int = described("parts of each wall whose force is recorded", ge=1, le=10_000, default=10)
+
+    @model_validator(mode="after")
+    def _slit_in_floor(self) -> Self:
+        if self.slit_width_m >= self.width_m:
+            raise ValueError(f"slit_width_m must be smaller than the floor, {self.width_m:g} m")
+        if self.hopper_half_angle_deg is not None and self.slit_width_m == 0:
+            raise ValueError("a hopper needs a slit_width_m: it is the width of its outlet")
+        return self
+
+
+class RowsConfig(Strict):
+    """Rows of s and s - 1 discs in turn."""
+
+    kind: Literal["rows"] = described("rows: s and s - 1 discs in turn", "")
+    across: int = described("s, discs in the lowest row", ge=2)
+    fill_height_m: float = described("height up to which rows are laid", "m", gt=0)
+    gap_m: float = described("gap between neighbours at the start", "m", ge=0)
+    offset_m: float = described("random offset of every disc, each way", "m", ge=0, default=0.0)
+
+
+class LooseConfig(Strict):
+    """Discs of random place, to be rained in."""
+
+    kind: Literal["loose"] = described("loose: discs of random place, without contact", "")
+    count: int = described("number of discs", ge=1, le=10_000_000)
+    radius_spread: float = described("radii lie between radius (1 - spread) and radius (1 + spread)", ge=0, lt=1, default=0.0)
+
+
+class GivenConfig(Strict):
+    """Discs from a netCDF file."""
+
+    kind: Literal["given"] = described("given: places and radii from a netCDF file", "")
+    file: str = described("netCDF file with disc_x, disc_y and disc_radius, relative to the scene file", "")
+
+
+PackingConfig = Annotated[RowsConfig | LooseConfig | GivenConfig, Field(discriminator="kind")]
+
+
+class LineContactConfig(Strict):
+    """The elastic line contact from which a stiffness follows, Kiyama & Fujimura (1983), eqs. (22), (23)."""
+
+    youngs_modulus_Pa: float = described("Young's modulus of the discs", "Pa", gt=0)
+    poissons_ratio: float = described("Poisson's ratio of the discs", gt=-1, le=0.5)
+    load_N_m: float = described("load at which the stiffness is taken", "N m-1", gt=0)
+    constant: ConstantKey = described("constant of eq. (23), 1.5, or of eq. (22a), 2/3", default="1.5")
+
+
+class ContactConfig(Strict):
+    """How two bodies push each other: a law of each family and its coefficients, per metre thickness."""
+
+    normal: NormalKey = described("law of the normal force", "", default="spring-dashpot")
+    tangential: TangentialKey = described("law of the tangential force", "", default="spring-slider")
+    rolling: RollingKey = described("law of rolling resistance", "", default="none")
+    cohesion: CohesionKey = described("law of cohesion", "", default="none")
+    normal_stiffness_N_m2: float | None = described("normal stiffness", "N m-2", gt=0, default=None)
+    line_contact: LineContactConfig | None = described("elastic line contact, in place of normal_stiffness_N_m2", "", default=None)
+    normal_damping_N_s_m2: float | None = described("normal dashpot", "N s m-2", ge=0, default=None)
+    damping_ratio: float | None = described(
+        "normal dashpot over the critical one 2 sqrt(m K) of a disc's mass and stiffness, in place of normal_damping_N_s_m2",
+        ge=0,
+        default=None,
+    )
+    stiffness_ratio: float = described("s, tangential over normal stiffness; dashpots have its root", ge=0, default=0.25)
+    sliding_friction: float = described("friction coefficient", ge=0, default=0.0)
+    rolling_stiffness_N: float = described("rotational stiffness", "N", ge=0, default=0.0)
+    rolling_friction: float = described("rolling friction coefficient", ge=0, default=0.0)
+    pull_N_m: float = described("attraction while in touch", "N m-1", ge=0, default=0.0)
+
+    @model_validator(mode="after")
+    def _one_of_each(self) -> Self:
+        if (self.normal_stiffness_N_m2 is None) == (self.line_contact is None):
+            raise ValueError("give either normal_stiffness_N_m2 or line_contact, and not both")
+        if (self.normal_damping_N_s_m2 is None) == (self.damping_ratio is None):
+            raise ValueError("give either normal_damping_N_s_m2 or damping_ratio, and not both")
+        if self.normal == "line-contact" and self.line_contact is None:
+            raise ValueError("the law line-contact needs the key line_contact")
+        return self
+
+
+class MarchConfig(Strict):
+    """The march in time."""
+
+    integrator: IntegratorKey = described("how velocities and places follow from forces", "", default="17-18")
+    step_s: float | None = described("time step; null: from the stability bound", "s", gt=0, default=None)
+    beyond_stability: bool = described("take a step_s beyond the stability bound all the same", "", default=False)
+    limit_s: float = described("time at which the run ends at the latest", "s", gt=0)
+
+
+class EventConfig(Strict):
+    """One event: it waits for the event before it, then for its trigger, then acts."""
+
+    when: Literal["time", "after", "rest", "discharged"] = described(
+        "time: s from the start; after: s from the event before; rest: at rest; discharged: share of the mass", ""
+    )
+    value: float = described("seconds or share that the trigger takes", "", ge=0, default=0.0)
+    do: Literal["open_slit", "remove_disc", "set_gravity", "set_friction", "stop"] = described("what happens", "")
+    disc: int | None = described("number of the disc to remove", "", ge=0, default=None)
+    near_m: tuple[float, float] | None = described("x, y of the place whose nearest disc to remove", "m", default=None)
+    gravity_m_s2: tuple[float, float] | None = described("new gravity, x and y", "m s-2", default=None)
+    disc_friction: float | None = described("new friction between discs", ge=0, default=None)
+    wall_friction: float | None = described("new friction at the walls", ge=0, default=None)
+
+    @model_validator(mode="after")
+    def _has_what_it_needs(self) -> Self:
+        if self.do == "remove_disc" and (self.disc is None) == (self.near_m is None):
+            raise ValueError("remove_disc needs either disc or near_m")
+        if self.do == "set_gravity" and self.gravity_m_s2 is None:
+            raise ValueError("set_gravity needs gravity_m_s2")
+        if self.do == "set_friction" and self.disc_friction is None and self.wall_friction is None:
+            raise ValueError("set_friction needs disc_friction or wall_friction")
+        return self
+
+
+class RecordConfig(Strict):
+    """What is recorded; everything is off unless asked for."""
+
+    wall_force_window_s: float | None = described(
+        "wall forces of every step, as mean, minimum and maximum over windows of this length", "s", gt=0, default=None
+    )
+    snapshots_s: tuple[float, ...] = described("times at which places and force chains are written", "s", default=())
+    stress_cells: tuple[int, int] | None = described("cells across and up of the coarse-grained stress", default=None)
+    energy: bool = described("whether the energy ledger is kept", "", default=False)
+    paraview: bool = described("whether the snapshots are also written for ParaView", "", default=False)
+    checkpoint_every_s: float | None = described("model time between checkpoints", "s", gt=0, default=None)
+
+
+class QuakeConfig(Strict):
+    """Acceleration of the box."""
+
+    file: str = described("CSV file with columns time_s, x_m_s2, y_m_s2, relative to the scene file", "")
+
+
+class DemScene(Strict):
+    """A discrete-element scene."""
+
+    kind: Literal["dem"] = described("dem: discrete elements", "")
+    title: str = described("title of the scene", "")
+    silo: BoxConfig = described("the silo", "")
+    packing: PackingConfig = described("how the discs start", "")
+    radius_m: float = described("radius of the discs", "m", gt=0)
+    density_kg_m3: float = described("density of the discs", "kg m-3", gt=0)
+    discs: ContactConfig = described("contact between discs", "")
+    walls: ContactConfig | None = described("contact of discs and walls; null: as between discs", "", default=None)
+    gravity_m_s2: tuple[float, float] = described("gravity, x and y (up)", "m s-2", default=(0.0, -9.81))
+    quake: QuakeConfig | None = described("acceleration of the box", "", default=None)
+    march: MarchConfig = described("the march in time", "")
+    events: tuple[EventConfig, ...] = described("what happens, in order; the last is a stop", "", min_length=1)
+    record: RecordConfig = described("what is recorded", "", default=RecordConfig())
+    seed: int = described("seed of the random numbers", ge=0, default=0)
+
+    @model_validator(mode="after")
+    def _events_fit(self) -> Self:
+        if self.events[-1].do != "stop":
+            raise ValueError("the last event must be a stop")
+        if any(event.do == "open_slit" for event in self.events) and self.silo.slit_width_m == 0:
+            raise ValueError("open_slit needs a silo.slit_width_m above 0")
+        return self

@@ -1,0 +1,136 @@
+"""From the user's units to a discrete-element scene in SI: walls, discs, contacts, events, and which effects it calls for."""
+
+from dataclasses import dataclass
+from math import pi, radians, sqrt, tan
+from pathlib import Path
+
+import numpy as np
+
+from silostudy.config.dem import BoxConfig, ContactConfig, DemScene
+from silostudy.contact.line import PRINTED_CONSTANTS, curve, stiffness
+from silostudy.dem.kernel import Laws
+from silostudy.dem.model import Contact, Wall
+from silostudy.dem.run import Event
+from silostudy.errors import BadInput
+
+DEEPEST = 0.1  # of a radius: overlap that a start may have (a packing at rest has some)
+
+
+@dataclass(frozen=True)
+class Effect:
+    """One thing that can be compiled in: whether this scene calls for it, and why."""
+
+    name: str
+    on: bool
+    why: str
+
+
+def walls_of(silo: BoxConfig) -> tuple[Wall, ...]:
+    """Walls counter-clockwise, the closed bottom first; the halves beside the slit or the hopper's mouth wait for it to open."""
+    width, half, cells = silo.width_m, silo.slit_width_m / 2.0, silo.wall_cells
+    centre, base = width / 2.0, 0.0
+    found = []
+    if silo.hopper_half_angle_deg is None:
+        found.append(Wall("floor", (0.0, 0.0), (width, 0.0), cells))
+        if half:
+            found.append(Wall("floor_left", (0.0, 0.0), (centre - half, 0.0), cells, live=False))
+            found.append(Wall("floor_right", (centre + half, 0.0), (width, 0.0), cells, live=False))
+    else:
+        base = (centre - half) / tan(radians(silo.hopper_half_angle_deg))
+        found.append(Wall("floor", (centre - half, 0.0), (centre + half, 0.0), cells, joined=(True, True)))
+        found.append(Wall("hopper_left", (0.0, base), (centre - half, 0.0), cells, joined=(True, False)))
+        found.append(Wall("hopper_right", (centre + half, 0.0), (width, base), cells, joined=(False, True)))
+    top = base + silo.height_m
+    found.append(Wall("left", (0.0, top), (0.0, base), cells, joined=(silo.lid, True)))
+    found.append(Wall("right", (width, base), (width, top), cells, joined=(True, silo.lid)))
+    if silo.lid:
+        found.append(Wall("lid", (width, top), (0.0, top), cells, joined=(True, True)))
+    return tuple(found)
+
+
+def contact_of(config: ContactConfig, radius: float, density: float) -> Contact:
+    """Laws and coefficients in SI; damping ratio and line contact become what the laws take."""
+    laws = Laws(config.normal, config.tangential, config.rolling, config.cohesion)
+    known: dict[str, float] = {}
+    k = config.normal_stiffness_N_m2
+    if config.line_contact is not None:
+        line = config.line_contact
+        elastic = {"youngs_modulus": line.youngs_modulus_Pa, "poissons_ratio": line.poissons_ratio}
+        constant = PRINTED_CONSTANTS[line.constant]
+        k = stiffness(radius, load=line.load_N_m, constant=constant, **elastic)
+        known["line_compliance"], known["line_bracket"] = curve(radius, constant=constant, **elastic)
+    assert k is not None  # the model asks for one of the two
+    known["normal_stiffness"], known["tangential_stiffness"] = k, config.stiffness_ratio * k
+    direct, ratio = config.normal_damping_N_s_m2, config.damping_ratio
+    known["normal_damping"] = direct if direct is not None else 2.0 * ratio * sqrt(density * pi * radius**2 * k)
+    known["tangential_damping"] = known["normal_damping"] * sqrt(config.stiffness_ratio)
+    known["normal_damping_root"] = known["tangential_damping_root"] = 0.0
+    known["sliding_friction"] = config.sliding_friction
+    known["rolling_stiffness"], known["rolling_friction"] = config.rolling_stiffness_N, config.rolling_friction
+    known["pull"] = config.pull_N_m
+    needed = {name for row in Contact.families(laws) for name in row.coefficients}
+    return Contact(laws, {name: known[name] for name in needed})
+
+
+def events_of(scene: DemScene) -> tuple[Event, ...]:
+    """Events in the engine's words."""
+    beside = ("floor_left", "floor_right") if scene.silo.hopper_half_angle_deg is None else ()
+    found = []
+    for event in scene.events:
+        action, what = {
+            "open_slit": ("open", ("floor", *beside)),
+            "remove_disc": ("remove", (event.disc,) if event.near_m is None else event.near_m),
+            "set_gravity": ("gravity", event.gravity_m_s2),
+            "set_friction": ("friction", (event.disc_friction, event.wall_friction)),
+            "stop": ("stop", ()),
+        }[event.do]
+        found.append(Event(event.when, event.value, action, what))
+    return tuple(found)
+
+
+def check_start(walls: tuple[Wall, ...], x, y, radius, where: str = "") -> None:
+    """BadInput where two discs overlap by more than a tenth of a radius, or a disc's centre lies outside the walls."""
+    from scipy.spatial import cKDTree
+
+    pairs = cKDTree(np.c_[x, y]).query_pairs(2.0 * radius.max(), output_type="ndarray").reshape(-1, 2)
+    i, j = pairs.T
+    overlap = radius[i] + radius[j] - np.hypot(x[i] - x[j], y[i] - y[j])
+    worst = int(np.argmax(overlap)) if len(overlap) else -1
+    if worst >= 0 and overlap[worst] > DEEPEST * min(radius[i[worst]], radius[j[worst]]):
+        raise BadInput("packing", f"discs {i[worst]}, {j[worst]}", f"overlap by {overlap[worst]:.4g} m at the start", where)
+    for wall in walls:
+        (x0, y0), (x1, y1) = wall.start, wall.end
+        length = np.hypot(x1 - x0, y1 - y0)
+        along = ((x - x0) * (x1 - x0) + (y - y0) * (y1 - y0)) / length
+        inside = ((x1 - x0) * (y - y0) - (y1 - y0) * (x - x0)) / length
+        out = np.flatnonzero((along >= 0.0) & (along <= length) & (inside < (1.0 - DEEPEST) * radius) & wall.live)
+        if len(out):
+            raise BadInput("packing", f"disc {out[0]}", f"starts in or beyond the wall {wall.name}", where)
+
+
+def effects(scene: DemScene) -> tuple[Effect, ...]:
+    """Every effect the engine knows: whether this scene calls for it, and the key that says so."""
+    walls = scene.walls or scene.discs
+    slides = {"discs": scene.discs.tangential, "walls": walls.tangential}
+    uneven = scene.packing.kind == "given" or (scene.packing.kind == "loose" and scene.packing.radius_spread > 0)
+    record = scene.record
+    return (
+        Effect("friction, rotation, history", set(slides.values()) != {"none"}, f"tangential: {slides}"),
+        Effect("rolling resistance", scene.discs.rolling != "none", f"discs.rolling: {scene.discs.rolling}"),
+        Effect("cohesion", scene.discs.cohesion != "none", f"discs.cohesion: {scene.discs.cohesion}"),
+        Effect("discs of several sizes", uneven, f"packing.kind: {scene.packing.kind}"),
+        Effect("shaking", scene.quake is not None, "quake"),
+        Effect("wall forces every step", record.wall_force_window_s is not None, "record.wall_force_window_s"),
+        Effect("energy ledger", record.energy, f"record.energy: {record.energy}"),
+        Effect("slit", scene.silo.slit_width_m > 0, f"silo.slit_width_m: {scene.silo.slit_width_m:g}"),
+        Effect("hopper", scene.silo.hopper_half_angle_deg is not None, "silo.hopper_half_angle_deg"),
+        Effect("events", len(scene.events) > 1, ", ".join(event.do for event in scene.events)),
+        Effect("snapshots", bool(record.snapshots_s), f"record.snapshots_s: {len(record.snapshots_s)} times"),
+    )
+
+
+def load(path: Path) -> DemScene:
+    """The scene in a YAML file; BadInput lists every mistake."""
+    from silostudy.config.load import read_yaml, validated
+
+    return validated(DemScene, read_yaml(path), str(path))
