@@ -14,6 +14,15 @@ def add(sub) -> None:
     pressure = what.add_parser("pressure", help="pressures a second of each method, against a loop over depths and cases")
     pressure.add_argument("--output", type=Path, default=Path("results/bench/pressure.csv"))
     pressure.set_defaults(run=run_pressure)
+    dem = what.add_parser("dem", help="particle-steps a second of the disc engine, beside LAMMPS where it is installed")
+    dem.add_argument("--output", type=Path, default=Path("results/bench/dem.csv"))
+    dem.set_defaults(run=run_dem)
+
+
+def run_dem(chosen) -> None:
+    from silostudy.commands.bench_dem import run
+
+    run(chosen)
 
 
 def run_pressure(chosen) -> None:

@@ -137,6 +137,14 @@ class Engine:
         return np.where(listed < base, listed, ghosts[np.maximum(listed - base, 0)])
 
     @property
+    def nbytes(self) -> int:
+        """Memory (bytes) of all arrays that stepping needs."""
+        bundles = [self.discs, self.walls, self.blocks, self.record, self.ledger]
+        for part in self.parts:
+            bundles += [part.pairs, part.near, *part.memories, part.scratch]
+        return sum(array.nbytes for bundle in bundles for array in bundle)
+
+    @property
     def radius(self) -> np.ndarray:
         """Radius (m) of every disc that is left, in the engine's own order."""
         return np.broadcast_to(self.discs.radius[: self.n], self.n)

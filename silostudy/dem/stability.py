@@ -83,7 +83,7 @@ def _largest(model: Model, network: list[tuple], strengths) -> float:
     lone = 2.0 * strengths(model.pair, model, np.array([0]), np.array([0]))[0].max() / mass
     if scaled.nnz == 0:
         return float(lone)
-    return max(float(lone), float(eigsh(scaled.T @ scaled, k=1, tol=1e-3, return_eigenvectors=False)[0]))
+    return max(float(lone), float(eigsh(scaled.T @ scaled, k=1, tol=1e-3, v0=np.ones(3 * n), return_eigenvectors=False)[0]))
 
 
 def _rows(strength, disc, tx, ty, arm, model, n):

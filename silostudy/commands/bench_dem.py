@@ -1,0 +1,215 @@
+"""`silostudy bench dem`: the engine and LAMMPS side by side, in turn, on the same scene, law and number of steps."""
+
+import os
+import subprocess
+import sys
+import time
+
+REPEATS = 3  # turns of each code; the median counts
+# discs across, rows, steps that settle, steps a turn
+SIZES = {"350": (18, 20, 40000, 20000), "10 thousand": (100, 101, 20000, 600), "100 thousand": (316, 317, 3000, 60)}
+LARGE = (1000, 1001, 100, 10)
+BATCH, BATCH_STEPS = 60, 20000  # discharges of 350 discs: a twentieth of a thousand or so, over 0.5 s
+BATCH_OF_PEER = 3
+
+
+def run(chosen) -> None:
+    import pandas as pd
+
+    from silostudy.compute.peers import available
+    from silostudy.figures.style import save_table
+
+    missing = available()
+    if missing:
+        print(f"{missing}: its rows are left out")
+    rows = [row for name in SIZES for row in compare(name, not missing)]
+    rows += threads() + large(rows) + batch(not missing) + memory() + start_up()
+    table = pd.DataFrame(rows)
+    print(table.to_string(index=False, float_format=lambda value: f"{value:.4g}"))
+    save_table(table, chosen.output)
+
+
+def scene(across: int, levels: int, slit_share: float = 0.2):
+    """A model of Kiyama & Fujimura's law in a silo that the rows fill; and its slit (m)."""
+    from math import sqrt
+
+    from silostudy.dem.kernel import Laws
+    from silostudy.dem.model import Contact, Model, Wall
+    from silostudy.packing import PACKINGS
+
+    radius, gap, weight = 0.01, 4e-5, 2650.0 * 9.81
+    width = (2.0 + (across - 1) * 38.0 / 17.0) * radius
+    rise = sqrt((2.0 * radius + gap) ** 2 - ((width - 2.0 * (radius + gap)) / (across - 1) / 2.0) ** 2)
+    x, y, radii = PACKINGS["rows"].place(
+        width=width, height=2.0 * radius + (levels - 0.5) * rise, radius=radius, across=across, gap=gap
+    )
+    slit, height = slit_share * width, float(y.max()) + 0.1
+
+    def contact(factor, friction):
+        names = ("normal_stiffness", "normal_damping", "normal_damping_root")
+        names += ("tangential_stiffness", "tangential_damping", "tangential_damping_root", "sliding_friction")
+        values = (364 * weight, 0.153 * weight, 0, 91 * weight, 0.0765 * weight, 0)
+        return Contact(Laws(tangential="spring-slider-total"), dict(zip(names, [factor * v for v in values] + [friction], strict=True)))
+
+    left, right = 0.5 * (width - slit), 0.5 * (width + slit)
+    walls = (
+        Wall("floor", (0.0, 0.0), (width, 0.0)),
+        Wall("left", (0.0, height), (0.0, 0.0)),
+        Wall("right", (width, 0.0), (width, height)),
+        Wall("floor_left", (0.0, 0.0), (left, 0.0), live=False),
+        Wall("floor_right", (right, 0.0), (width, 0.0), live=False),
+    )
+    model = Model(x, y, radii, 2650.0, walls, contact(1.0, 0.577), contact(2.0, 0.176), 2.5e-5)
+    return model, slit
+
+
+OPEN = ("floor", ("floor_left", "floor_right"))
+
+
+class Ours:
+    """The engine under the bench's own names."""
+
+    def __init__(self, model, threads=1):
+        from silostudy.dem.engine import Engine
+        from silostudy.dem.run import Event, Run
+
+        self.engine = Engine(model, threads=threads)
+        self.task = Run(self.engine, (Event("time", 1e9, "stop"),), limit=1e9)
+
+    def step(self, steps):
+        self.task.go(until=self.engine.step + steps)
+
+    def open_slit(self):
+        self.engine.swap_walls(*OPEN)
+
+    @property
+    def discs(self):
+        return self.engine.n
+
+
+def compare(name: str, with_peer: bool) -> list[dict]:
+    """Both codes, settled and discharging, in turn."""
+    across, levels, settle, steps = SIZES[name]
+    model, slit = scene(across, levels)
+    ours = Ours(model)
+    ours.step(settle)
+    codes = {"silostudy": ours}
+    if with_peer:
+        from silostudy.compute.peers import Lammps
+
+        codes["LAMMPS"] = Lammps(model, ours.engine.places, slit)
+        codes["LAMMPS"].step(steps)
+    rows = []
+    for phase in ("settled", "discharging"):
+        if phase == "discharging":
+            for code in codes.values():
+                code.open_slit()
+                code.step(2 * steps)
+        rows += in_turn(codes, phase, steps)
+    if with_peer:
+        codes["LAMMPS"].close()
+    return rows
+
+
+def in_turn(codes: dict, phase: str, steps: int) -> list[dict]:
+    """Seconds of each code for the same number of steps, the median of some turns."""
+    seconds: dict[str, list[float]] = {code: [] for code in codes}
+    for _ in range(REPEATS):
+        for code, runner in codes.items():
+            start = time.perf_counter()
+            runner.step(steps)
+            seconds[code].append(time.perf_counter() - start)
+    rows = []
+    for code, runner in codes.items():
+        middle = sorted(seconds[code])[REPEATS // 2]
+        rows.append(row(code, runner.discs, phase, steps, middle, runner.discs * steps / middle))
+    for one in rows:
+        one["ratio"] = one["particle_steps_per_s"] / rows[-1]["particle_steps_per_s"]
+    return rows
+
+
+def row(code, discs, phase, steps, seconds, rate, ratio=float("nan")) -> dict:
+    names = ("code", "discs", "phase", "steps", "seconds", "particle_steps_per_s", "ratio")
+    return dict(zip(names, (code, discs, phase, steps, seconds, rate, ratio), strict=True))
+
+
+def threads() -> list[dict]:
+    """One large scene on one thread and on two, in turn; the ratio is to one thread."""
+    across, levels, _, steps = SIZES["100 thousand"]
+    model, _ = scene(across, levels)
+    codes = {"silostudy, 2 threads": Ours(model, threads=2), "silostudy, 1 thread": Ours(model)}
+    for code in codes.values():
+        code.step(500)
+    return in_turn(codes, "settling", steps)
+
+
+def large(rows: list[dict]) -> list[dict]:
+    """A million discs; the ratio is their cost a particle-step over that of ten thousand, measured in turn."""
+    small, great = (Ours(scene(*size[:2])[0]) for size in (SIZES["10 thousand"], LARGE))
+    small.step(2000)
+    great.step(LARGE[2])
+    times = [[], []]
+    for _ in range(REPEATS):
+        for k, (runner, steps) in enumerate(((small, SIZES["10 thousand"][3]), (great, LARGE[3]))):
+            start = time.perf_counter()
+            runner.step(steps)
+            times[k].append((time.perf_counter() - start) / (steps * runner.discs))
+    cost = [sorted(some)[REPEATS // 2] for some in times]
+    seconds = cost[1] * LARGE[3] * great.discs
+    return [row("silostudy, cost over that of 10 thousand", great.discs, "settling", LARGE[3], seconds, 1 / cost[1], cost[1] / cost[0])]
+
+
+def batch(with_peer: bool) -> list[dict]:
+    """Many discharges of 350 discs at once on all cores; LAMMPS one after another; the ratio is of discharges a second."""
+    from concurrent.futures import ThreadPoolExecutor
+
+    model, slit = scene(18, 20)
+    ours = Ours(model)
+    ours.step(SIZES["350"][2])
+    settled = ours.engine.checkpoint()
+
+    def discharge(_):
+        one = Ours(model)
+        one.engine.restore(settled)
+        one.open_slit()
+        one.step(BATCH_STEPS)
+        return one.discs
+
+    start = time.perf_counter()
+    with ThreadPoolExecutor(os.cpu_count()) as pool:
+        left = list(pool.map(discharge, range(BATCH)))
+    each = (time.perf_counter() - start) / BATCH
+    rows = [row(f"silostudy, {os.cpu_count()} cores", len(model.x), "discharge", BATCH_STEPS, 1000 * each, left[0] * BATCH_STEPS / each)]
+    if with_peer:
+        from silostudy.compute.peers import Lammps
+
+        start = time.perf_counter()
+        for _ in range(BATCH_OF_PEER):
+            peer = Lammps(model, ours.engine.places, slit)
+            peer.open_slit()
+            peer.step(BATCH_STEPS)
+            discs = peer.discs
+            peer.close()
+        other = (time.perf_counter() - start) / BATCH_OF_PEER
+        rows.append(row("LAMMPS, one after another", len(model.x), "discharge", BATCH_STEPS, 1000 * other, discs * BATCH_STEPS / other, 1.0))
+        rows[0]["ratio"] = other / each
+    return rows
+
+
+def memory() -> list[dict]:
+    """Bytes a disc of all arrays of the engine, at a hundred thousand discs."""
+    model, _ = scene(*SIZES["100 thousand"][:2])
+    ours = Ours(model)
+    ours.step(10)
+    return [row("silostudy, bytes a disc", ours.discs, "memory", 0, float("nan"), float("nan"), ours.engine.nbytes / ours.discs)]
+
+
+def start_up() -> list[dict]:
+    """Seconds of a whole process that runs a short scene with kernels compiled before."""
+    code = "from silostudy.commands.bench_dem import Ours, scene; Ours(scene(5, 5)[0]).step(10)"
+    seconds = []
+    for _ in range(REPEATS + 1):
+        start = time.perf_counter()
+        subprocess.run([sys.executable, "-c", code], check=True)
+        seconds.append(time.perf_counter() - start)
+    return [row("silostudy, start-up of a process", 23, "start", 10, sorted(seconds[1:])[REPEATS // 2], float("nan"))]
