@@ -13,7 +13,7 @@ PROJECT = Path(config.get("project", "config/config.yaml"))
 RESULTS = config.get("results", "results")
 
 try:  # every mistake of every study is told before any job starts
-    STUDIES = load_project(PROJECT)
+    STUDIES, SCENES = load_project(PROJECT)
     EXPANSIONS = {name: expand_file(path) for name, path in STUDIES.items()}
     check_writable(Path(RESULTS))
 except BadInput as error:
@@ -22,6 +22,7 @@ except BadInput as error:
 
 wildcard_constraints:
     study="|".join(STUDIES),
+    scene="|".join(SCENES) or "none",
     figure="|".join(key for key, row in OUTPUTS.items() if row.kind == "figure"),
     table="|".join(key for key, row in OUTPUTS.items() if row.kind == "table"),
 
@@ -46,6 +47,7 @@ def wanted(name):
 rule all:
     input:
         [file for name in STUDIES for file in wanted(name)],
+        [f"{RESULTS}/dem/{name}.nc" for name in SCENES],
 
 
 rule cases:
@@ -125,6 +127,19 @@ rule seismic:
         RESULTS + "/{study}/logs/seismic.log",
     shell:
         "python -m silostudy seismic {input[0]} {output} > {log} 2>&1"
+
+
+rule dem:
+    input:
+        lambda wildcards: SCENES[wildcards.scene],
+    output:
+        RESULTS + "/dem/{scene}.nc",
+    params:
+        code=stamp(*STAGES["dem"]),
+    log:
+        RESULTS + "/dem/logs/{scene}.log",
+    shell:
+        "python -m silostudy dem {input} {output} > {log} 2>&1"
 
 
 def cube_of(wildcards):

@@ -1,16 +1,39 @@
-"""`silostudy explain KEY`: formula, symbols, source, range of a method or rule, and what its source gets wrong."""
+"""`silostudy explain KEY`: formula, symbols, source, range of a method or rule, and what its source gets wrong; or a discrete-element scene."""
+
+from pathlib import Path
 
 
 def add(sub) -> None:
     command = sub.add_parser(
-        "explain", help="explain a method or rule: formula, symbols, source, range, known errors of the source"
+        "explain", help="explain a method, a rule, or a discrete-element scene: which effects it calls for and their price"
     )
-    command.add_argument("method", help="see `silostudy list methods` `buckling` and `mass-rules`")
+    what = "see `silostudy list methods`, `buckling` and `mass-rules`; or a scene file (*.yaml)"
+    command.add_argument("method", help=what)
     command.set_defaults(run=run)
 
 
 def run(chosen) -> None:
-    print("\n".join(explanation(chosen.method)))
+    lines = scene_explanation if chosen.method.endswith((".yaml", ".yml")) else explanation
+    print("\n".join(lines(chosen.method)))
+
+
+def scene_explanation(name: str) -> list[str]:
+    """Each effect of a discrete-element scene: on or off, why, and its measured share of a step."""
+    from silostudy.compute.dem import model_of
+    from silostudy.compute.prices import prices
+    from silostudy.dem.stability import longest_step
+    from silostudy.scene.dem import effects, load
+
+    path = Path(name)
+    scene = load(path)
+    model = model_of(scene, path.parent, name)
+    whole, share = prices(model)
+    lines = [f"{scene.title}: {len(model.x)} discs, {whole / len(model.x) * 1e9:.1f} ns a particle-step"]
+    lines.append(f"  step {model.dt:.3g} s; stability bound of this start {longest_step(model):.3g} s; integrator {model.integrator}")
+    for effect in effects(scene):
+        price = f"{share[effect.name]:6.1%} of a step" if effect.name in share else ""
+        lines.append(f"  {effect.name:30}{'on ' if effect.on else 'off'}  {price:18}{effect.why}")
+    return lines
 
 
 def explanation(key: str) -> list[str]:

@@ -19,6 +19,7 @@ class Project(Strict):
     """config.yaml: which studies the pipeline builds."""
 
     studies: tuple[str, ...] = described("names of files in config/studies, without .yaml", "", min_length=1)
+    scenes: tuple[str, ...] = described("names of discrete-element scenes in config/scenes, without .yaml", "", default=())
 
 
 class _NoTwins(yaml.SafeLoader):
@@ -107,12 +108,16 @@ def study_of(content: dict[str, Any], where: str) -> BaseStudy:
     return validated(KINDS[content["kind"]], content, where)
 
 
-def load_project(path: Path) -> dict[str, Path]:
-    """Study name -> file, for the studies that config.yaml names; BadInput for a file that is not there."""
+def load_project(path: Path) -> tuple[dict[str, Path], dict[str, Path]]:
+    """Study name -> file and scene name -> file, for those that config.yaml names; BadInput for a file that is not there."""
     project = validated(Project, read_yaml(path), str(path))
-    folder = path.parent / "studies"
+    return _files(path, "studies", project.studies), _files(path, "scenes", project.scenes)
+
+
+def _files(path: Path, kind: str, names: tuple[str, ...]) -> dict[str, Path]:
+    folder = path.parent / kind
     known = sorted(file.stem for file in folder.glob("*.yaml"))
-    for name in project.studies:
+    for name in names:
         if name not in known:
-            raise BadInput("studies", name, f"unknown; known: {', '.join(known)}", str(path))
-    return {name: folder / f"{name}.yaml" for name in project.studies}
+            raise BadInput(kind, name, f"unknown; known: {', '.join(known)}", str(path))
+    return {name: folder / f"{name}.yaml" for name in names}

@@ -4,8 +4,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-BLOCK = 64  # discs that are moved together, right after the last contact that can touch them
-LANES = 248  # contacts whose forces are computed together, in the first-level cache
+BLOCK = 128  # discs that are moved together, right after the last contact that can touch them
+LANES = 376  # contacts whose forces are computed together, in the first-level cache; no power of two, whose lanes would share cache sets
 LINE = 64  # bytes of a cache line
 
 
