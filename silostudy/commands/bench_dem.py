@@ -49,7 +49,9 @@ def scene(across: int, levels: int, slit_share: float = 0.2):
         names = ("normal_stiffness", "normal_damping", "normal_damping_root")
         names += ("tangential_stiffness", "tangential_damping", "tangential_damping_root", "sliding_friction")
         values = (364 * weight, 0.153 * weight, 0, 91 * weight, 0.0765 * weight, 0)
-        return Contact(Laws(tangential="spring-slider-total"), dict(zip(names, [factor * v for v in values] + [friction], strict=True)))
+        return Contact(
+            Laws(tangential="spring-slider-total"), dict(zip(names, [factor * v for v in values] + [friction], strict=True))
+        )
 
     left, right = 0.5 * (width - slit), 0.5 * (width + slit)
     walls = (
@@ -156,7 +158,17 @@ def large(rows: list[dict]) -> list[dict]:
             times[k].append((time.perf_counter() - start) / (steps * runner.discs))
     cost = [sorted(some)[REPEATS // 2] for some in times]
     seconds = cost[1] * LARGE[3] * great.discs
-    return [row("silostudy, cost over that of 10 thousand", great.discs, "settling", LARGE[3], seconds, 1 / cost[1], cost[1] / cost[0])]
+    return [
+        row(
+            "silostudy, cost over that of 10 thousand",
+            great.discs,
+            "settling",
+            LARGE[3],
+            seconds,
+            1 / cost[1],
+            cost[1] / cost[0],
+        )
+    ]
 
 
 def batch(with_peer: bool) -> list[dict]:
@@ -179,7 +191,16 @@ def batch(with_peer: bool) -> list[dict]:
     with ThreadPoolExecutor(os.cpu_count()) as pool:
         left = list(pool.map(discharge, range(BATCH)))
     each = (time.perf_counter() - start) / BATCH
-    rows = [row(f"silostudy, {os.cpu_count()} cores", len(model.x), "discharge", BATCH_STEPS, 1000 * each, left[0] * BATCH_STEPS / each)]
+    rows = [
+        row(
+            f"silostudy, {os.cpu_count()} cores",
+            len(model.x),
+            "discharge",
+            BATCH_STEPS,
+            1000 * each,
+            left[0] * BATCH_STEPS / each,
+        )
+    ]
     if with_peer:
         from silostudy.compute.peers import Lammps
 
@@ -191,7 +212,17 @@ def batch(with_peer: bool) -> list[dict]:
             discs = peer.discs
             peer.close()
         other = (time.perf_counter() - start) / BATCH_OF_PEER
-        rows.append(row("LAMMPS, one after another", len(model.x), "discharge", BATCH_STEPS, 1000 * other, discs * BATCH_STEPS / other, 1.0))
+        rows.append(
+            row(
+                "LAMMPS, one after another",
+                len(model.x),
+                "discharge",
+                BATCH_STEPS,
+                1000 * other,
+                discs * BATCH_STEPS / other,
+                1.0,
+            )
+        )
         rows[0]["ratio"] = other / each
     return rows
 
@@ -201,7 +232,9 @@ def memory() -> list[dict]:
     model, _ = scene(*SIZES["100 thousand"][:2])
     ours = Ours(model)
     ours.step(10)
-    return [row("silostudy, bytes a disc", ours.discs, "memory", 0, float("nan"), float("nan"), ours.engine.nbytes / ours.discs)]
+    return [
+        row("silostudy, bytes a disc", ours.discs, "memory", 0, float("nan"), float("nan"), ours.engine.nbytes / ours.discs)
+    ]
 
 
 def start_up() -> list[dict]:

@@ -30,7 +30,9 @@ def run(chosen) -> None:
         from silostudy.compute.paraview import export
 
         export(task, output.with_suffix(""))
-    print(f"{scene.title}: {task.engine.step} steps of {model.dt:.3g} s, {task.engine.n} of {len(model.x)} discs left -> {output}")
+    print(
+        f"{scene.title}: {task.engine.step} steps of {model.dt:.3g} s, {task.engine.n} of {len(model.x)} discs left -> {output}"
+    )
     if task.recording.explosion is not None:
         raise BadInput("march.step_s", model.dt, f"{task.recording.explosion}; what was recorded is in {output}")
 
@@ -43,7 +45,11 @@ class progress:
 
         self.task, self.done = task, 0
         self.bar = tqdm(
-            total=task.last * len(task.engine.model.x), unit=" particle-steps", unit_scale=True, file=sys.stderr, mininterval=0.5
+            total=task.last * len(task.engine.model.x),
+            unit=" particle-steps",
+            unit_scale=True,
+            file=sys.stderr,
+            mininterval=0.5,
         )
 
     def __enter__(self):

@@ -29,7 +29,9 @@ def scene_explanation(name: str) -> list[str]:
     model = model_of(scene, path.parent, name)
     whole, share = prices(model)
     lines = [f"{scene.title}: {len(model.x)} discs, {whole / len(model.x) * 1e9:.1f} ns a particle-step"]
-    lines.append(f"  step {model.dt:.3g} s; stability bound of this start {longest_step(model):.3g} s; integrator {model.integrator}")
+    lines.append(
+        f"  step {model.dt:.3g} s; stability bound of this start {longest_step(model):.3g} s; integrator {model.integrator}"
+    )
     for effect in effects(scene):
         price = f"{share[effect.name]:6.1%} of a step" if effect.name in share else ""
         lines.append(f"  {effect.name:30}{'on ' if effect.on else 'off'}  {price:18}{effect.why}")

@@ -87,7 +87,10 @@ def run_of(scene: DemScene, model: Model, *, threads: int = 1) -> Run:
     edges = None
     if record.stress_cells is not None:
         top = float(max(max(wall.start[1], wall.end[1]) for wall in model.walls))
-        edges = np.linspace(0.0, scene.silo.width_m, record.stress_cells[0] + 1), np.linspace(0.0, top, record.stress_cells[1] + 1)
+        edges = (
+            np.linspace(0.0, scene.silo.width_m, record.stress_cells[0] + 1),
+            np.linspace(0.0, top, record.stress_cells[1] + 1),
+        )
     return Run(
         Engine(model, threads=threads),
         events_of(scene),

@@ -1,7 +1,6 @@
 """What each effect of a scene costs: measured by timing a step with it and without it, in turn."""
 
 import time
-from collections.abc import Callable
 from dataclasses import replace
 
 import numpy as np
@@ -10,7 +9,7 @@ from silostudy.dem.engine import Engine
 from silostudy.dem.kernel import Laws
 from silostudy.dem.model import Contact, Model
 
-TURNS, SECONDS = 5, 0.05  # turns of each variant, and how long one lasts at least
+TURNS, WARM, STEPS = 9, 50, 300  # turns of each variant, and their steps before and under the watch
 
 
 def without(model: Model) -> dict[str, Model]:
@@ -19,7 +18,9 @@ def without(model: Model) -> dict[str, Model]:
     if model.pieces.turns:
         found["friction, rotation, history"] = replace(model, pair=_bare(model.pair), wall=_bare(model.wall))
     if model.pair.laws.rolling != "none":
-        found["rolling resistance"] = replace(model, pair=_less(model.pair, rolling="none"), wall=_less(model.wall, rolling="none"))
+        found["rolling resistance"] = replace(
+            model, pair=_less(model.pair, rolling="none"), wall=_less(model.wall, rolling="none")
+        )
     if model.pair.laws.cohesion != "none":
         found["cohesion"] = replace(model, pair=_less(model.pair, cohesion="none"), wall=_less(model.wall, cohesion="none"))
     if model.unequal:
@@ -44,31 +45,23 @@ def _bare(contact: Contact) -> Contact:
 
 
 def prices(model: Model) -> tuple[float, dict[str, float]]:
-    """Seconds of a step of the whole model, and each effect's share of it (negative: within the noise)."""
+    """Seconds of a step of the whole model, and each effect's share of it (below zero: within the noise).
+
+    Every turn starts afresh and is short, because a packing without friction soon is another packing.
+    """
     variants = {"": model} | without(model)
-    steppers: dict[str, Callable[[int], None]] = {}
-    engines = {name: Engine(variant) for name, variant in variants.items()}
-    for name, engine in engines.items():
-        engine.step_to(200)
-        steppers[name] = lambda steps, engine=engine: engine.step_to(engine.step + steps)
-    many = _enough(steppers[""])
     times: dict[str, list[float]] = {name: [] for name in variants}
     for _ in range(TURNS):
-        for name, step in steppers.items():
-            times[name].append(_seconds(step, many) / many)
+        for name, variant in variants.items():
+            times[name].append(_seconds_a_step(variant))
     cost = {name: sorted(found)[TURNS // 2] for name, found in times.items()}
     whole = cost.pop("")
     return whole, {name: 1.0 - part / whole for name, part in cost.items()}
 
 
-def _seconds(step: Callable[[int], None], many: int) -> float:
+def _seconds_a_step(model: Model) -> float:
+    engine = Engine(model)
+    engine.step_to(WARM)
     start = time.perf_counter()
-    step(many)
-    return time.perf_counter() - start
-
-
-def _enough(step: Callable[[int], None]) -> int:
-    many = 50
-    while _seconds(step, many) < SECONDS and many < 100_000:
-        many *= 2
-    return many
+    engine.step_to(WARM + STEPS)
+    return (time.perf_counter() - start) / STEPS

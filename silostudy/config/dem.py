@@ -83,7 +83,9 @@ class ContactConfig(Strict):
     rolling: RollingKey = described("law of rolling resistance", "", default="none")
     cohesion: CohesionKey = described("law of cohesion", "", default="none")
     normal_stiffness_N_m2: float | None = described("normal stiffness", "N m-2", gt=0, default=None)
-    line_contact: LineContactConfig | None = described("elastic line contact, in place of normal_stiffness_N_m2", "", default=None)
+    line_contact: LineContactConfig | None = described(
+        "elastic line contact, in place of normal_stiffness_N_m2", "", default=None
+    )
     normal_damping_N_s_m2: float | None = described("normal dashpot", "N s m-2", ge=0, default=None)
     damping_ratio: float | None = described(
         "normal dashpot over the critical one 2 sqrt(m K) of a disc's mass and stiffness, in place of normal_damping_N_s_m2",

@@ -162,7 +162,13 @@ VARIABLES = {
         _v("cell_y", "m", "middle of the stress cell upward", "cell_y"),
         _v("window_time", "s", "end of the window in which wall forces of every step are gathered", "window"),
         *(
-            _v(f"wall_{way}_force_{what}", "N m-1", f"{text} force on the wall cell, {what} over the window", "window", "wall_cell")
+            _v(
+                f"wall_{way}_force_{what}",
+                "N m-1",
+                f"{text} force on the wall cell, {what} over the window",
+                "window",
+                "wall_cell",
+            )
             for way, text in (("normal", "normal"), ("shear", "shear (carrying the solid positive)"))
             for what in ("mean", "min", "max")
         ),

@@ -50,9 +50,7 @@ class Engine:
         self.gravity = model.gravity
         label = sweep_order(model.x, model.y, model.radius) if sort else np.arange(self.n)
         self.discs = self._discs(label.astype(np.int32))
-        self.walls = Walls(
-            shape_of(model.walls), np.array([wall.live for wall in model.walls], bool), cells_of(model.walls)
-        )
+        self.walls = Walls(shape_of(model.walls), np.array([wall.live for wall in model.walls], bool), cells_of(model.walls))
         blocks = self.n // BLOCK + 2
         self.blocks = Blocks(np.zeros(blocks), np.zeros(blocks), np.zeros(blocks))
         self.clock = np.zeros(2 + threads, np.int64)
@@ -223,9 +221,7 @@ class Engine:
 
     def _joined(self, which: int, counter: int) -> Memory:
         """The parts' memories as one: a pair that two threads share is kept once, its histories being the same."""
-        kept = [
-            Memory(*(column[: part.scratch.count[counter]] for column in part.memories[which])) for part in self.parts
-        ]
+        kept = [Memory(*(column[: part.scratch.count[counter]] for column in part.memories[which])) for part in self.parts]
         key = np.concatenate([memory.key for memory in kept])
         _, order = np.unique(key, return_index=True)
         return Memory(*(np.concatenate(columns)[order] for columns in zip(*kept, strict=True)))
@@ -274,9 +270,7 @@ class Engine:
     def checkpoint(self) -> dict[str, np.ndarray]:
         """Everything that the next step depends on, as arrays by name."""
         pairs, near = self.take_memories()
-        memories = {f"pair_{k}": v for k, v in pairs._asdict().items()} | {
-            f"wall_{k}": v for k, v in near._asdict().items()
-        }
+        memories = {f"pair_{k}": v for k, v in pairs._asdict().items()} | {f"wall_{k}": v for k, v in near._asdict().items()}
         return memories | {
             "step": np.array(self.step),
             "rows": self.discs.rows[: self.n].copy(),

@@ -192,9 +192,7 @@ def sweep_pass(pieces: Pieces):
         last, stale = (hi - lo + BLOCK - 1) // BLOCK, FRESH
         if booked:
             g = (gx, gy)
-            forces_and_book(
-                discs, pairs, near, walls, scratch, laws, record, ledger, part, hi, last, g, gravity, kick, dt
-            )
+            forces_and_book(discs, pairs, near, walls, scratch, laws, record, ledger, part, hi, last, g, gravity, kick, dt)
         pairs_between(discs.rows, pairs, pairs.begin[last], pairs.begin[last + 1], scratch, dt, laws[0])
         for b in range(last):
             if not booked:

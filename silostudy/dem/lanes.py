@@ -115,8 +115,7 @@ def _scatter(typing, rows, first, second, start, force, offset):
         data, one, two, lanes = (_data(context, builder, signature, args, k) for k in (0, 1, 2, 4))
         stride = _stride(context, builder, signature, args)
         fx, fy, own, others = (
-            _load(builder, lanes, builder.add(args[5], builder.mul(stride, ir.Constant(_INDEX, c))), _EIGHT)
-            for c in range(4)
+            _load(builder, lanes, builder.add(args[5], builder.mul(stride, ir.Constant(_INDEX, c))), _EIGHT) for c in range(4)
         )
         nothing = ir.Constant(_EIGHT, [0.0] * WIDTH)  # for the spin that stands before the force in a row
         for lane, push in enumerate(_transpose(builder, [nothing, fx, fy, own, nothing, fx, fy, others])):

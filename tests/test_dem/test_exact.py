@@ -128,9 +128,7 @@ def test_a_column_at_rest():
     """Each contact carries what lies above it, and the overlaps follow from the stiffness."""
     n = 6
     y = RADIUS * (1.0 + 2.0 * np.arange(n))
-    engine = Engine(
-        free(np.zeros(n), y, gravity=(0.0, -9.81), dt=2.5e-5, walls=(Wall("floor", (-1.0, 0.0), (1.0, 0.0)),))
-    )
+    engine = Engine(free(np.zeros(n), y, gravity=(0.0, -9.81), dt=2.5e-5, walls=(Wall("floor", (-1.0, 0.0), (1.0, 0.0)),)))
     engine.step_to(60000)
     above = MASS * 9.81 * np.arange(n, 0, -1)
     overlap = above / (STIFFNESS * np.r_[2.0, np.ones(n - 1)])
