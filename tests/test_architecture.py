@@ -17,10 +17,13 @@ MAY_IMPORT = {
     "buckling": set(),
     "seismic": {"tables"},
     "figures": {"cube", "tables"},
-    "config": {"tables", "pressure", "buckling", "figures"},
-    "scene": {"config", "tables", "pressure", "seismic"},
+    "contact": set(),
+    "packing": set(),
+    "dem": {"contact", "packing"},
+    "config": {"tables", "pressure", "buckling", "figures", "contact", "dem"},
+    "scene": {"config", "tables", "pressure", "seismic", "contact", "dem"},
     "cube": {"tables"},
-    "compute": {"scene", "config", "tables", "pressure", "buckling", "seismic", "cube"},
+    "compute": {"scene", "config", "tables", "pressure", "buckling", "seismic", "cube", "contact", "packing", "dem"},
 }
 HEAVY_FREE = {
     "tables",
@@ -34,6 +37,7 @@ HEAVY_FREE = {
 ENTRIES = {"cases": ["scene/expand.py"], "pressure": ["compute/pressure.py", "scene/expand.py"]}
 ENTRIES["uncertainty"] = ["compute/uncertainty.py", "scene/expand.py"]
 ENTRIES |= {stage: [f"compute/{stage}.py", "scene/expand.py"] for stage in ("buckling", "shell", "seismic")}
+ENTRIES["dem"] = ["compute/dem.py", "compute/paraview.py"]
 ENTRIES["draw"] = [f"figures/{path.name}" for path in sorted((PACKAGE / "figures").glob("*.py"))]
 
 

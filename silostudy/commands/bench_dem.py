@@ -4,6 +4,7 @@ import os
 import subprocess
 import sys
 import time
+from typing import Any
 
 REPEATS = 3  # turns of each code; the median counts
 # discs across, rows, steps that settle, steps a turn
@@ -33,8 +34,8 @@ def scene(across: int, levels: int, slit_share: float = 0.2):
     """A model of Kiyama & Fujimura's law in a silo that the rows fill; and its slit (m)."""
     from math import sqrt
 
-    from silostudy.dem.kernel import Laws
     from silostudy.dem.model import Contact, Model, Wall
+    from silostudy.dem.pieces import Laws
     from silostudy.packing import PACKINGS
 
     radius, gap, weight = 0.01, 4e-5, 2650.0 * 9.81
@@ -46,8 +47,7 @@ def scene(across: int, levels: int, slit_share: float = 0.2):
     slit, height = slit_share * width, float(y.max()) + 0.1
 
     def contact(factor, friction):
-        names = ("normal_stiffness", "normal_damping", "normal_damping_root")
-        names += ("tangential_stiffness", "tangential_damping", "tangential_damping_root", "sliding_friction")
+        names = ("normal_stiffness", "normal_damping", "normal_damping_root", *TANGENTIAL)
         values = (364 * weight, 0.153 * weight, 0, 91 * weight, 0.0765 * weight, 0)
         return Contact(
             Laws(tangential="spring-slider-total"), dict(zip(names, [factor * v for v in values] + [friction], strict=True))
@@ -65,6 +65,7 @@ def scene(across: int, levels: int, slit_share: float = 0.2):
     return model, slit
 
 
+TANGENTIAL = ("tangential_stiffness", "tangential_damping", "tangential_damping_root", "sliding_friction")
 OPEN = ("floor", ("floor_left", "floor_right"))
 
 
@@ -82,7 +83,9 @@ class Ours:
         self.task.go(until=self.engine.step + steps)
 
     def open_slit(self):
-        self.engine.swap_walls(*OPEN)
+        from silostudy.dem.change import swap_walls
+
+        swap_walls(self.engine, *OPEN)
 
     @property
     def discs(self):
@@ -95,7 +98,7 @@ def compare(name: str, with_peer: bool) -> list[dict]:
     model, slit = scene(across, levels)
     ours = Ours(model)
     ours.step(settle)
-    codes = {"silostudy": ours}
+    codes: dict[str, Any] = {"silostudy": ours}
     if with_peer:
         from silostudy.compute.peers import Lammps
 
@@ -150,7 +153,7 @@ def large(rows: list[dict]) -> list[dict]:
     small, great = (Ours(scene(*size[:2])[0]) for size in (SIZES["10 thousand"], LARGE))
     small.step(2000)
     great.step(LARGE[2])
-    times = [[], []]
+    times: list[list[float]] = [[], []]
     for _ in range(REPEATS):
         for k, (runner, steps) in enumerate(((small, SIZES["10 thousand"][3]), (great, LARGE[3]))):
             start = time.perf_counter()
@@ -175,14 +178,16 @@ def batch(with_peer: bool) -> list[dict]:
     """Many discharges of 350 discs at once on all cores; LAMMPS one after another; the ratio is of discharges a second."""
     from concurrent.futures import ThreadPoolExecutor
 
+    from silostudy.dem.checkpoint import checkpoint, restore
+
     model, slit = scene(18, 20)
     ours = Ours(model)
     ours.step(SIZES["350"][2])
-    settled = ours.engine.checkpoint()
+    settled = checkpoint(ours.engine)
 
     def discharge(_):
         one = Ours(model)
-        one.engine.restore(settled)
+        restore(one.engine, settled)
         one.open_slit()
         one.step(BATCH_STEPS)
         return one.discs

@@ -1,4 +1,4 @@
-"""`silostudy explain KEY`: formula, symbols, source, range of a method or rule, and what its source gets wrong; or a discrete-element scene."""
+"""`silostudy explain KEY`: formula, symbols, source, range of a method or rule, and its source's errors; or a DEM scene."""
 
 from pathlib import Path
 

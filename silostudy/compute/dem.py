@@ -4,6 +4,7 @@ import pickle
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import xarray as xr
@@ -12,6 +13,7 @@ from silostudy.config.dem import DemScene
 from silostudy.cube.contract import VARIABLES, check
 from silostudy.cube.provenance import provenance
 from silostudy.dem.engine import Engine
+from silostudy.dem.integrate import INTEGRATORS
 from silostudy.dem.ledger import ENTRIES
 from silostudy.dem.model import Model
 from silostudy.dem.run import Run
@@ -19,7 +21,7 @@ from silostudy.dem.stability import SAFETY, longest_step
 from silostudy.errors import BadInput
 from silostudy.files import replacing
 from silostudy.packing import PACKINGS
-from silostudy.scene.dem import check_start, contact_of, events_of, walls_of
+from silostudy.scene.dem import bottom_of, check_start, contact_of, events_of, walls_of
 from silostudy.stamp import stamp
 
 
@@ -27,6 +29,8 @@ def model_of(scene: DemScene, folder: Path, where: str = "") -> Model:
     """The engine's model of a scene; BadInput for a start or a step that cannot be."""
     walls = walls_of(scene.silo)
     x, y, radius = _discs(scene, folder)
+    if scene.packing.kind != "given":
+        y = y + bottom_of(scene.silo)
     check_start(walls, x, y, radius, where)
     contacts = [contact_of(config, scene.radius_m, scene.density_kg_m3) for config in (scene.discs, scene.walls or scene.discs)]
     model = Model(
@@ -137,11 +141,18 @@ def cube_of(run: Run, scene: DemScene) -> xr.Dataset:
         name: (VARIABLES[name].dims, values, {"units": VARIABLES[name].units, "long_name": VARIABLES[name].long_name})
         for name, values in kept.items()
     }
-    attributes = provenance(scene.title, scene.model_dump_json(exclude_defaults=True), ["kiyama_fujimura_1983"], "dem")
+    asked = scene.model_dump_json(exclude_defaults=True)
+    attributes: dict[str, Any] = dict(provenance(scene.title, asked, sources_of(model), "dem"))
     attributes |= {"time_step_s": model.dt, "steps": run.engine.step, "discs_left": run.engine.n}
     if record.explosion is not None:
         attributes["stopped"] = str(record.explosion)
     return check(xr.Dataset(variables, attrs=attributes))
+
+
+def sources_of(model: Model) -> list[str]:
+    """Sources of the laws and the integrator that the model uses."""
+    rows = [INTEGRATORS[model.integrator], *model.pair.rows, *model.wall.rows]
+    return sorted({row.source for row in rows if row.key != "none"})
 
 
 def _windows(run: Run) -> dict[str, np.ndarray]:

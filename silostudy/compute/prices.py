@@ -6,7 +6,6 @@ from dataclasses import replace
 import numpy as np
 
 from silostudy.dem.engine import Engine
-from silostudy.dem.kernel import Laws
 from silostudy.dem.model import Contact, Model
 
 TURNS, WARM, STEPS = 9, 50, 300  # turns of each variant, and their steps before and under the watch

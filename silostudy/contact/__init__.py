@@ -9,10 +9,10 @@ from silostudy.contact import cohesion, line, linear, none, rolling, sliding
 
 @dataclass(frozen=True, kw_only=True)
 class Law(Row):
-    """A contact law: its function, the coefficients it takes in order, whether it carries a history; a normal law's energy."""
+    """A contact law: its function, the coefficients it takes in order, and whether it carries a history."""
 
     law: Callable
-    energy: Callable | None = None
+    energy: Callable = linear.energy  # of a normal law: what its spring holds at an overlap
     coefficients: tuple[str, ...] = ()
     stores: bool = False
 
@@ -30,7 +30,6 @@ NORMAL: Family[Law] = Family(
             source=KIYAMA,
             locator="eqs. (6)-(9)",
             law=linear.cut,
-            energy=linear.energy,
             coefficients=_SPRING,
         ),
         Law(
@@ -39,7 +38,6 @@ NORMAL: Family[Law] = Family(
             source=KIYAMA,
             locator="eqs. (6)-(9) without the cut of the sum",
             law=linear.pulling,
-            energy=linear.energy,
             coefficients=_SPRING,
         ),
         Law(
@@ -48,7 +46,6 @@ NORMAL: Family[Law] = Family(
             source=KIYAMA,
             locator="eqs. (6)-(9), dashpot at the new speed",
             law=linear.implicit,
-            energy=linear.energy,
             coefficients=_SPRING,
         ),
         Law(

@@ -5,12 +5,13 @@ from typing import NamedTuple
 import numpy as np
 
 BLOCK = 128  # discs that are moved together, right after the last contact that can touch them
-LANES = 376  # contacts whose forces are computed together, in the first-level cache; no power of two, whose lanes would share cache sets
+# contacts whose forces are computed together, in the first-level cache; no power of two: its lanes would share cache sets
+LANES = 376
 LINE = 64  # bytes of a cache line
 
 
 class Discs(NamedTuple):
-    """rows (n, 8): x, y (m), u, v (m/s), w (rad/s), fx, fy (N/m), torque (N m/m); held (n, 4): velocities an integrator keeps."""
+    """rows (n, 8): x, y (m), u, v (m/s), w (rad/s), fx, fy (N/m), torque (N m/m); held (n, 4): an integrator's velocities."""
 
     rows: np.ndarray
     held: np.ndarray
@@ -39,7 +40,7 @@ class Record(NamedTuple):
 
     force: np.ndarray  # (threads, contacts, 2) along the inner normal (pressing positive), along the wall (carrying positive)
     cell: np.ndarray  # (threads, contacts)
-    count: np.ndarray  # (threads,)
+    counts: np.ndarray  # (threads,)
     now: np.ndarray  # (cells, 2) this step
     window: np.ndarray  # (cells, 2, 3) sum, least, largest since the window began
 
@@ -81,7 +82,7 @@ class Scratch(NamedTuple):
     cross: np.ndarray  # keys of pairs whose first disc belongs to an earlier thread
     slot: np.ndarray
     ghost: np.ndarray
-    count: np.ndarray  # ghosts, kept pair histories, kept wall histories
+    counts: np.ndarray  # ghosts, kept pair histories, kept wall histories
 
 
 def aligned(*shape: int, dtype=np.float64) -> np.ndarray:

@@ -25,4 +25,4 @@ def prepare() -> None:
     except OSError as reason:
         folder = Path(tempfile.mkdtemp(prefix="silostudy-kernels-"))
         warnings.warn(f"compiled kernels are not kept: {reason}; using {folder}", RuntimeWarning, stacklevel=2)
-    config.CACHE_DIR = str(folder)
+    setattr(config, "CACHE_DIR", str(folder))  # noqa: B010 (numba makes its settings at run time)

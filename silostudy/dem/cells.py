@@ -1,11 +1,18 @@
 """Cell grid: which discs lie near a point."""
 
+from typing import Any
+
 import numpy as np
 from numba import njit
 
 from silostudy.dem.lanes import X, Y
 
-OPTIONS = {"nogil": True, "cache": True, "error_model": "numpy"}  # no fastmath: bits must not depend on array positions
+# no fastmath: bits must not depend on the place in an array
+OPTIONS: dict[str, Any] = {
+    "nogil": True,
+    "cache": True,
+    "error_model": "numpy",
+}
 
 
 @njit(**OPTIONS)

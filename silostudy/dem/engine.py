@@ -1,8 +1,6 @@
 """The engine: the arrays of one model and the compiled kernel that steps them, on one thread or several."""
 
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import replace
-from math import hypot
 
 import numpy as np
 
@@ -11,13 +9,12 @@ from silostudy.dem.integrate import INTEGRATORS
 from silostudy.dem.kernel import EXPLODED, FRESH, REMEMBERED, SHORT_OF_ROOM, STALE, kernel
 from silostudy.dem.lanes import U, V, W, X, Y
 from silostudy.dem.ledger import Ledger, empty
-from silostudy.dem.model import Contact, Model
-from silostudy.dem.neighbours import KEPT_PAIRS, KEPT_WALLS, SHIFT, harvest
+from silostudy.dem.model import Model
+from silostudy.dem.neighbours import KEPT_PAIRS, KEPT_WALLS, harvest
 from silostudy.dem.part import Part
-from silostudy.dem.walls import cells_of, nearest, shape_of
+from silostudy.dem.walls import cells_of, shape_of
 from silostudy.errors import BadInput
 
-LOW = (1 << SHIFT) - 1
 FAR = 1e9  # m: where the pair stands that pads the lists
 
 
@@ -90,9 +87,9 @@ class Engine:
         return Record(
             force=np.zeros((self.threads, room, 2)),
             cell=np.zeros((self.threads, room), np.int32),
-            count=np.zeros(self.threads, np.int64),
+            counts=np.zeros(self.threads, np.int64),
             now=np.zeros((cells, 2)),
-            window=np.zeros((cells, 2, 3)) + (0.0, np.inf, -np.inf),
+            window=np.zeros((cells, 2, 3)) + np.array([0.0, np.inf, -np.inf]),
         )
 
     @property
@@ -117,7 +114,8 @@ class Engine:
     def bounds(self, number: int) -> tuple[int, int]:
         """First disc of a thread and first of the next: whole blocks, evenly shared."""
         blocks = (self.n + BLOCK - 1) // BLOCK
-        return tuple(min(self.n, blocks * k // self.threads * BLOCK) for k in (number, number + 1))
+        lo, hi = (min(self.n, blocks * k // self.threads * BLOCK) for k in (number, number + 1))
+        return lo, hi
 
     def base(self, part: Part) -> int:
         """First row of a thread's own room beyond the discs: for its ghosts, and for the pair that pads its lists."""
@@ -198,9 +196,9 @@ class Engine:
         limits = (float(self.model.radius.min()), self.skin)
         laws = tuple(contact.ordered for contact in self.contacts)
         return (
-            self.discs, part.pairs, part.near, part.memories, self.walls, self.blocks, part.scratch, laws, self.record, self.ledger,
-            quake, self.clock, self.said, self.gate, part.number, self.threads, self.n, lo, hi, base, stop,
-            self.gravity, self.model.dt, limits,
+            self.discs, part.pairs, part.near, part.memories, self.walls, self.blocks, part.scratch,
+            laws, self.record, self.ledger, quake, self.clock, self.said, self.gate,
+            part.number, self.threads, self.n, lo, hi, base, stop, self.gravity, self.model.dt, limits,
         )  # fmt: skip
 
     def _explosion(self) -> Explosion:
@@ -221,7 +219,7 @@ class Engine:
 
     def _joined(self, which: int, counter: int) -> Memory:
         """The parts' memories as one: a pair that two threads share is kept once, its histories being the same."""
-        kept = [Memory(*(column[: part.scratch.count[counter]] for column in part.memories[which])) for part in self.parts]
+        kept = [Memory(*(column[: part.scratch.counts[counter]] for column in part.memories[which])) for part in self.parts]
         key = np.concatenate([memory.key for memory in kept])
         _, order = np.unique(key, return_index=True)
         return Memory(*(np.concatenate(columns)[order] for columns in zip(*kept, strict=True)))
@@ -232,86 +230,6 @@ class Engine:
             part.load(pair_memory, wall_memory)
         self.said[:] = REMEMBERED
         self._widen_record()
-
-    def keep(self, kept: np.ndarray) -> None:
-        """Drop the discs that are not marked; the others keep their order, so that every sum keeps its own."""
-        pairs, near = self.take_memories()
-        number = np.cumsum(kept) - 1
-        first, second = pairs.key >> SHIFT, pairs.key & LOW
-        stay = kept[first] & kept[second]
-        pairs = Memory((number[first] << SHIFT | number[second])[stay], pairs.stored[stay], pairs.rolled[stay])
-        disc, wall = near.key >> SHIFT, near.key & LOW
-        stay = kept[disc]
-        near = Memory((number[disc] << SHIFT | wall)[stay], near.stored[stay], near.rolled[stay])
-        left = int(kept.sum())
-        for column in self.discs:
-            if len(column) >= self.n:
-                column[:left] = column[: self.n][kept]
-        self.n = left
-        self.give_memories(pairs, near)
-
-    def swap_walls(self, gone: str, come: tuple[str, ...]) -> None:
-        """Take a wall away and put others there; contacts that are still in touch with those keep their histories."""
-        names = [wall.name for wall in self.model.walls]
-        old, new = names.index(gone), [names.index(name) for name in come]
-        pairs, near = self.take_memories()
-        disc, wall = near.key >> SHIFT, near.key & LOW
-        for k in np.flatnonzero(wall == old):
-            place = self.discs.rows[disc[k], [X, Y]]
-            nearer = [hypot(*nearest(self.walls.shape, q, *place)[:2]) for q in new]
-            wall[k] = new[int(np.argmin(nearer))] if new else old
-        stay = wall != old
-        key = (disc << SHIFT | wall)[stay]
-        order = np.argsort(key, kind="stable")
-        self.walls.live[old] = False
-        self.walls.live[new] = True
-        self.give_memories(pairs, Memory(key[order], near.stored[stay][order], near.rolled[stay][order]))
-
-    def checkpoint(self) -> dict[str, np.ndarray]:
-        """Everything that the next step depends on, as arrays by name."""
-        pairs, near = self.take_memories()
-        memories = {f"pair_{k}": v for k, v in pairs._asdict().items()} | {f"wall_{k}": v for k, v in near._asdict().items()}
-        return memories | {
-            "step": np.array(self.step),
-            "rows": self.discs.rows[: self.n].copy(),
-            "held": self.discs.held[: self.n].copy(),
-            "label": self.labels.copy(),
-            "live": self.walls.live.copy(),
-            "gravity": np.array(self.gravity),
-            "window": self.record.window.copy(),
-            "account": self.ledger.account.copy(),
-            "coefficients": np.array([value for contact in self.contacts for law in contact.ordered for value in law]),
-        }
-
-    def restore(self, saved: dict[str, np.ndarray]) -> None:
-        """Go on from a checkpoint of the same model."""
-        kept = np.isin(self.labels, saved["label"])
-        self.keep(kept)
-        self.clock[0] = int(saved["step"])
-        self.discs.rows[: self.n] = saved["rows"]
-        self.discs.held[: self.n] = saved["held"]
-        self.walls.live[:] = saved["live"]
-        self.record.window[:] = saved["window"]
-        self.ledger.account[:] = saved["account"]
-        self.gravity = tuple(float(value) for value in saved["gravity"])
-        self.contacts = self._contacts_from(list(saved["coefficients"]))
-        memories = [Memory(*(saved[f"{kind}_{name}"] for name in Memory._fields)) for kind in ("pair", "wall")]
-        self.give_memories(*memories)
-
-    def _contacts_from(self, values: list) -> tuple[Contact, Contact]:
-        contacts = []
-        for contact in self.contacts:
-            names = [name for row in contact.rows for name in row.coefficients]
-            contacts.append(replace(contact, coefficients={name: float(values.pop(0)) for name in names}))
-        return contacts[0], contacts[1]
-
-    def set_friction(self, *, pair: float | None = None, wall: float | None = None) -> None:
-        """Change the sliding friction between discs, at the walls, or both."""
-        for k, value in enumerate((pair, wall)):
-            if value is not None:
-                contact = self.contacts[k]
-                changed = replace(contact, coefficients={**contact.coefficients, "sliding_friction": value})
-                self.contacts = (changed, self.contacts[1]) if k == 0 else (self.contacts[0], changed)
 
     def clear_window(self) -> None:
         """Begin a new window of wall forces."""

@@ -4,74 +4,27 @@ Its parts close over plain functions only (register_jitable): numba names a kept
 over, and a compiled function in there would have other bytes in every process, so that nothing would be found again.
 """
 
-from dataclasses import dataclass
-from functools import lru_cache
+from functools import cache
 from math import sqrt
+from typing import Any
 
 import numpy as np
 from numba import njit
 from numba.extending import register_jitable
 
-from silostudy.contact import COHESION, NORMAL, ROLLING, TANGENTIAL
 from silostudy.dem.arrays import BLOCK, LANES
 from silostudy.dem.cells import OPTIONS
 from silostudy.dem.force import force_pass
 from silostudy.dem.integrate import INTEGRATORS
-from silostudy.dem.ledger import book_pass, keep_histories
 from silostudy.dem.lanes import FX, FY, TORQUE, U, V, W, X, Y, gather, scatter
+from silostudy.dem.ledger import book_pass, keep_histories
 from silostudy.dem.neighbours import GHOSTS, allow, harvest, list_pairs, list_walls
+from silostudy.dem.pieces import Laws, Pieces
 from silostudy.dem.threads import meet
 from silostudy.dem.walls import add_to_window, gather_walls, note_walls, scatter_walls
 
+UNCOUNTED: dict[str, Any] = {"_nrt": False}  # counting references to arrays took two thirds of the time of a step
 FRESH, STALE, REMEMBERED, SHORT_OF_ROOM, EXPLODED = range(5)  # what a thread says of its list after a step
-
-
-@dataclass(frozen=True)
-class Laws:
-    """Keys of the four contact laws between two bodies."""
-
-    normal: str = "spring-dashpot"
-    tangential: str = "none"
-    rolling: str = "none"
-    cohesion: str = "none"
-
-    @property
-    def functions(self):
-        return (
-            NORMAL[self.normal].law,
-            TANGENTIAL[self.tangential].law,
-            ROLLING[self.rolling].law,
-            COHESION[self.cohesion].law,
-        )
-
-    @property
-    def slides(self) -> bool:
-        return TANGENTIAL[self.tangential].stores
-
-    @property
-    def rolls(self) -> bool:
-        return ROLLING[self.rolling].stores
-
-    @property
-    def turns(self) -> bool:
-        return self.tangential != "none" or self.rolling != "none"
-
-
-@dataclass(frozen=True)
-class Pieces:
-    """What a scene calls for; everything else is not compiled in."""
-
-    pair: Laws = Laws()
-    wall: Laws = Laws()
-    integrator: str = "17-18"
-    unequal: bool = False  # discs of several sizes
-    shaken: bool = False  # the box is accelerated
-    watched: bool = False  # wall forces are recorded every step
-    booked: bool = False  # the energy ledger is kept
-
-    @property
-    def turns(self) -> bool:
-        return self.pair.turns or self.wall.turns
 
 
 def pair_pass(laws: Laws, unequal: bool):
@@ -198,7 +151,7 @@ def sweep_pass(pieces: Pieces):
             if not booked:
                 block_forces(discs, pairs, near, walls, scratch, laws, record, part, b, dt)
             stale = max(stale, block_moves(discs, blocks, scratch, lo // BLOCK + b, hi, gx, gy, kick, dt))
-        record.count[part] = near.begin[last]
+        record.counts[part] = near.begin[last]
         return stale
 
     return sweep
@@ -240,12 +193,12 @@ def worst(said):
 @njit(**OPTIONS)
 def copy_ghosts(rows, scratch, base):
     """Copy the discs of other threads that this thread's discs may touch."""
-    for k in range(scratch.count[GHOSTS]):
+    for k in range(scratch.counts[GHOSTS]):
         for lane in range(W + 1):
             rows[base + k, lane] = rows[scratch.ghost[k], lane]
 
 
-@lru_cache(maxsize=None)
+@cache
 def kernel(pieces: Pieces):
     """The compiled stepper of a scene made of these pieces.
 
@@ -256,7 +209,7 @@ def kernel(pieces: Pieces):
     shaken, watched = pieces.shaken, pieces.watched
     half_start = INTEGRATORS[pieces.integrator].half_start
 
-    @njit(_nrt=False, **OPTIONS)
+    @njit(**OPTIONS, **UNCOUNTED)
     def run(
         discs, pairs, near, memories, walls, blocks, scratch, laws, record, ledger, quake,
         clock, said, gate, part, parties, n, lo, hi, base, stop, gravity, dt, limits,

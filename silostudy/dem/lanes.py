@@ -132,7 +132,7 @@ def _scatter(typing, rows, first, second, start, force, offset):
 def _gather_overload(rows, first, second, start, count, lanes):
     def eight_at_a_time(rows, first, second, start, count, lanes):
         for k in range(0, count, WIDTH):
-            _gather(rows, first, second, start + k, lanes, k)
+            _gather(rows, first, second, start + k, lanes, k)  # type: ignore[call-arg]
 
     return eight_at_a_time
 
@@ -141,6 +141,6 @@ def _gather_overload(rows, first, second, start, count, lanes):
 def _scatter_overload(rows, first, second, start, count, force):
     def eight_at_a_time(rows, first, second, start, count, force):
         for k in range(0, count, WIDTH):
-            _scatter(rows, first, second, start + k, force, k)
+            _scatter(rows, first, second, start + k, force, k)  # type: ignore[call-arg]
 
     return eight_at_a_time

@@ -1,13 +1,13 @@
 """What the engine is asked to step: discs, walls, laws with their coefficients, and the march. Checked when it is made."""
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from math import isfinite, pi
 
 import numpy as np
 
 from silostudy.contact import COHESION, NORMAL, ROLLING, TANGENTIAL
 from silostudy.dem.integrate import INTEGRATORS
-from silostudy.dem.kernel import Laws, Pieces
+from silostudy.dem.pieces import Laws, Pieces
 from silostudy.errors import BadInput
 
 
@@ -38,8 +38,8 @@ class Wall:
 class Contact:
     """The laws between two bodies and their coefficients by name, SI per metre thickness."""
 
-    laws: Laws = Laws()
-    coefficients: dict[str, float] = field(default_factory=dict)
+    laws: Laws
+    coefficients: dict[str, float]
 
     def __post_init__(self):
         needed = {name for row in self.rows for name in row.coefficients}

@@ -13,6 +13,7 @@ from silostudy.dem.lanes import WIDTH, X, Y
 from silostudy.dem.walls import nearest
 
 SHIFT = 32  # key = first << SHIFT | second
+LOW = (1 << SHIFT) - 1
 LOOK_AHEAD = 48.0  # steps that a list should last at the speed of its discs
 MOST, LEAST = 0.4, 0.004  # of the smallest radius: limits of a disc's allowance
 GHOSTS, KEPT_PAIRS, KEPT_WALLS = range(3)  # places in Scratch.count
@@ -109,12 +110,12 @@ def near_discs(rows, radius, skin, i, lo, grid, scratch):
 def ghost_of(j, scratch, base):
     """Place in the rows of this thread's copy of a disc that belongs to another thread."""
     if scratch.slot[j] < 0:
-        count = scratch.count[GHOSTS]
+        count = scratch.counts[GHOSTS]
         if count >= scratch.ghost.size:
             return -1
         scratch.slot[j] = count
         scratch.ghost[count] = j
-        scratch.count[GHOSTS] = count + 1
+        scratch.counts[GHOSTS] = count + 1
     return base + scratch.slot[j]
 
 
@@ -156,9 +157,9 @@ def list_pairs(discs, contacts, memory, blocks, scratch, n, lo, hi, base):
     widest = largest_of(blocks.skin, (n + BLOCK - 1) // BLOCK)
     largest = largest_of(discs.radius, min(n, discs.radius.size))
     grid = bin_discs(discs.rows, n, 2.0 * (largest + widest), scratch.cell_begin, scratch.order)
-    kept, room, dummy = scratch.count[KEPT_PAIRS], contacts.first.size - WIDTH, base + scratch.ghost.size
+    kept, room, dummy = scratch.counts[KEPT_PAIRS], contacts.first.size - WIDTH, base + scratch.ghost.size
     scratch.slot[:] = -1
-    scratch.count[GHOSTS] = 0
+    scratch.counts[GHOSTS] = 0
     scratch.cross[0] = 0
     fill, at = 0, 0
     for i in range(lo, hi):
@@ -199,7 +200,7 @@ def list_crossing(discs, contacts, memory, scratch, fill, base):
         if first < 0:
             return -1
         enter(discs, contacts, fill, i, j, first, j)
-        at = recall(contacts, fill, key, memory, scratch.count[KEPT_PAIRS], at)
+        at = recall(contacts, fill, key, memory, scratch.counts[KEPT_PAIRS], at)
         fill += 1
     return fill
 
@@ -207,7 +208,7 @@ def list_crossing(discs, contacts, memory, scratch, fill, base):
 @njit(**OPTIONS)
 def list_walls(discs, near, memory, walls, blocks, scratch, lo, hi, dummy):
     """List the discs lo to hi near each live wall, in the order (disc, wall); False if room is short."""
-    fill, at, kept = 0, 0, scratch.count[KEPT_WALLS]
+    fill, at, kept = 0, 0, scratch.counts[KEPT_WALLS]
     for i in range(lo, hi):
         if (i - lo) % BLOCK == 0:
             fill = pad(near, fill, dummy, 0)
@@ -233,5 +234,5 @@ def harvest(contacts, near, pair_memory, wall_memory, scratch, last, base):
     """Take the histories out of both lists into sorted memories; `last` is the number of blocks."""
     begin, never = contacts.begin, np.int64(1) << 62
     kept = remember(contacts, begin[last], begin[last + 1], base, scratch.ghost, pair_memory, 0)
-    scratch.count[KEPT_PAIRS] = remember(contacts, 0, begin[last], base, scratch.ghost, pair_memory, kept)
-    scratch.count[KEPT_WALLS] = remember(near, 0, near.begin[last], never, scratch.ghost, wall_memory, 0)
+    scratch.counts[KEPT_PAIRS] = remember(contacts, 0, begin[last], base, scratch.ghost, pair_memory, kept)
+    scratch.counts[KEPT_WALLS] = remember(near, 0, near.begin[last], never, scratch.ghost, wall_memory, 0)

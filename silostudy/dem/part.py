@@ -3,8 +3,8 @@
 import numpy as np
 
 from silostudy.dem.arrays import BLOCK, LANES, Contacts, Memory, Scratch, aligned
-from silostudy.dem.kernel import Laws
 from silostudy.dem.lanes import WIDTH
+from silostudy.dem.pieces import Laws
 
 
 class Part:
@@ -15,6 +15,7 @@ class Part:
         self.room, self.wall_room = 3 * BLOCK * WIDTH + int(2.7 * engine.most), 64 + engine.most // 16
         self.ghost_room = 0 if engine.threads == 1 else 1024 + 8 * int(engine.n**0.5)
         self.memories = (self._memory(0), self._memory(0))
+        self.counts = np.zeros(3, np.int64)
         self.make_lists()
 
     def _memory(self, room: int) -> Memory:
@@ -40,9 +41,10 @@ class Part:
         self.pairs = self._contacts(self.room, model.pair.laws, radius, 0.5 * mass)
         self.near = self._contacts(self.wall_room, model.wall.laws, 0.0, mass)
         stores = (model.pair.laws.slides or model.pair.laws.rolls, model.wall.laws.slides or model.wall.laws.rolls)
-        self.memories = tuple(
-            self._grown(memory, room if storing else 0)
-            for memory, room, storing in zip(self.memories, (self.room, self.wall_room), stores, strict=True)
+        pair, wall = self.memories
+        self.memories = (
+            self._grown(pair, self.room if stores[0] else 0),
+            self._grown(wall, self.wall_room if stores[1] else 0),
         )
         motion = aligned(BLOCK)
         self.scratch = Scratch(
@@ -56,7 +58,7 @@ class Part:
             cross=np.zeros(4 * self.ghost_room + 1, np.int64),
             slot=np.zeros(engine.n if engine.threads > 1 else 0, np.int32),
             ghost=np.zeros(self.ghost_room, np.int32),
-            count=self.scratch.count if hasattr(self, "scratch") else np.zeros(3, np.int64),
+            counts=self.counts,
         )
 
     def _grown(self, memory: Memory, room: int) -> Memory:
@@ -78,4 +80,4 @@ class Part:
         for mine, given in zip(self.memories, (pair_memory, wall_memory), strict=True):
             for old, new in zip(mine, given, strict=True):
                 old[: len(new)] = new
-        self.scratch.count[1:] = len(pair_memory.key), len(wall_memory.key)
+        self.scratch.counts[1:] = len(pair_memory.key), len(wall_memory.key)

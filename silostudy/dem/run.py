@@ -6,6 +6,8 @@ from math import inf
 
 import numpy as np
 
+from silostudy.dem.change import keep_discs, set_friction, swap_walls
+from silostudy.dem.checkpoint import checkpoint, restore
 from silostudy.dem.engine import Engine, Explosion
 from silostudy.dem.lanes import U, V, W, Y
 from silostudy.dem.ledger import ENTRIES, carry_out
@@ -138,7 +140,7 @@ class Run:
 
     def _act(self, event: Event) -> None:
         if event.action == "open":
-            self.engine.swap_walls(event.what[0], event.what[1:])
+            swap_walls(self.engine, event.what[0], event.what[1:])
         elif event.action == "remove":
             kept = np.ones(self.engine.n, bool)
             kept[self._disc(event.what)] = False
@@ -146,7 +148,7 @@ class Run:
         elif event.action == "gravity":
             self.engine.gravity = (float(event.what[0]), float(event.what[1]))
         elif event.action == "friction":
-            self.engine.set_friction(pair=event.what[0], wall=event.what[1])
+            set_friction(self.engine, pair=event.what[0], wall=event.what[1])
         self.recording.happened.append((self.engine.time, event.trigger, event.action))
         self.since = self.engine.step
         self.next_event += 1
@@ -177,7 +179,7 @@ class Run:
     def _take_out(self, kept: np.ndarray) -> None:
         self.dropped += float(self.engine.mass[~kept].sum())
         carry_out(self.engine, ~kept)
-        self.engine.keep(kept)
+        keep_discs(self.engine, kept)
         self.recording.discharge_time.append(self.engine.time)
         self.recording.discharged.append(self.dropped)
 
@@ -192,11 +194,11 @@ class Run:
     def checkpoint(self) -> dict:
         """Everything that going on depends on: the engine's arrays, where the events stand, and what was recorded."""
         stand = {"next_event": self.next_event, "since": self.since, "dropped": self.dropped}
-        return {"engine": self.engine.checkpoint(), "stand": stand, "recording": self.recording}
+        return {"engine": checkpoint(self.engine), "stand": stand, "recording": self.recording}
 
     def restore(self, saved: dict) -> None:
         """Go on from a checkpoint of the same scene."""
-        self.engine.restore(saved["engine"])
+        restore(self.engine, saved["engine"])
         self.next_event, self.since = saved["stand"]["next_event"], saved["stand"]["since"]
         self.dropped, self.recording = saved["stand"]["dropped"], saved["recording"]
 

@@ -1,7 +1,7 @@
 """Snapshots: the contacts of this instant with their forces, read without disturbing the run."""
 
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cache
 
 import numpy as np
 from numba import njit
@@ -9,8 +9,8 @@ from numba import njit
 from silostudy.dem.arrays import LANES, aligned
 from silostudy.dem.cells import OPTIONS
 from silostudy.dem.force import force_pass
-from silostudy.dem.kernel import Laws
 from silostudy.dem.lanes import X, Y, gather
+from silostudy.dem.pieces import Laws
 from silostudy.dem.walls import gather_walls, nearest
 
 
@@ -26,7 +26,7 @@ class Contacts:
     fy: np.ndarray
 
 
-@lru_cache(maxsize=None)
+@cache
 def reader(laws: Laws, unequal: bool, flat: bool):
     """Compiled function that computes the forces of a list without changing its histories."""
     forces = force_pass(laws.functions, unequal=unequal, slides=laws.slides, rolls=laws.rolls, flat=flat)

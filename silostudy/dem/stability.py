@@ -53,7 +53,7 @@ def _bounded(integrator: str, stiffness: float, damping: float, dt: float) -> bo
 
 
 def _network(model: Model) -> list[tuple]:
-    """Contacts that are or will be at once, as (contact, first, second, nx, ny) for discs and (contact, disc, None, ...) for walls."""
+    """Contacts that are or will be at once: (contact, first, second, nx, ny); second is None for walls."""
     place = np.c_[model.x, model.y]
     i, j = cKDTree(place).query_pairs((2.0 + NEAR) * model.radius.max(), output_type="ndarray").reshape(-1, 2).T
     away = place[i] - place[j]

@@ -44,13 +44,13 @@ def meet(gate, parties):
     """Wait until all parties are here; gate is two integers: how many came, and how often all had come."""
     if parties == 1:
         return
-    round_ = _read(gate, 1)
+    passed: int = _read(gate, 1)  # type: ignore[call-arg]  # numba hands the typing context in itself
     if _add(gate, 0, 1) == parties - 1:
         _add(gate, 0, -parties)
         _add(gate, 1, 1)
         return
     looks = 0
-    while _read(gate, 1) == round_:
+    while _read(gate, 1) == passed:
         looks += 1
         if looks % SPINS == 0:
             _offer()

@@ -71,8 +71,8 @@ def add_to_window(record):
     """Add this step's wall forces to the window, contact by contact in the order of the discs."""
     now, window = record.now, record.window
     now[:] = 0.0
-    for part in range(record.count.size):
-        for k in range(record.count[part]):
+    for part in range(record.counts.size):
+        for k in range(record.counts[part]):
             now[record.cell[part, k], 0] += record.force[part, k, 0]
             now[record.cell[part, k], 1] += record.force[part, k, 1]
     for c in range(now.shape[0]):

@@ -6,10 +6,10 @@ from pathlib import Path
 
 import numpy as np
 
-from silostudy.config.dem import BoxConfig, ContactConfig, DemScene
+from silostudy.config.dem import BoxConfig, ContactConfig, DemScene, EventConfig
 from silostudy.contact.line import PRINTED_CONSTANTS, curve, stiffness
-from silostudy.dem.kernel import Laws
 from silostudy.dem.model import Contact, Wall
+from silostudy.dem.pieces import Laws
 from silostudy.dem.run import Event
 from silostudy.errors import BadInput
 
@@ -25,10 +25,17 @@ class Effect:
     why: str
 
 
+def bottom_of(silo: BoxConfig) -> float:
+    """Height (m) at which the vertical walls begin, above the slit: that of the hopper."""
+    if silo.hopper_half_angle_deg is None:
+        return 0.0
+    return 0.5 * (silo.width_m - silo.slit_width_m) / tan(radians(silo.hopper_half_angle_deg))
+
+
 def walls_of(silo: BoxConfig) -> tuple[Wall, ...]:
-    """Walls counter-clockwise, the closed bottom first; the halves beside the slit or the hopper's mouth wait for it to open."""
+    """Walls counter-clockwise, the closed bottom first; the halves beside the slit wait for it to open."""
     width, half, cells = silo.width_m, silo.slit_width_m / 2.0, silo.wall_cells
-    centre, base = width / 2.0, 0.0
+    centre, base = width / 2.0, bottom_of(silo)
     found = []
     if silo.hopper_half_angle_deg is None:
         found.append(Wall("floor", (0.0, 0.0), (width, 0.0), cells))
@@ -36,7 +43,6 @@ def walls_of(silo: BoxConfig) -> tuple[Wall, ...]:
             found.append(Wall("floor_left", (0.0, 0.0), (centre - half, 0.0), cells, live=False))
             found.append(Wall("floor_right", (centre + half, 0.0), (width, 0.0), cells, live=False))
     else:
-        base = (centre - half) / tan(radians(silo.hopper_half_angle_deg))
         found.append(Wall("floor", (centre - half, 0.0), (centre + half, 0.0), cells, joined=(True, True)))
         found.append(Wall("hopper_left", (0.0, base), (centre - half, 0.0), cells, joined=(True, False)))
         found.append(Wall("hopper_right", (centre + half, 0.0), (width, base), cells, joined=(False, True)))
@@ -61,7 +67,7 @@ def contact_of(config: ContactConfig, radius: float, density: float) -> Contact:
         known["line_compliance"], known["line_bracket"] = curve(radius, constant=constant, **elastic)
     assert k is not None  # the model asks for one of the two
     known["normal_stiffness"], known["tangential_stiffness"] = k, config.stiffness_ratio * k
-    direct, ratio = config.normal_damping_N_s_m2, config.damping_ratio
+    direct, ratio = config.normal_damping_N_s_m2, config.damping_ratio or 0.0
     known["normal_damping"] = direct if direct is not None else 2.0 * ratio * sqrt(density * pi * radius**2 * k)
     known["tangential_damping"] = known["normal_damping"] * sqrt(config.stiffness_ratio)
     known["normal_damping_root"] = known["tangential_damping_root"] = 0.0
@@ -77,15 +83,20 @@ def events_of(scene: DemScene) -> tuple[Event, ...]:
     beside = ("floor_left", "floor_right") if scene.silo.hopper_half_angle_deg is None else ()
     found = []
     for event in scene.events:
-        action, what = {
-            "open_slit": ("open", ("floor", *beside)),
-            "remove_disc": ("remove", (event.disc,) if event.near_m is None else event.near_m),
-            "set_gravity": ("gravity", event.gravity_m_s2),
-            "set_friction": ("friction", (event.disc_friction, event.wall_friction)),
-            "stop": ("stop", ()),
-        }[event.do]
+        action, what = _action(event, beside)
         found.append(Event(event.when, event.value, action, what))
     return tuple(found)
+
+
+def _action(event: EventConfig, beside: tuple[str, ...]) -> tuple[str, tuple]:
+    if event.do == "remove_disc":
+        return "remove", (event.disc,) if event.near_m is None else event.near_m
+    if event.do == "set_gravity":
+        assert event.gravity_m_s2 is not None  # the model asks for it
+        return "gravity", event.gravity_m_s2
+    if event.do == "set_friction":
+        return "friction", (event.disc_friction, event.wall_friction)
+    return ("open", ("floor", *beside)) if event.do == "open_slit" else ("stop", ())
 
 
 def check_start(walls: tuple[Wall, ...], x, y, radius, where: str = "") -> None:

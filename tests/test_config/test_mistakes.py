@@ -158,7 +158,9 @@ def test_project_names_only_studies_that_are_there(tmp_path):
     (tmp_path / "config.yaml").write_text("studies: [nowhere]\n")
     with pytest.raises(BadInput, match="studies = 'nowhere': unknown"):
         load_project(tmp_path / "config.yaml")
-    assert "wheat-silo" in load_project(ROOT / "config/config.yaml")
+    studies, scenes = load_project(ROOT / "config/config.yaml")
+    assert "wheat-silo" in studies
+    assert "kiyama-17-18" in scenes
 
 
 def test_schema_file_is_in_step_and_accepts_every_study():

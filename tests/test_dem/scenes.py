@@ -3,8 +3,8 @@
 import numpy as np
 
 from silostudy.dem.engine import Engine
-from silostudy.dem.kernel import Laws
 from silostudy.dem.model import Contact, Model, Wall
+from silostudy.dem.pieces import Laws
 from silostudy.packing import PACKINGS
 
 DENSITY, GRAVITY = 2650.0, 9.81

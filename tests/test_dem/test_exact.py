@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 
 from silostudy.dem.engine import Engine
-from silostudy.dem.kernel import Laws
 from silostudy.dem.lanes import TORQUE, U, V, W, X, Y
 from silostudy.dem.model import Wall
+from silostudy.dem.pieces import Laws
 
 from .scenes import DENSITY, RADIUS, SLIDING, STIFFNESS, contact, free, rows, silo
 

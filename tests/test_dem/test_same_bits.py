@@ -5,6 +5,7 @@ from concurrent.futures import ThreadPoolExecutor
 import numpy as np
 import pytest
 
+from silostudy.dem.checkpoint import checkpoint, restore
 from silostudy.dem.engine import Engine
 from silostudy.dem.run import Event, Run
 
@@ -63,7 +64,7 @@ def test_restart_from_a_checkpoint(stop):
     through, before = Engine(silo()), Engine(silo())
     before.step_to(stop)
     after = Engine(silo(), threads=2)
-    after.restore(before.checkpoint())
+    restore(after, checkpoint(before))
     for engine in (through, before, after):
         engine.step_to(4000)
     assert np.array_equal(rows(through), rows(after))

@@ -1,0 +1,57 @@
+"""Changes to a scene between two steps: discs taken out, walls opened, friction changed; histories are carried over."""
+
+from dataclasses import replace
+from math import hypot
+
+import numpy as np
+
+from silostudy.dem.arrays import Memory
+from silostudy.dem.engine import Engine
+from silostudy.dem.lanes import X, Y
+from silostudy.dem.neighbours import LOW, SHIFT
+from silostudy.dem.walls import nearest
+
+
+def keep_discs(engine: Engine, kept: np.ndarray) -> None:
+    """Drop the discs that are not marked; the others keep their order, so that every sum keeps its own."""
+    pairs, near = engine.take_memories()
+    number = np.cumsum(kept) - 1
+    first, second = pairs.key >> SHIFT, pairs.key & LOW
+    stay = kept[first] & kept[second]
+    pairs = Memory((number[first] << SHIFT | number[second])[stay], pairs.stored[stay], pairs.rolled[stay])
+    disc, wall = near.key >> SHIFT, near.key & LOW
+    stay = kept[disc]
+    near = Memory((number[disc] << SHIFT | wall)[stay], near.stored[stay], near.rolled[stay])
+    left = int(kept.sum())
+    for column in engine.discs:
+        if len(column) >= engine.n:
+            column[:left] = column[: engine.n][kept]
+    engine.n = left
+    engine.give_memories(pairs, near)
+
+
+def swap_walls(engine: Engine, gone: str, come: tuple[str, ...]) -> None:
+    """Take a wall away and put others there; contacts that are still in touch with those keep their histories."""
+    names = [wall.name for wall in engine.model.walls]
+    old, new = names.index(gone), [names.index(name) for name in come]
+    pairs, near = engine.take_memories()
+    disc, wall = near.key >> SHIFT, near.key & LOW
+    for k in np.flatnonzero(wall == old):
+        place = engine.discs.rows[disc[k], [X, Y]]
+        nearer = [hypot(*nearest(engine.walls.shape, q, *place)[:2]) for q in new]
+        wall[k] = new[int(np.argmin(nearer))] if new else old
+    stay = wall != old
+    key = (disc << SHIFT | wall)[stay]
+    order = np.argsort(key, kind="stable")
+    engine.walls.live[old] = False
+    engine.walls.live[new] = True
+    engine.give_memories(pairs, Memory(key[order], near.stored[stay][order], near.rolled[stay][order]))
+
+
+def set_friction(engine: Engine, *, pair: float | None = None, wall: float | None = None) -> None:
+    """Change the sliding friction between discs, at the walls, or both."""
+    for k, value in enumerate((pair, wall)):
+        if value is not None:
+            contact = engine.contacts[k]
+            changed = replace(contact, coefficients={**contact.coefficients, "sliding_friction": value})
+            engine.contacts = (changed, engine.contacts[1]) if k == 0 else (engine.contacts[0], changed)

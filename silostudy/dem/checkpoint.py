@@ -1,0 +1,51 @@
+"""Checkpoints: everything that the next step depends on, taken out of an engine and put back."""
+
+from dataclasses import replace
+
+import numpy as np
+
+from silostudy.dem.arrays import Memory
+from silostudy.dem.change import keep_discs
+from silostudy.dem.engine import Engine
+from silostudy.dem.model import Contact
+
+
+def checkpoint(engine: Engine) -> dict[str, np.ndarray]:
+    """Everything that the next step depends on, as arrays by name."""
+    pairs, near = engine.take_memories()
+    memories = {f"pair_{k}": v for k, v in pairs._asdict().items()} | {f"wall_{k}": v for k, v in near._asdict().items()}
+    return memories | {
+        "step": np.array(engine.step),
+        "rows": engine.discs.rows[: engine.n].copy(),
+        "held": engine.discs.held[: engine.n].copy(),
+        "label": engine.labels.copy(),
+        "live": engine.walls.live.copy(),
+        "gravity": np.array(engine.gravity),
+        "window": engine.record.window.copy(),
+        "account": engine.ledger.account.copy(),
+        "coefficients": np.array([value for contact in engine.contacts for law in contact.ordered for value in law]),
+    }
+
+
+def restore(engine: Engine, saved: dict[str, np.ndarray]) -> None:
+    """Go on from a checkpoint of the same model."""
+    kept = np.isin(engine.labels, saved["label"])
+    keep_discs(engine, kept)
+    engine.clock[0] = int(saved["step"])
+    engine.discs.rows[: engine.n] = saved["rows"]
+    engine.discs.held[: engine.n] = saved["held"]
+    engine.walls.live[:] = saved["live"]
+    engine.record.window[:] = saved["window"]
+    engine.ledger.account[:] = saved["account"]
+    engine.gravity = float(saved["gravity"][0]), float(saved["gravity"][1])
+    engine.contacts = _contacts_from(engine, list(saved["coefficients"]))
+    memories = [Memory(*(saved[f"{kind}_{name}"] for name in Memory._fields)) for kind in ("pair", "wall")]
+    engine.give_memories(*memories)
+
+
+def _contacts_from(engine: Engine, values: list) -> tuple[Contact, Contact]:
+    contacts = []
+    for contact in engine.contacts:
+        names = [name for row in contact.rows for name in row.coefficients]
+        contacts.append(replace(contact, coefficients={name: float(values.pop(0)) for name in names}))
+    return contacts[0], contacts[1]
