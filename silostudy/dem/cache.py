@@ -1,5 +1,6 @@
 """Where compiled kernels are kept: a folder named by the sources, because numba does not notice a changed import."""
 
+import hashlib
 import os
 import tempfile
 import warnings
@@ -8,6 +9,16 @@ from pathlib import Path
 from numba import config
 
 from silostudy.stamp import stamp
+
+
+def named(function, key: str):
+    """The function under a name of its own for this key, so that its compiled form has files of its own.
+
+    Numba numbers the files of one name as they come: two processes that compile different kernels of one name at the
+    same time take the same number, and each then finds the other's code.
+    """
+    function.__qualname__ = f"{function.__name__}_{hashlib.sha256(key.encode()).hexdigest()[:12]}"
+    return function
 
 
 def root() -> Path:

@@ -13,6 +13,7 @@ from numba import njit
 from numba.extending import register_jitable
 
 from silostudy.dem.arrays import BLOCK, LANES
+from silostudy.dem.cache import named
 from silostudy.dem.cells import OPTIONS
 from silostudy.dem.force import force_pass
 from silostudy.dem.integrate import INTEGRATORS
@@ -209,7 +210,6 @@ def kernel(pieces: Pieces):
     shaken, watched = pieces.shaken, pieces.watched
     half_start = INTEGRATORS[pieces.integrator].half_start
 
-    @njit(**OPTIONS, **UNCOUNTED)
     def run(
         discs, pairs, near, memories, walls, blocks, scratch, laws, record, ledger, quake,
         clock, said, gate, part, parties, n, lo, hi, base, stop, gravity, dt, limits,
@@ -255,4 +255,4 @@ def kernel(pieces: Pieces):
         if part == 0:
             clock[0] = step
 
-    return run
+    return njit(**OPTIONS, **UNCOUNTED)(named(run, repr(pieces)))

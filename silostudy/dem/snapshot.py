@@ -7,6 +7,7 @@ import numpy as np
 from numba import njit
 
 from silostudy.dem.arrays import LANES, aligned
+from silostudy.dem.cache import named
 from silostudy.dem.cells import OPTIONS
 from silostudy.dem.force import force_pass
 from silostudy.dem.lanes import X, Y, gather
@@ -31,7 +32,6 @@ def reader(laws: Laws, unequal: bool, flat: bool):
     """Compiled function that computes the forces of a list without changing its histories."""
     forces = force_pass(laws.functions, unequal=unequal, slides=laws.slides, rolls=laws.rolls, flat=flat)
 
-    @njit(**OPTIONS)
     def read(rows, contacts, shape, count, lanes, out, stored, rolled, dt, c):
         size = lanes.shape[1]
         for start in range(0, count, size):
@@ -45,7 +45,7 @@ def reader(laws: Laws, unequal: bool, flat: bool):
             mass = contacts.mass[start:] if unequal else contacts.mass
             forces(lanes, out[:, start:], stored[start:], rolled[start:], arm, other, mass, many, dt, c)
 
-    return read
+    return njit(**OPTIONS)(named(read, repr((laws, unequal, flat))))
 
 
 def _forces(engine, part, laws, contacts, count, flat, c):
