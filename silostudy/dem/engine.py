@@ -45,6 +45,8 @@ class Engine:
         self.n = self.most = len(model.x)
         self.contacts = (model.pair, model.wall)
         self.gravity = model.gravity
+        self._quake = model.quake if model.quake is not None else np.zeros((1, 2))
+        self._limits = (float(model.radius.min()), float(skin))
         label = sweep_order(model.x, model.y, model.radius) if sort else np.arange(self.n)
         self.discs = self._discs(label.astype(np.int32))
         self.walls = Walls(shape_of(model.walls), np.array([wall.live for wall in model.walls], bool), cells_of(model.walls))
@@ -192,13 +194,11 @@ class Engine:
         base = self.base(part)
         self.discs.rows[base + part.ghost_room, X] = FAR
         self.discs.rows[base + part.ghost_room + 1, X] = -FAR
-        quake = self.model.quake if self.model.quake is not None else np.zeros((1, 2))
-        limits = (float(self.model.radius.min()), self.skin)
-        laws = tuple(contact.ordered for contact in self.contacts)
+        laws = (self.contacts[0].ordered, self.contacts[1].ordered)
         return (
             self.discs, part.pairs, part.near, part.memories, self.walls, self.blocks, part.scratch,
-            laws, self.record, self.ledger, quake, self.clock, self.said, self.gate,
-            part.number, self.threads, self.n, lo, hi, base, stop, self.gravity, self.model.dt, limits,
+            laws, self.record, self.ledger, self._quake, self.clock, self.said, self.gate,
+            part.number, self.threads, self.n, lo, hi, base, stop, self.gravity, self.model.dt, self._limits,
         )  # fmt: skip
 
     def _explosion(self) -> Explosion:

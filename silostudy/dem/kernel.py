@@ -110,18 +110,13 @@ def sweep_pass(pieces: Pieces):
     """Function that makes one step of the discs lo to hi, block by block, and says whether their list still holds.
 
     A block's discs are moved as soon as the contacts that start in it are done: earlier discs never meet them again and
-    later contacts do not touch them, so one pass through memory is enough.
+    later contacts do not touch them, so one pass through memory is enough.  A disc's forces add up in one order: walls,
+    then discs, each by their numbers.
     """
     pairs_between = pair_pass(pieces.pair, pieces.unequal)
     walls_between = wall_pass(pieces.wall, pieces.unequal, pieces.watched)
     move = move_pass(pieces.integrator, pieces.unequal, pieces.turns)
     booked, book = pieces.booked, book_pass(pieces)
-
-    @register_jitable
-    def block_forces(discs, pairs, near, walls, scratch, laws, record, part, b, dt):
-        pairs_between(discs.rows, pairs, pairs.begin[b], pairs.begin[b + 1], scratch, dt, laws[0])
-        begin, end = near.begin[b], near.begin[b + 1]
-        walls_between(discs.rows, near, walls, begin, end, scratch, dt, laws[1], record, part)
 
     @register_jitable
     def block_moves(discs, blocks, scratch, block, hi, gx, gy, kick, dt):
@@ -132,12 +127,9 @@ def sweep_pass(pieces: Pieces):
         return FRESH if blocks.travel[block] <= blocks.skin[block] else STALE
 
     @register_jitable
-    def forces_and_book(discs, pairs, near, walls, scratch, laws, record, ledger, part, n, last, g, gravity, kick, dt):
-        keep_histories(pairs, pairs.begin[last], ledger.pair_stored, ledger.pair_rolled)
-        keep_histories(near, near.begin[last], ledger.wall_stored, ledger.wall_rolled)
+    def all_forces(discs, pairs, scratch, laws, last, dt):
         for b in range(last):
-            block_forces(discs, pairs, near, walls, scratch, laws, record, part, b, dt)
-        book(discs, pairs, near, walls, scratch, ledger, laws, n, last, g[0], g[1], gravity, kick, dt)
+            pairs_between(discs.rows, pairs, pairs.begin[b], pairs.begin[b + 1], scratch, dt, laws[0])
 
     @register_jitable
     def sweep(
@@ -145,14 +137,18 @@ def sweep_pass(pieces: Pieces):
     ):  # fmt: skip
         last, stale = (hi - lo + BLOCK - 1) // BLOCK, FRESH
         if booked:
-            g = (gx, gy)
-            forces_and_book(discs, pairs, near, walls, scratch, laws, record, ledger, part, hi, last, g, gravity, kick, dt)
+            keep_histories(pairs, pairs.begin[last], ledger.pair_stored, ledger.pair_rolled)
+            keep_histories(near, near.begin[0], ledger.wall_stored, ledger.wall_rolled)
+        walls_between(discs.rows, near, walls, 0, near.begin[0], scratch, dt, laws[1], record, part)
         pairs_between(discs.rows, pairs, pairs.begin[last], pairs.begin[last + 1], scratch, dt, laws[0])
+        if booked:
+            all_forces(discs, pairs, scratch, laws, last, dt)
+            book(discs, pairs, near, walls, scratch, ledger, laws, hi, last, gx, gy, gravity, kick, dt)
         for b in range(last):
             if not booked:
-                block_forces(discs, pairs, near, walls, scratch, laws, record, part, b, dt)
+                pairs_between(discs.rows, pairs, pairs.begin[b], pairs.begin[b + 1], scratch, dt, laws[0])
             stale = max(stale, block_moves(discs, blocks, scratch, lo // BLOCK + b, hi, gx, gy, kick, dt))
-        record.counts[part] = near.begin[last]
+        record.counts[part] = near.begin[0]
         return stale
 
     return sweep

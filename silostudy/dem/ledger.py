@@ -168,7 +168,7 @@ def book_pass(pieces):
             ledger.pair_stored, ledger.pair_rolled, dt, laws[0], lanes,
         )  # fmt: skip
         wall = of_walls(
-            discs.rows, ledger, near, walls.shape, near.begin[last],
+            discs.rows, ledger, near, walls.shape, near.begin[0],
             ledger.wall_stored, ledger.wall_rolled, dt, laws[1], lanes,
         )  # fmt: skip
         elastic, slid = pair[0] + wall[0], pair[1] + wall[1]

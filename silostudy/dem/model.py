@@ -1,6 +1,7 @@
 """What the engine is asked to step: discs, walls, laws with their coefficients, and the march. Checked when it is made."""
 
 from dataclasses import dataclass
+from functools import cached_property
 from math import isfinite, pi
 
 import numpy as np
@@ -60,7 +61,7 @@ class Contact:
         """Rows of this contact's laws."""
         return self.families(self.laws)
 
-    @property
+    @cached_property
     def ordered(self) -> tuple[tuple[float, ...], ...]:
         """Coefficients of the four laws in the order that their functions take."""
         return tuple(tuple(float(self.coefficients[name]) for name in row.coefficients) for row in self.rows)

@@ -210,9 +210,6 @@ def list_walls(discs, near, memory, walls, blocks, scratch, lo, hi, dummy):
     """List the discs lo to hi near each live wall, in the order (disc, wall); False if room is short."""
     fill, at, kept = 0, 0, scratch.counts[KEPT_WALLS]
     for i in range(lo, hi):
-        if (i - lo) % BLOCK == 0:
-            fill = pad(near, fill, dummy, 0)
-            near.begin[(i - lo) // BLOCK] = fill
         reach = discs.radius[i if discs.radius.size > 1 else 0] + blocks.skin[i // BLOCK]
         for q in range(walls.live.size):
             dx, dy, _ = nearest(walls.shape, q, discs.rows[i, X], discs.rows[i, Y])
@@ -225,7 +222,7 @@ def list_walls(discs, near, memory, walls, blocks, scratch, lo, hi, dummy):
                 near.arm[fill], near.mass[fill] = discs.radius[i], discs.mass[i]
             at = recall(near, fill, (np.int64(i) << SHIFT) | q, memory, kept, at)
             fill += 1
-    near.begin[(hi - lo + BLOCK - 1) // BLOCK] = pad(near, fill, dummy, 0)
+    near.begin[0] = pad(near, fill, dummy, 0)
     return True
 
 
@@ -235,4 +232,4 @@ def harvest(contacts, near, pair_memory, wall_memory, scratch, last, base):
     begin, never = contacts.begin, np.int64(1) << 62
     kept = remember(contacts, begin[last], begin[last + 1], base, scratch.ghost, pair_memory, 0)
     scratch.counts[KEPT_PAIRS] = remember(contacts, 0, begin[last], base, scratch.ghost, pair_memory, kept)
-    scratch.counts[KEPT_WALLS] = remember(near, 0, near.begin[last], never, scratch.ghost, wall_memory, 0)
+    scratch.counts[KEPT_WALLS] = remember(near, 0, near.begin[0], never, scratch.ghost, wall_memory, 0)

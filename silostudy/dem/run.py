@@ -14,7 +14,7 @@ from silostudy.dem.ledger import ENTRIES, carry_out
 from silostudy.dem.snapshot import pair_contacts, stress, wall_contacts
 from silostudy.errors import BadInput
 
-CHECK_EVERY = 100  # steps between looks at rest, discharge and drop-outs: counted from the start, so chunks do not matter
+CHECK_EVERY = 200  # steps between looks at rest, discharge and drop-outs: counted from the start, so chunks do not matter
 REST = 1e-8  # of dt^2 g: mean displacement in a step of a packing at rest, Kiyama & Fujimura (1983), note 3
 TRIGGERS = ("time", "after", "rest", "discharged")
 ACTIONS = ("open", "remove", "gravity", "friction", "stop")

@@ -80,7 +80,7 @@ def wall_contacts(engine) -> Contacts:
     """Every disc that touches a wall, with the number of the wall."""
     columns = []
     for part in engine.parts:
-        count = int(part.near.begin[engine.blocks_of(part)])
+        count = int(part.near.begin[0])
         out = _forces(engine, part, engine.model.wall.laws, part.near, count, True, engine.contacts[1].ordered)
         touching = (out[0] != 0.0) | (out[1] != 0.0)
         columns.append(np.vstack([part.near.first[:count], part.near.second[:count], out[:2]])[:, touching])

@@ -43,7 +43,7 @@ def gather_walls(rows, shape, disc, wall, start, count, lanes):
 
 @register_jitable
 def scatter_walls(rows, disc, start, count, force):
-    """Add the walls' forces to their discs, after the forces of all other discs."""
+    """Add the walls' forces to their discs, before the forces of all other discs."""
     for k in range(count):
         i = disc[start + k]
         rows[i, FX] += force[0, k]
