@@ -9,10 +9,41 @@ def add(sub) -> None:
     command.add_argument("scene", type=Path, help="a scene file")
     command.add_argument("output", type=Path, nargs="?", help="netCDF file to write; default results/dem/SCENE.nc")
     command.add_argument("--threads", type=int, default=1, help="threads that step the scene together (the bits stay the same)")
+    command.add_argument("--seeds", type=int, help="run this many scenes that differ in their seed, at once on all cores")
     command.set_defaults(run=run)
 
 
 def run(chosen) -> None:
+    run_ensemble(chosen) if chosen.seeds else run_one(chosen)
+
+
+def run_ensemble(chosen) -> None:
+    """Runs scenes with the seeds 0, 1, ... at once, a thread a core, each into a file of its own."""
+    import os
+    from concurrent.futures import ThreadPoolExecutor
+
+    from tqdm import tqdm
+
+    from silostudy.compute.dem import carry_through, cube_of, model_of, run_of
+    from silostudy.cube.io import write
+    from silostudy.scene.dem import load
+
+    scene = load(chosen.scene)
+    output = chosen.output or Path("results/dem") / f"{chosen.scene.stem}.nc"
+
+    def one(seed: int):
+        member = scene.model_copy(update={"seed": seed})
+        task = run_of(member, model_of(member, chosen.scene.parent, str(chosen.scene)))
+        carry_through(task, member, None, lambda step: None)
+        return member, task
+
+    with ThreadPoolExecutor(os.cpu_count()) as pool:
+        for member, task in tqdm(pool.map(one, range(chosen.seeds)), total=chosen.seeds, unit=" scenes", file=sys.stderr):
+            write(cube_of(task, member), output.with_name(f"{output.stem}-{member.seed}.nc"))
+    print(f"{scene.title}: {chosen.seeds} scenes -> {output.with_name(output.stem)}-*.nc")
+
+
+def run_one(chosen) -> None:
     from silostudy.compute.dem import carry_through, cube_of, model_of, run_of
     from silostudy.cube.io import write
     from silostudy.errors import BadInput
