@@ -7,12 +7,9 @@ from numba import njit
 
 from silostudy.dem.lanes import X, Y
 
-# no fastmath: bits must not depend on the place in an array
-OPTIONS: dict[str, Any] = {
-    "nogil": True,
-    "cache": True,
-    "error_model": "numpy",
-}
+# No fastmath: bits must not depend on the place in an array. No counting of references to arrays (_nrt): it took two
+# thirds of a step; all compiled functions go without it, since one that counts must not meet one that does not.
+OPTIONS: dict[str, Any] = {"nogil": True, "cache": True, "error_model": "numpy", "_nrt": False}
 
 
 @njit(**OPTIONS)

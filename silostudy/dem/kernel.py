@@ -6,7 +6,6 @@ over, and a compiled function in there would have other bytes in every process, 
 
 from functools import cache
 from math import sqrt
-from typing import Any
 
 import numpy as np
 from numba import njit
@@ -24,7 +23,6 @@ from silostudy.dem.pieces import Laws, Pieces
 from silostudy.dem.threads import meet
 from silostudy.dem.walls import add_to_window, gather_walls, note_walls, scatter_walls
 
-UNCOUNTED: dict[str, Any] = {"_nrt": False}  # counting references to arrays took two thirds of the time of a step
 FRESH, STALE, REMEMBERED, SHORT_OF_ROOM, EXPLODED = range(5)  # what a thread says of its list after a step
 
 
@@ -251,4 +249,4 @@ def kernel(pieces: Pieces):
         if part == 0:
             clock[0] = step
 
-    return njit(**OPTIONS, **UNCOUNTED)(named(run, repr(pieces)))
+    return njit(**OPTIONS)(named(run, repr(pieces)))
