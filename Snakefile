@@ -142,6 +142,19 @@ rule dem:
         "python -m silostudy dem {input} {output} > {log} 2>&1"
 
 
+rule grains:
+    input:
+        study_files,
+    output:
+        RESULTS + "/{study}/grains.nc",
+    params:
+        code=stamp(*STAGES["grains"]),
+    log:
+        RESULTS + "/{study}/logs/grains.log",
+    shell:
+        "python -m silostudy grains {input[0]} {output} > {log} 2>&1"
+
+
 def cube_of(wildcards):
     """The cube that a figure or table is drawn from."""
     key = getattr(wildcards, "figure", None) or wildcards.table

@@ -15,6 +15,7 @@ SCENE = (
     "figures/__init__",
     "pressure",
     "buckling",
+    "packing",
     *SHAKING,
 )
 # stage -> rooms whose change makes its results stale (a test follows the imports)
@@ -25,7 +26,8 @@ STAGES = {
     "buckling": (*SCENE, "compute", "cube"),
     "shell": (*SCENE, "compute", "cube"),
     "seismic": (*SCENE, "compute", "cube", "seismic"),
-    "dem": (*SCENE, "compute", "cube", "contact", "dem", "packing"),
+    "dem": (*SCENE, "compute", "cube", "contact", "dem"),
+    "grains": (*SCENE, "compute", "cube", "contact", "dem", "seismic"),
     "draw": ("catalogue", "errors", "files", "tables", "cube", "figures"),
 }
 

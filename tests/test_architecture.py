@@ -21,7 +21,7 @@ MAY_IMPORT = {
     "packing": set(),
     "dem": {"contact", "packing"},
     "config": {"tables", "pressure", "buckling", "figures", "contact", "dem"},
-    "scene": {"config", "tables", "pressure", "seismic", "contact", "dem"},
+    "scene": {"config", "tables", "pressure", "seismic", "contact", "packing", "dem"},
     "cube": {"tables"},
     "compute": {"scene", "config", "tables", "pressure", "buckling", "seismic", "cube", "contact", "packing", "dem"},
 }
@@ -36,7 +36,7 @@ HEAVY_FREE = {
 }  # quick to import: no xarray, no matplotlib
 ENTRIES = {"cases": ["scene/expand.py"], "pressure": ["compute/pressure.py", "scene/expand.py"]}
 ENTRIES["uncertainty"] = ["compute/uncertainty.py", "scene/expand.py"]
-ENTRIES |= {stage: [f"compute/{stage}.py", "scene/expand.py"] for stage in ("buckling", "shell", "seismic")}
+ENTRIES |= {stage: [f"compute/{stage}.py", "scene/expand.py"] for stage in ("buckling", "shell", "seismic", "grains")}
 ENTRIES["dem"] = ["compute/dem.py", "compute/paraview.py"]
 ENTRIES["draw"] = [f"figures/{path.name}" for path in sorted((PACKAGE / "figures").glob("*.py"))]
 

@@ -1,6 +1,7 @@
 """The kinds of study: what the key `kind` of a study file may say."""
 
 from silostudy.config.buckling import BucklingStudy
+from silostudy.config.grains import GrainsStudy
 from silostudy.config.pressure import PressureStudy
 from silostudy.config.seismic import SeismicStudy
 from silostudy.config.shell import ShellStudy
@@ -11,4 +12,5 @@ KINDS: dict[str, type[BaseStudy]] = {
     "buckling": BucklingStudy,
     "shell": ShellStudy,
     "seismic": SeismicStudy,
+    "grains": GrainsStudy,
 }

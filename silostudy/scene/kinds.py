@@ -6,6 +6,7 @@ A builder takes (study, folder of the study file, name for errors) once and retu
 from collections.abc import Callable
 
 from silostudy.scene.build import pressure_builder
+from silostudy.scene.grains import grains_builder
 from silostudy.scene.seismic import seismic_builder
 from silostudy.scene.shell import buckling_builder, shell_builder
 
@@ -14,4 +15,5 @@ BUILDERS: dict[str, Callable[..., Callable]] = {
     "buckling": buckling_builder,
     "shell": shell_builder,
     "seismic": seismic_builder,
+    "grains": grains_builder,
 }

@@ -1,0 +1,122 @@
+"""The grains stage: every case filled and shaken, and what walls and floor carried of it."""
+
+from collections.abc import Callable
+from dataclasses import replace
+from itertools import pairwise
+
+import numpy as np
+import xarray as xr
+
+from silostudy.compute.axes import axis_coordinates
+from silostudy.compute.grains_model import GRAVITY, base_motion, model_of
+from silostudy.compute.variables import attributes
+from silostudy.cube.contract import VARIABLES, check
+from silostudy.cube.provenance import provenance
+from silostudy.dem.checkpoint import checkpoint, restore
+from silostudy.dem.engine import Engine
+from silostudy.dem.lanes import U, V, Y
+from silostudy.dem.model import Model
+from silostudy.dem.run import Event, Run
+from silostudy.dem.stability import check_step
+from silostudy.scene.expand import Expansion
+from silostudy.scene.grains import ShakenBox
+from silostudy.seismic.en1998_4 import contents_share
+from silostudy.seismic.grains import carried_share, equivalent_damping, wall_carried_ring
+
+CARRIERS = ("walls", "floor", "all")
+SOURCES = ("kiyama_fujimura_1983", "sasaki_yoshimura_effective_mass", "en1998_4_2006", "silvestri_ring")
+
+
+def grains_cube(expansion: Expansion, tell: Callable[[str], None] = lambda text: None) -> xr.Dataset:
+    """The cube of a grains study; `tell` hears of each case as it is done.  Equal fillings are settled once."""
+    study, settled, found = expansion.study, {}, []
+    for number, case in enumerate(expansion.cases):
+        each = []
+        for seed in study.seeds:
+            key = case.scene.filling, seed
+            if key not in settled:
+                settled[key] = settle(case.scene, seed, study.rest_limit_s)
+            each.append(_shaken(study, case.scene, *settled[key]))
+        found.append({name: np.array([one[name] for one in each]) for name in each[0]})
+        tell(f"case {number + 1} of {len(expansion.cases)}: walls carry {found[-1]['carried_in_phase'][:, 0].mean():.3f}")
+    axes = [axis.axis for axis in study.sweep]
+    data: dict = {}
+    for name in found[0]:
+        values = np.array([one[name] for one in found])
+        data[name] = (
+            (*axes, *VARIABLES[name].dims[1:]),
+            values.reshape((*expansion.shape, *values.shape[1:])),
+            attributes(name),
+        )
+    data["case"] = (axes, np.array([case.id for case in expansion.cases]).reshape(expansion.shape), attributes("case"))
+    coords: dict = {
+        **axis_coordinates(study),
+        "filling": ("filling", np.array(study.seeds), attributes("filling")),
+        "carrier": ("carrier", list(CARRIERS), attributes("carrier")),
+    }
+    sources = [*SOURCES, *({"obspy_sample_knet"} if any(case.scene.shaking.record for case in expansion.cases) else ())]
+    about = provenance(study.title, study.model_dump_json(exclude_defaults=True), sources, "grains")
+    return check(xr.Dataset(data, coords, {**about, "sweep_axes": " ".join(axes)}))
+
+
+def settle(scene: ShakenBox, seed: int, limit: float) -> tuple[Model, dict, bool]:
+    """(model, checkpoint with its clock set back, whether it came to rest within the limit (s)) of one filling.
+
+    Rest is the engine's, a mean motion of rounding size; random fillings ring on far below what the shaking moves.
+    """
+    model = model_of(scene.config, seed)
+    run = Run(Engine(model), (Event("rest", 0.0, "stop"),), limit=limit)
+    done = run.go()
+    if done.explosion is not None:
+        raise done.explosion
+    x, y = run.engine.places.T
+    check_step(replace(model, x=x, y=y))  # the settled network is stiffer than the start: beyond its bound nothing rests
+    return model, {**checkpoint(run.engine), "step": np.array(0)}, done.happened[-1][1] == "rest"
+
+
+def _shaken(study, scene: ShakenBox, model: Model, saved: dict, rested: bool) -> dict[str, np.ndarray | float]:
+    """Everything of one filling under one motion, by the names of the contract."""
+    motion = base_motion(scene.shaking, model.dt, study.cycles + study.waited_cycles)
+    engine = Engine(replace(model, quake=np.column_stack([motion, 0 * motion])))
+    restore(engine, saved)
+    mass, depth = float(engine.mass.sum()), float((engine.column(Y) + engine.radius).max())
+    frequency = scene.shaking.frequency_Hz
+    sample = 1 / frequency / study.samples_per_cycle if frequency else study.record_sample_s
+    edges = np.unique(np.round(np.arange(0, len(motion) * model.dt / sample + 1e-9) * sample / model.dt).astype(int))
+    speed = float(np.sqrt(np.mean(engine.column(U) ** 2 + engine.column(V) ** 2)))
+    forces, momentum, normal = record(engine, edges)
+    acceleration = np.add.reduceat(motion, edges[:-1])[: len(edges) - 1] / np.diff(edges)
+    acceleration[-1] = motion[edges[-2] : edges[-1]].mean()
+    counted = slice(study.waited_cycles * study.samples_per_cycle if frequency else 0, None)
+    share = carried_share(forces[:, counted], acceleration[counted], mass=mass)
+    inertia = mass * acceleration + np.diff(momentum) / (np.diff(edges) * model.dt)
+    width = scene.config.box.width_m
+    return {
+        "carried_in_phase": share.real,
+        "carried_out_of_phase": -share.imag,
+        "contents_damping": float(equivalent_damping(share[2])),
+        "ring_share": wall_carried_ring(normal, weight=mass * GRAVITY, wall_friction=scene.config.wall_friction),
+        "grains_code_share": contents_share(depth / width),
+        "settled_slenderness": depth / width,
+        "momentum_error": float(np.abs(forces[2] - inertia).max() / np.abs(mass * acceleration).max()),
+        "came_to_rest": float(rested),
+        "start_speed": speed,
+        "disc_count": float(engine.n),
+    }
+
+
+def record(engine: Engine, edges: np.ndarray) -> tuple[np.ndarray, np.ndarray, float]:
+    """(horizontal force on the contents (N/m) from walls, floor, all: (3, window); momentum at the edges; static wall force).
+
+    Each force is the mean of every step of its window; the static normal force of both walls is that of the first window.
+    """
+    forces, momentum = [], [float((engine.mass * engine.column(U)).sum())]
+    starts = np.cumsum([0, *(wall.cells + 2 for wall in engine.model.walls)])[:-1]
+    for low, high in pairwise(edges):
+        engine.clear_window()
+        engine.step_to(int(high))
+        floor, left, right = np.add.reduceat(engine.record.window[:, :, 0], starts, axis=0) / (high - low)
+        forces.append((left[0] - right[0], floor[1], left[0] - right[0] + floor[1], left[0] + right[0]))
+        momentum.append(float((engine.mass * engine.column(U)).sum()))
+    columns = np.array(forces).T
+    return columns[:3], np.array(momentum), float(columns[3, 0])

@@ -1,0 +1,63 @@
+"""The engine's model of a grains scene: walls, contacts, a stable step, and the motion of the box."""
+
+from dataclasses import replace
+from math import pi
+
+import numpy as np
+
+from silostudy.config.grains import Grains, GrainsScene, Shaking
+from silostudy.dem.model import Contact, Model, Wall
+from silostudy.dem.pieces import Laws
+from silostudy.dem.stability import SAFETY, longest_step
+from silostudy.scene.grains import discs_of
+from silostudy.seismic.readers import read_known
+from silostudy.seismic.records import compressed, scaled, without_baseline
+
+GRAVITY = 9.80665
+STIFFER_WALLS = 2.0
+LOOSE_SAFETY = 0.2  # of the bound of discs that do not touch yet: the settled network's is a third of it
+
+
+def model_of(config: GrainsScene, seed: int) -> Model:
+    """The model at its start, at a stable step; its box may be shaken."""
+    x, y, radius = discs_of(config, seed)
+    width, top = config.box.width_m, 2.0 * max(float(y.max()), config.box.slenderness * config.box.width_m)
+    walls = (
+        Wall("floor", (0.0, 0.0), (width, 0.0)),
+        Wall("left", (0.0, top), (0.0, 0.0), joined=(False, True)),
+        Wall("right", (width, 0.0), (width, top), joined=(True, False)),
+    )
+    grains = config.grains
+    model = Model(
+        x=x, y=y, radius=radius, density=grains.density_kg_m3, walls=walls, dt=1.0, gravity=(0.0, -GRAVITY), watched=True,
+        pair=_contact(grains, 1.0, grains.sliding_friction), wall=_contact(grains, STIFFER_WALLS, config.wall_friction),
+        quake=np.zeros((1, 2)),
+    )  # fmt: skip
+    share = LOOSE_SAFETY if config.packing == "loose" else SAFETY
+    return replace(model, dt=float(f"{share * longest_step(model):.2g}"))  # rounded: the last bits of the bound vary
+
+
+def _contact(grains: Grains, factor: float, friction: float) -> Contact:
+    stiffness, damping = factor * grains.normal_stiffness_N_m2, factor * grains.normal_damping_N_s_m2
+    coefficients = {
+        "normal_stiffness": stiffness,
+        "normal_damping": damping,
+        "normal_damping_root": 0.0,
+        "tangential_stiffness": grains.stiffness_ratio * stiffness,
+        "tangential_damping": grains.stiffness_ratio**0.5 * damping,
+        "tangential_damping_root": 0.0,
+        "sliding_friction": friction,
+    }
+    return Contact(Laws(tangential="spring-slider"), coefficients)
+
+
+def base_motion(shaking: Shaking, dt: float, cycles: int) -> np.ndarray:
+    """Horizontal acceleration of the box (m s-2) at the middle of every step, to the end of `cycles` or of the record."""
+    peak = shaking.amplitude_gal / 100
+    if shaking.frequency_Hz is not None:
+        return peak * np.sin(2 * pi * shaking.frequency_Hz * (np.arange(round(cycles / shaking.frequency_Hz / dt)) + 0.5) * dt)
+    assert shaking.record is not None  # the configuration asks for one of the two
+    known = without_baseline(read_known(shaking.record), "mean")
+    record = scaled(compressed(known, shaking.time_compression), peak)
+    times = (np.arange(round(record.duration / dt)) + 0.5) * dt
+    return np.interp(times, record.dt * np.arange(len(record.acceleration)), record.acceleration)

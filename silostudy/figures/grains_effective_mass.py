@@ -1,0 +1,88 @@
+"""Effective mass of shaken discs over the study's last axis: what walls and floor carry, and how much of the motion is lost."""
+
+from pathlib import Path
+
+import matplotlib.pyplot as plt
+import numpy as np
+import pandas as pd
+import xarray as xr
+
+from silostudy.figures.shaken import COLOURS, LINES
+from silostudy.figures.style import save
+
+MARKERS = ("o", "s", "^", "D", "v", "P")
+AXES = {
+    "amplitude": ("amplitude of the base's acceleration (g)", 1 / 9.80665),
+    "frequency": ("frequency of the sine (Hz)", 1.0),
+    "slenderness": ("height before settling over width", 1.0),
+}
+EIGHTY = 0.8  # sasaki_yoshimura_effective_mass, section 1: what ACI 313 and AIJ accept
+
+
+def draw(cube: xr.Dataset, stem: Path) -> None:
+    """Writes the figure and its numbers: mean and standard deviation over the fillings."""
+    *outer, axis = cube.attrs["sweep_axes"].split()
+    label, factor = AXES.get(axis, (axis.replace("_", " "), 1.0))
+    groups = cube.stack(group=outer) if outer else cube.expand_dims("group")
+    figure, (walls, whole, damping) = plt.subplots(1, 3, figsize=(14, 6.0))
+    for number in range(groups.sizes["group"]):
+        one = groups.isel(group=number)
+        x = np.asarray(one[axis], dtype=float) * factor
+        look: dict = {"marker": MARKERS[number % 6], "color": COLOURS[number % 5], "linestyle": LINES[number % 5]}
+        look |= {"capsize": 2, "linewidth": 1.2, "markersize": 5}
+        _line(walls, x, one["carried_in_phase"].sel(carrier="walls"), _name(one, outer), look)
+        _line(whole, x, one["carried_in_phase"].sel(carrier="all"), None, look)
+        _line(damping, x, one["contents_damping"] * 100, None, look)
+        walls.plot(x, one["ring_share"].mean("filling"), color=look["color"], linewidth=0.8, linestyle=":",
+                   label="ring that wall friction carries (same colour)" if number == 0 else None)  # fmt: skip
+    code = groups["grains_code_share"].mean("filling").isel(group=0)
+    walls.plot(np.asarray(groups[axis], dtype=float) * factor, code, color="black", linewidth=2.2, alpha=0.5,
+               label="EN 1998-4, its pressure summed (circular)")  # fmt: skip
+    walls.axhline(EIGHTY, color="black", linewidth=1, linestyle="--", label="80 % (ACI 313, AIJ)")
+    _dress(walls, whole, damping, label)
+    figure.legend(loc="outside lower center", ncols=3, fontsize=8)
+    figure.suptitle(f"{cube.attrs['title']}\nplane discs in a rigid box; {_fillings(cube)}", fontsize=10)
+    save(figure, _numbers(cube, axis), stem)
+
+
+def _line(panel, x, values: xr.DataArray, label: str | None, look: dict) -> None:
+    panel.errorbar(
+        x, values.mean("filling"), values.std("filling", ddof=min(1, values.sizes["filling"] - 1)), label=label, **look
+    )
+
+
+def _name(one: xr.Dataset, outer: list[str]) -> str:
+    return ", ".join(f"{axis} {one[axis].item()}".replace("_", " ") for axis in outer) or "discs"
+
+
+def _dress(walls, whole, damping, label: str) -> None:
+    panels = {
+        walls: ("share carried by the walls, in phase", "effective mass coefficient of the walls"),
+        whole: ("share carried by walls and floor, in phase", "effective mass coefficient of the box"),
+        damping: ("equivalent damping ratio of the contents (%)", "damping (where half or more moves with the box)"),
+    }
+    for panel, (text, title) in panels.items():
+        panel.set(xlabel=label, ylabel=text, title=title)
+    for panel in (whole, damping):
+        panel.axhline(1 if panel is whole else 0, color="black", linewidth=0.8)
+    walls.set_ylim(bottom=min(0.0, walls.get_ylim()[0]))
+    whole.set_ylim(min(0.9, whole.get_ylim()[0]), max(1.1, whole.get_ylim()[1]))
+
+
+def _fillings(cube: xr.Dataset) -> str:
+    discs = cube["disc_count"]
+    text = f"{cube.sizes['filling']} fillings a point (bars: one standard deviation), "
+    text += f"{int(discs.min())} to {int(discs.max())} discs"
+    if float(cube["came_to_rest"].min()) < 1:
+        speed = float(cube["start_speed"].max()) * 1e3
+        text += f"; some fillings still rang at up to {speed:.2g} mm/s when the shaking began"
+    return text
+
+
+def _numbers(cube: xr.Dataset, axis: str) -> pd.DataFrame:
+    carried = cube["carried_in_phase"]
+    shares = {f"{carrier}_in_phase": carried.sel(carrier=carrier, drop=True) for carrier in ("walls", "floor", "all")}
+    others = ["contents_damping", "ring_share", "grains_code_share", "settled_slenderness", "start_speed", "momentum_error"]
+    table = xr.Dataset({**shares, **{name: cube[name] for name in others}}, coords={axis: cube[axis]})
+    parts = {"mean": table.mean("filling").to_dataframe(), "std": table.std("filling").to_dataframe()}
+    return pd.concat(parts, names=["over"]).reset_index()

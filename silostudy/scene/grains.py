@@ -1,0 +1,43 @@
+"""The scenes of a grains study: a box, its filling and its shaking; where the discs start."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from math import pi
+from pathlib import Path
+from typing import Any
+
+from silostudy.config.grains import GrainsScene, GrainsStudy, Shaking
+from silostudy.packing import PACKINGS
+
+ROWS = {"rows_17_18": (18, 4e-5), "rows_11_12": (12, 3e-4)}  # discs across, gap (m): kiyama_fujimura_1983, for 0.4 m and 1 cm
+SOLID_FRACTION = 0.82  # of settled random discs, to choose how many fill the height
+
+
+@dataclass(frozen=True)
+class ShakenBox:
+    """One case: the configuration it came from, its filling (equal text, equal filling) and its shaking."""
+
+    config: GrainsScene
+    filling: str
+    shaking: Shaking
+
+
+def grains_builder(study: GrainsStudy, folder: Path, where: str) -> Callable[[GrainsScene, dict], ShakenBox]:
+    """Builds the scenes of a grains study; BadInput for a packing that does not fit its box."""
+
+    def build_one(config: GrainsScene, settings: dict[str, Any]) -> ShakenBox:
+        discs_of(config, seed=1)
+        return ShakenBox(config, config.model_dump_json(exclude={"shaking"}), config.shaking)
+
+    return build_one
+
+
+def discs_of(config: GrainsScene, seed: int):
+    """Positions (m) and radii (m) of the discs at their start; BadInput for a packing that does not fit its box."""
+    width, radius = config.box.width_m, config.grains.radius_m
+    height = config.box.slenderness * width
+    if config.packing == "loose":
+        count = max(1, round(SOLID_FRACTION * width * height / (pi * radius**2)))
+        return PACKINGS["loose"].place(width=width, count=count, radius=radius, spread=config.grains.radius_spread, seed=seed)
+    across, gap = ROWS[config.packing]
+    return PACKINGS["rows"].place(width=width, height=height, radius=radius, across=across, gap=gap, offset=gap / 3, seed=seed)
