@@ -58,7 +58,7 @@ class Engine:
         self.parts = [Part(self, number) for number in range(threads)]
         self.record = self._record()
         self.ledger = self._ledger()
-        self._pool = ThreadPoolExecutor(threads) if threads > 1 else None
+        self._pool = ThreadPoolExecutor(threads - 1) if threads > 1 else None
         self._kernel = kernel(model.pieces)
 
     def _ledger(self) -> Ledger:
@@ -183,10 +183,9 @@ class Engine:
 
     def _run(self, stop: int) -> None:
         calls = [self._arguments(part, stop) for part in self.parts]
-        if self._pool is None:
-            self._kernel(*calls[0])
-            return
-        for done in [self._pool.submit(self._kernel, *call) for call in calls]:
+        others = [self._pool.submit(self._kernel, *call) for call in calls[1:]] if self._pool else []
+        self._kernel(*calls[0])  # the calling thread takes a share: handing over all of them costs milliseconds
+        for done in others:
             done.result()
 
     def _arguments(self, part: Part, stop: int) -> tuple:
