@@ -33,7 +33,7 @@ def scene_explanation(name: str) -> list[str]:
         f"  step {model.dt:.3g} s; stability bound of this start {longest_step(model):.3g} s; integrator {model.integrator}"
     )
     for effect in effects(scene):
-        price = f"{share[effect.name]:6.1%} of a step" if effect.name in share else ""
+        price = _price(share.get(effect.name))
         lines.append(f"  {effect.name:30}{'on ' if effect.on else 'off'}  {price:18}{effect.why}")
     return lines
 
@@ -78,3 +78,10 @@ def explanation(key: str) -> list[str]:
     if row.has_misprint:
         lines.append(f"  to see the print's own reading, list the method under `as_printed` in a study: [{key}]")
     return lines
+
+
+def _price(share: float | None) -> str:
+    """Share of a step; below zero it says that the kernel without the effect was not the faster one here."""
+    if share is None:
+        return ""
+    return f"{share:6.1%} of a step" if share >= 0 else f"none measured ({share:.0%})"
