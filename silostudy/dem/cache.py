@@ -7,6 +7,7 @@ import warnings
 from pathlib import Path
 
 from numba import config
+from numba.extending import register_jitable
 
 from silostudy.stamp import stamp
 
@@ -19,6 +20,24 @@ def named(function, key: str):
     """
     function.__qualname__ = f"{function.__name__}_{hashlib.sha256(key.encode()).hexdigest()[:12]}"
     return function
+
+
+def piece(*key):
+    """Register an inner function of a kernel under a name of its own for this key.
+
+    Numba links compiled functions by name and a running number.  Two processes give two different inner functions of one
+    name the same number, and a third that loads both kept kernels would run one of them in the place of the other.
+    """
+
+    def registered(function):
+        return register_jitable(named(function, repr(key)))
+
+    return registered
+
+
+def names_of(functions) -> tuple[str, ...]:
+    """What tells functions apart by name."""
+    return tuple(f"{function.__module__}.{function.__qualname__}" for function in functions)
 
 
 def root() -> Path:

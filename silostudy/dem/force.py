@@ -2,7 +2,7 @@
 
 from math import sqrt
 
-from numba.extending import register_jitable
+from silostudy.dem.cache import names_of, piece
 
 
 def force_pass(laws, *, unequal, slides, rolls, flat):
@@ -14,7 +14,7 @@ def force_pass(laws, *, unequal, slides, rolls, flat):
     """
     normal_law, tangential_law, rolling_law, cohesion_law = laws
 
-    @register_jitable
+    @piece(names_of(laws), unequal, slides, rolls, flat)
     def forces(lanes, out, stored, rolled, arm, other, mass, count, dt, c):
         a, b, m = arm[0], other[0], mass[0]
         for k in range(count):

@@ -9,10 +9,9 @@ from math import sqrt
 
 import numpy as np
 from numba import njit
-from numba.extending import register_jitable
 
 from silostudy.dem.arrays import BLOCK, LANES
-from silostudy.dem.cache import named
+from silostudy.dem.cache import named, piece
 from silostudy.dem.cells import OPTIONS
 from silostudy.dem.force import force_pass
 from silostudy.dem.integrate import INTEGRATORS
@@ -31,7 +30,7 @@ def pair_pass(laws: Laws, unequal: bool):
     forces = force_pass(laws.functions, unequal=unequal, slides=laws.slides, rolls=laws.rolls, flat=False)
     slides, rolls = laws.slides, laws.rolls
 
-    @register_jitable
+    @piece(laws, unequal)
     def pairs_between(rows, pairs, begin, end, scratch, dt, c):
         for start in range(begin, end, LANES):
             count = min(end - start, LANES)
@@ -52,7 +51,7 @@ def wall_pass(laws: Laws, unequal: bool, watched: bool):
     forces = force_pass(laws.functions, unequal=unequal, slides=laws.slides, rolls=laws.rolls, flat=True)
     slides, rolls = laws.slides, laws.rolls
 
-    @register_jitable
+    @piece(laws, unequal, watched)
     def walls_between(rows, near, walls, begin, end, scratch, dt, c, record, part):
         for start in range(begin, end, LANES):
             count = min(end - start, LANES)
@@ -74,7 +73,7 @@ def move_pass(integrator: str, unequal: bool, turns: bool):
     """Function that moves the discs from `begin` to `end`, clears their forces and gives the longest way (m) of any."""
     advance, holds = INTEGRATORS[integrator].advance, INTEGRATORS[integrator].holds
 
-    @register_jitable
+    @piece(integrator, unequal, turns)
     def move(discs, begin, end, gx, gy, kick, dt, motion, motion_bits):
         rows, held = discs.rows, discs.held
         im, ii = discs.inverse_mass[0], discs.inverse_inertia[0]
@@ -116,7 +115,7 @@ def sweep_pass(pieces: Pieces):
     move = move_pass(pieces.integrator, pieces.unequal, pieces.turns)
     booked, book = pieces.booked, book_pass(pieces)
 
-    @register_jitable
+    @piece(pieces)
     def block_moves(discs, blocks, scratch, block, hi, gx, gy, kick, dt):
         start = block * BLOCK
         way = move(discs, start, min(start + BLOCK, hi), gx, gy, kick, dt, scratch.motion, scratch.motion_bits)
@@ -124,12 +123,12 @@ def sweep_pass(pieces: Pieces):
         blocks.travel[block] += way
         return FRESH if blocks.travel[block] <= blocks.skin[block] else STALE
 
-    @register_jitable
+    @piece(pieces)
     def all_forces(discs, pairs, scratch, laws, last, dt):
         for b in range(last):
             pairs_between(discs.rows, pairs, pairs.begin[b], pairs.begin[b + 1], scratch, dt, laws[0])
 
-    @register_jitable
+    @piece(pieces)
     def sweep(
         discs, pairs, near, walls, blocks, scratch, laws, record, ledger, part, lo, hi, gx, gy, gravity, kick, dt
     ):  # fmt: skip

@@ -13,6 +13,7 @@ from numba.extending import register_jitable
 
 from silostudy.contact import NORMAL
 from silostudy.dem.arrays import LANES, aligned
+from silostudy.dem.cache import piece
 from silostudy.dem.integrate import INTEGRATORS
 from silostudy.dem.lanes import FX, FY, TORQUE, U, V, W, X, Y, gather
 from silostudy.dem.walls import gather_walls
@@ -78,11 +79,11 @@ def contact_book(laws, *, unequal, flat):
     normal_law, tangential_law, rolling_law, cohesion_law = laws.functions
     energy, slides, rolls = NORMAL[laws.normal].energy, laws.slides, laws.rolls
 
-    @register_jitable
+    @piece(laws, unequal, flat)
     def of_spring(force, stiffness):
         return 0.5 * force * force / stiffness if stiffness > 0.0 else 0.0
 
-    @register_jitable
+    @piece(laws, unequal, flat)
     def book(rows, ledger, contacts, shape, count, old_stored, old_rolled, dt, c, lanes):
         elastic_energy = slid = elastic_power = power = 0.0
         a, b, m = contacts.arm[0], contacts.other[0], contacts.mass[0]
@@ -138,7 +139,7 @@ def book_pass(pieces):
     of_walls = contact_book(pieces.wall, unequal=pieces.unequal, flat=True)
     holds, unequal = INTEGRATORS[pieces.integrator].holds, pieces.unequal
 
-    @register_jitable
+    @piece(pieces)
     def discs_book(discs, mean, n, gx, gy, gravity, kick):
         rows = discs.rows
         kinetic = potential = falling = shaking = 0.0
@@ -159,7 +160,7 @@ def book_pass(pieces):
             shaking += m * ((gx - gravity[0]) * mean[i, U] + (gy - gravity[1]) * mean[i, V]) * kick
         return kinetic, potential, falling, shaking
 
-    @register_jitable
+    @piece(pieces)
     def book(discs, pairs, near, walls, scratch, ledger, laws, n, last, gx, gy, gravity, kick, dt):
         account, lanes = ledger.account, scratch.lanes
         kinetic, potential, falling, shaking = discs_book(discs, ledger.mean, n, gx, gy, gravity, kick)
