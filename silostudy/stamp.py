@@ -28,6 +28,7 @@ STAGES = {
     "seismic": (*SCENE, "compute", "cube", "seismic"),
     "dem": (*SCENE, "compute", "cube", "contact", "dem"),
     "grains": (*SCENE, "compute", "cube", "contact", "dem", "seismic"),
+    "accuracy": (*SCENE, "accuracy", "compute", "cube", "contact", "dem", "seismic"),
     "draw": ("catalogue", "errors", "files", "tables", "cube", "figures"),
 }
 

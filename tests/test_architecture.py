@@ -23,7 +23,8 @@ MAY_IMPORT = {
     "config": {"tables", "pressure", "buckling", "figures", "contact", "dem"},
     "scene": {"config", "tables", "pressure", "seismic", "contact", "packing", "dem"},
     "cube": {"tables"},
-    "compute": {"scene", "config", "tables", "pressure", "buckling", "seismic", "cube", "contact", "packing", "dem"},
+    "accuracy": {"scene", "config", "tables", "pressure", "buckling", "seismic", "contact", "packing", "dem"},
+    "compute": {"scene", "config", "tables", "pressure", "buckling", "seismic", "cube", "contact", "packing", "dem", "accuracy"},
 }
 HEAVY_FREE = {
     "tables",

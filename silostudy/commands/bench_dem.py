@@ -17,7 +17,7 @@ BATCH_OF_PEER = 3
 def run(chosen) -> None:
     import pandas as pd
 
-    from silostudy.compute.peers import available
+    from silostudy.accuracy.peers import available
     from silostudy.figures.style import save_table
 
     missing = available()
@@ -100,7 +100,7 @@ def compare(name: str, with_peer: bool) -> list[dict]:
     ours.step(settle)
     codes: dict[str, Any] = {"silostudy": ours}
     if with_peer:
-        from silostudy.compute.peers import Lammps
+        from silostudy.accuracy.peers import Lammps
 
         codes["LAMMPS"] = Lammps(model, ours.engine.places, slit)
         codes["LAMMPS"].step(steps)
@@ -208,7 +208,7 @@ def batch(with_peer: bool) -> list[dict]:
         )
     ]
     if with_peer:
-        from silostudy.compute.peers import Lammps
+        from silostudy.accuracy.peers import Lammps
 
         start = time.perf_counter()
         for _ in range(BATCH_OF_PEER):
