@@ -155,15 +155,16 @@ rule grains:
         "python -m silostudy grains {input[0]} {output} > {log} 2>&1"
 
 
-def cube_of(wildcards):
-    """The cube that a figure or table is drawn from."""
-    key = getattr(wildcards, "figure", None) or wildcards.table
-    return f"{RESULTS}/{wildcards.study}/{OUTPUTS[key].stage}.nc"
+def cubes_of(wildcards):
+    """The cube that a figure or table is drawn from, and further ones that it shows where the study has them."""
+    row = OUTPUTS[getattr(wildcards, "figure", None) or wildcards.table]
+    stages = [row.stage, *(stage for stage in row.also if stage in EXPANSIONS[wildcards.study].study.stages)]
+    return [f"{RESULTS}/{wildcards.study}/{stage}.nc" for stage in stages]
 
 
 rule figure:
     input:
-        cube_of,
+        cubes_of,
     output:
         report(RESULTS + "/{study}/figures/{figure}.png", category="{study}"),
         RESULTS + "/{study}/figures/{figure}.svg",
@@ -179,7 +180,7 @@ rule figure:
 
 rule table:
     input:
-        cube_of,
+        cubes_of,
     output:
         report(RESULTS + "/{study}/tables/{table}.csv", category="{study}"),
     params:

@@ -21,7 +21,7 @@ def add(sub) -> None:
 
     draw = sub.add_parser("draw", help="draw a figure or table from a cube")
     draw.add_argument("key", help="see `silostudy list outputs`")
-    draw.add_argument("cube", type=Path)
+    draw.add_argument("cube", type=Path, nargs="+", help="the cube, and further ones that the figure can show")
     draw.add_argument("stem", type=Path, help="file to write, without its ending")
     draw.set_defaults(run=run_draw)
 
@@ -129,7 +129,8 @@ def run_draw(chosen) -> None:
     from silostudy.figures import OUTPUTS
 
     row = OUTPUTS[chosen.key]
-    import_module(f"silostudy.figures.{row.key}").draw(read(chosen.cube), chosen.stem)
+    cube, *further = map(read, chosen.cube)
+    import_module(f"silostudy.figures.{row.key}").draw(cube, chosen.stem, *further)
 
 
 def run_schema(chosen) -> None:

@@ -18,6 +18,7 @@ class Output(Row):
 
     kind: str  # "figure" or "table"
     stage: str  # the cube it is drawn from
+    also: tuple[str, ...]  # further cubes that it shows where the study has them
     axes: tuple[str, ...]
     methods: tuple[str, ...]
     phases: tuple[str, ...]
@@ -42,9 +43,10 @@ class Output(Row):
 
 
 def _output(raw: dict) -> Output:
-    cells: dict = {name: raw[name] for name in ("title", "kind", "stage", "source", "locator")}
+    cells: dict = {name: raw[name] for name in ("title", "kind", "source", "locator")}
+    cells["stage"], *also = raw["stage"].split()
     cells |= {name: tuple(raw[name].split()) for name in LISTS}
-    return Output(key=raw["output"], demands=frozenset(raw["demands"].split()), **cells)
+    return Output(key=raw["output"], also=tuple(also), demands=frozenset(raw["demands"].split()), **cells)
 
 
 _TEXT = ("output", "kind", "stage", "demands", *LISTS)

@@ -133,6 +133,27 @@ def test_comparison_shows_the_band_and_the_measured_point(hopper_bin, tmp_path, 
     )
 
 
+def test_comparison_shows_the_sampled_scatter(hopper_bin, tmp_path, kept):
+    """Where the uncertainty cube comes along: a fill and a bar on both panels for each method, in its colour."""
+    hopper_bin |= {"uncertainty": {"log2_samples": 8, "seed": 3}, "hopper_position": None, "phases": ["filling", "discharge"]}
+    expansion = expanded(hopper_bin)
+    cube, sampled = pressure_cube(expansion), uncertainty_cube(expansion)
+    comparison_today.draw(cube, tmp_path / "plain")
+    comparison_today.draw(cube, tmp_path / "today", sampled)
+    plain, banded = ([len(panel.collections) for panel in figure.axes] for figure in kept)
+    assert np.subtract(banded, plain).tolist() == [3, 3]  # Janssen, Jenike 1969, EN once
+    numbers = pd.read_csv(tmp_path / "today.csv").set_index("curve")
+    band = numbers.loc["EN 1991-4:2006, design, discharge, 5 % to 95 % of the sampled solid"].iloc[-1]
+    quantiles = sampled["wall_normal_pressure_quantile"].sel({"method": "en1991_4", "phase": "discharge"}).values / 1e3
+    assert (band.wall_normal_pressure_kPa, band.upper_kPa) == pytest.approx((quantiles[0, -1], quantiles[2, -1]))
+    static = float(cube["wall_normal_pressure"].sel({"method": "janssen", "phase": "filling"})[-1]) / 1e3
+    assert band.upper_ratio == pytest.approx(quantiles[2, -1] / static)
+    bar = [line for line in kept[1].axes[0].lines if line.get_linewidth() == 5][-1].get_xydata()
+    assert bar[:, 0] == pytest.approx([np.interp(bar[0, 1], cube["depth"], quantiles[place]) for place in (0, 2)])
+    said = [text.get_text() for text in kept[1].legends[0].get_texts()]
+    assert any("5 % to 95 %" in text for text in said)
+
+
 def test_charts_from_the_fields(tmp_path, kept):
     cube = pressure_cube(expand_file(ROOT / "config/studies/jenike-charts.yaml"))
     jenike_charts.draw(cube, tmp_path / "charts")

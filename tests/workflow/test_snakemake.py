@@ -60,6 +60,17 @@ def test_only_what_the_study_calls_for(project, study):
     assert "rule figure" not in planned
 
 
+def test_a_figure_waits_for_the_further_cubes_that_it_shows(project, study):
+    """comparison_today shows the sampled scatter where the study samples it, and asks for nothing where it does not."""
+    study["outputs"] = ["comparison_today"]
+    save(project, study)
+    assert "uncertainty.nc" not in snakemake(project, "-n").stdout
+    study["scene"]["properties"] = {"a_phi": 1.1, "a_K": 1.1, "a_mu": 1.1, "unit_weight_lower_kN_m3": 6.5}
+    save(project, study | {"uncertainty": {"log2_samples": 6}})
+    planned = snakemake(project, "-n").stdout
+    assert "input: results/small/pressure.nc, results/small/uncertainty.nc" in planned
+
+
 def test_a_mistake_stops_before_any_job(project, study):
     study["scene"]["solid"] = "sand"
     save(project, study)
