@@ -25,8 +25,9 @@ def named(function, key: str):
 def piece(*key):
     """Register an inner function of a kernel under a name of its own for this key.
 
-    Numba links compiled functions by name and a running number.  Two processes give two different inner functions of one
-    name the same number, and a third that loads both kept kernels would run one of them in the place of the other.
+    Numba links compiled functions by name, types and a number that starts anew in every process.  Two processes that
+    compile two kernels would give inner functions of one name the same number, and a third process that loads both
+    kernels would run the forces of the first in the second, or write histories into arrays that have no room for them.
     """
 
     def registered(function):

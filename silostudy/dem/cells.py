@@ -9,9 +9,7 @@ from silostudy.dem.lanes import X, Y
 
 # No fastmath: bits must not depend on the place in an array. No counting of references to arrays (_nrt): it took two
 # thirds of a step; all compiled functions go without it, since one that counts must not meet one that does not.
-# Nothing is kept on disk: a suite in which one process loaded a kept kernel and compiled others gave wrong motions, and
-# the cause was not found.  Every process compiles what its scenes call for, about ten seconds a kernel.
-OPTIONS: dict[str, Any] = {"nogil": True, "cache": False, "error_model": "numpy", "_nrt": False}
+OPTIONS: dict[str, Any] = {"nogil": True, "cache": True, "error_model": "numpy", "_nrt": False}
 
 
 @njit(**OPTIONS)

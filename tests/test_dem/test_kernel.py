@@ -1,11 +1,15 @@
 """The compiled step: its Python twin, effects that are neutral, orders of convergence, the cache."""
 
+import ast
+import os
 import subprocess
 import sys
+from pathlib import Path
 
 import numpy as np
 import pytest
 
+import silostudy.dem
 from silostudy.dem.engine import Engine
 from silostudy.dem.integrate import INTEGRATORS
 from silostudy.dem.lanes import U, X
@@ -107,15 +111,49 @@ def test_order_of_convergence(integrator):
     assert orders == pytest.approx(INTEGRATORS[integrator].order, abs=0.2)
 
 
-@pytest.mark.skip(reason="kernels are not kept on disk until the mix of kept and fresh ones is understood (cells.py)")
-def test_the_compiled_kernel_is_found_again_by_another_process():
-    code = (
-        "from tests.test_dem.scenes import silo; from silostudy.dem.engine import Engine;"
-        "engine = Engine(silo()); engine.step_to(3); stats = engine._kernel.stats;"
-        "print(sum(stats.cache_hits.values()), sum(stats.cache_misses.values()))"
-    )
-    outcomes = [subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True) for _ in "ab"]
-    assert outcomes[1].stdout.split() == ["1", "0"]
+KEPT = """
+import hashlib, sys
+from silostudy.dem.engine import Engine
+from silostudy.dem.pieces import Laws
+from tests.test_dem.scenes import contact, silo
+for tangential in sys.argv[1:]:
+    laws = Laws(tangential=tangential)
+    engine = Engine(silo(pair=contact(laws=laws), wall=contact(2.0, 0.176, laws=laws)))
+    engine.step_to(1000)
+    print(tangential, hashlib.sha256(engine.discs.rows.tobytes()).hexdigest(), sum(engine._kernel.stats.cache_hits.values()))
+"""
+
+
+def motions_of_another_process(folder, *laws):
+    environment = os.environ | {"NUMBA_CACHE_DIR": str(folder)}
+    command = [sys.executable, "-c", KEPT, *laws]
+    told = subprocess.run(command, capture_output=True, text=True, check=True, env=environment).stdout
+    return {law: (motion, int(found)) for law, motion, found in map(str.split, told.splitlines())}
+
+
+def test_kernels_kept_by_two_processes_do_not_mix_in_a_third(tmp_path):
+    """Numba numbers functions anew in each process; the first call keeps what all kernels share, so that the numbers agree."""
+    motions_of_another_process(tmp_path, "none")
+    alone = {law: motions_of_another_process(tmp_path, law)[law] for law in ("spring-slider", "spring-slider-total")}
+    both = motions_of_another_process(tmp_path, *alone)
+    assert both == {law: (motion, 1) for law, (motion, _) in alone.items()}  # found, and moving as when compiled
+    assert [found for _, found in alone.values()] == [0, 0]
+    assert len({motion for motion, _ in alone.values()}) == 2
+
+
+def test_inner_functions_of_a_kernel_have_names_of_their_own():
+    """One that is not registered by `piece` would share its linker name with those of other kernels."""
+    inner = [
+        (path.name, node.name, ast.unparse(mark))
+        for path in Path(silostudy.dem.__file__).parent.glob("*.py")
+        for outer in ast.walk(ast.parse(path.read_text()))
+        if isinstance(outer, ast.FunctionDef)
+        for node in outer.body
+        if isinstance(node, ast.FunctionDef)
+        for mark in node.decorator_list
+    ]
+    assert len(inner) > 5
+    assert [found for found in inner if not found[2].startswith("piece(")] == []
 
 
 def test_a_new_scene_of_the_same_pieces_compiles_nothing():
