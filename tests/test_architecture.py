@@ -24,7 +24,8 @@ MAY_IMPORT = {
     "scene": {"config", "tables", "pressure", "seismic", "contact", "packing", "dem"},
     "cube": {"tables"},
     "accuracy": {"scene", "config", "tables", "pressure", "buckling", "seismic", "contact", "packing", "dem"},
-    "compute": {"scene", "config", "tables", "pressure", "buckling", "seismic", "cube", "contact", "packing", "dem", "accuracy"},
+    "compute": {"accuracy", "scene", "config", "tables", "pressure", "buckling", "seismic", "cube"}
+    | {"contact", "packing", "dem"},
 }
 HEAVY_FREE = {
     "tables",

@@ -19,8 +19,8 @@ def run(chosen) -> None:
 
 def scene_explanation(name: str) -> list[str]:
     """Each effect of a discrete-element scene: on or off, why, and its measured share of a step."""
-    from silostudy.compute.dem import model_of
     from silostudy.accuracy.prices import prices
+    from silostudy.compute.dem import model_of
     from silostudy.dem.stability import longest_step
     from silostudy.scene.dem import effects, load
 
