@@ -1,49 +1,83 @@
-"""A hash of source rooms: what Snakemake and numba's cache must watch, because neither sees a change in an imported module."""
+"""A hash of sources: what Snakemake and kept kernels must watch, because neither sees a change in an imported module.
 
+Imports are followed file by file, and tables by their names in the code: a change reruns what depends on it and nothing else.
+"""
+
+import ast
 import hashlib
+from functools import cache
 from pathlib import Path
 
 PACKAGE = Path(__file__).parent
-SHAKING = ("seismic/beam", "seismic/readers", "seismic/records")  # what a seismic scene is made of
-SCENE = (
-    "catalogue",
-    "errors",
-    "files",
-    "tables",
-    "config",
-    "scene",
-    "figures/__init__",
-    "pressure",
-    "buckling",
-    "packing",
-    *SHAKING,
-)
-# stage -> rooms whose change makes its results stale (a test follows the imports)
+TABLES = "tables"  # the room of the tables that code in any room may name
+CHECKED = {PACKAGE / "figures/__init__.py"}  # which pictures there are is checked by every study and changes no number
+
+
+def _stage(name: str, kind: str, builder: str) -> tuple[str, ...]:
+    return (f"compute/{name}", "scene/expand", f"scene/{builder}", f"config/{kind}")
+
+
+# stage -> files or rooms at which its work begins
 STAGES = {
-    "cases": SCENE,
-    "pressure": (*SCENE, "compute", "cube"),
-    "uncertainty": (*SCENE, "compute", "cube"),
-    "buckling": (*SCENE, "compute", "cube"),
-    "shell": (*SCENE, "compute", "cube"),
-    "seismic": (*SCENE, "compute", "cube", "seismic"),
-    "dem": (*SCENE, "compute", "cube", "contact", "dem"),
-    "grains": (*SCENE, "compute", "cube", "contact", "dem", "seismic"),
-    "accuracy": (*SCENE, "accuracy", "compute", "cube", "contact", "dem", "seismic"),
-    "draw": ("catalogue", "errors", "files", "tables", "cube", "figures"),
+    "cases": ("scene/expand",),
+    "pressure": _stage("pressure", "pressure", "build"),
+    "uncertainty": _stage("uncertainty", "pressure", "build"),
+    "buckling": _stage("buckling", "buckling", "shell"),
+    "shell": _stage("shell", "shell", "shell"),
+    "seismic": _stage("seismic", "seismic", "seismic"),
+    "dem": ("compute/dem", "compute/paraview"),
+    "grains": _stage("grains", "grains", "grains"),
+    "accuracy": ("accuracy",),
+    "draw": ("figures",),
 }
 
 
-def stamp(*rooms: str) -> str:
-    """Short hash over every source file (.py, .csv, .bib) of the named rooms; all of the package when none is named."""
+def stamp(*places: str) -> str:
+    """Short hash over every source file (.py, .csv, .bib) that the named files or rooms hold or import."""
     digest = hashlib.sha256()
-    for path in sorted(file for room in rooms or (".",) for file in _sources(PACKAGE / room)):
+    for path in sources(*places):
         digest.update(f"{path.relative_to(PACKAGE)}\0".encode() + path.read_bytes())
     return digest.hexdigest()[:12]
 
 
-def _sources(room: Path) -> list[Path]:
-    if room.with_suffix(".py").is_file():
-        return [room.with_suffix(".py")]
-    if not room.is_dir():
-        raise FileNotFoundError(f"no room {room.name!r} in {PACKAGE}")
-    return [file for file in room.rglob("*") if file.suffix in {".py", ".csv", ".bib"}]
+def sources(*places: str) -> list[Path]:
+    """The files behind a stamp; FileNotFoundError for a place that is not there."""
+    reached: set[Path] = set()
+    fresh = {file for place in places for file in _held(PACKAGE / place)}
+    while fresh:
+        reached |= fresh
+        fresh = {target for path in fresh for target in _named(path)} - reached - CHECKED
+    return sorted(reached)
+
+
+def _held(place: Path) -> list[Path]:
+    if place.with_suffix(".py").is_file():
+        return [place.with_suffix(".py")]
+    if not place.is_dir():
+        raise FileNotFoundError(f"no room {place.name!r} in {PACKAGE}")
+    return [file for file in place.rglob("*") if file.suffix in {".py", ".csv", ".bib"}]
+
+
+@cache
+def _named(path: Path) -> set[Path]:
+    """Files of the package that a module imports, and tables that it names."""
+    found = {file for file in [path.parent / "__init__.py"] if file.is_file()}
+    if path.suffix != ".py":
+        return found
+    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+        if isinstance(node, ast.ImportFrom) and node.module:
+            found |= _modules(node.module).union(*(_modules(f"{node.module}.{alias.name}") for alias in node.names))
+        elif isinstance(node, ast.Import):
+            found = found.union(*(_modules(alias.name) for alias in node.names))
+        elif isinstance(node, ast.Constant) and isinstance(node.value, str) and node.value.endswith((".csv", ".bib")):
+            found |= {folder / node.value for folder in (path.parent, PACKAGE / TABLES) if (folder / node.value).is_file()}
+    return found
+
+
+def _modules(name: str) -> set[Path]:
+    """Files that importing a dotted name runs, its packages' own included."""
+    top, *parts = name.split(".")
+    if top != PACKAGE.name:
+        return set()
+    stems = [PACKAGE.joinpath(*parts[:k]) for k in range(1, len(parts) + 1)]
+    return {file for stem in stems for file in (stem.with_suffix(".py"), stem / "__init__.py") if file.is_file()}

@@ -7,7 +7,7 @@ import yaml
 from pydantic import BaseModel, ValidationError
 
 from silostudy.config.fields import Strict, described
-from silostudy.config.kinds import KINDS
+from silostudy.config.kinds import KINDS, study_model
 from silostudy.config.study import BaseStudy
 from silostudy.errors import BadInput, unknown
 from silostudy.tables.units import SUFFIXES
@@ -105,7 +105,7 @@ def study_of(content: dict[str, Any], where: str) -> BaseStudy:
     """A study from the content of its file; BadInput lists every mistake."""
     if content.get("kind") not in KINDS:
         raise unknown("kind", content.get("kind"), KINDS, where)
-    return validated(KINDS[content["kind"]], content, where)
+    return validated(study_model(content["kind"]), content, where)
 
 
 def load_project(path: Path) -> tuple[dict[str, Path], dict[str, Path]]:

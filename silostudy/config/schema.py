@@ -7,12 +7,12 @@ from typing import Any
 
 from pydantic import TypeAdapter
 
-from silostudy.config.kinds import KINDS
+from silostudy.config.kinds import KINDS, study_model
 
 
 def study_schema() -> str:
     """JSON schema (draft 2020-12) of a study file of any kind, as text."""
-    union: Any = reduce(or_, KINDS.values())
+    union: Any = reduce(or_, map(study_model, KINDS))
     adapter: TypeAdapter = TypeAdapter(union)
     schema = {"$schema": "https://json-schema.org/draft/2020-12/schema", **adapter.json_schema()}
     return json.dumps(schema, indent=1) + "\n"

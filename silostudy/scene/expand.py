@@ -10,7 +10,7 @@ from typing import Any
 from silostudy.config.fields import Strict
 from silostudy.config.load import read_yaml, study_of, validated
 from silostudy.errors import BadInput
-from silostudy.scene.kinds import BUILDERS
+from silostudy.scene.kinds import builder
 
 
 @dataclass(frozen=True)
@@ -45,7 +45,7 @@ def expand_file(path: Path) -> Expansion:
 def expand(content: dict[str, Any], name: str, where: str, folder: Path) -> Expansion:
     """The cases of a study's content; `where` names it in errors, and files it names are looked for in `folder`."""
     study: Any = study_of(content, where)
-    build = BUILDERS[study.kind](study, folder, where)
+    build = builder(study.kind)(study, folder, where)
     cases = []
     for combination in itertools.product(*(axis.settings() for axis in study.sweep)):
         settings = {key: value for part in combination for key, value in part.items()}

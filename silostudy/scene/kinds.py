@@ -4,16 +4,11 @@ A builder takes (study, folder of the study file, name for errors) once and retu
 """
 
 from collections.abc import Callable
+from importlib import import_module
 
-from silostudy.scene.build import pressure_builder
-from silostudy.scene.grains import grains_builder
-from silostudy.scene.seismic import seismic_builder
-from silostudy.scene.shell import buckling_builder, shell_builder
+ROOMS = {"pressure": "build", "buckling": "shell"}  # kinds whose builder stands in a file of another name
 
-BUILDERS: dict[str, Callable[..., Callable]] = {
-    "pressure": pressure_builder,
-    "buckling": buckling_builder,
-    "shell": shell_builder,
-    "seismic": seismic_builder,
-    "grains": grains_builder,
-}
+
+def builder(kind: str) -> Callable[..., Callable]:
+    """The builder of a kind of study: kind_builder of its file in this room, imported when asked for."""
+    return getattr(import_module(f"silostudy.scene.{ROOMS.get(kind, kind)}"), f"{kind}_builder")
