@@ -17,7 +17,7 @@ from silostudy.dem.integrate import INTEGRATORS
 from silostudy.dem.ledger import ENTRIES
 from silostudy.dem.model import Model
 from silostudy.dem.run import Run
-from silostudy.dem.stability import SAFETY, longest_step
+from silostudy.dem.stability import chosen_step, longest_step
 from silostudy.errors import BadInput
 from silostudy.files import replacing
 from silostudy.packing import PACKINGS
@@ -64,9 +64,9 @@ def _discs(scene: DemScene, folder: Path):
 
 
 def _step(scene: DemScene, model: Model, where: str) -> float:
-    bound = longest_step(model)
     if scene.march.step_s is None:
-        return float(f"{0.99 * SAFETY * bound:.2g}")  # two digits: the bound's own rounding must not reach the run
+        return chosen_step(model)
+    bound = longest_step(model)
     if scene.march.step_s > bound and not scene.march.beyond_stability:
         allowed = f"beyond the stability bound {bound:.4g} s; shorten it, or set march.beyond_stability"
         raise BadInput("march.step_s", scene.march.step_s, allowed, where)

@@ -8,14 +8,13 @@ import numpy as np
 from silostudy.config.grains import Grains, GrainsScene, Shaking
 from silostudy.dem.model import Contact, Model, Wall
 from silostudy.dem.pieces import Laws
-from silostudy.dem.stability import SAFETY, longest_step
+from silostudy.dem.stability import chosen_step
 from silostudy.scene.grains import discs_of
 from silostudy.seismic.readers import read_known
 from silostudy.seismic.records import compressed, scaled, without_baseline
 
 GRAVITY = 9.80665
 STIFFER_WALLS = 2.0
-LOOSE_SAFETY = 0.2  # of the bound of discs that do not touch yet: the settled network's is a third of it
 
 
 def model_of(config: GrainsScene, seed: int) -> Model:
@@ -33,8 +32,7 @@ def model_of(config: GrainsScene, seed: int) -> Model:
         pair=_contact(grains, 1.0, grains.sliding_friction), wall=_contact(grains, STIFFER_WALLS, config.wall_friction),
         quake=np.zeros((1, 2)),
     )  # fmt: skip
-    share = LOOSE_SAFETY if config.packing == "loose" else SAFETY
-    return replace(model, dt=float(f"{share * longest_step(model):.2g}"))  # rounded: the last bits of the bound vary
+    return replace(model, dt=chosen_step(model))
 
 
 def _contact(grains: Grains, factor: float, friction: float) -> Contact:

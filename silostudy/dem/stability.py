@@ -1,5 +1,8 @@
 """The longest stable time step: from the stiffest motion of the contact network as it is, and the integrator's own march."""
 
+from dataclasses import replace
+from math import floor, log10, sqrt
+
 import numpy as np
 from scipy.sparse import csr_matrix, diags, vstack
 from scipy.sparse.linalg import eigsh
@@ -7,11 +10,12 @@ from scipy.spatial import cKDTree
 
 from silostudy.contact.line import load_of
 from silostudy.dem.integrate import INTEGRATORS
-from silostudy.dem.model import Contact, Model
+from silostudy.dem.model import Contact, Model, Wall
 from silostudy.dem.walls import shape_of
 from silostudy.errors import BadInput
 
 SAFETY = 0.5  # of the bound, when the engine chooses the step: flow makes contacts that the start does not have
+DENSEST = 0.8  # of the bound of six contacts a disc: the most that a start without contacts will come to
 NEAR = 0.05  # of a radius: gaps smaller than this count as contacts, since they close at once
 DEEP = 0.02  # of a radius: the overlap at which a curved law's slope is taken
 
@@ -29,6 +33,26 @@ def longest_step(model: Model) -> float:
         middle = 0.5 * (short + long)
         short, long = (middle, long) if _bounded(model.integrator, stiffness, damping, middle) else (short, middle)
     return short
+
+
+def chosen_step(model: Model) -> float:
+    """Time step (s) for a scene that gives none: safe for the network at the start, and for the densest that may come.
+
+    Rounded down to two digits: the last bits of an eigenvalue vary from call to call and must not reach the run.
+    """
+    step = min(SAFETY * longest_step(model), DENSEST * longest_step(_densest(model)))
+    unit = 10.0 ** (floor(log10(step)) - 1)
+    return float(f"{floor(0.999 * step / unit) * unit:.2g}")
+
+
+def _densest(model: Model) -> Model:
+    """The smallest discs of a model in hexagonal order on a floor; larger ones are heavier, or touch fewer of them."""
+    r, (i, j) = float(model.radius.min()), np.mgrid[-3:4, -3:4].reshape(2, -1)
+    x, y = 2.0 * r * (i + 0.5 * j), sqrt(3.0) * r * j
+    near = np.hypot(x, y) < 4.5 * r
+    low = float(y[near].min()) - r
+    walls = (Wall("floor", (-9.0 * r, low), (9.0 * r, low)),)
+    return replace(model, x=x[near], y=y[near], radius=np.full(near.sum(), r), u=None, v=None, w=None, walls=walls)
 
 
 def check_step(model: Model) -> float:
