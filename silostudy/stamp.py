@@ -25,7 +25,7 @@ STAGES = {
     "buckling": _stage("buckling", "buckling", "shell"),
     "shell": _stage("shell", "shell", "shell"),
     "seismic": _stage("seismic", "seismic", "seismic"),
-    "dem": ("compute/dem", "compute/paraview"),
+    "dem": ("compute/dem", "compute/dem_cube", "compute/paraview"),
     "grains": _stage("grains", "grains", "grains"),
     "accuracy": ("accuracy",),
     "draw": ("figures",),

@@ -24,7 +24,8 @@ def run_ensemble(chosen) -> None:
 
     from tqdm import tqdm
 
-    from silostudy.compute.dem import carry_through, cube_of, model_of, run_of
+    from silostudy.compute.dem import carry_through, model_of, run_of
+    from silostudy.compute.dem_cube import cube_of
     from silostudy.cube.io import write
     from silostudy.scene.dem import load
 
@@ -44,7 +45,8 @@ def run_ensemble(chosen) -> None:
 
 
 def run_one(chosen) -> None:
-    from silostudy.compute.dem import carry_through, cube_of, model_of, run_of
+    from silostudy.compute.dem import carry_through, model_of, run_of
+    from silostudy.compute.dem_cube import cube_of
     from silostudy.cube.io import write
     from silostudy.errors import BadInput
     from silostudy.scene.dem import load

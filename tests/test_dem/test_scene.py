@@ -11,7 +11,8 @@ import pytest
 import yaml
 
 from silostudy.__main__ import main
-from silostudy.compute.dem import carry_through, cube_of, model_of, run_of
+from silostudy.compute.dem import carry_through, model_of, run_of
+from silostudy.compute.dem_cube import cube_of
 from silostudy.compute.paraview import export
 from silostudy.config.dem import DemScene
 from silostudy.config.load import validated

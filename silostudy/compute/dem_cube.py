@@ -1,0 +1,96 @@
+"""The cube of everything that the run of a discrete-element scene recorded."""
+
+from typing import Any
+
+import numpy as np
+import xarray as xr
+
+from silostudy.config.dem import DemScene
+from silostudy.cube.contract import VARIABLES, check
+from silostudy.cube.provenance import provenance
+from silostudy.dem.integrate import INTEGRATORS
+from silostudy.dem.ledger import ENTRIES
+from silostudy.dem.model import Model
+from silostudy.dem.run import Run
+
+
+def cube_of(run: Run, scene: DemScene) -> xr.Dataset:
+    """The cube of everything that a run recorded."""
+    model = run.engine.model
+    data = {"disc_radius": np.array(model.radius), "disc_mass": model.mass}
+    data |= _windows(run) | _snapshots(run)
+    record = run.recording
+    data |= {"discharge_time": np.array(record.discharge_time), "discharged_mass": np.array(record.discharged)}
+    data |= {
+        "event_time": np.array([time for time, _, _ in record.happened], float),
+        "event_action": np.array([f"{trigger}: {action}" for _, trigger, action in record.happened], dtype=str),
+    }
+    kept = {name: values for name, values in data.items() if values.size}
+    variables = {
+        name: (VARIABLES[name].dims, values, {"units": VARIABLES[name].units, "long_name": VARIABLES[name].long_name})
+        for name, values in kept.items()
+    }
+    asked = scene.model_dump_json(exclude_defaults=True)
+    attributes: dict[str, Any] = dict(provenance(scene.title, asked, sources_of(model), "dem"))
+    attributes |= {"time_step_s": model.dt, "steps": run.engine.step, "discs_left": run.engine.n}
+    if record.explosion is not None:
+        attributes["stopped"] = str(record.explosion)
+    return check(xr.Dataset(variables, attrs=attributes))
+
+
+def sources_of(model: Model) -> list[str]:
+    """Sources of the laws and the integrator that the model uses."""
+    rows = [INTEGRATORS[model.integrator], *model.pair.rows, *model.wall.rows]
+    return sorted({row.source for row in rows if row.key != "none"})
+
+
+def _windows(run: Run) -> dict[str, np.ndarray]:
+    record, model = run.recording, run.engine.model
+    if not record.window:
+        return {}
+    data = {"window_time": np.array(record.window_time)}
+    if model.watched:
+        force = np.array(record.window)
+        for way, name in enumerate(("normal", "shear")):
+            for k, what in enumerate(("mean", "min", "max")):
+                data[f"wall_{name}_force_{what}"] = force[:, :, way, k]
+        data |= _cells(model)
+    if model.booked:
+        data |= {"energy": np.array(record.energy), "energy_entry": np.array(ENTRIES)}
+    return data
+
+
+def _cells(model: Model) -> dict[str, np.ndarray]:
+    """Wall, middle and length of each cell: a wall's start, its parts, its end."""
+    names, places, lengths = [], [], []
+    for wall in model.walls:
+        start, end = np.array(wall.start), np.array(wall.end)
+        middle = np.r_[0.0, (np.arange(wall.cells) + 0.5) / wall.cells, 1.0]
+        names += [wall.name] * len(middle)
+        places.append(start + middle[:, None] * (end - start))
+        lengths += [0.0, *[float(np.hypot(*(end - start))) / wall.cells] * wall.cells, 0.0]
+    x, y = np.vstack(places).T
+    return {"wall_name": np.array(names), "wall_cell_x": x, "wall_cell_y": y, "wall_cell_length": np.array(lengths)}
+
+
+def _snapshots(run: Run) -> dict[str, np.ndarray]:
+    found = run.recording.snapshots
+    if not found:
+        return {}
+    motion = np.full((len(found), len(run.engine.model.x), 5), np.nan)
+    for k, snapshot in enumerate(found):
+        motion[k, snapshot["label"]] = snapshot["motion"]
+    contacts = [(k, on, row) for k, s in enumerate(found) for on, name in enumerate(("pairs", "walls")) for row in s[name]]
+    table = np.array([row for _, _, row in contacts]).reshape(-1, 6)
+    data = {f"disc_{name}": motion[:, :, k] for k, name in enumerate(("x", "y", "u", "v", "spin"))}
+    data |= {"snapshot_time": np.array([float(snapshot["time"]) for snapshot in found])}
+    data |= {"contact_snapshot": np.array([k for k, _, _ in contacts], np.int32)}
+    data |= {"contact_on_wall": np.array([on for _, on, _ in contacts], np.int8)}
+    for k, name in enumerate(("first", "second")):
+        data[f"contact_{name}"] = table[:, k].astype(np.int32)
+    for k, name in enumerate(("x", "y", "force_x", "force_y"), start=2):
+        data[f"contact_{name}"] = table[:, k]
+    if run.stress_edges is not None:
+        across, up = (0.5 * (edges[1:] + edges[:-1]) for edges in run.stress_edges)
+        data |= {"stress": np.array([snapshot["stress"] for snapshot in found]), "cell_x": across, "cell_y": up}
+    return data
