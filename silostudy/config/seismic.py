@@ -6,6 +6,7 @@ from pydantic import field_validator, model_validator
 
 from silostudy.config.fields import Numbers, Range, Strict, described, expand
 from silostudy.config.study import BaseStudy
+from silostudy.figures import OUTPUTS
 from silostudy.tables.records import RECORDS
 
 RecordKey: TypeAlias = Literal[tuple(RECORDS)]  # type: ignore[valid-type]
@@ -110,12 +111,15 @@ class SeismicScene(Strict):
     silo: Tube = described("shape and size", "")
     wall: TubeMaterial = described("material of the wall", "")
     contents: Contents = described("the stored solid", "")
-    empty_frequency_Hz: float = described(
-        "measured first frequency of the empty tube: gives the stiffness reduction", "Hz", gt=0
+    empty_frequency_Hz: float | None = described(
+        "measured first frequency of the empty tube: gives the stiffness reduction; null: the whole stiffness",
+        "Hz",
+        gt=0,
+        default=None,
     )
     damping_ratio: float = described("damping ratio of every mode, from the empty tube", gt=0, lt=1)
     motion: Motion = described("acceleration of the base", "")
-    measured: Measured = described("acceleration of the top", "")
+    measured: Measured | None = described("acceleration of the top, for an identification", "", default=None)
 
 
 class Sine(Strict):
@@ -135,25 +139,19 @@ class Sine(Strict):
         return self
 
 
-class SeismicStudy(BaseStudy):
-    """Effective mass of a silo's contents in an earthquake, and what the earthquake asks of the wall."""
+class Identification(Strict):
+    """How the effective mass coefficient is found from a measured response, and how sure that is."""
 
-    kind: Literal["seismic"] = described("seismic: effective mass of the contents in an earthquake", "")
-    scene: SeismicScene = described("the base scene", "")
-    assumed: tuple[str, ...] = described(
-        "dotted keys of the scene or sine whose values the source does not print", "", default=()
-    )
-    published: Literal["sasaki_1991"] | None = described("published results to show beside the computed", "", default=None)
-    sine: Sine = described("the sine sweep", "")
     coefficients: Range = described("effective mass coefficients to try")
     refinement: int = described("finer steps in each of theirs", ge=1, le=1000, default=10)
     shown_coefficients: Numbers = described("coefficients whose histories and spectra are kept and drawn")
     band_Hz: tuple[float, float] = described("band of the likeness indices", "Hz")
     damping_mismatch: float = described("relative half-width within which the damping ratio is known", ge=0, lt=1)
+    empty_frequency_rounding_Hz: float = described(
+        "half-width within which the empty tube's frequency is known, and with it the stiffness", "Hz", ge=0
+    )
     recovery_trials: int = described("trials of the recovery test", ge=2, le=100_000, default=100)
     recovery_noise_ratio: float = described("rms of the noise over rms of the response in the trials", ge=0)
-    seed: int = described("seed of noise and trials", ge=0, default=0)
-    relative_depth: Range | Numbers = described("depths over the height of the contents, 0 ... 1, for the demand on the wall")
 
     @field_validator("band_Hz")
     @classmethod
@@ -168,6 +166,29 @@ class SeismicStudy(BaseStudy):
         if not 0 <= coefficients.start < coefficients.stop or coefficients.spacing != "linear":
             raise ValueError("must rise in equal steps from 0 or more")
         return coefficients
+
+    @property
+    def fine_coefficients(self) -> list[float]:
+        """The coefficients with `refinement` steps in each of theirs."""
+        coarse = self.coefficients
+        return Range(start=coarse.start, stop=coarse.stop, count=(coarse.count - 1) * self.refinement + 1).expand()
+
+
+class SeismicStudy(BaseStudy):
+    """What an earthquake asks of a silo's wall, and where a response was measured the effective mass of the contents."""
+
+    kind: Literal["seismic"] = described("seismic: a silo in an earthquake, and the effective mass of its contents", "")
+    scene: SeismicScene = described("the base scene", "")
+    assumed: tuple[str, ...] = described(
+        "dotted keys of the scene or sine whose values the source does not print", "", default=()
+    )
+    published: Literal["sasaki_1991"] | None = described("published results to show beside the computed", "", default=None)
+    sine: Sine | None = described("the sine sweep; null: none", "", default=None)
+    identification: Identification | None = described(
+        "find the effective mass coefficient from scene.measured; null: only the demand on the wall", "", default=None
+    )
+    seed: int = described("seed of noise and trials", ge=0, default=0)
+    relative_depth: Range | Numbers = described("depths over the height of the contents, 0 ... 1, for the demand on the wall")
 
     @field_validator("relative_depth")
     @classmethod
@@ -187,8 +208,14 @@ class SeismicStudy(BaseStudy):
                 node = getattr(node, part)
         return self
 
-    @property
-    def fine_coefficients(self) -> list[float]:
-        """The coefficients with `refinement` steps in each of theirs."""
-        coarse = self.coefficients
-        return Range(start=coarse.start, stop=coarse.stop, count=(coarse.count - 1) * self.refinement + 1).expand()
+    @model_validator(mode="after")
+    def _measured_to_identify(self) -> Self:
+        if (self.identification is None) != (self.scene.measured is None):
+            raise ValueError("identification and scene.measured need each other")
+        if self.identification is not None and self.scene.empty_frequency_Hz is None:
+            raise ValueError("identification needs scene.empty_frequency_Hz")
+        for key in self.outputs:
+            for part in sorted(OUTPUTS[key].demands & {"sine", "identification"}):
+                if getattr(self, part) is None:
+                    raise ValueError(f"output {key} needs the section {part}")
+        return self

@@ -10,7 +10,13 @@ import xarray as xr
 from silostudy.figures.shaken import cases, head, name
 from silostudy.figures.style import save
 
-NAMES = {"noise": "noise (2 sigma)", "damping": "damping mismatch", "band": "ends of the band", "step": "fine step"}
+NAMES = {
+    "noise": "noise (2 sigma)",
+    "damping": "damping mismatch",
+    "stiffness": "empty frequency",
+    "band": "ends of the band",
+    "step": "fine step",
+}
 
 
 def draw(cube: xr.Dataset, stem: Path) -> None:
@@ -26,7 +32,9 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
         _contributions(below, one)
         tables.append(table.assign(case=str(one["case"].values)))
     panels[0, 0].set_ylabel("C_eff found less true C_eff")
-    head(figure, cube, "known coefficients found again by e_A from synthetic responses with noise and unknown damping")
+    head(
+        figure, cube, "known coefficients found again by e_A from synthetic responses with noise, damping and stiffness unknown"
+    )
     save(figure, pd.concat(tables, ignore_index=True), stem)
 
 

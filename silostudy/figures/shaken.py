@@ -45,7 +45,9 @@ def style(number: int) -> dict:
 def head(figure: Figure, cube: xr.Dataset, text: str, base: str = "") -> None:
     """Title, and below the panels what is synthetic, which record shook (or `base`), and what is assumed."""
     figure.suptitle(f"{cube.attrs['title']}\n{text}", fontsize=10)
-    shaken = [f"Base: {_common(cube, 'base_motion')}.", f"Measured: {_common(cube, 'measured_origin')}."]
+    shaken = [f"Base: {_common(cube, 'base_motion')}."]
+    if "measured_origin" in cube:
+        shaken.append(f"Measured: {_common(cube, 'measured_origin')}.")
     notes = [base] if base else shaken
     if cube.attrs["assumed"]:
         notes.append(f"Assumed, not printed by the source: {cube.attrs['assumed']}.")

@@ -19,10 +19,13 @@ KNOWN = cache(read_known)
 
 @dataclass(frozen=True, kw_only=True)
 class Shaken:
-    """One silo on a shaking table, in SI units; measured is None where `imitation` takes its place."""
+    """One shaken silo, in SI units; measured is None where `imitation` takes its place, or nothing was measured.
+
+    empty_frequency is None where the tube keeps its whole stiffness.
+    """
 
     tube: Tube
-    empty_frequency: float
+    empty_frequency: float | None
     damping_ratio: float
     base: Record
     measured: Record | None
@@ -35,26 +38,31 @@ def seismic_builder(study: SeismicStudy, folder: Path, where: str) -> Callable[[
     """Builds the scenes of a seismic study; BadInput for a file that cannot be read or does not fit the study."""
 
     def build_one(config: SeismicScene, settings: dict[str, Any]) -> Shaken:
-        base = _base(config.motion, folder)
-        if study.band_Hz[1] > 0.5 / base.dt:
-            allowed = f"must end below {0.5 / base.dt:g} Hz, half the sampling rate of the base motion"
-            raise BadInput("band_Hz", list(study.band_Hz), allowed, where)
-        measured = config.measured
+        base, measured = _base(config.motion, folder), config.measured
+        if study.identification:
+            _check_band(study.identification.band_Hz, base, where)
         return Shaken(
-            tube=_tube(config),
+            tube=tube_of(config),
             empty_frequency=config.empty_frequency_Hz,
             damping_ratio=config.damping_ratio,
             base=base,
-            measured=_measured(measured, folder, base) if measured.file else None,
-            imitation=measured.imitation,
+            measured=_measured(measured, folder, base) if measured and measured.file else None,
+            imitation=measured.imitation if measured else None,
             source=RECORDS[config.motion.record].source if config.motion.record else "",
-            files=tuple(folder / part.file for part in (config.motion, measured) if part.file),
+            files=tuple(folder / part.file for part in (config.motion, measured) if part and part.file),
         )
 
     return build_one
 
 
-def _tube(config: SeismicScene) -> Tube:
+def _check_band(band: tuple[float, float], base: Record, where: str) -> None:
+    if band[1] > 0.5 / base.dt:
+        allowed = f"must end below {0.5 / base.dt:g} Hz, half the sampling rate of the base motion"
+        raise BadInput("identification.band_Hz", list(band), allowed, where)
+
+
+def tube_of(config: SeismicScene) -> Tube:
+    """The tube that a configuration describes."""
     size: TubeConfig = config.silo
     return Tube(
         radius=size.mid_wall_radius_m,

@@ -13,7 +13,7 @@ from silostudy.seismic.response import absolute_acceleration
 
 BAND_SHIFT = 0.2  # how far each end of the band is moved inward to see what the band does
 REPLICATES = 40  # noisy copies behind the noise's share
-CONTRIBUTIONS = ("noise", "damping", "band", "step")
+CONTRIBUTIONS = ("noise", "damping", "stiffness", "band", "step")
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -27,6 +27,7 @@ class Question:
     band: tuple[float, float]  # Hz
     coefficients: np.ndarray
     damping_mismatch: float  # relative half-width within which the damping ratio is known
+    frequency_mismatch: float  # the same of the empty tube's frequency, whose square the stiffness follows
 
 
 @dataclass(frozen=True)
@@ -39,6 +40,8 @@ class Bank:
     known: np.ndarray  # with the damping as known
     lower: np.ndarray  # with the least damping that the mismatch admits
     higher: np.ndarray  # with the most
+    softer: np.ndarray  # with the least stiffness that the empty frequency's mismatch admits
+    stiffer: np.ndarray  # with the most
 
 
 @dataclass(frozen=True)
@@ -50,28 +53,34 @@ class Estimate:
 
     @property
     def uncertainty(self) -> float:
-        """Half-width U: root sum of squares of noise, damping and band, and half a step on top (a step can always add up)."""
-        return float(np.sqrt((self.contributions[:3] ** 2).sum()) + self.contributions[3])
+        """Half-width U: root sum of squares of all but the step, and half a step on top (a step can always add up)."""
+        return float(np.sqrt((self.contributions[:-1] ** 2).sum()) + self.contributions[-1])
 
 
-def top_acceleration(question: Question, coefficient: float, damping_ratio: float | None = None) -> np.ndarray:
+def top_acceleration(question: Question, coefficient: float) -> np.ndarray:
     """Absolute acceleration (m s-2) of the top for one coefficient."""
     shapes = modes(question.tube, coefficient, question.stiffness_reduction)
-    damping = question.damping_ratio if damping_ratio is None else damping_ratio
-    return absolute_acceleration(question.base.acceleration, question.base.dt, shapes, damping)[0]
+    return absolute_acceleration(question.base.acceleration, question.base.dt, shapes, question.damping_ratio)[0]
+
+
+def other(question: Question, damping: float = 0.0, frequency: float = 0.0) -> Question:
+    """The question with damping ratio and empty frequency moved by shares (-1 ... 1) of their mismatch."""
+    return replace(
+        question,
+        damping_ratio=question.damping_ratio * (1 + damping * question.damping_mismatch),
+        stiffness_reduction=question.stiffness_reduction * (1 + frequency * question.frequency_mismatch) ** 2,
+    )
 
 
 def bank(question: Question) -> Bank:
     """The responses of all candidates."""
-    base, mismatch = question.base, question.damping_mismatch
-    dampings = [question.damping_ratio * factor for factor in (1.0, 1 - mismatch, 1 + mismatch)]
+    judges = [question, other(question, -1), other(question, +1), other(question, 0, -1), other(question, 0, +1)]
     found, firsts = [], []
     for coefficient in question.coefficients:
-        shapes = modes(question.tube, coefficient, question.stiffness_reduction)
-        tops = [absolute_acceleration(base.acceleration, base.dt, shapes, damping)[0] for damping in dampings]
-        frequency, transforms = spectrum(tops, base.dt, question.band)
+        tops = [top_acceleration(judge, coefficient) for judge in judges]
+        frequency, transforms = spectrum(tops, question.base.dt, question.band)
         found.append(transforms)
-        firsts.append(shapes.frequency[0])
+        firsts.append(modes(question.tube, coefficient, question.stiffness_reduction).frequency[0])
     return Bank(question, np.array(firsts), frequency, *np.swapaxes(np.array(found), 0, 1))
 
 
@@ -100,12 +109,13 @@ def vertex(values: np.ndarray, coefficients: np.ndarray) -> float:
 
 
 def estimate(bank: Bank, measured: np.ndarray, random: np.random.Generator) -> Estimate:
-    """The coefficient by E_A from the transform of a measured response, with what noise, damping, band and step do to it."""
+    """The coefficient by E_A from the transform of a measured response, with what each of CONTRIBUTIONS does to it."""
     question = bank.question
     found = _by_amplitude(bank, measured, bank.known)
     contributions = [
         _noise(bank, measured, found, random),
-        _half_range([_by_amplitude(bank, measured, other) for other in (bank.known, bank.lower, bank.higher)]),
+        _half_range([_by_amplitude(bank, measured, judge) for judge in (bank.known, bank.lower, bank.higher)]),
+        _half_range([_by_amplitude(bank, measured, judge) for judge in (bank.known, bank.softer, bank.stiffer)]),
         _half_range([_by_amplitude(bank, measured, bank.known, inside) for inside in _bands(bank)]),
         float(np.diff(question.coefficients).max()) / 2,
     ]
@@ -136,24 +146,23 @@ def _bands(bank: Bank) -> list[np.ndarray]:
     return [(bank.frequency >= one) & (bank.frequency <= other) for one in lows for other in highs]
 
 
-def imitation(question: Question, coefficient: float, damping_ratio: float, noise_ratio: float, random) -> np.ndarray:
-    """A synthetic response (m s-2): the model with known coefficient and damping, and white noise of a share of its rms."""
-    clean = top_acceleration(question, coefficient, damping_ratio)
+def imitation(question: Question, coefficient: float, noise_ratio: float, random: np.random.Generator) -> np.ndarray:
+    """A synthetic response (m s-2): the question's model with a known coefficient, and white noise of a share of its rms."""
+    clean = top_acceleration(question, coefficient)
     return clean + noise_ratio * np.sqrt(np.mean(clean**2)) * random.standard_normal(len(clean))
 
 
 def recovery(bank: Bank, trials: int, noise_ratio: float, random: np.random.Generator) -> np.ndarray:
-    """(truth, answer, its uncertainty) of trials whose truth, damping and noise are thrown anew: shape (3, trials).
+    """(truth, answer, its uncertainty) of trials whose truth and noise are thrown anew: shape (3, trials).
 
-    Truth evenly over the candidates, damping evenly within the mismatch the question admits.
+    Truth evenly over the candidates, damping and empty frequency evenly within the mismatch the question admits.
     """
     question = bank.question
     found = np.empty((3, trials))
     for trial in range(trials):
         truth = random.uniform(question.coefficients[0], question.coefficients[-1])
-        damping = question.damping_ratio * (1 + question.damping_mismatch * random.uniform(-1, 1))
-        measured = imitation(question, truth, damping, noise_ratio, random)
-        answer = estimate(bank, transform(question, measured), random)
+        real = other(question, random.uniform(-1, 1), random.uniform(-1, 1))
+        answer = estimate(bank, transform(question, imitation(real, truth, noise_ratio, random)), random)
         found[:, trial] = truth, answer.coefficient, answer.uncertainty
     return found
 

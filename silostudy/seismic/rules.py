@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from silostudy.catalogue import Family, Row
 from silostudy.seismic.added_mass import coefficient_from_shift
 from silostudy.seismic.en1998_4 import contents_share
+from silostudy.seismic.grains import wall_carried_ring
 from silostudy.seismic.likeness import amplitude_error, phase_error
 
 
@@ -80,6 +81,16 @@ MASS_RULES: Family[MassRule] = Family(
             formula="dp = (a/g) gamma min(min(h_b, d_c/2), 3x) cos(theta); summed: 5h/(6R) for h <= R, 1 - R/(6h) above",
             needs=("height over diameter (1)",),
             validity="circular, flat bottom, rigid; one acceleration over the height for the summed share",
+        ),
+        MassRule(
+            key="wall_carried_ring",
+            title="The ring that wall friction carries",
+            source="silvestri_ring",
+            locator="simplest form",
+            function=wall_carried_ring,
+            formula="C_eff = min(1, mu N / W): static wall pressure summed N, weight W; mu K H / R where p_h = K gamma z",
+            needs=("static wall force (N)", "contents' weight (N)", "wall friction coefficient (1)"),
+            validity="a core that carries itself; shown beside shaken discs in the studies of kind grains",
         ),
     ],
 )

@@ -59,6 +59,13 @@ def test_ring():
     assert wall_carried_ring(np.array([100.0, 1e4]), weight=200.0, wall_friction=0.3) == pytest.approx([0.15, 1.0])
 
 
+def test_ring_of_a_hydrostatic_pressure_is_mu_k_h_over_r():
+    """N = pi R K gamma H^2 and W = pi R^2 gamma H, by hand."""
+    mu, k, height, radius, gamma = 0.4, 0.45, 6.0, 3.0, 8e3
+    force, weight = np.pi * radius * k * gamma * height**2, np.pi * radius**2 * gamma * height
+    assert wall_carried_ring(force, weight=weight, wall_friction=mu) == pytest.approx(mu * k * height / radius, rel=1e-12)
+
+
 def test_force_is_inertia_to_rounding(cube):
     assert float(cube["momentum_error"].max()) < 1e-12
 

@@ -33,16 +33,21 @@ SASAKI = ROOT / "config/studies/sasaki-1991.yaml"
 FIGURES = (seismic_resonance, seismic_histories, seismic_spectra, seismic_indices, seismic_recovery, seismic_demand)
 
 
+def quick() -> dict:
+    """The default study, with few candidates and trials."""
+    content = copy.deepcopy(read_yaml(SASAKI))
+    content["identification"] |= {"refinement": 2, "recovery_trials": 5}
+    return content
+
+
 @pytest.fixture
 def content() -> dict:
-    """The default study, with few candidates and trials."""
-    return copy.deepcopy(read_yaml(SASAKI)) | {"refinement": 2, "recovery_trials": 5}
+    return quick()
 
 
 @pytest.fixture(scope="module")
 def cube():
-    quick = read_yaml(SASAKI) | {"refinement": 2, "recovery_trials": 5}
-    return seismic_cube(expanded(quick))
+    return seismic_cube(expanded(quick()))
 
 
 @pytest.fixture
@@ -99,8 +104,7 @@ def test_cf_1_11_and_round_trip(cube, tmp_path):
 
 
 def test_equal_inputs_give_equal_cubes(cube):
-    quick = read_yaml(SASAKI) | {"refinement": 2, "recovery_trials": 5}
-    assert seismic_cube(expanded(quick)).identical(cube)
+    assert seismic_cube(expanded(quick())).identical(cube)
 
 
 def test_figures_have_labels_units_and_notes(cube, tmp_path, kept):
@@ -159,7 +163,8 @@ def test_measured_file_and_partly_filled(content, tmp_path):
         "measured": {"file": "top.txt", "format": "two_columns", "acceleration_unit": "gal"},
     }
     content["scene"]["silo"]["fill_height_m"] = 0.8
-    content |= {"sweep": [], "band_Hz": [1.0, 40.0], "assumed": [], "published": None, "outputs": []}
+    content |= {"sweep": [], "assumed": [], "published": None, "outputs": []}
+    content["identification"]["band_Hz"] = [1.0, 40.0]
     expansion = expanded(content, tmp_path)
     assert [file.name for file in expansion.files] == ["base.txt", "top.txt"]
     cube = seismic_cube(expansion)
@@ -169,6 +174,38 @@ def test_measured_file_and_partly_filled(content, tmp_path):
     assert float(cube["depth"].max()) == pytest.approx(0.8)
     for module in FIGURES:
         module.draw(cube, tmp_path / module.__name__)
+
+
+def test_demand_alone(content, tmp_path, kept):
+    """Without anything measured the cube holds the demand on the wall, the same to the last bit, and nothing else."""
+    whole = seismic_cube(expanded(content))
+    for part in ("sine", "identification", "published"):
+        content.pop(part)
+    content["scene"].pop("measured")
+    content["sweep"][0]["points"] = [
+        {key: value for key, value in point.items() if not key.startswith("measured")}
+        for point in content["sweep"][0]["points"]
+    ]
+    content |= {"assumed": [], "outputs": ["seismic_demand"]}
+    cube = seismic_cube(expanded(content))
+    assert not {"amplitude_error", "resonance", "measured_acceleration"} & set(cube)
+    assert list(cube["mass_choice"].values) == ["eighty_percent", "all_contents"]
+    for name in ("wall_shear_force", "seismic_wall_pressure", "base_moment", "stiffness_reduction"):
+        same = whole[name].sel(mass_choice=cube["mass_choice"].values) if "mass_choice" in whole[name].dims else whole[name]
+        np.testing.assert_array_equal(cube[name].values, same.values)
+    seismic_demand.draw(cube, tmp_path / "demand")
+    assert "Measured" not in kept[-1].get_supxlabel()
+
+
+def test_whole_stiffness_without_a_measured_frequency(content):
+    content["scene"]["empty_frequency_Hz"] = None
+    for part in ("identification", "published", "sine"):
+        content.pop(part)
+    content["scene"].pop("measured")
+    content |= {"sweep": [], "assumed": [], "outputs": []}
+    cube = seismic_cube(expanded(content))
+    assert float(cube["stiffness_reduction"]) == 1
+    assert float(cube["empty_frequency"]) == float(cube["unreduced_frequency"])
 
 
 def put(content: dict, dotted: str, value) -> None:
@@ -186,13 +223,19 @@ MISTAKES = {
         "two_columns needs acceleration_unit: g, gal or m_s2",
     ),
     "missing file": ({"scene.motion": {"file": "nowhere.AT2", "format": "peer_at2"}}, "must be a readable file"),
-    "band above the sampling": ({"band_Hz": [5.0, 500.0]}, "must end below 400 Hz, half the sampling rate"),
-    "band upside down": ({"band_Hz": [60.0, 5.0]}, "must be two increasing frequencies"),
+    "band above the sampling": ({"identification.band_Hz": [5.0, 500.0]}, "must end below 400 Hz, half the sampling rate"),
+    "band upside down": ({"identification.band_Hz": [60.0, 5.0]}, "must be two increasing frequencies"),
     "overfilled": ({"scene.silo.fill_height_m": 2.0}, "fill_height_m must not be above height_m"),
     "no damping": ({"scene.damping_ratio": 0}, "scene.damping_ratio = 0: must be greater than 0"),
     "assumed what is not there": ({"assumed": ["silo.colour"]}, "assumed names silo.colour, which is no key"),
     "full above empty": ({"sine.full_frequency_Hz": 33.0}, "full_frequency_Hz must be below empty_frequency_Hz"),
-    "falling coefficients": ({"coefficients": {"start": 1.0, "stop": 0.5, "count": 11}}, "must rise in equal steps"),
+    "falling coefficients": (
+        {"identification.coefficients": {"start": 1.0, "stop": 0.5, "count": 11}},
+        "must rise in equal steps",
+    ),
+    "nothing to identify from": ({"scene.measured": None, "assumed": []}, "identification and scene.measured need each other"),
+    "no stiffness to identify with": ({"scene.empty_frequency_Hz": None}, "identification needs scene.empty_frequency_Hz"),
+    "an output of a section left out": ({"sine": None, "assumed": []}, "output seismic_resonance needs the section sine"),
     "depth outside": ({"relative_depth": [0.5, 1.5]}, "must rise within 0 ... 1"),
     "an output of another stage": ({"outputs": ["fig_4_2_11"]}, "output fig_4_2_11 is drawn from a pressure cube"),
 }
@@ -224,13 +267,21 @@ def test_commands(capsys, content, tmp_path):
     assert "2 case(s): level 2" in said
     assert "note: the measured response is synthetic" in said
     assert "note: assumed are silo.mid_wall_radius_m" in said
-    for what, expected in (("mass-rules", "resonance_shift"), ("records", "akt013_1996_ew"), ("outputs", "seismic_indices")):
+    for what, expected in (
+        ("mass-rules", "resonance_shift"),
+        ("mass-rules", "wall_carried_ring"),
+        ("records", "akt013_1996_ew"),
+        ("outputs", "seismic_indices"),
+    ):
         assert main(["list", what]) == 0
         assert expected in capsys.readouterr().out
     assert main(["explain", "amplitude_error"]) == 0
     assert "E_A = sum |X' - X| / (n sum X)" in capsys.readouterr().out
+    assert main(["explain", "wall_carried_ring"]) == 0
+    assert "C_eff = min(1, mu N / W)" in capsys.readouterr().out
     path = tmp_path / "quick.yaml"
-    path.write_text(yaml.safe_dump(content | {"recovery_trials": 2, "refinement": 1}, sort_keys=False))
+    content["identification"] |= {"recovery_trials": 2, "refinement": 1}
+    path.write_text(yaml.safe_dump(content, sort_keys=False))
     assert main(["seismic", str(path), str(tmp_path / "seismic.nc")]) == 0
     assert main(["draw", "seismic_resonance", str(tmp_path / "seismic.nc"), str(tmp_path / "resonance")]) == 0
     assert (tmp_path / "resonance.png").is_file()
