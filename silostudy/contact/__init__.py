@@ -83,6 +83,15 @@ TANGENTIAL: Family[Law] = Family(
             stores=True,
         ),
         Law(
+            key="spring-slider-implicit",
+            title="Spring and semi-implicit dashpot, the elastic part capped",
+            source=KIYAMA,
+            locator="eqs. (10)-(14), dashpot at the new speed",
+            law=sliding.implicit_cap,
+            coefficients=_SLIDER,
+            stores=True,
+        ),
+        Law(
             key="viscous-coulomb",
             title="Dashpot capped by Coulomb friction",
             source="haff_werner_1986",

@@ -29,13 +29,14 @@ def pulling(overlap, closing, mass, dt, c):
 
 @register_jitable
 def implicit(overlap, closing, mass, dt, c):
-    """Elastic and total normal force (N/m) with the dashpot on the speed that this force leaves; it never pulls.
+    """Elastic and total normal force (N/m) with the dashpot on the speed that its own force leaves; it never pulls.
 
-    From eqs. (6)-(9) of Kiyama & Fujimura (1983) with closing' = closing - dt total / mass put into (6b).
+    From eqs. (6)-(9) of Kiyama & Fujimura (1983) with closing' = closing - dt dashpot / mass put into (6b).  The spring is
+    left out of it: else a contact at rest would be softer by 1 + dt damping / mass.
     """
     elastic = c[0] * overlap
     damping = c[1] + c[2] * sqrt(mass)
-    total = (elastic + damping * closing) / (1.0 + damping * dt / mass)
+    total = elastic + damping / (1.0 + damping * dt / mass) * closing
     return elastic, (total if total > 0.0 else 0.0)
 
 

@@ -39,6 +39,20 @@ def total_cap(stored, sliding, mass, dt, elastic, normal, c):
 
 
 @register_jitable
+def implicit_cap(stored, sliding, mass, dt, elastic, normal, c):
+    """Stored and total tangential force (N/m) as elastic_cap's, the dashpot on the speed that its own force leaves.
+
+    Kiyama & Fujimura (1983), eqs. (10)-(14), with sliding' = sliding + 3 dt dashpot / mass in (11): a tangential force on
+    a disc's rim moves the rim by its translation, and twice as much by its rotation (inertia m r^2 / 2).
+    """
+    damping = c[1] + c[2] * sqrt(mass)
+    softer = damping / (1.0 + 3.0 * damping * dt / mass)
+    trial = stored - c[0] * dt * sliding
+    held = clamp(trial, c[3] * elastic)
+    return held, held - softer * sliding * (1.0 if held == trial else 0.0)
+
+
+@register_jitable
 def viscous(stored, sliding, mass, dt, elastic, normal, c):
     """Tangential force (N/m) of a dashpot capped by friction times the normal force; nothing is stored.
 

@@ -1,4 +1,13 @@
-"""The longest stable time step: from the stiffest motion of the contact network as it is, and the integrator's own march."""
+"""The longest stable time step: from the extreme motions of the contact network as it is, and the integrator's own march.
+
+Put any mode of the linear network, real or complex, into its equation of motion and take the product with itself: it is
+an oscillator whose stiffness and damping (per mass) are its Rayleigh quotients.  So every mode stays bounded where all
+oscillators do that have at most the largest stiffness, at most the largest damping, and at least the damping that the
+least damped contact gives to their stiffness (eqs. 17, 19 need some).
+"""
+
+from dataclasses import dataclass
+from functools import partial
 
 from dataclasses import replace
 from math import floor, log10, sqrt
@@ -14,31 +23,59 @@ from silostudy.dem.model import Contact, Model, Wall
 from silostudy.dem.walls import shape_of
 from silostudy.errors import BadInput
 
+IMPLICIT = {"spring-dashpot-implicit", "spring-slider-implicit"}
+HALVINGS = 50
+SOFTEST = 1e-3  # of the largest stiffness: a slow mode
 SAFETY = 0.5  # of the bound, when the engine chooses the step: flow makes contacts that the start does not have
 DENSEST = 0.8  # of the bound of six contacts a disc: the most that a start without contacts will come to
 NEAR = 0.05  # of a radius: gaps smaller than this count as contacts, since they close at once
 DEEP = 0.02  # of a radius: the overlap at which a curved law's slope is taken
 
 
-def longest_step(model: Model) -> float:
-    """Longest time step (s) that keeps the stiffest and the most damped motion of the network bounded.
+@dataclass(frozen=True)
+class Extremes:
+    """Of a network's modes, per mass: largest stiffness (1/s2), of all springs and of the incremental ones, which are the
+    tangential and rolling; largest damping (1/s); least damping over stiffness (s) of any contact."""
 
-    Linear analysis: largest eigenvalues of the mass-scaled stiffness and damping, put into the integrator's own recursion.
-    """
+    stiffness: float
+    incremental: float
+    damping: float
+    least_damped: float
+
+    @property
+    def corners(self) -> list[tuple[float, float, float]]:
+        """Oscillators (stiffness of total and of incremental springs, damping) that bound all others."""
+        k, slid = self.stiffness, min(self.incremental, self.stiffness)
+        found = []
+        for total, incremental in ((k, 0.0), (k - slid, slid)):
+            found.append((total, incremental, max(self.damping, self.least_damped * k)))
+            found += [(share * total, share * incremental, self.least_damped * share * k) for share in (1.0, SOFTEST)]
+        return found
+
+
+def longest_step(model: Model) -> float:
+    """Longest time step (s) that keeps every motion of the linear network bounded, and of a lone contact of two discs or a
+    disc and a wall, which may come."""
     network = _network(model)
-    stiffness = _largest(model, network, _stiffness)
-    damping = _largest(model, network, _damping)
-    short, long = 0.0, 4.0 / np.sqrt(stiffness)
-    for _ in range(60):
+    fixed = None if _implicit(model) else _extremes(model, network, 0.0)
+
+    def holds(dt: float) -> bool:
+        extremes = fixed or _extremes(model, network, dt)
+        return all(_bounded(model.integrator, *corner, dt) for corner in extremes.corners)
+
+    short, long = 0.0, 4.0 / np.sqrt((fixed or _extremes(model, network, 0.0)).stiffness)
+    while holds(long):
+        short, long = long, 2.0 * long
+    for _ in range(HALVINGS):
         middle = 0.5 * (short + long)
-        short, long = (middle, long) if _bounded(model.integrator, stiffness, damping, middle) else (short, middle)
+        short, long = (middle, long) if holds(middle) else (short, middle)
     return short
 
 
 def chosen_step(model: Model) -> float:
     """Time step (s) for a scene that gives none: safe for the network at the start, and for the densest that may come.
 
-    Rounded down to two digits: the last bits of an eigenvalue vary from call to call and must not reach the run.
+    Rounded down to two digits: the last bits of an eigenvalue differ between machines and must not reach the run.
     """
     step = min(SAFETY * longest_step(model), DENSEST * longest_step(_densest(model)))
     unit = 10.0 ** (floor(log10(step)) - 1)
@@ -63,16 +100,24 @@ def check_step(model: Model) -> float:
     return bound
 
 
-def _bounded(integrator: str, stiffness: float, damping: float, dt: float) -> bool:
-    """Whether an oscillator (stiffness and damping per mass) stays bounded: no eigenvalue of one step beyond one."""
+def _implicit(model: Model) -> bool:
+    """Whether a law's stiffness or damping depends on the step."""
+    return any({contact.laws.normal, contact.laws.tangential} & IMPLICIT for contact in (model.pair, model.wall))
+
+
+def _bounded(integrator: str, total: float, incremental: float, damping: float, dt: float) -> bool:
+    """Whether an oscillator stays bounded: no eigenvalue of one step beyond one.
+
+    Normal springs follow the place itself, tangential ones add up rate times dt; some integrators move by another increment.
+    """
     advance = INTEGRATORS[integrator].advance
 
-    def step(rate, held, place):
-        rate, held, increment = advance(rate, held, -stiffness * place - damping * rate, dt, dt)
-        return rate, held, place + increment
+    def step(rate, held, place, slid):
+        rate, held, increment = advance(rate, held, -total * place - incremental * slid - damping * rate, dt, dt)
+        return rate, held, place + increment, slid + rate * dt
 
-    matrix = np.array([step(*unit) for unit in np.diag([1.0 / dt, 1.0 / dt, 1.0])]).T
-    scale = np.array([dt, dt, 1.0])
+    matrix = np.array([step(*unit) for unit in np.diag([1.0 / dt, 1.0 / dt, 1.0, 1.0])]).T
+    scale = np.array([dt, dt, 1.0, 1.0])
     return bool(np.abs(np.linalg.eigvals(matrix * scale[:, None])).max() <= 1.0 + 1e-9)
 
 
@@ -93,34 +138,62 @@ def _network(model: Model) -> list[tuple]:
     return found
 
 
-def _largest(model: Model, network: list[tuple], strengths) -> float:
-    """Largest eigenvalue (1/s2 or 1/s) of the mass-scaled network; a lone pair's where nothing touches."""
-    n, mass = len(model.x), float(model.mass.min())
-    root = np.sqrt(np.r_[model.mass, model.mass, 0.5 * model.mass * model.radius**2])
-    blocks = []
+def _extremes(model: Model, network: list[tuple], dt: float) -> Extremes:
+    """Extremes of the network and of lone contacts of the lightest disc, at this step."""
+    stiff, damp = partial(_stiffness, dt=dt), partial(_damping, dt=dt)
+    lightest = np.array([int(np.argmin(model.mass))])
+    lone = [(model.pair, lightest, lightest), (model.wall, lightest, None)]
+    ratios = [
+        d.min() / k.min()
+        for contact, i, j, *_ in (*network, *lone)
+        for k, d in zip(stiff(contact, model, i, j), damp(contact, model, i, j), strict=True)
+        if k.any()
+    ]
+    return Extremes(
+        stiffness=_largest(model, network, lone, stiff),
+        incremental=_largest(model, network, lone, lambda *which: [0.0 * (k := stiff(*which))[0], *k[1:]]),
+        damping=_largest(model, network, lone, damp),
+        least_damped=float(min(ratios)),
+    )
+
+
+def _largest(model: Model, network: list[tuple], lone: list[tuple], strengths) -> float:
+    """Largest eigenvalue (1/s2 or 1/s) of the mass-scaled network, or of a lone contact."""
+    n, mass, radius = len(model.x), model.mass, model.radius
+    root = np.sqrt(np.r_[mass, mass, 0.5 * mass * radius**2])
+    blocks, found = [], 0.0
+    for contact, i, j in lone:  # two translations and two rotations of inertia m r^2 / 2 pull at a tangential spring
+        ways = np.array([1.0, 3.0, 2.0 / radius[i[0]] ** 2]) * (1.0 if j is None else 2.0)
+        found = max(found, *(ways * np.ravel(strengths(contact, model, i, j)) / mass[i[0]]))
     for contact, i, j, nx, ny in network:
-        normal, tangential = np.sqrt(strengths(contact, model, i, j))
-        for strength, tx, ty, arm in ((normal, nx, ny, 0.0), (tangential, -ny, nx, 1.0)):
-            row = _rows(strength, i, tx, ty, arm, model, n)
-            blocks.append(row if j is None else row + _rows(strength, j, -tx, -ty, arm, model, n))
+        normal, tangential, rolling = np.sqrt(strengths(contact, model, i, j))
+        ones = np.ones(len(i))
+        for strength, tx, ty, arm, other in (
+            (normal, nx, ny, 0.0, 0.0),
+            (tangential, -ny, nx, radius[i], None if j is None else radius[j]),
+            (rolling, 0.0 * nx, 0.0 * ny, ones, -ones),
+        ):
+            row = _rows(strength, i, tx, ty, arm, n)
+            blocks.append(row if j is None else row + _rows(strength, j, -tx, -ty, other, n))
     scaled = vstack(blocks).tocsr() @ diags(1.0 / root)
-    lone = 2.0 * strengths(model.pair, model, np.array([0]), np.array([0]))[0].max() / mass
     if scaled.nnz == 0:
-        return float(lone)
-    return max(float(lone), float(eigsh(scaled.T @ scaled, k=1, tol=1e-3, v0=np.ones(3 * n), return_eigenvectors=False)[0]))
+        return found
+    start = np.random.default_rng(0).standard_normal(3 * n)  # an even start may be blind to the stiffest mode
+    return max(found, float(eigsh(scaled.T @ scaled, k=1, tol=1e-3, v0=start, return_eigenvectors=False)[0]))
 
 
-def _rows(strength, disc, tx, ty, arm, model, n):
+def _rows(strength, disc, tx, ty, arm, n):
     """One row a contact: how the motion of these discs stretches it."""
-    values = np.c_[strength * tx, strength * ty, -strength * arm * model.radius[disc]]
+    values = np.c_[strength * tx, strength * ty, -strength * arm]
     columns = np.c_[disc, n + disc, 2 * n + disc]
     return csr_matrix((values.ravel(), columns.ravel(), 3 * np.arange(len(disc) + 1)), shape=(len(disc), 3 * n))
 
 
-def _stiffness(contact: Contact, model: Model, i, j):
-    c = contact.coefficients
+def _stiffness(contact: Contact, model: Model, i, j, dt):
+    """Normal, tangential (N/m per m) and rolling (N m per m) stiffness of each contact."""
+    c, one = contact.coefficients, np.ones(len(i))
     normal = c.get("normal_stiffness") or _slope(c, float(model.radius.max()))
-    return np.full(len(i), normal), np.full(len(i), c.get("tangential_stiffness", 0.0))
+    return [one * normal, one * c.get("tangential_stiffness", 0.0), one * c.get("rolling_stiffness", 0.0)]
 
 
 def _slope(c, radius: float) -> float:
@@ -129,9 +202,15 @@ def _slope(c, radius: float) -> float:
     return (high - low) / (0.001 * DEEP * radius)
 
 
-def _damping(contact: Contact, model: Model, i, j):
-    c = contact.coefficients
-    reduced = model.mass[i] if j is None else 1.0 / (1.0 / model.mass[i] + 1.0 / model.mass[j])
-    root = np.sqrt(reduced)
-    normal = c["normal_damping"] + c["normal_damping_root"] * root
-    return normal, c.get("tangential_damping", 0.0) + c.get("tangential_damping_root", 0.0) * root
+def _reduced(model: Model, i, j):
+    return model.mass[i] if j is None else 1.0 / (1.0 / model.mass[i] + 1.0 / model.mass[j])
+
+
+def _damping(contact: Contact, model: Model, i, j, dt):
+    """Normal, tangential (N s/m per m) and rolling damping of each contact; less where a dashpot is semi-implicit."""
+    c, reduced = contact.coefficients, _reduced(model, i, j)
+    found = []
+    for way, law, inertia in (("normal", contact.laws.normal, 1.0), ("tangential", contact.laws.tangential, 3.0)):
+        damping = c.get(f"{way}_damping", 0.0) + c.get(f"{way}_damping_root", 0.0) * np.sqrt(reduced)
+        found.append(damping / (1.0 + inertia * damping * dt / reduced) if law in IMPLICIT else damping)
+    return [*found, 0.0 * reduced]

@@ -65,7 +65,18 @@ def test_a_dashpot_by_the_root_of_the_mass():
 def test_the_implicit_dashpot_acts_on_the_speed_it_leaves():
     c, mass, dt, closing = (1e6, 500.0, 0.0), 2.0, 1e-3, 0.5
     elastic, total = linear.implicit(1e-5, closing, mass, dt, c)
-    assert total == pytest.approx(elastic + 500.0 * (closing - dt * total / mass), rel=1e-14)
+    dashpot = total - elastic
+    assert dashpot == pytest.approx(500.0 * (closing - dt * dashpot / mass), rel=1e-13)
+    assert linear.implicit(1e-5, 0.0, mass, dt, c) == (elastic, elastic)  # at rest the spring alone carries
+
+
+def test_the_implicit_slider_acts_on_the_speed_it_leaves():
+    """A rim moved by a tangential force gains three times the speed of a point of the disc's mass."""
+    c, mass, dt, speed = (0.0, 30.0, 0.0, 0.5), 2.0, 1e-2, 1e-3
+    stored, total = sliding.implicit_cap(7.0, speed, mass, dt, 100.0, 100.0, c)
+    assert stored == 7.0
+    assert total - stored == pytest.approx(-30.0 * (speed + 3.0 * dt * (total - stored) / mass), rel=1e-13)
+    assert sliding.implicit_cap(60.0, speed, mass, dt, 100.0, 100.0, c) == (50.0, 50.0)
 
 
 def test_the_slider_of_the_paper():
