@@ -6,10 +6,8 @@ oscillators do that have at most the largest stiffness, at most the largest damp
 least damped contact gives to their stiffness (eqs. 17, 19 need some).
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
-
-from dataclasses import replace
 from math import floor, log10, sqrt
 
 import numpy as np
