@@ -3,6 +3,7 @@
 from pathlib import Path
 
 from silostudy.config.load import load_project
+from silostudy.config.study import SweepStudy
 from silostudy.errors import BadInput
 from silostudy.files import check_writable
 from silostudy.figures import OUTPUTS
@@ -15,6 +16,7 @@ RESULTS = config.get("results", "results")
 try:  # every mistake of every study is told before any job starts
     STUDIES, SCENES = load_project(PROJECT)
     EXPANSIONS = {name: expand_file(path) for name, path in STUDIES.items()}
+    SWEEPS = [name for name, expansion in EXPANSIONS.items() if isinstance(expansion.study, SweepStudy)]
     check_writable(Path(RESULTS))
 except BadInput as error:
     raise WorkflowError(str(error)) from None
@@ -41,7 +43,7 @@ def wanted(name):
         kind = OUTPUTS[key].kind
         endings = ("png", "svg", "csv") if kind == "figure" else ("csv",)
         files += [f"{RESULTS}/{name}/{kind}s/{key}.{ending}" for ending in endings]
-    return files
+    return files + ([f"{RESULTS}/{name}/parts/{EXPANSIONS[name].study.kind}-verdict"] if name in SWEEPS else [])
 
 
 rule all:
@@ -190,6 +192,9 @@ rule table:
         RESULTS + "/{study}/logs/{table}.log",
     shell:
         "python -m silostudy draw {wildcards.table} {input} {params.stem} > {log} 2>&1"
+
+
+include: "silostudy/rules/sweep.smk"
 
 
 rule gallery:

@@ -28,6 +28,7 @@ STAGES = {
     "dem": ("compute/dem", "compute/dem_cube", "compute/paraview"),
     "grains": _stage("grains", "grains", "grains"),
     "accuracy": ("accuracy",),
+    "scenes": _stage("scenes", "scenes", "scenes"),
     "draw": ("figures",),
 }
 

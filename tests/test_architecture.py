@@ -11,7 +11,7 @@ from silostudy.stamp import CHECKED, STAGES, sources, stamp
 from tests.conftest import ROOT
 
 PACKAGE = ROOT / "silostudy"
-BASE = {"catalogue", "errors", "files", "stamp", "__init__"}
+BASE = {"catalogue", "errors", "files", "journal", "stamp", "__init__"}
 # room -> the rooms it may import, besides the base
 MAY_IMPORT = {
     "tables": set(),
@@ -39,7 +39,7 @@ HEAVY_FREE = {
     "scene",
 }  # quick to import: no xarray, no matplotlib
 SHOWN = {"pressure": "wheat-silo", "buckling": "miller-1977", "shell": "steel-wheat-silo", "seismic": "sasaki-1991",
-         "grains": "grains-record"}  # fmt: skip
+         "grains": "grains-record", "scenes": "discharge-slit"}  # fmt: skip
 
 
 def imports(path: Path) -> set[str]:

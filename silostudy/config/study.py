@@ -113,6 +113,18 @@ class BaseStudy(Strict):
         return self
 
 
+class SweepStudy(BaseStudy):
+    """A study whose cases are costly: computed in parts, each case once, failed cases masked."""
+
+    part_s: float = described("about how much work one job does", "s", gt=0, default=60.0)
+    case_s: float | None = described("measured time of a case; null: from discs and steps", "s", gt=0, default=None)
+
+    @property
+    def settings(self) -> str:
+        """Whatever of the study, besides its scene, the numbers of a case depend on (canonical JSON)."""
+        return self.model_dump_json(exclude={*SweepStudy.model_fields})
+
+
 def distinct(keys):
     """The keys themselves; ValueError where one stands twice."""
     if isinstance(keys, tuple) and len(set(keys)) < len(keys):

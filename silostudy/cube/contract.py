@@ -36,7 +36,7 @@ def check(cube: xr.Dataset) -> xr.Dataset:
     for name in map(str, cube.variables):
         dims, units = tuple(map(str, cube[name].dims)), cube[name].attrs.get("units", "1")
         known = DEPTH if name == "depth" else VARIABLES.get(name.removesuffix("_scope"))
-        if known is None:
+        if known is None or name in axes:
             if not set(dims) <= set(axes):  # coordinates of the sweep axes carry the study's own names
                 raise BadInput("variable", name, f"not in the cube's contract; known: {', '.join(VARIABLES)}, depth")
         elif known is not DEPTH and dims != expected_dims(known, cube):

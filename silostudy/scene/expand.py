@@ -2,8 +2,9 @@
 
 import copy
 import hashlib
-import itertools
+from collections.abc import Sequence
 from dataclasses import dataclass
+from math import prod
 from pathlib import Path
 from typing import Any
 
@@ -37,25 +38,38 @@ class Expansion:
         return tuple(dict.fromkeys(file for case in self.cases for file in getattr(case.scene, "files", ())))
 
 
-def expand_file(path: Path) -> Expansion:
-    """The cases of a study file; BadInput names file, key, value and what is allowed."""
-    return expand(read_yaml(path), path.stem, str(path), path.parent)
+def expand_file(path: Path, positions: Sequence[int] | None = None) -> Expansion:
+    """The cases of a study file, or those at some positions; BadInput names file, key, value and what is allowed."""
+    return expand(read_yaml(path), path.stem, str(path), path.parent, positions)
 
 
-def expand(content: dict[str, Any], name: str, where: str, folder: Path) -> Expansion:
+def expand(content: dict[str, Any], name: str, where: str, folder: Path, positions: Sequence[int] | None = None) -> Expansion:
     """The cases of a study's content; `where` names it in errors, and files it names are looked for in `folder`."""
     study: Any = study_of(content, where)
     build = builder(study.kind)(study, folder, where)
-    cases = []
-    for combination in itertools.product(*(axis.settings() for axis in study.sweep)):
-        settings = {key: value for part in combination for key, value in part.items()}
+    cases, axes = [], [axis.settings() for axis in study.sweep]
+    shape = tuple(map(len, axes))
+    for position in range(prod(shape)) if positions is None else positions:
+        settings = _settings_at(axes, position, where)
         config = validated(type(study.scene), _applied(content["scene"], settings, where), f"{where} (scene)")
         cases.append(Case(_identity(config), settings, build(config, settings)))
-    return Expansion(study, name, tuple(len(axis.settings()) for axis in study.sweep), tuple(cases))
+    return Expansion(study, name, shape, tuple(cases))
+
+
+def _settings_at(axes: list[list[dict[str, Any]]], position: int, where: str) -> dict[str, Any]:
+    """What the axes set at a position, counted with the last axis fastest."""
+    found: list[dict[str, Any]] = []
+    left = position
+    for axis in reversed(axes):
+        left, place = divmod(left, len(axis))
+        found.append(axis[place])
+    if left:
+        raise BadInput("position", position, "is beyond the cases of the study", where)
+    return {key: value for part in reversed(found) for key, value in part.items()}
 
 
 def _identity(config: Strict) -> str:
-    return hashlib.sha256(config.model_dump_json().encode()).hexdigest()[:10]
+    return hashlib.sha256(config.model_dump_json().encode()).hexdigest()[:16]
 
 
 def _applied(scene: dict[str, Any], settings: dict[str, Any], where: str) -> dict[str, Any]:

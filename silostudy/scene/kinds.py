@@ -12,3 +12,8 @@ ROOMS = {"pressure": "build", "buckling": "shell"}  # kinds whose builder stands
 def builder(kind: str) -> Callable[..., Callable]:
     """The builder of a kind of study: kind_builder of its file in this room, imported when asked for."""
     return getattr(import_module(f"silostudy.scene.{ROOMS.get(kind, kind)}"), f"{kind}_builder")
+
+
+def cost_of(kind: str) -> Callable[..., float]:
+    """For a kind whose cases are computed in parts: cost(scene) -> seconds, from its file in this room."""
+    return import_module(f"silostudy.scene.{kind}").cost

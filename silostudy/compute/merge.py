@@ -1,0 +1,122 @@
+"""Merges the journals of a sweep into its cube, with a bounded memory: failed cases are masked and carry their error."""
+
+import json
+from collections.abc import Iterable
+from importlib import import_module
+from math import prod
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import xarray as xr
+
+from silostudy.compute.axes import axis_coordinates
+from silostudy.compute.variables import attributes, flags
+from silostudy.cube.contract import VARIABLES
+from silostudy.cube.provenance import provenance
+from silostudy.cube.slabs import Slab, write_slabs
+from silostudy.errors import BadInput
+from silostudy.files import replacing
+from silostudy.journal import ENDING, failed, sound
+from silostudy.scene.expand import expand_file
+from silostudy.scene.plan import DONE, code_stamp, read_plan
+
+MEMORY = 256e6  # bytes of cases held at once
+OUTCOMES = ("computed", "failed")
+
+
+class Records:
+    """The records of a sweep in the order of its cases, read from the journals part by part."""
+
+    def __init__(self, folder: Path):
+        self.folder, plan = folder, read_plan(folder)
+        self.parts = list(plan)
+        rows = sorted((position, key, number) for number, part in enumerate(plan) for position, key in plan[part])
+        self.keys = np.array([key for _, key, _ in rows], "S20")
+        self.part = np.array([number for _, _, number in rows], np.int32)
+
+    def read(self, first: int, last: int) -> list[dict[str, Any]]:
+        """The records of the cases first ... last - 1; BadInput where one is missing or damaged."""
+        place = {key.decode(): k for k, key in enumerate(self.keys[first:last])}
+        found: list[Any] = [None] * (last - first)
+        for number in np.unique(self.part[first:last]):
+            for key, record in sound(self.folder / f"{self.parts[number]}{ENDING}"):
+                if key in place:
+                    found[place[key]] = json.loads(record)
+        if missing := found.count(None):
+            raise BadInput("parts", str(self.folder), f"{missing} case(s) have no sound record: run the same command again")
+        return found
+
+    def pattern(self) -> dict[str, tuple[int, ...]]:
+        """Names and shapes of a case's numbers, from the first that has any; none where all failed."""
+        for part in self.parts:
+            for _, record in sound(self.folder / f"{part}{ENDING}"):
+                if not failed(record):
+                    return {name: np.shape(value) for name, value in json.loads(record)["numbers"].items()}
+        return {}
+
+
+def merge(path: Path, folder: Path, output: Path, memory: float = MEMORY) -> tuple[int, int]:
+    """Writes the cube of a sweep; (cases, failed cases).  BadInput where records do not agree in names, shapes or number."""
+    expansion = expand_file(path, [])
+    study, records = expansion.study, Records(folder)
+    if len(records.keys) != prod(expansion.shape):
+        raise BadInput("plan", str(folder), f"has {len(records.keys)} case(s) in place of {prod(expansion.shape)}")
+    stage = import_module(f"silostudy.compute.{study.kind}")
+    coords = {name: (*coordinate, attributes(name)) for name, coordinate in stage.coordinates(study).items()}
+    about = provenance(study.title, study.model_dump_json(exclude_defaults=True), stage.sources(study), study.kind)
+    axes = " ".join(axis.axis for axis in study.sweep)
+    frame = xr.Dataset(coords={**axis_coordinates(study), **coords}, attrs={**about, "sweep_axes": axes})
+    slabs = _slabs(records.pattern(), frame)
+    lost: list[tuple[str, str]] = []
+
+    def fill(first: int, last: int) -> dict[str, np.ndarray]:
+        cases = records.read(first, last)
+        lost.extend((case["case"], case["error"]) for case in cases if "error" in case)
+        return {name: _column(name, cases, slabs[name], frame) for name in slabs}
+
+    write_slabs(frame, slabs, fill, output, memory=memory)
+    _clear(folder, records.parts, study.kind)
+    _list(lost, output.with_name(f"{output.stem}-failed.csv"))
+    return len(records.keys), len(lost)
+
+
+def _slabs(pattern: dict[str, tuple[int, ...]], frame: xr.Dataset) -> dict[str, Slab]:
+    found = {"case": Slab(str, (), attributes("case")), "case_error": Slab(str, (), attributes("case_error"))}
+    found["case_outcome"] = Slab("i1", (), flags(VARIABLES["case_outcome"].long_name, OUTCOMES))
+    for name, shape in pattern.items():
+        dims = VARIABLES[name].dims[1:]
+        if shape != tuple(frame.sizes[dim] for dim in dims):
+            raise BadInput(f"shape of {name}", shape, f"must be that of {dims}")
+        found[name] = Slab("f8", dims, attributes(name))
+    return found
+
+
+def _column(name: str, cases: list[dict[str, Any]], slab: Slab, frame: xr.Dataset) -> np.ndarray:
+    """One variable of some cases, NaN where a case failed."""
+    if slab.kind is str:
+        return np.array([case.get("error" if name == "case_error" else "case", "") for case in cases], object)
+    if name == "case_outcome":
+        return np.array(["error" in case for case in cases], np.int8)
+    empty = np.full([frame.sizes[dim] for dim in slab.dims], np.nan).tolist()
+    rows = (case["numbers"] if "error" not in case else {name: empty} for case in cases)
+    try:
+        return np.array([row[name] for row in rows], float)
+    except (KeyError, ValueError):
+        raise BadInput("records", name, "its cases do not all have it in the same shape") from None
+
+
+def _clear(folder: Path, parts: list[str], kind: str) -> None:
+    """Removes journals that other code wrote: nothing will ever ask for them."""
+    for path in folder.glob(f"*{ENDING}"):
+        if path.stem not in parts and not path.stem.startswith(code_stamp(kind)):
+            path.unlink()
+            path.with_suffix(DONE).unlink(missing_ok=True)
+
+
+def _list(lost: Iterable[tuple[str, str]], path: Path) -> None:
+    """Writes the list of failed cases, empty but for its heading where there are none."""
+    import csv
+
+    with replacing(path) as temporary, temporary.open("w", newline="", encoding="utf-8") as stream:
+        csv.writer(stream).writerows([("case", "error"), *lost])

@@ -1,0 +1,68 @@
+"""What one discrete-element scene of a sweep comes to: forces on walls and floor at rest and after it, and the discharge."""
+
+import numpy as np
+
+from silostudy.catalogue import Row
+from silostudy.compute.dem import carry_through, model_of, run_of
+from silostudy.config.scenes import ScenesStudy
+from silostudy.dem.run import Run
+from silostudy.scene.scenes import SceneCase
+
+BODIES = ("walls", "floor")
+Numbers = dict[str, np.ndarray]
+
+
+def coordinates(study: ScenesStudy) -> dict[str, tuple[str, list[str]]]:
+    """The dimensions that a case's numbers have of their own."""
+    return {"body": ("body", list(BODIES))}
+
+
+def sources(study: ScenesStudy) -> list[str]:
+    """References of the laws that the base scene names."""
+    from silostudy.contact import COHESION, NORMAL, ROLLING, TANGENTIAL
+    from silostudy.dem.integrate import INTEGRATORS
+
+    rows: list[Row] = [INTEGRATORS[study.scene.march.integrator]]
+    for contact in (study.scene.discs, study.scene.walls or study.scene.discs):
+        rows += [NORMAL[contact.normal], TANGENTIAL[contact.tangential], ROLLING[contact.rolling], COHESION[contact.cohesion]]
+    return sorted({row.source for row in rows if row.key != "none"})
+
+
+def measure(study: ScenesStudy, case: SceneCase) -> Numbers:
+    """The numbers of one case, by the names of the contract; Explosion or BadInput where it cannot be computed."""
+    scene = case.config
+    run = run_of(scene, model_of(scene, case.folder))
+    carry_through(run, scene, None, lambda step: None)
+    if run.recording.explosion is not None:
+        raise run.recording.explosion
+    opening, end = run.recording.happened[0][0], run.engine.time
+    resting, largest = forces(run, opening)
+    return {
+        "discs_at_start": np.array(len(run.engine.model.x)),
+        "discs_left": np.array(run.engine.n),
+        "time_step": np.array(run.engine.model.dt),
+        "first_event_time": np.array(opening),
+        "end_time": np.array(end),
+        "resting_normal_force": resting,
+        "largest_normal_force": largest,
+        "mass_let_out": np.array(run.dropped),
+        "mean_discharge_rate": np.array(run.dropped / (end - opening) if end > opening else np.nan),
+    }
+
+
+def forces(run: Run, opening: float) -> tuple[np.ndarray, np.ndarray]:
+    """Normal force (N/m) on side walls and on the bottom: (mean of the last window before `opening` (s), largest mean after).
+
+    NaN where no forces were recorded, or none before or after.
+    """
+    record, walls = run.recording, run.engine.model.walls
+    if not run.engine.model.watched or not record.window:
+        return np.full(2, np.nan), np.full(2, np.nan)
+    starts = np.cumsum([0, *(wall.cells + 2 for wall in walls)])[:-1]
+    each = np.add.reduceat(np.array(record.window)[:, :, 0, 0], starts, axis=1)  # (window, wall)
+    below = np.array([wall.name.startswith("floor") for wall in walls])
+    aside = ~below & np.array([wall.name != "lid" for wall in walls])
+    sums = np.column_stack([each[:, aside].sum(axis=1), each[:, below].sum(axis=1)])
+    before = np.searchsorted(record.window_time, opening + 1e-9)
+    missing = np.full(2, np.nan)
+    return (sums[before - 1] if before else missing), (sums[before:].max(axis=0) if before < len(sums) else missing)

@@ -1,0 +1,85 @@
+"""Writes a cube too large for memory: a block of the sweep axes at a time, to a temporary name first."""
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+from math import prod
+from pathlib import Path
+from typing import Any
+
+import netCDF4
+import numpy as np
+import xarray as xr
+
+from silostudy.cube.contract import check
+from silostudy.files import replacing
+
+CHUNK = 65_536  # values of a variable in one compressed piece of the file
+
+
+@dataclass(frozen=True)
+class Slab:
+    """A variable to come: its type, its dimensions besides the sweep axes, and its attributes."""
+
+    kind: Any
+    dims: tuple[str, ...]
+    attributes: dict[str, Any]
+
+
+Fill = Callable[[int, int], dict[str, np.ndarray]]
+
+
+def write_slabs(frame: xr.Dataset, slabs: dict[str, Slab], fill: Fill, path: Path, *, memory: float) -> None:
+    """Writes `frame` (coordinates, attributes) with the slabs' variables over its sweep axes.
+
+    fill(first, last) gives each variable for the cases first ... last - 1, counted with the last axis fastest; it is asked
+    for as many cases at once as `memory` (bytes) allows.  BadInput where the contract is not kept.
+    """
+    axes = frame.attrs["sweep_axes"].split()
+    shape = tuple(frame.sizes[axis] for axis in axes)
+    own = {name: tuple(frame.sizes[dim] for dim in slab.dims) for name, slab in slabs.items()}
+    chunk = extents(shape, max(1, CHUNK // max(map(prod, own.values()))))
+    whole = sum(8 * prod(sizes) for sizes in own.values())
+    with replacing(path) as temporary:
+        frame.to_netcdf(temporary, encoding={str(name): {"_FillValue": None} for name in frame.variables})
+        with netCDF4.Dataset(temporary, "a") as file:
+            for name, slab in slabs.items():
+                _add(file, name, slab, (*axes, *slab.dims), (*chunk, *own[name]))
+            for first, last, place in blocks(shape, chunk, max(1, int(memory // whole))):
+                for name, values in fill(first, last).items():
+                    extent = tuple(len(range(*part.indices(size))) for part, size in zip(place, shape, strict=True))
+                    file[name][(*place, ...)] = values.reshape(*extent, *own[name])
+        with xr.open_dataset(temporary) as written:
+            check(written)
+
+
+def _add(file: netCDF4.Dataset, name: str, slab: Slab, dims: tuple[str, ...], chunk: tuple[int, ...]) -> None:
+    packed: dict[str, Any] = {"compression": "zlib", "complevel": 4, "shuffle": True, "chunksizes": chunk}
+    if slab.kind is str or not dims:
+        packed = {}
+    variable = file.createVariable(name, slab.kind, dims, fill_value=np.nan if slab.kind == "f8" else None, **packed)
+    variable.setncatts(slab.attributes)
+
+
+def extents(shape: Sequence[int], count: int) -> tuple[int, ...]:
+    """How far a piece of at most `count` cases reaches along each axis: whole trailing axes, then a part of the one before."""
+    found: list[int] = []
+    for size in reversed(shape):
+        found.append(max(1, min(size, count)))
+        count = count // size if count >= size else 1
+    return tuple(reversed(found))
+
+
+def blocks(shape: Sequence[int], chunk: Sequence[int], count: int) -> Iterator[tuple[int, int, tuple[slice, ...]]]:
+    """(first case, one past the last, slices) of blocks of about `count` cases, each of whole chunks."""
+    if not shape:
+        yield 0, 1, ()
+        return
+    reach = extents(shape, max(count, prod(chunk)))
+    axis = next((k for k, size in enumerate(reach) if size > 1), len(shape) - 1)
+    step, below = max(chunk[axis], reach[axis] // chunk[axis] * chunk[axis]), prod(shape[axis + 1 :])
+    for lead in np.ndindex(*shape[:axis]):
+        base = int(np.ravel_multi_index(lead, shape[:axis])) * shape[axis] if lead else 0
+        for start in range(0, shape[axis], step):
+            stop = min(start + step, shape[axis])
+            place = (*(slice(k, k + 1) for k in lead), slice(start, stop), *(slice(0, size) for size in shape[axis + 1 :]))
+            yield (base + start) * below, (base + stop) * below, place

@@ -1,0 +1,66 @@
+# Sweeps whose cases are costly: planned in parts, each computed by a job, merged into the cube of the study.
+
+import hashlib
+
+from silostudy.scene.plan import DONE, make_plan, read_plan
+
+if workflow.is_main_process:  # jobs elsewhere read the plan
+    for name in SWEEPS:
+        make_plan(EXPANSIONS[name], Path(RESULTS, name, "parts"), workflow.cores or 1)
+
+
+wildcard_constraints:
+    part="[0-9a-f]+-[0-9a-f]+",
+    sweep="|".join({EXPANSIONS[name].study.kind for name in SWEEPS}) or "none",
+
+
+def marks(wildcards):
+    """A mark for every part of the plan."""
+    folder = Path(RESULTS, wildcards.study, "parts")
+    return [f"{folder}/{part}{DONE}" for part in read_plan(folder)]
+
+
+def contents(wildcards):
+    """A hash of the study and its cases in their order: what the cube holds."""
+    plan = read_plan(Path(RESULTS, wildcards.study, "parts"))
+    rows = sorted(row for rows in plan.values() for row in rows)
+    return hashlib.sha256(f"{EXPANSIONS[wildcards.study].study.model_dump_json()} {rows}".encode()).hexdigest()[:12]
+
+
+rule part:
+    output:
+        touch(RESULTS + "/{study}/parts/{part}" + DONE),
+    params:
+        study=lambda wildcards: STUDIES[wildcards.study],
+        folder=RESULTS + "/{study}/parts",
+    log:
+        RESULTS + "/{study}/logs/{part}.log",
+    shell:
+        "python -m silostudy part {params.study} {params.folder} {wildcards.part} 2>&1 | tee -a {log}"
+
+
+rule merge:
+    input:
+        marks,
+    output:
+        RESULTS + "/{study}/{sweep}.nc",
+        RESULTS + "/{study}/{sweep}-failed.csv",
+    params:
+        code=lambda wildcards: stamp("compute/merge", f"compute/{wildcards.sweep}"),
+        study=lambda wildcards: STUDIES[wildcards.study],
+        contents=contents,
+        folder=RESULTS + "/{study}/parts",
+    log:
+        RESULTS + "/{study}/logs/{sweep}.log",
+    shell:
+        "python -m silostudy merge {params.study} {params.folder} {output[0]} > {log} 2>&1"
+
+
+rule verdict:
+    """Fails where cases failed, after everything else of the study is made."""
+    input:
+        RESULTS + "/{study}/{sweep}-failed.csv",
+    output:
+        touch(RESULTS + "/{study}/parts/{sweep}-verdict"),
+    shell:
+        "python -m silostudy verdict {input}"

@@ -1,0 +1,94 @@
+"""Which job computes which case of a sweep: parts of about half a minute's work, kept when the sweep grows.
+
+The plan is a file beside the journals.  A case stays where its record is, or where it was planned; the others make new parts.
+"""
+
+import csv
+import hashlib
+from collections.abc import Iterable, Sequence
+from itertools import accumulate
+from pathlib import Path
+
+from silostudy.errors import BadInput
+from silostudy.files import replacing
+from silostudy.journal import ENDING, sound
+from silostudy.scene.expand import Expansion
+from silostudy.scene.kinds import cost_of
+from silostudy.stamp import stamp
+
+PLAN, DONE = "plan.csv", ".done"
+Plan = dict[str, list[tuple[int, str]]]  # part -> positions and keys of its cases
+
+
+def code_stamp(kind: str) -> str:
+    """Stamp of what computes one case of this kind."""
+    return stamp(f"compute/{kind}")
+
+
+def case_keys(expansion: Expansion) -> list[str]:
+    """A key for each case: changed code, settings, scene or file of the user gives another key."""
+    digests = {file: hashlib.sha256(file.read_bytes()).hexdigest() for file in expansion.files if file.is_file()}
+    about = f"{code_stamp(expansion.study.kind)} {expansion.study.settings}"
+    files = (" ".join(digests.get(file, "missing") for file in getattr(case.scene, "files", ())) for case in expansion.cases)
+    texts = (f"{about} {case.id} {more}" for case, more in zip(expansion.cases, files, strict=True))
+    return [hashlib.sha256(text.encode()).hexdigest()[:20] for text in texts]
+
+
+def make_plan(expansion: Expansion, folder: Path, cores: int) -> Plan:
+    """The plan of a sweep, written where it changed; marks of parts that lack a case's record are taken away."""
+    study, keys, code = expansion.study, case_keys(expansion), code_stamp(expansion.study.kind)
+    held = {key: path.stem for path in sorted(folder.glob(f"{code}-*{ENDING}")) for key, _ in sound(path)}
+    before = {key: part for part, rows in read_plan(folder).items() for _, key in rows}
+    places = [held.get(key) or before.get(key) for key in keys]
+    fresh = [position for position, place in enumerate(places) if place is None]
+    cost = cost_of(study.kind)
+    for group in grouped(fresh, [study.case_s or cost(expansion.cases[position].scene) for position in fresh], study, cores):
+        name = f"{code}-{hashlib.sha256(' '.join(keys[position] for position in group).encode()).hexdigest()[:8]}"
+        for position in group:
+            places[position] = name
+    plan: Plan = {}
+    for position, place in enumerate(places):
+        plan.setdefault(str(place), []).append((position, keys[position]))
+    if plan != read_plan(folder):
+        _write(plan, folder / PLAN)
+    for part in {str(place) for key, place in zip(keys, places, strict=True) if key not in held}:
+        (folder / f"{part}{DONE}").unlink(missing_ok=True)
+    return plan
+
+
+def grouped(positions: Sequence[int], costs: Sequence[float], study, cores: int) -> Iterable[list[int]]:
+    """Neighbouring cases in groups of about equal work: as many as there are cores where each has half a minute or more."""
+    whole = sum(costs)
+    count = max(1, round(whole / study.part_s), min(cores, int(whole / LEAST)))
+    found: dict[int, list[int]] = {}
+    for position, end, cost in zip(positions, accumulate(costs), costs, strict=True):
+        found.setdefault(int((end - 0.5 * cost) / whole * count), []).append(position)
+    return found.values()
+
+
+LEAST = 30.0  # s of work in a job: its start takes 1 to 2 s
+
+
+def read_plan(folder: Path) -> Plan:
+    """The plan in a folder, empty where there is none."""
+    plan: Plan = {}
+    if (folder / PLAN).exists():
+        with (folder / PLAN).open(newline="", encoding="utf-8") as stream:
+            for part, position, key in list(csv.reader(stream))[1:]:
+                plan.setdefault(part, []).append((int(position), key))
+    return plan
+
+
+def rows_of(part: str, folder: Path) -> list[tuple[int, str]]:
+    """Positions and keys of a part's cases; BadInput for a part that is not planned."""
+    plan = read_plan(folder)
+    if part not in plan:
+        raise BadInput("part", part, f"is not in {folder / PLAN}")
+    return plan[part]
+
+
+def _write(plan: Plan, path: Path) -> None:
+    with replacing(path) as temporary, temporary.open("w", newline="", encoding="utf-8") as stream:
+        table = csv.writer(stream)
+        table.writerow(["part", "position", "case_key"])
+        table.writerows([part, position, key] for part, rows in plan.items() for position, key in rows)

@@ -1,0 +1,65 @@
+"""The cases of a sweep of discrete-element scenes, and about what each costs."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from math import pi, sqrt
+from pathlib import Path
+from typing import Any
+
+from silostudy.config.dem import DemScene
+from silostudy.config.scenes import ScenesStudy
+
+PARTICLE_STEP = 35e-9  # s: `silostudy explain config/scenes/kiyama-17-18.yaml`, with its looks at rest and discharge
+START = 0.02  # s: building a scene
+
+
+@dataclass(frozen=True)
+class SceneCase:
+    """One case: its scene, and the folder that files are named from."""
+
+    config: DemScene
+    folder: Path
+
+    @property
+    def files(self) -> tuple[Path, ...]:
+        """The user's own files that the scene is made from."""
+        config = self.config
+        names = [config.packing.file] if config.packing.kind == "given" else []
+        return tuple(self.folder / name for name in [*names, *([config.quake.file] if config.quake else [])])
+
+
+def scenes_builder(study: ScenesStudy, folder: Path, where: str) -> Callable[[DemScene, dict], SceneCase]:
+    """Builds the cases of a sweep."""
+
+    def build_one(config: DemScene, settings: dict[str, Any]) -> SceneCase:
+        return SceneCase(config, folder)
+
+    return build_one
+
+
+def cost(case: SceneCase) -> float:
+    """About how long (s) a case computes, at most: discs times steps to its end."""
+    config, radius = case.config, case.config.radius_m
+    mass = config.density_kg_m3 * pi * radius**2
+    stiffness = (config.walls or config.discs).normal_stiffness_N_m2 or config.discs.normal_stiffness_N_m2
+    step = config.march.step_s or (0.4 * sqrt(mass / stiffness) if stiffness else 2e-5)
+    return START + _discs(case) * _duration(config) / step * PARTICLE_STEP
+
+
+def _discs(case: SceneCase) -> float:
+    packing, radius = case.config.packing, case.config.radius_m
+    if packing.kind == "loose":
+        return packing.count
+    if packing.kind == "rows":
+        return packing.across * packing.fill_height_m / (1.8 * radius)
+    return (case.folder / packing.file).stat().st_size / 100 if (case.folder / packing.file).is_file() else 1
+
+
+def _duration(config: DemScene) -> float:
+    """Model time (s) to the stop where events have their times, else to the limit."""
+    now = 0.0
+    for event in config.events:
+        if event.when not in ("time", "after"):
+            return config.march.limit_s
+        now = event.value + (now if event.when == "after" else 0.0)
+    return min(now, config.march.limit_s)

@@ -1,0 +1,49 @@
+"""A small sweep of scenes for the tests, and a stand-in for its physics that is quick and known."""
+
+import copy
+from pathlib import Path
+
+import numpy as np
+import yaml
+
+from silostudy.compute.parts import compute_part
+from silostudy.scene.expand import expand_file
+from silostudy.scene.plan import make_plan
+from tests.conftest import ROOT
+
+CONTENT = yaml.safe_load((ROOT / "config/studies/discharge-slit.yaml").read_text())
+
+
+def content(slits=(0.04, 0.06, 0.08), frictions=(0.0, 0.176), **changes) -> dict:
+    found = copy.deepcopy(CONTENT) | changes
+    found["sweep"] = [
+        {"axis": "slit_width", "values": {"silo.slit_width_m": list(slits)}},
+        {"axis": "wall_friction", "values": {"walls.sliding_friction": list(frictions)}},
+    ]
+    return found
+
+
+def save(folder: Path, **changes) -> Path:
+    path = folder / "sweep.yaml"
+    path.write_text(yaml.safe_dump(content(**changes)))
+    return path
+
+
+def stand_in(calls):
+    """A measure that notes its calls, and fails for a slit of 0.06 without wall friction."""
+
+    def measure(study, case):
+        config = case.config
+        key = config.silo.slit_width_m, config.walls.sliding_friction
+        calls.append(key)
+        if key == (0.06, 0.0):
+            raise ValueError("ran away")
+        return {"end_time": np.array(key[0] * 10 + key[1]), "resting_normal_force": np.array(key)}
+
+    return measure
+
+
+def compute(path: Path, folder: Path, cores=1) -> int:
+    """Plans and computes all parts; how many cases were computed."""
+    plan = make_plan(expand_file(path), folder, cores)
+    return sum(compute_part(path, part, folder, lambda text: None) for part in plan)
