@@ -62,7 +62,7 @@ class Progress:
         """Called after each case."""
         now = time.monotonic()
         if not self.start:
-            self.start, self.first = now, self._done()
+            self.start, self.said, self.first = now, now, self._done()
         if now - self.said < EVERY:
             return
         self.said, done = now, self._done()
