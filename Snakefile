@@ -17,6 +17,10 @@ try:  # every mistake of every study is told before any job starts
     STUDIES, SCENES = load_project(PROJECT)
     EXPANSIONS = {name: expand_file(path) for name, path in STUDIES.items()}
     SWEEPS = [name for name, expansion in EXPANSIONS.items() if isinstance(expansion.study, SweepStudy)]
+    for name, expansion in EXPANSIONS.items():
+        asked = getattr(expansion.study, "earthquake", None)
+        if asked and asked.study not in STUDIES:
+            raise BadInput("earthquake.study", asked.study, f"must be named in {PROJECT} too", name)
     check_writable(Path(RESULTS))
 except BadInput as error:
     raise WorkflowError(str(error)) from None
@@ -104,10 +108,17 @@ rule buckling:
         "python -m silostudy buckling {input[0]} {output} > {log} 2>&1"
 
 
+def earthquake_of(wildcards):
+    """The seismic cube of the study that a shell study names; none where it names none."""
+    asked = EXPANSIONS[wildcards.study].study.earthquake
+    return f"{RESULTS}/{asked.study}/seismic.nc" if asked else []
+
+
 rule shell:
     input:
         study_files,
         pressure=RESULTS + "/{study}/pressure.nc",
+        earthquake=earthquake_of,
     output:
         RESULTS + "/{study}/shell.nc",
     params:
@@ -115,7 +126,7 @@ rule shell:
     log:
         RESULTS + "/{study}/logs/shell.log",
     shell:
-        "python -m silostudy shell {input[0]} {input.pressure} {output} > {log} 2>&1"
+        "python -m silostudy shell {input[0]} {input.pressure} {output} {input.earthquake} > {log} 2>&1"
 
 
 rule seismic:

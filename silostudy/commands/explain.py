@@ -7,7 +7,7 @@ def add(sub) -> None:
     command = sub.add_parser(
         "explain", help="explain a method, a rule, or a discrete-element scene: which effects it calls for and their price"
     )
-    what = "see `silostudy list methods`, `buckling` and `mass-rules`; or a scene file (*.yaml)"
+    what = "see `silostudy list methods`, `buckling` and `mass-rules`; earthquake: that on a shell; or a scene file (*.yaml)"
     command.add_argument("method", help=what)
     command.set_defaults(run=run)
 
@@ -49,13 +49,15 @@ def explanation(key: str) -> list[str]:
     from silostudy.tables.handbook import errata
     from silostudy.tables.references import cite
 
+    if key == explain_seismic.EARTHQUAKE:
+        return explain_seismic.earthquake()
     if key in MASS_RULES:
         return explain_seismic.explanation(MASS_RULES[key])
     rules = {**BUCKLING, **RIVALS}
     if key in rules:
         return explain_buckling.explanation(rules[key])
     if key not in PRESSURE:
-        raise unknown("method or rule", key, [*PRESSURE, *rules, *MASS_RULES])
+        raise unknown("method or rule", key, [*PRESSURE, *rules, *MASS_RULES, explain_seismic.EARTHQUAKE])
     row = PRESSURE[key]
     lines = [f"{row.title} ({row.key})", f"  formula   {row.formula}", f"  range     {row.validity}"]
     lines.append(f"  plans     {', '.join(sorted(row.plans))}")

@@ -11,6 +11,8 @@ def add(sub) -> None:
         if command is shell:
             command.add_argument("pressure", type=Path, help="pressure cube of the same study")
         command.add_argument("output", type=Path, help="netCDF file to write")
+        if command is shell:
+            command.add_argument("earthquake", type=Path, nargs="?", help="seismic cube of the study that `earthquake` names")
         command.set_defaults(run=run)
 
 
@@ -31,7 +33,8 @@ def run_shell(chosen) -> None:
     from silostudy.scene.expand import expand_file
 
     expansion = expand_file(chosen.study)
-    cube = shell_cube(_of_kind(expansion, "shell", chosen.study), read(chosen.pressure))
+    seismic = read(chosen.earthquake) if chosen.earthquake else None
+    cube = shell_cube(_of_kind(expansion, "shell", chosen.study), read(chosen.pressure), seismic)
     write(cube, chosen.output)
     print(f"{expansion.name}: {len(expansion.cases)} wall(s) by {cube.sizes['rule']} rule(s) -> {chosen.output}")
 
@@ -43,3 +46,11 @@ def _of_kind(expansion, kind: str, path: Path):
     if expansion.study.kind != kind:
         raise BadInput("kind", expansion.study.kind, f"must be {kind}", str(path))
     return expansion
+
+
+def told(expansion) -> list[str]:
+    """Which earthquake a shell study lays on its wall, and what is not checked with it."""
+    from silostudy.compute.shell_earthquake import UNCHECKED
+
+    asked = expansion.study.earthquake
+    return [f"earthquake: {asked.study}, {asked.mass_choice}", f"note: {UNCHECKED}"] if asked else []

@@ -2,7 +2,7 @@
 
 from pathlib import Path
 
-from silostudy.commands import seismic
+from silostudy.commands import seismic, shells
 
 
 def add(sub) -> None:
@@ -42,6 +42,8 @@ def run_check(chosen) -> None:
     for line in (*counts(expansion), *cautions(expansion)) if "pressure" in study.stages else ():
         print(f"  {line}")
     for line in seismic.told(expansion) if "seismic" in study.stages else ():
+        print(f"  {line}")
+    for line in shells.told(expansion) if "shell" in study.stages else ():
         print(f"  {line}")
     if rules := getattr(study, "rule_keys", ()):
         print(f"  {len(rules)} buckling rule(s)")

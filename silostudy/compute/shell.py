@@ -9,6 +9,7 @@ from silostudy.buckling import BUCKLING
 from silostudy.buckling.family import IN_SCOPE, MODES, NO_LOAD, OUT_OF_RANGE, REASONS, BucklingRule, evaluate
 from silostudy.compute.buckling import rule_coordinates
 from silostudy.compute.pressure import row_of
+from silostudy.compute.shell_earthquake import SIDES, beside, earthquake_loads, earthquake_told, of_this_study, sides
 from silostudy.compute.shell_load import SOURCES, axial_wall_force, carried_share, depths, internal_pressures
 from silostudy.compute.variables import attributes, flags
 from silostudy.cube.contract import check
@@ -20,8 +21,11 @@ SLENDEREST, STOCKIEST = 10_000, 10  # R/t between which the required thickness i
 HALVINGS = 40
 
 
-def shell_cube(expansion: Expansion, pressure: xr.Dataset) -> xr.Dataset:
-    """The cube of a shell study: loads, required thickness, and with strakes the utilisation over depth."""
+def shell_cube(expansion: Expansion, pressure: xr.Dataset, seismic: xr.Dataset | None = None) -> xr.Dataset:
+    """The cube of a shell study: loads, required thickness, and with strakes the utilisation over depth.
+
+    seismic: the cube of the seismic study that it names, for all of this once more with the earthquake.
+    """
     study = expansion.study
     text = study.model_dump_json(exclude_defaults=True)
     if pressure.attrs["study"] != text:
@@ -32,15 +36,40 @@ def shell_cube(expansion: Expansion, pressure: xr.Dataset) -> xr.Dataset:
     parameters = wall_parameters(expansion, *pressures)
     safety = _of_cases(expansion, [case.scene.shell.safety_factor for case in expansion.cases])
     over = tuple(map(str, pressure["wall_normal_pressure"].dims))
-    by_rule = ("rule", *(dim for dim in over if dim != "phase"))
+    thickness = strakes(expansion, pressure) if all(case.scene.shell.edges for case in expansion.cases) else None
     data = load_variables(pressure, force, source, pressures, over)
-    data |= required_thicknesses(rules, parameters, np.fmax.reduce(force, axis=1), safety, by_rule)
-    if all(case.scene.shell.edges for case in expansion.cases):
-        data |= utilisations(rules, parameters, force, safety, strakes(expansion, pressure), over)
+    data |= strengths(rules, parameters, force, safety, thickness, over)
     coords = {**{str(name): value for name, value in pressure.coords.items()}, **rule_coordinates(rules)}
     sources = [rule.source for rule in rules] + [row_of(str(method)).source for method in pressure["method"].values]
-    header = {**provenance(study.title, text, sources, "shell"), "sweep_axes": pressure.attrs["sweep_axes"]}
-    return check(xr.Dataset(data, coords, header))
+    told = {"sweep_axes": pressure.attrs["sweep_axes"]}
+    if study.earthquake:
+        one = of_this_study(expansion, seismic).sel(mass_choice=study.earthquake.mass_choice)
+        data |= shaken(rules, parameters, force, earthquake_loads(pressure, one), safety, thickness, over)
+        coords["side"] = ("side", list(SIDES), attributes("side"))
+        told |= earthquake_told(one)
+        sources.append("en1998_4_2006")
+    return check(xr.Dataset(data, coords, {**provenance(study.title, text, sources, "shell"), **told}))
+
+
+def shaken(rules, parameters: Mapping, force, added, safety, thickness, over: tuple[str, ...]) -> dict[str, tuple]:
+    """Loads, thickness and utilisation on both sides of a wall that an earthquake bends, all under `earthquake_` names."""
+    found = []
+    static = (force, parameters["lower_internal_pressure"], parameters["upper_internal_pressure"])
+    for own, lower, upper in sides(*static, seismic_force=added[0], seismic_pressure=added[1]).values():
+        here = {**parameters, "lower_internal_pressure": lower, "upper_internal_pressure": upper}
+        whole = (over[0], *over[2:])
+        loads = {"axial_wall_force": (over, own, attributes("axial_wall_force"))}
+        for name in ("lower_internal_pressure", "upper_internal_pressure"):
+            loads[name] = (whole, here[name], attributes(name))
+        found.append(loads | strengths(rules, here, own, safety, thickness, over))
+    return beside(found)
+
+
+def strengths(rules, parameters: Mapping, force, safety, thickness, over: tuple[str, ...]) -> dict[str, tuple]:
+    """The thickness that a force (N/m) asks for, and where the wall's thickness (m) is given its utilisation."""
+    by_rule = ("rule", *(dim for dim in over if dim != "phase"))
+    found = required_thicknesses(rules, parameters, np.fmax.reduce(force, axis=1), safety, by_rule)
+    return found if thickness is None else found | utilisations(rules, parameters, force, safety, thickness, over)
 
 
 def load_variables(pressure: xr.Dataset, force, source, pressures, over: tuple[str, ...]) -> dict[str, tuple | xr.DataArray]:

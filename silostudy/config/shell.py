@@ -5,7 +5,7 @@ from typing import Literal, Self
 from pydantic import model_validator
 
 from silostudy.config.buckling import RuleChoice
-from silostudy.config.fields import described
+from silostudy.config.fields import Strict, described
 from silostudy.config.pressure import PressureStudy
 from silostudy.config.scene import CircularSilo, SceneConfig
 from silostudy.config.steel import SiloWall
@@ -19,17 +19,29 @@ class SteelSilo(SceneConfig):
     shell: SiloWall = described("the steel wall of the cylinder", "")
 
 
+class Earthquake(Strict):
+    """The seismic study whose demand is laid on the shell beside the static loads."""
+
+    study: str = described("name of a seismic study of the same silo, in a file beside this one", "")
+    mass_choice: Literal["identified", "eighty_percent", "all_contents"] = described(
+        "how much of the contents moves with the wall", "", default="eighty_percent"
+    )
+
+
 class ShellStudy(PressureStudy, RuleChoice):
     """A pressure study that goes on to the shell."""
 
     kind: Literal["shell"] = described("shell: wall pressures, and the steel wall that carries them", "")  # type: ignore[assignment]
     scene: SteelSilo = described("the base scene", "")
+    earthquake: Earthquake | None = described("check the wall with an earthquake too; null: do not", "", default=None)
 
     @model_validator(mode="after")
     def _wall_of_outputs(self) -> Self:
         for key in self.outputs:
             if OUTPUTS[key].strakes and not self.scene.shell.strakes:
                 raise ValueError(f"output {key} needs scene.shell.strakes")
+            if "earthquake" in OUTPUTS[key].demands and self.earthquake is None:
+                raise ValueError(f"output {key} needs the section earthquake")
         return self
 
     @property

@@ -29,7 +29,7 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
             here = one.sel(mass_choice=choice)
             share = float(here["mass_choice_coefficient"])
             label = f"{name(one)}: {CHOICES[choice]}, C_eff = {share:.3g},\n"
-            label += f"base {float(here['base_shear']) / 1e3:.3f} kN, {float(here['base_moment']) / 1e3:.3f} kN m"
+            label += f"base {float(here['base_shear']) / 1e3:.4g} kN, {float(here['base_moment']) / 1e3:.4g} kN m"
             for panel, (variable, (_, factor)) in zip(panels, PANELS.items(), strict=True):
                 panel.plot(here[variable] * factor, one["depth"], color=colour, marker=marker, markevery=6, markersize=4,
                            linestyle=dash, linewidth=1.2, label=label if panel is grid[0, 0] else None)  # fmt: skip
@@ -39,7 +39,7 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     for panel in grid[:, 0]:
         panel.set_ylabel("depth below the top of the contents (m)")
     grid[1, 2].axis("off")
-    grid[1, 2].legend(*grid[0, 0].get_legend_handles_labels(), loc="center left", fontsize=8, labelspacing=1.2)
+    grid[1, 2].legend(*grid[0, 0].get_legend_handles_labels(), loc="center left", fontsize=8, labelspacing=1.2, handlelength=4)
     head(
         figure, cube, "true peaks over time (between samples too); pressure in the direction of motion, at the wall's own peaks"
     )

@@ -50,7 +50,8 @@ def head(figure: Figure, cube: xr.Dataset, text: str, base: str = "") -> None:
         shaken.append(f"Measured: {_common(cube, 'measured_origin')}.")
     notes = [base] if base else shaken
     if cube.attrs["assumed"]:
-        notes.append(f"Assumed, not printed by the source: {cube.attrs['assumed']}.")
+        told = "Assumed, not printed by the source" if cube.attrs["published"] else "Assumed"
+        notes.append(f"{told}: {cube.attrs['assumed']}.")
     note = "\n".join(line for text in notes for line in textwrap.wrap(text, int(figure.get_figwidth() * 19)))
     figure.supxlabel(note, fontsize=6.5, x=0.01, ha="left", color="#444444")
 

@@ -42,7 +42,7 @@ def seismic_builder(study: SeismicStudy, folder: Path, where: str) -> Callable[[
         if study.identification:
             _check_band(study.identification.band_Hz, base, where)
         return Shaken(
-            tube=tube_of(config),
+            tube=_tube(config),
             empty_frequency=config.empty_frequency_Hz,
             damping_ratio=config.damping_ratio,
             base=base,
@@ -61,8 +61,7 @@ def _check_band(band: tuple[float, float], base: Record, where: str) -> None:
         raise BadInput("identification.band_Hz", list(band), allowed, where)
 
 
-def tube_of(config: SeismicScene) -> Tube:
-    """The tube that a configuration describes."""
+def _tube(config: SeismicScene) -> Tube:
     size: TubeConfig = config.silo
     return Tube(
         radius=size.mid_wall_radius_m,

@@ -10,6 +10,7 @@ from silostudy.config.buckling import BucklingStudy, TestCylinder
 from silostudy.config.shell import ShellStudy, SteelSilo
 from silostudy.config.steel import Cylinder, Making, SiloWall, Steel
 from silostudy.scene.build import pressure_builder
+from silostudy.scene.earthquake import check_same_silo, read_earthquake
 from silostudy.scene.scene import Scene
 from silostudy.tables.miller1977 import TESTS, MillerTest
 
@@ -107,18 +108,24 @@ class Wall:
 
 @dataclass(frozen=True, kw_only=True)
 class ShellScene(Scene):
-    """A silo with its contents and its steel wall."""
+    """A silo with its contents and its steel wall; earthquake: the text of the seismic study laid on it, or none."""
 
     shell: Wall
+    earthquake: str = ""
 
 
 def shell_builder(study: ShellStudy, folder: Path, where: str) -> Callable[..., ShellScene]:
     """Builds the scenes of a shell study: those of a pressure study, each with its wall."""
     build = pressure_builder(study, folder, where)
+    shaken = read_earthquake(study.earthquake, folder, where) if study.earthquake else None
 
     def build_one(config: SteelSilo, settings: dict) -> ShellScene:
         scene = build(config, settings)
-        return ShellScene(**{item.name: getattr(scene, item.name) for item in fields(scene)}, shell=wall(config.shell))
+        own = {item.name: getattr(scene, item.name) for item in fields(scene)}
+        if shaken is None:
+            return ShellScene(**own, shell=wall(config.shell))
+        check_same_silo(scene, shaken.scene, where)
+        return ShellScene(**own, shell=wall(config.shell), earthquake=shaken.model_dump_json(exclude_defaults=True))
 
     return build_one
 

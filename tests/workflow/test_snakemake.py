@@ -71,6 +71,21 @@ def test_a_figure_waits_for_the_further_cubes_that_it_shows(project, study):
     assert "input: results/small/pressure.nc, results/small/uncertainty.nc" in planned
 
 
+def test_a_shell_waits_for_the_earthquake_that_it_names(project):
+    """The seismic cube of another study goes into the shell stage of the study that names it, and into no other."""
+    for name in ("steel-wheat-shaken", "steel-wheat-earthquake", "steel-wheat-strakes"):
+        shutil.copy(ROOT / f"config/studies/{name}.yaml", project / "config/studies")
+    config = project / "config/config.yaml"
+    config.write_text("studies: [steel-wheat-shaken, steel-wheat-earthquake, steel-wheat-strakes]\n")
+    planned = snakemake(project, "-n").stdout
+    assert "pressure.nc, results/steel-wheat-earthquake/seismic.nc" in planned
+    static = planned.split("output: results/steel-wheat-strakes/shell.nc")[0].splitlines()[-2]
+    assert static.strip() == "input: config/studies/steel-wheat-strakes.yaml, results/steel-wheat-strakes/pressure.nc"
+    config.write_text("studies: [steel-wheat-shaken]\n")
+    told = snakemake(project, "-n").stdout
+    assert "steel-wheat-shaken: earthquake.study = 'steel-wheat-earthquake': must be named in config/config.yaml too" in told
+
+
 def test_a_mistake_stops_before_any_job(project, study):
     study["scene"]["solid"] = "sand"
     save(project, study)

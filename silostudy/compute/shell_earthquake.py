@@ -1,0 +1,71 @@
+"""The earthquake's load case on a silo's shell: base motion's axial force and EN 1998-4's pressure beside the static loads.
+
+Where the wall bends, one side is pressed and the other lifted, and the motion turns them about.  On the pressed side the
+inertia of the contents also leans on the wall, on the lifted side it hangs back.  Peaks are added to the static loads as
+if they came at once, at their characteristic values: no combination rule and no partial factor was verified.
+"""
+
+import numpy as np
+import xarray as xr
+
+from silostudy.compute.shell_load import depths
+from silostudy.cube.contract import VARIABLES
+from silostudy.errors import BadInput
+from silostudy.scene.expand import Expansion
+
+SIDES = ("pressed", "lifted")
+PREFIX = "earthquake_"
+UNCHECKED = (
+    "with the earthquake: characteristic values, no combination or partial factors; no check of the wall's shear and hoop"
+)
+
+
+def of_this_study(expansion: Expansion, seismic: xr.Dataset | None) -> xr.Dataset:
+    """The seismic cube itself; BadInput unless it is that of the study that the shell study names."""
+    name = expansion.study.earthquake.study
+    if seismic is None:
+        raise BadInput("earthquake", name, "needs the seismic cube of that study")
+    if any(case.scene.earthquake != seismic.attrs["study"] for case in expansion.cases):
+        raise BadInput("seismic cube", seismic.attrs["title"], f"is of another study than {name}")
+    return seismic
+
+
+def earthquake_loads(pressure: xr.Dataset, seismic: xr.Dataset) -> list[np.ndarray]:
+    """Axial wall force (N/m) by the overturning moment, and additional wall pressure (Pa), at every depth: (axes..., depth)."""
+    z = depths(pressure)
+    return [np.interp(z, seismic["depth"], seismic[name]) for name in ("seismic_axial_wall_force", "seismic_wall_pressure")]
+
+
+def earthquake_told(one: xr.Dataset) -> dict[str, str | float]:
+    """What the shell's cube says of its earthquake."""
+    return {
+        "earthquake": one.attrs["title"],
+        "earthquake_base_motion": str(one["base_motion"].values),
+        "earthquake_mass_coefficient": float(one["mass_choice_coefficient"]),
+        "earthquake_base_shear_N": float(one["base_shear"]),
+        "earthquake_base_moment_N_m": float(one["base_moment"]),
+    }
+
+
+def sides(force, lower, upper, *, seismic_force, seismic_pressure) -> dict[str, tuple]:
+    """side -> (axial wall force (N/m), lower, upper internal pressure (Pa)): static loads and the earthquake's peaks.
+
+    Pressed: more axial force, and more pressure to yield under, none of it counted on to steady the wall.  Lifted: less of
+    either; the solid cannot pull on the wall.
+    """
+    return {
+        "pressed": (force + seismic_force, lower, upper + seismic_pressure),
+        "lifted": (force - seismic_force, np.maximum(lower - seismic_pressure, 0.0), upper),
+    }
+
+
+def beside(found: list[dict[str, tuple]]) -> dict[str, tuple]:
+    """Variables of every side in one, under names of their own: dimension `side` first."""
+    stacked = {}
+    for name, (dims, _, known) in found[0].items():
+        values = np.array([one[name][1] for one in found])
+        if PREFIX + name in VARIABLES:
+            known = {**known, "long_name": VARIABLES[PREFIX + name].long_name}
+        if PREFIX + name.removesuffix("_scope") in VARIABLES:  # the wall's own thickness has no sides
+            stacked[PREFIX + name] = (("side", *dims), values, known)
+    return stacked
