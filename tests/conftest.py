@@ -1,8 +1,10 @@
 """What several test rooms share: the project's folder, the wheat silo, and small studies as plain dictionaries."""
 
 import copy
+from collections.abc import Iterator
 from pathlib import Path
 
+import matplotlib.pyplot as plt
 import pytest
 
 from silostudy.compute.pressure import pressure_cube
@@ -25,6 +27,16 @@ SMALL = {
 def study() -> dict:
     """The content of a small valid study, free to be changed."""
     return copy.deepcopy(SMALL)
+
+
+@pytest.fixture
+def kept(monkeypatch) -> Iterator[list]:
+    """The figures that drawing saved, still open to look at."""
+    figures: list = []
+    monkeypatch.setattr(plt, "close", figures.append)
+    yield figures
+    monkeypatch.undo()
+    plt.close("all")
 
 
 def expanded(content: dict, folder: Path = ROOT) -> Expansion:

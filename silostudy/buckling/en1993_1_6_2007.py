@@ -62,19 +62,24 @@ def buckles(critical, alpha, chi, yield_stress) -> Strength:
     return Strength(elastic, np.nan, elastic, chi * yield_stress, mode)
 
 
-def strength(*, youngs_modulus, yield_stress, shell_radius, thickness, bay_length, fabrication_quality, end_factor):
-    """Strength (Pa) without internal pressure. Source: en1993_1_6_2007, annex D and section 8.5, second-hand."""
-    critical = critical_stress(
-        youngs_modulus=youngs_modulus,
-        shell_radius=shell_radius,
-        thickness=thickness,
-        bay_length=bay_length,
-        end_factor=end_factor,
-    )
-    delta = relative_imperfection(shell_radius, thickness, fabrication_quality)
-    alpha = imperfection_factor(delta)
-    chi = capacity(np.sqrt(yield_stress / critical), alpha, delta)
-    return buckles(critical, alpha, chi, yield_stress)
+def strength_by(imperfection_factor, capacity):
+    """Function that gives the strength (Pa) by an edition's imperfection factor and capacity curve."""
+
+    def strength(*, youngs_modulus, yield_stress, shell_radius, thickness, bay_length, fabrication_quality, end_factor):
+        """Strength (Pa) without internal pressure. Source: en1993_1_6_2007, annex D and section 8.5, second-hand."""
+        critical = critical_stress(
+            youngs_modulus=youngs_modulus,
+            shell_radius=shell_radius,
+            thickness=thickness,
+            bay_length=bay_length,
+            end_factor=end_factor,
+        )
+        delta = relative_imperfection(shell_radius, thickness, fabrication_quality)
+        alpha = imperfection_factor(delta)
+        chi = capacity(np.sqrt(yield_stress / critical), alpha, delta)
+        return buckles(critical, alpha, chi, yield_stress)
+
+    return strength
 
 
 ROWS = (
@@ -83,7 +88,7 @@ ROWS = (
         title="EN 1993-1-6:2007",
         source="en1993_1_6_2007",
         locator="annex D and section 8.5, axial compression",
-        strength=strength,
+        strength=strength_by(imperfection_factor, capacity),
         limits=((SUCTION, under_suction),),
         formula="sigma_Rcr = 0.605 E C_x t / r; alpha = 0.62 / (1 + 1.91 delta^1.44), delta = sqrt(r/t) / Q; "
         "lambda = sqrt(f_y / sigma_Rcr); chi = 1 to 0.2, straight to lambda_p = sqrt(alpha / 0.4), then alpha / lambda^2",

@@ -5,7 +5,7 @@ Second-hand transcription; the printed standard was not seen.
 
 import numpy as np
 
-from silostudy.buckling.en1993_1_6_2007 import buckles, critical_stress, relative_imperfection
+from silostudy.buckling.en1993_1_6_2007 import strength_by
 from silostudy.buckling.family import SUCTION, BucklingRule, under_suction
 
 SQUASH_LIMIT = 0.10  # lambda_0
@@ -42,28 +42,13 @@ def capacity(slenderness, alpha, delta):
     return np.where(slenderness >= plastic_limit, alpha / slenderness**2, inelastic)
 
 
-def strength(*, youngs_modulus, yield_stress, shell_radius, thickness, bay_length, fabrication_quality, end_factor):
-    """Strength (Pa) without internal pressure. Source: en1993_1_6_2025, second-hand transcription."""
-    critical = critical_stress(
-        youngs_modulus=youngs_modulus,
-        shell_radius=shell_radius,
-        thickness=thickness,
-        bay_length=bay_length,
-        end_factor=end_factor,
-    )
-    delta = relative_imperfection(shell_radius, thickness, fabrication_quality)
-    alpha = imperfection_factor(delta)
-    chi = capacity(np.sqrt(yield_stress / critical), alpha, delta)
-    return buckles(critical, alpha, chi, yield_stress)
-
-
 ROWS = (
     BucklingRule(
         key="en1993_1_6_2025",
         title="EN 1993-1-6:2025",
         source="en1993_1_6_2025",
         locator="axial compression",
-        strength=strength,
+        strength=strength_by(imperfection_factor, capacity),
         limits=((SUCTION, under_suction),),
         formula="sigma_Rcr and delta as in 2007; alpha = 0.83 / (1 + 2.2 delta^0.75), beta = 1 - 0.75 / (1 + 1.1 delta); "
         "chi = 1.1 - lambda to 0.1, 1 - beta ((lambda - 0.1) / (lambda_p - 0.1))^eta to lambda_p = sqrt(alpha / (1 - beta)), "

@@ -6,7 +6,6 @@ import subprocess
 import sys
 from pathlib import Path
 
-import matplotlib.pyplot as plt
 import pytest
 
 from silostudy.__main__ import main
@@ -16,7 +15,6 @@ from silostudy.compute.shell import shell_cube
 from silostudy.cube.io import read, write
 from silostudy.errors import BadInput
 from silostudy.figures import required_thickness, shell_over_depth, test_over_prediction
-from silostudy.figures.style import save
 from silostudy.scene.expand import expand_file
 from tests.conftest import ROOT, expanded
 from tests.test_buckling.test_shell import STUDY as SILO
@@ -160,25 +158,6 @@ def test_commands(tmp_path, capsys):
     assert "printed inner diameter 125 in., right inner radius 125 in." in text
     assert main(["shell", str(study), str(cube), str(tmp_path / "shell.nc")]) == 2
     assert "kind = 'buckling': must be shell" in capsys.readouterr().err
-
-
-@pytest.fixture
-def kept(monkeypatch):
-    """The figure that a drawing saved, still open to look at."""
-    figures = []
-
-    def keep(figure, numbers, stem):
-        figures.append(figure)
-        close, plt.close = plt.close, lambda *_: None
-        try:
-            save(figure, numbers, stem)
-        finally:
-            plt.close = close
-
-    for module in (required_thickness, shell_over_depth, test_over_prediction):
-        monkeypatch.setattr(module, "save", keep)
-    yield figures
-    plt.close("all")
 
 
 def drawn_shell(name):

@@ -1,34 +1,13 @@
 """Figures show what the cube holds, with labels and units, and save the numbers they show."""
 
-import matplotlib.pyplot as plt
 import numpy as np
 import pandas as pd
 import pytest
 
 from silostudy.compute.pressure import pressure_cube
 from silostudy.figures import OUTPUTS, fig_4_2_11, governing_method, overpressure_over_slenderness, table_4_2_5
-from silostudy.figures.style import save
 from silostudy.tables.handbook import TONNE_PER_M2
 from tests.conftest import expanded
-
-
-@pytest.fixture
-def kept(monkeypatch):
-    """The figure that a drawing saved, still open to look at."""
-    figures = []
-
-    def keep(figure, numbers, stem):
-        figures.append(figure)
-        close, plt.close = plt.close, lambda *_: None
-        try:
-            save(figure, numbers, stem)
-        finally:
-            plt.close = close
-
-    for module in (fig_4_2_11, governing_method, overpressure_over_slenderness):
-        monkeypatch.setattr(module, "save", keep)
-    yield figures
-    plt.close("all")
 
 
 @pytest.fixture

@@ -2,7 +2,6 @@
 
 import copy
 
-import matplotlib.pyplot as plt
 import numpy as np
 import pandas as pd
 import pytest
@@ -19,7 +18,6 @@ from silostudy.figures import (
     sobol_indices,
     uncertainty_bands,
 )
-from silostudy.figures.style import save
 from silostudy.scene.expand import expand_file
 from silostudy.tables.measured import measured_silos as measured
 from tests.conftest import ROOT, expanded
@@ -52,25 +50,6 @@ BIN = {
     "depth_m": {"start": 0.0, "stop": 10.0, "count": 21},
     "hopper_position": {"start": 0.0, "stop": 1.0, "count": 11},
 }
-
-
-@pytest.fixture
-def kept(monkeypatch):
-    """The figure that a drawing saved, still open to look at."""
-    figures = []
-
-    def keep(figure, numbers, stem):
-        figures.append(figure)
-        close, plt.close = plt.close, lambda *_: None
-        try:
-            save(figure, numbers, stem)
-        finally:
-            plt.close = close
-
-    for module in MODULES:
-        monkeypatch.setattr(module, "save", keep)
-    yield figures
-    plt.close("all")
 
 
 @pytest.fixture

@@ -5,7 +5,6 @@ import subprocess
 import sys
 from pathlib import Path
 
-import matplotlib.pyplot as plt
 import numpy as np
 import pandas as pd
 import pytest
@@ -26,7 +25,6 @@ from silostudy.figures import (
     seismic_resonance,
     seismic_spectra,
 )
-from silostudy.figures.style import save
 from tests.conftest import ROOT, expanded
 
 SASAKI = ROOT / "config/studies/sasaki-1991.yaml"
@@ -48,25 +46,6 @@ def content() -> dict:
 @pytest.fixture(scope="module")
 def cube():
     return seismic_cube(expanded(quick()))
-
-
-@pytest.fixture
-def kept(monkeypatch):
-    """The figures that drawing saved, still open to look at."""
-    figures = []
-
-    def keep(figure, numbers, stem):
-        figures.append(figure)
-        close, plt.close = plt.close, lambda *_: None
-        try:
-            save(figure, numbers, stem)
-        finally:
-            plt.close = close
-
-    for module in FIGURES:
-        monkeypatch.setattr(module, "save", keep)
-    yield figures
-    plt.close("all")
 
 
 def test_cube_holds_the_sources_cases(cube):
