@@ -27,6 +27,8 @@ STAGES = {
     "seismic": _stage("seismic", "seismic", "seismic"),
     "dem": ("compute/dem", "compute/dem_cube", "compute/paraview"),
     "grains": _stage("grains", "grains", "grains"),
+    "packing": _stage("packing", "packing", "packing"),
+    "motion": _stage("motion", "packing", "packing"),
     "accuracy": ("accuracy",),
     "scenes": _stage("scenes", "scenes", "scenes"),
     "draw": ("figures",),

@@ -14,15 +14,15 @@ def write(cube: xr.Dataset, path: Path) -> None:
     """Writes a checked cube as netCDF-4 (zlib, shuffle); BadInput where the folder cannot be written."""
     check(cube)
     with replacing(path) as temporary:
-        cube.to_netcdf(temporary, encoding={str(name): _encoding(cube[name]) for name in cube.variables})
+        axes = cube.attrs.get("sweep_axes", "").split()
+        cube.to_netcdf(temporary, encoding={str(name): _encoding(cube[name], axes) for name in cube.variables})
 
 
-def _encoding(variable: xr.DataArray) -> dict:
+def _encoding(variable: xr.DataArray, axes: list[str]) -> dict:
     """Compression, and chunks of one position of the sweep axes so that a case reads in one piece."""
     encoding: dict = {"_FillValue": np.nan if variable.dtype.kind == "f" and _may_be_masked(variable) else None}
     if variable.dtype.kind in "fib" and variable.size > 1:
-        own = ("method", "phase", "depth", "relative_depth", "hopper_position")
-        chunks = tuple(size if dim in own else 1 for dim, size in zip(variable.dims, variable.shape, strict=True))
+        chunks = tuple(1 if dim in axes else size for dim, size in zip(variable.dims, variable.shape, strict=True))
         encoding |= {"zlib": True, "complevel": 4, "shuffle": True}
         if variable.size > 1_000_000 // 8 or np.prod(chunks) > 256:
             encoding["chunksizes"] = chunks

@@ -96,6 +96,10 @@ class Run:
             tell(self.engine.step)
         return self.recording
 
+    def insert(self, event: Event) -> None:
+        """Put an event before the one that the run waits for."""
+        self.events = (*self.events[: self.next_event], event, *self.events[self.next_event :])
+
     def _next_stop(self, until: int | None) -> int:
         step = self.engine.step
         stops = [(step // CHECK_EVERY + 1) * CHECK_EVERY]

@@ -1,0 +1,86 @@
+"""The packing stage: ensembles of discs at rest and in discharge, case by case, into one cube."""
+
+import os
+from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
+
+import numpy as np
+import xarray as xr
+
+from silostudy.compute.axes import axis_coordinates
+from silostudy.compute.packing_measure import MEASURES, at_rest, in_flow
+from silostudy.compute.packing_run import SAMPLE, WINDOW, discharge, settle
+from silostudy.compute.variables import attributes
+from silostudy.cube.contract import VARIABLES, check
+from silostudy.cube.provenance import provenance
+from silostudy.scene.expand import Expansion
+from silostudy.scene.packing import LAYERS
+
+SOURCES = ("kiyama_fujimura_1983", "silo_handbook")
+
+
+def packing_cube(expansion: Expansion, tell: Callable[[str], None] = lambda text: None) -> xr.Dataset:
+    """The cube of a packing study; `tell` hears how far it is.  Equal fillings are settled once, for all their slits."""
+    study, groups = expansion.study, _groups(expansion)
+    tasks = [(members, run) for members in groups for run in range(study.runs + 1)]
+    found: list[dict[int, dict]] = [{} for _ in expansion.cases]
+
+    def one(task) -> list[tuple[int, int, dict]]:
+        members, run = task
+        return [(case, run, values) for case, values in _of_one_filling(expansion, members, run)]
+
+    with ThreadPoolExecutor(os.cpu_count()) as pool:
+        first = one(tasks[0])  # alone, so that the kernel is compiled once
+        for done, results in enumerate((first, *pool.map(one, tasks[1:])), 1):
+            for case, run, values in results:
+                found[case][run] = values
+            if done * 20 // len(tasks) > (done - 1) * 20 // len(tasks):
+                tell(f"{done} of {len(tasks)} fillings settled and let out")
+    return _cube(expansion, [[runs[run] for run in range(study.runs + 1)] for runs in found])
+
+
+def _groups(expansion: Expansion) -> list[list[int]]:
+    """Numbers of the cases that share a filling."""
+    groups: dict[str, list[int]] = {}
+    for number, case in enumerate(expansion.cases):
+        groups.setdefault(case.scene.filling, []).append(number)
+    return list(groups.values())
+
+
+def _of_one_filling(expansion: Expansion, members: list[int], run: int) -> list[tuple[int, dict]]:
+    study = expansion.study
+    rested = settle(study, expansion.cases[members[0]].scene.config, run)
+    found = []
+    for number in members:
+        config = expansion.cases[number].scene.config
+        values = in_flow(study, config, rested, discharge(study, config, rested))
+        found.append((number, at_rest(config, rested) | values))
+    return found
+
+
+def _cube(expansion: Expansion, found: list[list[dict]]) -> xr.Dataset:
+    study = expansion.study
+    axes = [axis.axis for axis in study.sweep]
+    data: dict = {}
+    for name in found[0][0]:
+        values = np.array([[one[name] for one in runs] for runs in found])
+        data[name] = (
+            (*axes, *VARIABLES[name].dims[1:]),
+            values.reshape((*expansion.shape, *values.shape[1:])),
+            attributes(name),
+        )
+    data["case"] = (axes, np.array([case.id for case in expansion.cases]).reshape(expansion.shape), attributes("case"))
+    samples = found[0][0]["passed_discs"].size
+    silo, discs = study.scene.silo, study.scene.discs
+    height = silo.height_m / LAYERS
+    coords: dict = {
+        **axis_coordinates(study),
+        "run": ("run", np.arange(study.runs + 1), attributes("run")),
+        "layer": ("layer", (np.arange(LAYERS) + 0.5) * height, attributes("layer")),
+        "sample": ("sample", np.arange(samples) * SAMPLE * WINDOW, attributes("sample")),
+        "interval": ("interval", (np.arange(samples - 1) + 0.5) * SAMPLE * WINDOW, attributes("interval")),
+        "measure": ("measure", list(MEASURES), attributes("measure")),
+    }
+    about = provenance(study.title, study.model_dump_json(exclude_defaults=True), SOURCES, "packing")
+    settings = {"width_m": silo.width_m, "radius_m": discs.radius_m, "slit_width_m": silo.slit_width_m}
+    return check(xr.Dataset(data, coords, {**about, **settings, "sweep_axes": " ".join(axes)}))

@@ -1,0 +1,221 @@
+"""What is read off a run of a packing study: wall forces at rest, their peaks in discharge, flow and displacements."""
+
+from dataclasses import dataclass
+from itertools import pairwise
+
+import numpy as np
+from scipy.optimize import least_squares
+
+from silostudy.compute.packing_run import GRAVITY, SAMPLE, WINDOW, Discharge, Rested
+from silostudy.config.packing import PackingScene, PackingStudy
+from silostudy.scene.packing import CELLS_IN_LAYER, LAYERS
+
+MEASURES = ("contact_peak", "contact_seen", "layer_peak", "layer_mean", "panel_peak", "panel_mean")
+PANEL = 0.7  # of the width: height over which Wagner measured mean wall loads (silo_handbook, section 4.5.1)
+EARLY, SEEN = 0.4, 0.05  # s: end of the paper's early flow; interval of its plots
+NORMAL, SHEAR = 0, 1
+MEAN, LEAST, MOST = range(3)
+
+
+@dataclass(frozen=True)
+class WallCells:
+    """Rows of the engine's wall cells: the floor and its halves, and both side walls from the floor up."""
+
+    floor: np.ndarray
+    halves: np.ndarray
+    sides: np.ndarray  # (2, cells)
+
+
+def cells_of(rested: Rested) -> WallCells:
+    """Where the forces of each wall stand; end points count with the floor's halves, never with the sides."""
+    starts = np.cumsum([0, *(wall.cells + 2 for wall in rested.model.walls)])
+    floor, half_left, half_right, left, right = (np.arange(a, b) for a, b in pairwise(starts))
+    return WallCells(floor, np.concatenate([half_left, half_right]), np.array([left[-2:0:-1], right[1:-1]]))
+
+
+def layers(cells: np.ndarray, axis: int = -1) -> np.ndarray:
+    """Forces on the layers of a side wall from those on its cells."""
+    shape = list(cells.shape)
+    shape[axis : axis + 1 or None] = [LAYERS, CELLS_IN_LAYER]
+    return cells.reshape(shape).sum(axis=axis)
+
+
+def janssen_force(depth, *, unit_weight, hydraulic_radius, wall_friction, lateral_ratio):
+    """Horizontal force (N/m) on a wall from the surface down to a depth (m): Janssen's pressure summed over the depth.
+
+    Source: silo_handbook, section 4.2.2 (Janssen), integrated; hydraulic radius (m) is half the width of a plane silo.
+    """
+    length = hydraulic_radius / (wall_friction * lateral_ratio)
+    return unit_weight * hydraulic_radius / wall_friction * (depth - length * -np.expm1(-depth / length))
+
+
+def fit_janssen(
+    force: np.ndarray, depth: np.ndarray, *, unit_weight: float, hydraulic_radius: float
+) -> tuple[float, float, float]:
+    """(K, wall friction, residual) of Janssen's law through contact forces (N/m) at depths (m) from the top one down.
+
+    Each contact answers for the wall between the middles to its neighbours.  The lowest is left out: the drop at the floor
+    is a finding of its own.  residual: root mean square miss over the mean contact force.
+    """
+    edges = np.concatenate([[0.0], 0.5 * (depth[1:] + depth[:-1])])
+    known = {"unit_weight": unit_weight, "hydraulic_radius": hydraulic_radius}
+
+    def miss(logs):
+        lateral, friction = np.exp(logs)
+        expected = np.diff(janssen_force(edges, wall_friction=friction, lateral_ratio=lateral, **known))
+        return (expected - force[:-1]) / force[:-1].mean()
+
+    best = least_squares(miss, np.log([0.5, 0.2]), bounds=(np.log([1e-2, 1e-3]), np.log([20.0, 2.0])))
+    lateral, friction = np.exp(best.x)
+    return float(lateral), float(friction), float(np.sqrt(np.mean(best.fun**2)))
+
+
+def at_rest(config: PackingScene, rested: Rested) -> dict[str, np.ndarray | float]:
+    """Wall forces at rest and what they say of the packing, by the names of the contract."""
+    cells, radius = cells_of(rested), config.discs.radius_m
+    sides = rested.walls[cells.sides]  # (2, cells, 2)
+    height = float(rested.places[:, 1].max()) + radius
+    weight = float(rested.model.mass.sum()) * GRAVITY
+    force = sides.mean(axis=0)
+    rows = np.flatnonzero(force[:, NORMAL] > 0.0)[::-1]  # contacts from the top one down
+    step = config.silo.height_m / force.shape[0]
+    depth = height - (rows + 0.5) * step
+    normal, shear = force[rows].T
+    law = {"unit_weight": weight / (config.silo.width_m * height), "hydraulic_radius": config.silo.width_m / 2.0}
+    lateral, friction, residual = fit_janssen(normal, depth, **law)
+    low = (rows + 0.5) * step < 0.25 * height
+    return {
+        "rest_reached": float(rested.rested),
+        "rest_time": rested.time,
+        "rest_speed": rested.speed,
+        "rest_disc_count": float(len(rested.places)),
+        "rest_height": height,
+        "rest_weight": weight,
+        "rest_side_normal_force": layers(force[:, NORMAL]),
+        "rest_side_shear_force": layers(force[:, SHEAR]),
+        "rest_side_share": float(normal.sum()) / weight,
+        "rest_carried_share": 2.0 * float(shear.sum()) / weight,
+        "rest_floor_drop": float(normal[-1] / normal.max()),
+        "rest_corner_shear": float((shear / normal)[low].min()),
+        "janssen_lateral_ratio": lateral,
+        "janssen_wall_friction": friction,
+        "janssen_residual": residual,
+    }
+
+
+def in_flow(study: PackingStudy, config: PackingScene, rested: Rested, found: Discharge) -> dict[str, np.ndarray | float]:
+    """Wall forces, flow and displacements of a discharge, by the names of the contract."""
+    return _walls(config, rested, found) | _flow(config, rested, found) | _moved(config, rested, found)
+
+
+def _walls(config: PackingScene, rested: Rested, found: Discharge) -> dict[str, np.ndarray | float]:
+    cells = cells_of(rested)
+    sides = found.windows[:, cells.sides]  # (windows, 2, cells, 2, 3)
+    still = rested.walls[cells.sides]  # (2, cells, 2)
+    normal, shear = sides[..., NORMAL, :], sides[..., SHEAR, :]
+    single, floor = normal[..., MOST], found.windows[:, cells.halves, NORMAL, MOST]
+    when, wall, cell = np.unravel_index(int(np.argmax(single)), single.shape)
+    mean = normal[..., MEAN]
+    band = layers(mean)  # (windows, 2, layers)
+    early = slice(0, round(EARLY / WINDOW))
+    total, rest = mean.sum(axis=(1, 2)), float(still[..., NORMAL].sum())
+    sampled = {"side_normal_force": total, "side_shear_force": shear[..., MEAN].sum(axis=(1, 2))}
+    sampled["floor_force"] = found.windows[:, cells.halves, NORMAL, MEAN].sum(axis=1)
+    coarse = {name: _by_sample(values) for name, values in sampled.items()}
+    top = int(np.argmax(coarse["side_normal_force"]))
+    rest_floor = rested.walls[cells.floor, NORMAL]
+    return {
+        **coarse,
+        "wall_overpressure": _overpressure(config, normal, still[..., NORMAL]),
+        "layer_force_peak": band.max(axis=(0, 1)),
+        "layer_force_mean": band[early].mean(axis=(0, 1)),
+        "contact_force_peak": layers_most(single.max(axis=(0, 1))),
+        "contact_peak_time": (when + 0.5) * WINDOW,
+        "contact_peak_shear": float(shear[when, wall, cell, MEAN] / mean[when, wall, cell]),
+        "side_peak": float(coarse["side_normal_force"][top]) / rest,
+        "side_peak_time": (top + 0.5) * WINDOW * SAMPLE,
+        "side_peak_shear": float(coarse["side_shear_force"][top] / coarse["side_normal_force"][top]),
+        "side_least_shear": float(coarse["side_shear_force"].min()) / rest,
+        "side_late": float(total[early.stop :].mean()) / rest,
+        "floor_peak": float(floor.max() / rest_floor.max()),
+        "floor_seen": float(_seen(found.windows[:, cells.halves, NORMAL, MEAN]) / rest_floor.max()),
+        "floor_peak_time": (int(np.argmax(floor.max(axis=1))) + 0.5) * WINDOW,
+    }
+
+
+def layers_most(cells: np.ndarray) -> np.ndarray:
+    """Largest force in each layer of a side wall."""
+    return cells.reshape(LAYERS, CELLS_IN_LAYER).max(axis=1)
+
+
+def _by_sample(values: np.ndarray) -> np.ndarray:
+    return values.reshape(-1, SAMPLE).mean(axis=1)
+
+
+def _overpressure(config: PackingScene, normal: np.ndarray, still: np.ndarray) -> np.ndarray:
+    """Largest force in flow over the largest at rest, each over the same kind of area, in the order of MEASURES.
+
+    Single contacts in every step, and only at the instants of the paper's plots; layers and panels as the largest mean of
+    a window, and as the mean of the early flow.
+    """
+    early = round(EARLY / WINDOW)
+    mean = normal[..., MEAN]
+    panel = min(LAYERS, max(1, round(PANEL * config.silo.width_m / config.silo.height_m * LAYERS)))
+    band, rest = layers(mean), layers(still)
+    wide, wide_rest = (_sliding(values, panel) for values in (band, rest))
+    return np.array([
+        normal[..., MOST].max() / still.max(), _seen(mean) / still.max(),
+        band.max() / rest.max(), band[:early].mean(axis=0).max() / rest.max(),
+        wide.max() / wide_rest.max(), wide[:early].mean(axis=0).max() / wide_rest.max(),
+    ])  # fmt: skip
+
+
+def _seen(force: np.ndarray) -> float:
+    """Largest force at the instants of the paper's plots: what is seen of a motion kept every so often."""
+    every = round(SEEN / WINDOW)
+    return float(force[every - 1 :: every].max())
+
+
+def _sliding(values: np.ndarray, count: int) -> np.ndarray:
+    """Sums over `count` layers in a row."""
+    return np.lib.stride_tricks.sliding_window_view(values, count, axis=-1).sum(axis=-1)
+
+
+def _flow(config: PackingScene, rested: Rested, found: Discharge) -> dict[str, np.ndarray | float]:
+    time = np.arange(len(found.passed)) * WINDOW * SAMPLE
+    first = found.stops[0] if found.stops else None
+    flowing = (time >= 0.1) & (time <= (first[0] if first else time[-1]))
+    mass = float(rested.model.mass[0])
+    enough = flowing.sum() >= 10 and not config.remedy
+    arch = first[1] if first and (found.stopped or found.removed) else None
+    return {
+        "passed_discs": found.passed,
+        "discharge_rate": float(np.polyfit(time[flowing], found.passed[flowing], 1)[0]) * mass if enough else np.nan,
+        "flow_stopped": float(found.stopped or bool(found.removed)),
+        "stop_time": first[0] if first and arch else np.nan,
+        "arch_discs": float(len(arch.discs)) if arch else np.nan,
+        "arch_span": arch.span if arch else np.nan,
+        "arch_height": arch.height if arch else np.nan,
+        "discs_removed": float(len(found.removed)),
+    }
+
+
+def _moved(config: PackingScene, rested: Rested, found: Discharge) -> dict[str, np.ndarray | float]:
+    """Displacements from rest to the end of the early flow and to the end: a disc has moved by its radius or more."""
+    radius, width, slit = config.discs.radius_m, config.silo.width_m, config.silo.slit_width_m
+    x, y = rested.places.T
+    early = found.places[min(round(EARLY / WINDOW / SAMPLE), len(found.places) - 1)]
+    ways = {"early": early, "late": found.places[-1]}
+    gone = {name: ~(np.hypot(*(place - rested.places).T) < radius) for name, place in ways.items()}
+    fall = np.where(np.isnan(early[:, 1]) | (early[:, 1] < 0.0), y, y - early[:, 1])
+    top = y > y.max() - 3.0 * radius
+    middle, outer = np.abs(x - width / 2.0) < slit / 2.0, np.abs(x - width / 2.0) > width / 2.0 - slit / 2.0
+    layer = np.minimum((y / (config.silo.height_m / LAYERS)).astype(int), LAYERS - 1)
+    share = [gone["early"][layer == k].mean() if (layer == k).any() else np.nan for k in range(LAYERS)]
+    return {
+        "dead_share_early": 1.0 - float(gone["early"].mean()),
+        "dead_share_late": 1.0 - float(gone["late"].mean()),
+        "surface_fall_middle": float(fall[top & middle].mean()),
+        "surface_fall_sides": float(fall[top & outer].mean()),
+        "moving_width": np.array(share) * width,
+    }

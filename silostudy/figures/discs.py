@@ -1,0 +1,84 @@
+"""Discs of a film: force chains, discs coloured by speed, and the box with its slit."""
+
+import numpy as np
+import xarray as xr
+from matplotlib.axes import Axes
+from matplotlib.collections import EllipseCollection, LineCollection
+
+GRAVITY = 9.80665
+DIAMETER_IS = 50 / np.pi  # disc weights: a line as long as a diameter, as in the source's Fig. 6
+CM = 100.0
+
+
+def disc_weight(cube: xr.Dataset) -> float:
+    """Weight of a disc (N/m)."""
+    return float(cube.attrs["density_kg_m3"]) * np.pi * float(cube.attrs["radius_m"]) ** 2 * GRAVITY
+
+
+def films(cube: xr.Dataset, *, moving: bool) -> list[int]:
+    """Films with frames of a discharge, or those of a packing at rest."""
+    count = np.bincount(cube["snapshot_film"].values, minlength=cube.sizes["film"])
+    return [int(film) for film in np.flatnonzero(count > 1 if moving else count == 1)]
+
+
+def frames(cube: xr.Dataset, film: int) -> np.ndarray:
+    """Numbers of a film's snapshots."""
+    return np.flatnonzero(cube["snapshot_film"].values == film)
+
+
+def name(cube: xr.Dataset, film: int) -> str:
+    """A film in words: packing, run, remedy."""
+    one = cube.isel(film=film)
+    across, run = int(one["film_across"]), int(one["film_run"])
+    text = f"{across - 1}/{across}, " + ("ideal start" if run == 0 else f"run {run}")
+    return text + (", a disc of the roof removed at each stop" if int(one["film_remedy"]) else "")
+
+
+def draw_box(panel: Axes, cube: xr.Dataset, *, opened: bool) -> None:
+    """Walls and floor (cm), with the slit where it is open; one centimetre is as long across as up."""
+    width, height = (float(cube.attrs[key]) * CM for key in ("width_m", "height_m"))
+    half = float(cube.attrs["slit_width_m"]) * CM / 2
+    panel.plot([0, 0], [0, height], [width, width], [0, height], color="black", linewidth=1)
+    edges = [(0, width / 2 - half), (width / 2 + half, width)] if opened else [(0, width)]
+    for left, right in edges:
+        panel.plot([left, right], [0, 0], color="black", linewidth=1)
+    panel.set(xlim=(-1, width + 1), ylim=(-4 if opened else -1, height), aspect="equal")
+    panel.grid(False)
+
+
+def chains(cube: xr.Dataset, snapshot: int, *, scale: float = DIAMETER_IS) -> LineCollection:
+    """Contact forces as lines centred on their contacts: length and width by force, `scale` disc weights a diameter."""
+    here = cube["contact_snapshot"].values == snapshot
+    place, force = (np.stack([cube[f"contact_{kind}{way}"].values[here] for way in "xy"], axis=1) for kind in ("", "force_"))
+    diameter = 2 * float(cube.attrs["radius_m"])
+    half = 0.5 * force / (scale * disc_weight(cube)) * diameter
+    size = np.hypot(*force.T) / (scale * disc_weight(cube))
+    lines = np.stack([place - half, place + half], axis=1) * CM
+    return LineCollection(list(lines), linewidths=np.clip(0.35 + 0.9 * size, 0.35, 4.0), colors="black", capstyle="butt")
+
+
+def circles(cube: xr.Dataset, snapshot: int, panel: Axes, **style) -> EllipseCollection:
+    """The discs of a snapshot."""
+    one = cube.isel(snapshot=snapshot)
+    x, y = one["disc_x"].values, one["disc_y"].values
+    here = np.isfinite(x)
+    size = np.full(int(here.sum()), 2 * float(cube.attrs["radius_m"]) * CM)
+    places = np.column_stack([x, y])[here] * CM
+    return EllipseCollection(
+        size, size, np.zeros(len(size)), units="xy", offsets=places, offset_transform=panel.transData, **style
+    )
+
+
+def speed(cube: xr.Dataset, snapshot: int) -> np.ndarray:
+    """Speed (m/s) of the discs of a snapshot that are left."""
+    one = cube.isel(snapshot=snapshot)
+    found = np.hypot(one["disc_u"].values, one["disc_v"].values)
+    return found[np.isfinite(found)]
+
+
+def scale_bar(panel: Axes, cube: xr.Dataset, x: float, y: float, scale: float = DIAMETER_IS) -> None:
+    """A line as long as a diameter, with the force it stands for."""
+    diameter = 2 * float(cube.attrs["radius_m"]) * CM
+    panel.plot([x, x + diameter], [y, y], color="black", linewidth=1.25, solid_capstyle="butt")
+    text = f" {scale:.1f} disc weights ({scale * disc_weight(cube):.0f} N/m)"
+    panel.text(x + diameter, y, text, va="center", fontsize=7)

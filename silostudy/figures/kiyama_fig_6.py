@@ -1,0 +1,46 @@
+"""Contact forces of every ideal packing at rest, after the source's Fig. 6."""
+
+from pathlib import Path
+
+import matplotlib.pyplot as plt
+import numpy as np
+import pandas as pd
+import xarray as xr
+
+from silostudy.figures import discs
+from silostudy.figures.style import save
+
+
+def draw(cube: xr.Dataset, stem: Path) -> None:
+    """Writes the figure and its numbers: the largest and mean contact force of each packing, and its inclination."""
+    films = discs.films(cube, moving=False)
+    columns = min(4, len(films))
+    rows = -(-len(films) // columns)
+    figure, panels = plt.subplots(rows, columns, figsize=(3.7 * columns, 4.0 * rows), squeeze=False)
+    for panel in panels.flat[len(films) :]:
+        panel.axis("off")
+    for place, (panel, film) in enumerate(zip(panels.flat, films, strict=False)):
+        snapshot = discs.frames(cube, film)[0]
+        discs.draw_box(panel, cube, opened=False)
+        panel.add_collection(discs.chains(cube, snapshot))
+        lowest, leftmost = place + columns >= len(films), place % columns == 0
+        panel.set(xlabel="across (cm)" if lowest else "", ylabel="height (cm)" if leftmost else "")
+        panel.set_title(discs.name(cube, film).replace(", ideal start", ""))
+        discs.scale_bar(panel, cube, 1.0, 38.0)
+    figure.suptitle(f"{cube.attrs['title']}\ncontact forces at rest, ideal starts")
+    save(figure, pd.DataFrame([_row(cube, film) for film in films]), stem)
+
+
+def _row(cube: xr.Dataset, film: int) -> dict:
+    here = cube["contact_snapshot"].values == discs.frames(cube, film)[0]
+    x, y = (cube[f"contact_force_{way}"].values[here] for way in "xy")
+    on_wall, size = cube["contact_on_wall"].values[here] == 1, np.hypot(x, y) / discs.disc_weight(cube)
+    across = int(cube["film_across"][film])
+    return {
+        "packing": f"{across - 1}/{across}",
+        "discs": int(np.isfinite(cube["disc_x"].values[discs.frames(cube, film)[0]]).sum()),
+        "contacts": len(size),
+        "largest_disc_weights": size.max(),
+        "mean_between_discs_disc_weights": size[~on_wall].mean(),
+        "mean_inclination_deg": np.degrees(np.average(np.arctan2(np.abs(y), np.abs(x))[~on_wall], weights=size[~on_wall])),
+    }
