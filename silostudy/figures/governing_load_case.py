@@ -73,9 +73,9 @@ def _angles(cube: xr.Dataset) -> np.ndarray:
 def _write(panel, cube: xr.Dataset, here: np.ndarray, short: str) -> None:
     """The case's letters in the middle of its patch, so that the map reads without colour."""
     where = np.argwhere(here)
-    if len(where) > 0.02 * here.size:
+    if len(where) > 0.005 * here.size:
         row, column = where[np.argmin(np.abs((where - where.mean(axis=0)) / here.shape).sum(axis=1))]
-        panel.text(float(cube["slenderness"][column]), _angles(cube)[row], short, ha="center", va="center", fontsize=11)
+        panel.text(float(cube["slenderness"][column]), _angles(cube)[row], short, ha="center", va="center", fontsize=9)
 
 
 def _ring(panel, cube: xr.Dataset, methods: list[str]) -> None:

@@ -34,7 +34,8 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
         _line(whole, x, one["carried_in_phase"].sel(carrier="all"), None, look)
         _line(damping, x, one["contents_damping"] * 100, None, look)
         walls.plot(x, one["ring_share"].mean("filling"), color=look["color"], linewidth=0.8, linestyle=":",
-                   label="ring that wall friction carries (same colour)" if number == 0 else None)  # fmt: skip
+                   marker=look["marker"], markersize=4, markerfacecolor="none",
+                   label="ring that wall friction carries (hollow, same colour)" if number == 0 else None)  # fmt: skip
     code = groups["grains_code_share"].mean("filling").isel(group=0)
     walls.plot(np.asarray(groups[axis], dtype=float) * factor, code, color="black", linewidth=2.2, alpha=0.5,
                label="EN 1998-4, its pressure summed (circular)")  # fmt: skip

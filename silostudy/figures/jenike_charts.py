@@ -28,21 +28,21 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
             shade = plt.get_cmap("viridis")(0.85 * line / max(1, one.sizes["hopper_friction"] - 1))
             style = {"marker": MARKERS[line % len(MARKERS)], "markevery": 6, "color": shade, "markersize": 5}
             panel.plot(angles, curve, label=f"wall friction {degrees:.0f}°", **style)
-            if np.isfinite(curve).any() and name == "q_2":
-                last = np.flatnonzero(np.isfinite(curve))[-1]
+            last = np.flatnonzero(np.isfinite(curve))[-1] if np.isfinite(curve).any() else len(angles)
+            if last < len(angles) - 1:
                 panel.plot(angles[last], curve[last], marker="|", color=shade, markersize=14, markeredgewidth=2)
             tables.append(
                 pd.DataFrame({"chart": name, "wall_friction_angle_deg": degrees, "half_angle_deg": angles, "value": curve})
             )
     delta = np.degrees(float(one["effective_friction_angle"].max()))
     axes[0].set(
-        ylabel="height of the peak over the hopper's height i₁", title="initial, no load on the hopper, K = 0.8", ylim=(0, 1)
+        ylabel="height of the peak above the vertex over the hopper's, i₁",
+        title="initial, no load on the hopper, K = 0.8 (0: the peak lies at the vertex)",
+        ylim=(-0.02, 1),
     )
-    axes[1].set(
-        ylabel="q₂ = Q₂ / (γ D³)", title=f"flow, effective friction angle {delta:.0f}° (upright stroke: the field ends)"
-    )
+    axes[1].set(ylabel="q₂ = Q₂ / (γ D³)", title=f"flow, effective friction angle {delta:.0f}°")
     for panel in axes:
         panel.set(xlabel="half angle of the cone θ (°)", xlim=(0, None))
-    figure.suptitle(cube.attrs["title"])
+    figure.suptitle(f"{cube.attrs['title']} (upright stroke: no field beyond this angle)")
     figure.legend(*axes[0].get_legend_handles_labels(), loc="outside lower center", ncols=4)
     save(figure, pd.concat(tables, ignore_index=True).dropna(), stem)

@@ -84,7 +84,17 @@ def _bars(panel, table: pd.DataFrame, point: Measured) -> None:
     panel.set_yticks(np.arange(len(table)), table.title, fontsize=7.5)
     panel.axvline(0, color="black", linewidth=1)
     panel.set(xlabel="computed over measured, less one (%)", xlim=(None, 100 * table.off.max() + 45))
-    panel.set_title(
-        f"against {point.wall_normal_pressure / 1e3:.1f} kPa at {point.depth:g} m, {point.phase} (blue: same phase)"
-    )
+    against = f"against {point.wall_normal_pressure / 1e3:.1f} kPa at {point.depth:g} m, {point.phase} (blue: same phase)"
+    panel.set_title(against)
+    panel.text(0.99, 0.04, _brackets(table), transform=panel.transAxes, ha="right", fontsize=8)
     panel.grid(axis="y", visible=False)
+
+
+def _brackets(table: pd.DataFrame) -> str:
+    """Which methods bracket the measurement in its own phase, or that none lies on one side."""
+    found = []
+    for where in ("below", "above"):
+        rows = table[table.bracket == f"next {where}"]
+        some = "; ".join(f"{row.title} ({100 * row.off:+.0f} %)" for row in rows.itertuples())
+        found.append(f"next {where}: {some or 'no method'}")
+    return "\n".join(found)

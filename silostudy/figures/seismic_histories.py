@@ -7,7 +7,7 @@ import numpy as np
 import pandas as pd
 import xarray as xr
 
-from silostudy.figures.shaken import MEASURED, cases, head, name
+from silostudy.figures.shaken import MEASURED, cases, head, kind, name
 from silostudy.figures.style import save
 
 WINDOW = 1.5  # s about the largest measured value; the whole history would be a band of ink
@@ -41,7 +41,7 @@ def _window(one: xr.Dataset) -> slice:
 
 def _column(column, one: xr.Dataset, shown: list[float]) -> None:
     time, measured = one["elapsed_time"], one["measured_acceleration"]
-    _panel(column[0], time, measured, f"(a) top, {_kind(one)}", MEASURED)
+    _panel(column[0], time, measured, f"(a) top, {kind(one)}", MEASURED)
     for number, (panel, coefficient) in enumerate(zip(column[1:-1], shown, strict=True), 1):
         panel.plot(time, measured, color=MEASURED, linewidth=1.6)
         computed = one["top_acceleration"].sel(shown_coefficient=coefficient)
@@ -55,10 +55,6 @@ def _panel(panel, time, values, text: str, colour: str) -> None:
     panel.text(
         0.01, 0.98, text, transform=panel.transAxes, va="top", fontsize=8, bbox={"color": "white", "alpha": 0.8, "pad": 1}
     )
-
-
-def _kind(one: xr.Dataset) -> str:
-    return "synthetic measurement" if str(one["measured_origin"].values).startswith("synthetic") else "measured"
 
 
 def _numbers(one: xr.Dataset) -> pd.DataFrame:

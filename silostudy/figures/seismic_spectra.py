@@ -7,7 +7,7 @@ import numpy as np
 import pandas as pd
 import xarray as xr
 
-from silostudy.figures.shaken import MEASURED, cases, head, name
+from silostudy.figures.shaken import MEASURED, cases, head, kind, name
 from silostudy.figures.style import save
 
 ENERGY = (0.05, 0.95)  # the part of the band that is drawn holds this much of the measured energy, and a margin
@@ -41,7 +41,7 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
 
 def _panel(panel, one: xr.Dataset, coefficient: float) -> None:
     frequency = one["spectrum_frequency"]
-    panel.fill_between(frequency, one["measured_spectrum"] * 1e2, color=MEASURED, alpha=0.6, linewidth=0, label="measured")
+    panel.fill_between(frequency, one["measured_spectrum"] * 1e2, color=MEASURED, alpha=0.6, linewidth=0, label=kind(one))
     amplitude = one["top_spectrum"].sel(shown_coefficient=coefficient) * 1e2
     panel.plot(frequency, amplitude, linewidth=0.9, color="black", label="computed")
     panel.text(0.01, 0.95, f"C_eff = {coefficient:.2f}", transform=panel.transAxes, va="top", fontsize=9)

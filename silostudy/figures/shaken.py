@@ -30,6 +30,11 @@ def name(one: xr.Dataset) -> str:
     return f"base peak {peak * 100:.3g} gal ({peak / 9.80665:.2f} g)"
 
 
+def kind(one: xr.Dataset) -> str:
+    """Whether the response of a case was measured, or stands for a measurement."""
+    return "synthetic measurement" if str(one["measured_origin"].values).startswith("synthetic") else "measured"
+
+
 def printed(cube: xr.Dataset, one: xr.Dataset) -> PrintedTest | None:
     """The source's row for a case, where the study asks for it."""
     if cube.attrs["published"] != "sasaki_1991":

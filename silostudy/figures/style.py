@@ -20,6 +20,7 @@ plt.rcParams.update(
         "axes.spines.top": False,
         "axes.spines.right": False,
         "axes.grid": True,
+        "axes.axisbelow": True,
         "grid.alpha": 0.25,
         "legend.frameon": False,
         "figure.constrained_layout.use": True,
