@@ -168,6 +168,19 @@ rule grains:
         "python -m silostudy grains {input[0]} {output} > {log} 2>&1"
 
 
+rule stability:
+    input:
+        study_files,
+    output:
+        RESULTS + "/{study}/stability.nc",
+    params:
+        code=stamp(*STAGES["stability"]),
+    log:
+        RESULTS + "/{study}/logs/stability.log",
+    shell:
+        "python -m silostudy stability {input[0]} {output} > {log} 2>&1"
+
+
 def cubes_of(wildcards):
     """The cube that a figure or table is drawn from, and further ones that it shows where the study has them."""
     row = OUTPUTS[getattr(wildcards, "figure", None) or wildcards.table]

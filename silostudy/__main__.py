@@ -5,10 +5,10 @@ import sys
 from collections.abc import Sequence
 
 from silostudy import __version__
-from silostudy.commands import bench, cite, compare, dem, explain, listing, packing, seismic, shells, stages, sweeps
+from silostudy.commands import bench, cite, compare, dem, explain, listing, packing, seismic, shells, stability, stages, sweeps
 from silostudy.errors import BadInput
 
-ROOMS = (listing, explain, compare, cite, stages, sweeps, seismic, shells, dem, packing, bench)
+ROOMS = (listing, explain, compare, cite, stages, sweeps, seismic, shells, dem, packing, stability, bench)
 
 
 def parser() -> argparse.ArgumentParser:

@@ -29,6 +29,7 @@ STAGES = {
     "grains": _stage("grains", "grains", "grains"),
     "packing": _stage("packing", "packing", "packing"),
     "motion": _stage("motion", "packing", "packing"),
+    "stability": _stage("stability", "stability", "stability"),
     "accuracy": ("accuracy",),
     "scenes": _stage("scenes", "scenes", "scenes"),
     "draw": ("figures",),

@@ -39,7 +39,8 @@ HEAVY_FREE = {
     "scene",
 }  # quick to import: no xarray, no matplotlib
 SHOWN = {"pressure": "wheat-silo", "buckling": "miller-1977", "shell": "steel-wheat-silo", "seismic": "sasaki-1991",
-         "grains": "grains-record", "scenes": "discharge-slit", "packing": "kiyama-1983"}  # fmt: skip
+         "grains": "grains-record", "scenes": "discharge-slit", "packing": "kiyama-1983",
+         "stability": "stability-map"}  # fmt: skip
 
 
 def imports(path: Path) -> set[str]:

@@ -11,6 +11,8 @@ from silostudy.dem.integrate import INTEGRATORS
 from silostudy.dem.pieces import Laws, Pieces
 from silostudy.errors import BadInput
 
+TINY = 1e-200  # kg m: beyond it and its inverse, squares of what the engine computes with leave the range of numbers
+
 
 @dataclass(frozen=True)
 class Wall:
@@ -96,11 +98,19 @@ class Model:
                 object.__setattr__(self, name, value)
                 if not np.isfinite(value).all():
                     raise BadInput(name, float(value[~np.isfinite(value)][0]), "must be finite")
+        for name in ("gravity", "quake"):
+            if getattr(self, name) is not None and not np.isfinite(getattr(self, name)).all():
+                raise BadInput(name, getattr(self, name), "must be finite")
         for name, value in (("density", self.density), ("dt", self.dt), ("radius", float(np.min(self.radius, initial=1.0)))):
             if not (isfinite(value) and value > 0.0):
                 raise BadInput(name, value, "must be positive")
         if not len(self.x):
             raise BadInput("x", len(self.x), "a scene needs a disc at least")
+        with np.errstate(over="ignore", under="ignore"):
+            inertia = self.mass * self.radius**2
+        if not ((inertia > TINY) & (inertia < 1.0 / TINY)).all():
+            allowed = f"its mass and inertia must be numbers between {TINY:g} and {1.0 / TINY:g}"
+            raise BadInput("radius", float(self.radius[np.argmax(np.abs(np.log(self.radius)))]), allowed)
         INTEGRATORS[self.integrator]
         names = [wall.name for wall in self.walls]
         if len(set(names)) < len(names):

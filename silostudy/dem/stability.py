@@ -126,6 +126,9 @@ def _network(model: Model) -> list[tuple]:
     away = place[i] - place[j]
     distance = np.hypot(*away.T)
     near = distance < model.radius[i] + model.radius[j] + NEAR * np.minimum(model.radius[i], model.radius[j])
+    if not distance.all():
+        one = int(np.argmin(distance))
+        raise BadInput("x, y", f"discs {i[one]}, {j[one]}", "stand in the same place")
     found: list[tuple] = [(model.pair, i[near], j[near], *(away[near] / distance[near, None]).T)]
     for wall, (x, y, tx, ty, length, *_) in zip(model.walls, shape_of(model.walls), strict=True):
         along = np.clip((model.x - x) * tx + (model.y - y) * ty, 0.0, length)

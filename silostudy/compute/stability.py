@@ -1,0 +1,64 @@
+"""The stability stage: for every network, damping and way of marching, the largest step that keeps resting discs at rest."""
+
+from collections.abc import Callable
+
+import numpy as np
+import xarray as xr
+
+from silostudy.accuracy.peers import available
+from silostudy.accuracy.stability_map import Rest, contact_number, kick_of, our_step, peer_step, settled
+from silostudy.compute.axes import axis_coordinates
+from silostudy.compute.variables import attributes
+from silostudy.cube.contract import check
+from silostudy.cube.provenance import provenance
+from silostudy.dem.integrate import INTEGRATORS
+from silostudy.scene.expand import Expansion
+from silostudy.scene.stability import RestingDiscs
+
+
+def stability_cube(expansion: Expansion, tell: Callable[[str], None] = lambda text: None) -> xr.Dataset:
+    """The cube of a stability study; `tell` hears of each case.  Equal discs come to rest once, LAMMPS tries them once."""
+    study, rests, peers, found = expansion.study, {}, {}, []
+    missing = available() if study.peer else "not asked for"
+    if study.peer and missing:
+        tell(f"{missing}: its steps are left out")
+    for number, case in enumerate(expansion.cases):
+        scene: RestingDiscs = case.scene
+        same, at_rest = _same(scene, "damping_ratio"), _same(scene)
+        if same not in rests:
+            rests[same] = settled(scene.calm)
+        if at_rest not in peers:
+            peers[at_rest] = np.nan if missing else _peer(study, scene, rests[same])
+        found.append(_found(study, scene, rests[same]) | {"peer_step": peers[at_rest]})
+        tell(f"case {number + 1} of {len(expansion.cases)}: {found[-1]['stable_step']:.3g} s")
+    axes = [axis.axis for axis in study.sweep]
+    data: dict = {
+        name: (axes, np.array([one[name] for one in found]).reshape(expansion.shape), attributes(name)) for name in found[0]
+    }
+    data["case"] = (axes, np.array([case.id for case in expansion.cases]).reshape(expansion.shape), attributes("case"))
+    about = provenance(study.title, study.model_dump_json(exclude_defaults=True), _sources(expansion), "stability")
+    about |= {"peer": "LAMMPS" if not missing else "", "sweep_axes": " ".join(axes)}
+    return check(xr.Dataset(data, axis_coordinates(study), about))
+
+
+def _same(scene: RestingDiscs, *more: str) -> str:
+    """What tells networks at rest apart: everything but the laws' dashpots and the integrator."""
+    discs = {"normal", "tangential", *more} - ({"normal"} if scene.config.discs.normal == "line-contact" else set())
+    return scene.config.model_dump_json(exclude={"integrator": True, "discs": discs})
+
+
+def _found(study, scene: RestingDiscs, rest: Rest) -> dict[str, float]:
+    kick = kick_of(len(rest.places), scene.lonely)
+    step, bound = our_step(scene.model, rest, kick, study.trial_steps, study.resolution)
+    return {"stable_step": step, "stability_bound": bound, "contact_number": contact_number(rest.places, scene.model)}
+
+
+def _peer(study, scene: RestingDiscs, rest: Rest) -> float:
+    kick = kick_of(len(rest.places), scene.lonely)
+    return peer_step(scene.calm, scene.model, rest, kick, study.trial_steps, study.resolution)
+
+
+def _sources(expansion: Expansion) -> list[str]:
+    models = [case.scene.model for case in expansion.cases]
+    rows = [row for model in models for row in (INTEGRATORS[model.integrator], *model.pair.rows)]
+    return sorted({row.source for row in rows if row.key != "none"})
