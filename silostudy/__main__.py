@@ -5,10 +5,24 @@ import sys
 from collections.abc import Sequence
 
 from silostudy import __version__
-from silostudy.commands import bench, cite, compare, dem, explain, listing, packing, seismic, shells, stability, stages, sweeps
+from silostudy.commands import (
+    bench,
+    cite,
+    compare,
+    dem,
+    explain,
+    grains,
+    listing,
+    packing,
+    seismic,
+    shells,
+    stability,
+    stages,
+    sweeps,
+)
 from silostudy.errors import BadInput
 
-ROOMS = (listing, explain, compare, cite, stages, sweeps, seismic, shells, dem, packing, stability, bench)
+ROOMS = (listing, explain, compare, cite, stages, sweeps, seismic, grains, shells, dem, packing, stability, bench)
 
 
 def parser() -> argparse.ArgumentParser:

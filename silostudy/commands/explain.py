@@ -33,7 +33,7 @@ def scene_explanation(name: str) -> list[str]:
         f"  step {model.dt:.3g} s; stability bound of this start {longest_step(model):.3g} s; integrator {model.integrator}"
     )
     for effect in effects(scene):
-        price = _price(share.get(effect.name))
+        price = priced(share.get(effect.name))
         lines.append(f"  {effect.name:30}{'on ' if effect.on else 'off'}  {price:18}{effect.why}")
     return lines
 
@@ -82,7 +82,7 @@ def explanation(key: str) -> list[str]:
     return lines
 
 
-def _price(share: float | None) -> str:
+def priced(share: float | None) -> str:
     """Share of a step; below zero it says that the kernel without the effect was not the faster one here."""
     if share is None:
         return ""

@@ -1,4 +1,4 @@
-"""`silostudy seismic` and `silostudy grains`: the cubes of such studies; and what `silostudy check` says of a seismic one."""
+"""`silostudy seismic`: the cube of such a study; and what `silostudy check` says of one."""
 
 from pathlib import Path
 
@@ -8,21 +8,6 @@ def add(sub) -> None:
     seismic.add_argument("study", type=Path)
     seismic.add_argument("output", type=Path, help="netCDF file to write")
     seismic.set_defaults(run=run)
-
-    grains = sub.add_parser("grains", help="compute the grains cube of a study: contents of a shaken box")
-    grains.add_argument("study", type=Path)
-    grains.add_argument("output", type=Path, help="netCDF file to write")
-    grains.set_defaults(run=run_grains)
-
-
-def run_grains(chosen) -> None:
-    from silostudy.compute.grains import grains_cube
-    from silostudy.cube.io import write
-    from silostudy.scene.expand import expand_file
-
-    expansion = expand_file(chosen.study)
-    write(grains_cube(expansion, lambda text: print(text, flush=True)), chosen.output)
-    print(f"{expansion.name}: {len(expansion.cases)} case(s) -> {chosen.output}")
 
 
 def run(chosen) -> None:

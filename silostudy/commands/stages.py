@@ -2,12 +2,13 @@
 
 from pathlib import Path
 
-from silostudy.commands import seismic, shells
+from silostudy.commands import grains, seismic, shells
 
 
 def add(sub) -> None:
     check = sub.add_parser("check", help="validate a study and count its cases, without computing anything")
     check.add_argument("study", type=Path, help="a study file, or its name in config/studies")
+    check.add_argument("--price", action="store_true", help="of a grains study: settle and time one filling")
     check.set_defaults(run=run_check)
 
     cases = sub.add_parser("cases", help="write the table of cases of a study")
@@ -42,6 +43,8 @@ def run_check(chosen) -> None:
     for line in (*counts(expansion), *cautions(expansion)) if "pressure" in study.stages else ():
         print(f"  {line}")
     for line in seismic.told(expansion) if "seismic" in study.stages else ():
+        print(f"  {line}")
+    for line in grains.told(expansion, chosen.price) if "grains" in study.stages else ():
         print(f"  {line}")
     for line in shells.told(expansion) if "shell" in study.stages else ():
         print(f"  {line}")

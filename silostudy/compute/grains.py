@@ -74,6 +74,15 @@ def settle(scene: ShakenBox, seed: int, limit: float) -> tuple[Model, dict, bool
     return model, {**checkpoint(run.engine), "step": np.array(0)}, done.happened[-1][1] == "rest"
 
 
+def settled_model(scene: ShakenBox, seed: int, limit: float) -> Model:
+    """A filling's model with its discs where they came to rest."""
+    model, saved, _ = settle(scene, seed, limit)
+    engine = Engine(model)
+    restore(engine, saved)
+    x, y = engine.places.T
+    return replace(model, x=x, y=y)
+
+
 def _shaken(study, scene: ShakenBox, model: Model, saved: dict, rested: bool) -> dict[str, np.ndarray | float]:
     """Everything of one filling under one motion, by the names of the contract."""
     motion = base_motion(scene.shaking, model.dt, study.cycles + study.waited_cycles)

@@ -1,7 +1,7 @@
 """The engine's model of a grains scene: walls, contacts, a stable step, and the motion of the box."""
 
-from dataclasses import replace
-from math import pi
+from dataclasses import dataclass, replace
+from math import ceil, pi
 
 import numpy as np
 
@@ -9,12 +9,36 @@ from silostudy.config.grains import Grains, GrainsScene, Shaking
 from silostudy.dem.model import Contact, Model, Wall
 from silostudy.dem.pieces import Laws
 from silostudy.dem.stability import chosen_step
+from silostudy.scene.expand import Expansion
 from silostudy.scene.grains import discs_of
 from silostudy.seismic.readers import read_known
 from silostudy.seismic.records import compressed, scaled, without_baseline
 
 GRAVITY = 9.80665
 STIFFER_WALLS = 2.0
+
+
+@dataclass(frozen=True)
+class RunLength:
+    """How much one run of the engine is: a filling that settles (at most so many steps), or one that is shaken."""
+
+    discs: int
+    steps: int
+    shaken: bool
+
+
+def run_lengths(expansion: Expansion) -> list[RunLength]:
+    """Every run of a study, equal fillings settled once."""
+    study, models, runs = expansion.study, {}, []
+    for case in expansion.cases:
+        for seed in study.seeds:
+            key = case.scene.filling, seed
+            if key not in models:
+                models[key] = model_of(case.scene.config, seed)
+                runs.append(RunLength(len(models[key].x), ceil(study.rest_limit_s / models[key].dt), shaken=False))
+            steps = len(base_motion(case.scene.shaking, models[key].dt, study.cycles + study.waited_cycles))
+            runs.append(RunLength(len(models[key].x), steps, shaken=True))
+    return runs
 
 
 def model_of(config: GrainsScene, seed: int) -> Model:

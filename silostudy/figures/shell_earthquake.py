@@ -73,15 +73,22 @@ def _utilisations(panel, one: xr.Dataset) -> None:
 
 def _rules(cube: xr.Dataset, method: str) -> list[Line2D]:
     """Handles for every rule, with the thickness that a wall of one thickness needs without and with the earthquake."""
-    handles = []
+    handles, needed = [], _needed(cube.sel({"method": method}))
     for rule in map(str, cube["rule"].values):
-        one = cube.sel({"method": method, "rule": rule})
-        static = float(one["required_thickness"].max()) * 1e3
-        shaken = max(static, float(one["earthquake_required_thickness"].max()) * 1e3)
+        one = needed.sel({"rule": rule})
+        static, shaken = float(one["static"]) * 1e3, float(one["shaken"]) * 1e3
         label = f"{rules.name(cube, rule)}: {static:.1f} mm, {shaken:.1f} mm"
         marker = str(one["rule_marker"].values)
         handles.append(Line2D([], [], color=rules.look(cube, rule)["color"], marker=marker, label=label))
     return handles
+
+
+def _needed(cube: xr.Dataset) -> xr.Dataset:
+    """Thickness (m) that a wall of one thickness needs: static, and with the earthquake too."""
+    static = cube["required_thickness"].max("depth")
+    return xr.Dataset(
+        {"static": static, "shaken": np.fmax(static, cube["earthquake_required_thickness"].max(["side", "depth"]))}
+    )
 
 
 def _head(cube: xr.Dataset) -> str:
@@ -93,10 +100,11 @@ def _head(cube: xr.Dataset) -> str:
 
 
 def _numbers(cube: xr.Dataset) -> pd.DataFrame:
-    """Every rule, method and depth: worst utilisation over the phases, static and on both sides."""
-    static = cube["utilisation"].max("phase").to_dataframe("static").reset_index()
-    table = static[["rule", "method", "depth", "static"]]
+    """Worst utilisation over the phases at every depth, static and on both sides; thickness (mm) for the whole wall."""
+    shown = {"static": cube["utilisation"].max("phase")}
     for side in map(str, cube["side"].values):
-        worst = cube["earthquake_utilisation"].sel(side=side).max("phase")
-        table = table.assign(**{side: np.asarray(worst.transpose(*cube["utilisation"].max("phase").dims)).ravel()})
-    return table.dropna(subset="static")
+        shown[side] = cube["earthquake_utilisation"].sel(side=side, drop=True).max("phase")
+    needed = _needed(cube) * 1e3
+    shown |= {"needed_static_mm": needed["static"], "needed_with_earthquake_mm": needed["shaken"]}
+    table = xr.Dataset(shown).to_dataframe(dim_order=["rule", "method", "depth"]).reset_index()
+    return table[["rule", "method", "depth", *shown]].dropna(subset="static")

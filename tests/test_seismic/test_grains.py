@@ -3,7 +3,9 @@
 import numpy as np
 import pytest
 
+from silostudy.commands.grains import told
 from silostudy.compute.grains import grains_cube
+from silostudy.compute.grains_model import model_of
 from silostudy.seismic.grains import carried_share, equivalent_damping, wall_carried_ring
 from tests.conftest import ROOT, expanded
 
@@ -86,6 +88,25 @@ def test_fillings_differ_and_repeat(cube):
     shares = cube["carried_in_phase"].isel(frequency=0).sel(carrier="walls").values
     assert shares[0] != shares[1]
     assert grains_cube(expanded(CONTENT)).identical(cube)
+
+
+def test_what_a_study_will_cost(monkeypatch):
+    """Two fillings at rest within 2 s, each shaken twice: 8 cycles of 4 Hz and of 200 Hz at the model's own step."""
+    expansion = expanded(CONTENT)
+    model = model_of(expansion.cases[0].scene.config, 1)
+    discs, longest = len(model.x), round(2.0 / model.dt)
+    lines = told(expansion, priced=False)
+    assert lines[0] == f"2 filling(s) of {discs} discs, settled in at most {longest:,} steps; equal fillings once"
+    slow, fast = round(8 / 4 / model.dt), round(8 / 200 / model.dt)
+    assert lines[1].startswith(f"4 shaken run(s) of {fast:,} to {slow:,} steps: ")
+    work = 2 * discs * (longest + slow + fast)
+    assert f"at most {work:.2g} particle-steps" in lines[1]
+    monkeypatch.setattr("silostudy.compute.grains.settled_model", lambda *_: model)
+    monkeypatch.setattr("silostudy.accuracy.prices.prices", lambda _: (discs * 5e-9, {"shaking": 0.25}))
+    timed = told(expansion, priced=True)
+    assert timed[2] == f"5 ns a particle-step here and now: at most {5e-9 * work:,.0f} s on one core, and the compiling"
+    assert "shaking" in timed[3]
+    assert "25.0% of a step" in timed[3]
 
 
 def test_studies_are_valid_and_figure_draws(cube, tmp_path):

@@ -1,0 +1,58 @@
+"""`silostudy grains`: the cube of shaken discs; and what `silostudy check` says of such a study."""
+
+from collections.abc import Iterable
+from pathlib import Path
+
+
+def add(sub) -> None:
+    grains = sub.add_parser("grains", help="compute the grains cube of a study: contents of a shaken box")
+    grains.add_argument("study", type=Path)
+    grains.add_argument("output", type=Path, help="netCDF file to write")
+    grains.set_defaults(run=run)
+
+
+def run(chosen) -> None:
+    from silostudy.compute.grains import grains_cube
+    from silostudy.cube.io import write
+    from silostudy.scene.expand import expand_file
+
+    expansion = expand_file(chosen.study)
+    write(grains_cube(expansion, lambda text: print(text, flush=True)), chosen.output)
+    print(f"{expansion.name}: {len(expansion.cases)} case(s) -> {chosen.output}")
+
+
+def told(expansion, priced: bool) -> list[str]:
+    """Runs, discs, steps and effects of a grains study; `priced`: one filling is settled and timed for the time of it all."""
+    from silostudy.compute.grains_model import run_lengths
+
+    runs = run_lengths(expansion)
+    fillings, shaken = [run for run in runs if not run.shaken], [run for run in runs if run.shaken]
+    work = sum(run.discs * run.steps for run in runs)
+    lines = [
+        f"{len(fillings)} filling(s) of {_range(run.discs for run in fillings)} discs, settled in at most "
+        f"{_range(run.steps for run in fillings)} steps; equal fillings once",
+        f"{len(shaken)} shaken run(s) of {_range(run.steps for run in shaken)} steps: with the settling at most {work:.2g} "
+        "particle-steps",
+    ]
+    return [*lines, *_effects(expansion, work)] if priced else [*lines, "`--price` settles and times one filling"]
+
+
+def _effects(expansion, work: int) -> list[str]:
+    """Measured time of the study on one core, and each effect's share of a step."""
+    from silostudy.accuracy.prices import prices
+    from silostudy.commands.explain import priced
+    from silostudy.compute.grains import settled_model
+
+    model = settled_model(expansion.cases[0].scene, expansion.study.seeds[0], expansion.study.rest_limit_s)
+    whole, share = prices(model)
+    each = whole / len(model.x)
+    lines = [f"{each * 1e9:.0f} ns a particle-step here and now: at most {each * work:,.0f} s on one core, and the compiling"]
+    shares = [f"  {name:30}{priced(one)}" for name, one in share.items()]
+    return [*lines, *shares, "  what the engine knows besides is not compiled in"]
+
+
+def _range(numbers: Iterable[int]) -> str:
+    """The least and the largest of some numbers, in words."""
+    listed = list(numbers)
+    low, high = min(listed), max(listed)
+    return f"{low:,}" if low == high else f"{low:,} to {high:,}"
