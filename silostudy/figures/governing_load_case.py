@@ -42,7 +42,11 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     axes[0, 0].set_ylabel("half angle of the cone (°)")
     handles = [Patch(color=colour, label=f"{short}  {name}") for name, (colour, short) in CASES.items()]
     handles.append(
-        Patch(facecolor="white", edgecolor="0.6", label="blank: discharge not given there (beyond mass flow; EN: shallow)")
+        Patch(
+            facecolor="white",
+            edgecolor="0.6",
+            label="blank: discharge not given (no mass flow); equal pressures count as filling",
+        )
     )
     figure.legend(handles=handles, loc="outside lower center", ncols=3)
     figure.suptitle(f"{cube.attrs['title']}\nload case and place of the largest hopper wall pressure")

@@ -164,10 +164,19 @@ def test_hopper_ratios():
     assert hopper.discharge_ratio(beta, 0.0, phi) == pytest.approx(smooth)
     assert not hopper.is_steep(np.radians(60), mu, 0.5)
     assert hopper.effective_friction(np.radians(60), mu, 0.5) == pytest.approx(0.5 / (2 * np.tan(np.radians(60))))
-    shallow = {"hopper_half_angle": np.radians(60)}
-    row = PRESSURE["en1991_4"].hopper
-    assert np.isnan(call(row["discharge"]["hopper_normal_pressure"], np.array([1.0]), SLENDER | shallow)).all()
-    assert np.isfinite(call(row["filling"]["hopper_normal_pressure"], np.array([1.0]), SLENDER | shallow)).all()
+
+
+@pytest.mark.parametrize("quantity", ["normal_pressure", "friction_traction", "vertical_pressure"])
+def test_shallow_hoppers_discharge_as_they_fill(quantity):
+    """Where tan(beta) reaches (1 - K)/(2 mu) with the discharge's upper K and lower mu, and in no steeper hopper."""
+    row, x = PRESSURE["en1991_4"].hopper, np.array([0.3, 1.0])
+    k, mu = SLENDER["lateral_pressure_ratio"] * SLENDER["a_K"], SLENDER["hopper_wall_friction"] / SLENDER["a_mu"]
+    limit = np.arctan((1 - k) / (2 * mu))
+    for share, same in ((0.999, False), (1.001, True), (1.3, True)):
+        scene = SLENDER | {"hopper_half_angle": share * limit}
+        filling, discharge = (call(row[phase][f"hopper_{quantity}"], x, scene) for phase in ("filling", "discharge"))
+        assert np.isfinite(discharge).all()
+        assert np.array_equal(filling, discharge) == same
 
 
 def test_hopper_pressure_starts_from_the_largest_vertical_load():

@@ -1,9 +1,10 @@
 """Steep and shallow conical hoppers of EN 1991-4:2006, x the height above the apex.
 
-Printed standard not seen; agrees in two or more public programs.  Left out because not verified: the bottom load
-magnifier C_b on the vertical load, discharge in shallow hoppers, pyramids, the alternative reference method; and wedges:
-their exponent as programs carry it, S (F mu cot(beta) + F) - 2 with S = 1, takes 2 off where the equilibrium of slices
-takes S off, and the wall of a wedge would carry 1.7 times contents and load (5 m slot, 12 m deep, 18 degrees).
+Printed standard not seen; agrees in two or more public programs, but for discharge in shallow hoppers (as filling: one
+program, sandtes_silo).  Left out because not verified: the bottom load magnifier C_b on the vertical load (public programs
+take 1.0 and 1.2), pyramids, the alternative reference method; and wedges: their exponent as programs carry it,
+S (F mu cot(beta) + F) - 2 with S = 1, takes 2 off where the equilibrium of slices takes S off, and the wall of a wedge would
+carry 1.7 times contents and load (5 m slot, 12 m deep, 18 degrees).
 """
 
 import numpy as np

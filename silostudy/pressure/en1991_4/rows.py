@@ -78,15 +78,20 @@ def phases(sets):
 
 
 def hopper_state(phase, given):
-    """(mu_heff, F, weight, exponent, p_vft) of the hopper; F is NaN for wedges and in shallow discharge (not verified)."""
+    """(mu_heff, F, weight, exponent, p_vft) of the hopper; F is NaN for wedges (not verified).
+
+    Discharge in a shallow hopper is taken as filling: as one public program has it (sandtes_silo).
+    """
     properties = take(given, PROPERTIES) | {"wall_friction": given["hopper_wall_friction"]}
-    mu, k, phi = characteristic(f"hopper_{phase}", **properties)
     beta = given["hopper_half_angle"]
+    mu, k, _ = characteristic("hopper_filling", **properties)
     effective = hopper.effective_friction(beta, mu, k)
-    if phase == "filling":
-        ratio = hopper.filling_ratio(beta, effective)
-    else:
-        ratio = np.where(hopper.is_steep(beta, mu, k), hopper.discharge_ratio(beta, mu, phi), np.nan)
+    ratio = hopper.filling_ratio(beta, effective)
+    if phase == "discharge":
+        mu, k, phi = characteristic("hopper_discharge", **properties)
+        steep = hopper.is_steep(beta, mu, k)
+        effective = np.where(steep, mu, effective)
+        ratio = np.where(steep, hopper.discharge_ratio(beta, mu, phi), ratio)
     ratio = np.where(given["slot"] == 1, np.nan, ratio)
     height = hopper_shape.apex_height(given["diameter"], beta)
     top = filled(given["cylinder_depth"], "vertical_load", given)[1]
@@ -163,7 +168,8 @@ LEFT_OUT = (
     "the simplified rules of action assessment class 1, and which class asks for which load case: the user chooses",
     "wedge hoppers: the exponent that public programs carry is not in vertical equilibrium (the wall would carry 1.7 times "
     "contents and load)",
-    "the bottom load magnifier C_b, flat bottoms, pyramidal hoppers, discharge in shallow hoppers",
+    "the bottom load magnifier C_b on the vertical load (three public programs take 1.0, 1.0 and 1.2; here 1.0), flat bottoms, "
+    "pyramidal hoppers",
     "thick-walled and non-circular patch loads, the uniform increase in place of patches, rapid filling, temperature, "
     "entrained air, silage, earthquake",
 )
@@ -193,8 +199,9 @@ DESIGN = PressureMethod(
     },
     not_computed=LEFT_OUT,
     formula=FORMULA,
-    validity="h_c/d_c > 0.4; each quantity with the characteristic values that are unfavourable for it, so that together they "
-    "are no single state of equilibrium (the sets' own rows are); printed standard not seen; no published numbers: checked "
+    validity="h_c/d_c > 0.4; discharge in shallow hoppers as filling (one public program); each quantity with the "
+    "characteristic values that are unfavourable for it, so that together they are no single state of equilibrium (the sets' "
+    "own rows are); printed standard not seen; no published numbers: checked "
     "in 50-digit arithmetic and by equilibrium",
     colour="#2166AC",
     marker="$E$",
