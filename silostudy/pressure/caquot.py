@@ -17,8 +17,9 @@ def principal_ratio(internal_friction_angle, wall_friction):
     Source: silo_handbook, section 4.2.2 (c); its j is 1/i.
     """
     m = np.minimum(wall_friction / np.tan(internal_friction_angle), 1.0)
-    root = np.sin(internal_friction_angle) * np.sqrt((1 - m) * (1 + m))
-    return (1 - root) / (1 + root)
+    sin, cos = np.sin(internal_friction_angle), np.cos(internal_friction_angle)
+    root = sin * np.sqrt((1 - m) * (1 + m))
+    return (cos**2 + (m * sin) ** 2) / (1 + root) ** 2  # 1 - root times 1 + root, without the difference near 90 degrees
 
 
 def filling_ratio(internal_friction_angle, wall_friction):

@@ -14,7 +14,7 @@ from silostudy.pressure.family import CIRCULAR, PressureMethod
 
 def active_ratio(internal_friction_angle):
     """Rankine's active ratio k (1): tan^2(45 deg - phi/2)."""
-    return np.tan(np.pi / 4 - internal_friction_angle / 2) ** 2
+    return (np.cos(internal_friction_angle) / (1 + np.sin(internal_friction_angle))) ** 2  # keeps its digits near 90 degrees
 
 
 def relative_depth(y, *, hydraulic_radius, wall_friction, internal_friction_angle, top_cone_height):

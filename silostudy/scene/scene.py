@@ -1,7 +1,7 @@
 """One silo with its wall and contents, and the parameters that a pressure method is handed."""
 
 from dataclasses import dataclass, field
-from math import isnan, nan, sin, tan
+from math import cos, isnan, nan, sin, tan
 
 from silostudy.scene.silo import Silo
 from silostudy.tables.solids import CATEGORIES, RANGES, SolidRow
@@ -9,8 +9,8 @@ from silostudy.tables.walls import WallRow
 
 PIEPER_BUCKLING = 0.05  # added to the roughness factor where the shell may buckle
 K_RULES = {
-    "rankine": lambda phi: (1 - sin(phi)) / (1 + sin(phi)),
-    "one_minus_sine": lambda phi: 1 - sin(phi),
+    "rankine": lambda phi: (cos(phi) / (1 + sin(phi))) ** 2,
+    "one_minus_sine": lambda phi: cos(phi) ** 2 / (1 + sin(phi)),
 }
 
 

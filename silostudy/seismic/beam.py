@@ -13,6 +13,7 @@ from numpy.polynomial import legendre
 from scipy.linalg import eigh
 
 DEGREE = 17  # the first five frequencies are then right to 1e-8, from slender to stubby
+ROUNDING = 1e-13  # of the largest inverse square of a frequency
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -74,8 +75,8 @@ def modes(tube: Tube, coefficient: float, stiffness_reduction: float = 1.0, at: 
     densities = [tube.wall_density + added * (end <= tube.fill_height) for end in ends[1:]]
     stiffness, mass = _assemble(ends, densities, area, inertia, bending, shearing)
     free = np.delete(np.arange(len(mass)), [0, len(mass) // 2])
-    squares, shapes = eigh(stiffness[np.ix_(free, free)], mass[np.ix_(free, free)])
-    whole = np.zeros((len(mass), len(free)))
+    squares, shapes = _eigen(stiffness[np.ix_(free, free)], mass[np.ix_(free, free)])
+    whole = np.zeros((len(mass), len(squares)))
     whole[free] = shapes
     rigid = np.arange(len(mass)) < len(mass) // 2
     position = np.array([tube.height]) if at is None else np.asarray(at, dtype=float)
@@ -91,6 +92,17 @@ def modes(tube: Tube, coefficient: float, stiffness_reduction: float = 1.0, at: 
         bending_stiffness=bending,
         shear_stiffness=shearing,
     )
+
+
+def _eigen(stiffness: np.ndarray, mass: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Squares of the angular frequencies (s-2), rising, and shapes of unit modal mass in columns.
+
+    Solved for the inverse squares, so that the lowest modes keep their digits however thin an element or slender the tube;
+    modes that are nothing but rounding are left out.
+    """
+    inverse, shapes = eigh(mass, stiffness)
+    kept = np.flatnonzero(inverse > ROUNDING * inverse[-1])[::-1]
+    return 1 / inverse[kept], shapes[:, kept] / np.sqrt(inverse[kept])
 
 
 def _assemble(ends, densities, area, inertia, bending, shearing) -> tuple[np.ndarray, np.ndarray]:
