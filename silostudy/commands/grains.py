@@ -23,9 +23,12 @@ def run(chosen) -> None:
 
 def told(expansion, priced: bool) -> list[str]:
     """Runs, discs, steps and effects of a grains study; `priced`: one filling is settled and timed for the time of it all."""
-    from silostudy.compute.grains_model import run_lengths
+    from silostudy.accuracy.prices import without
+    from silostudy.compute.grains_model import model_of, run_lengths
 
     runs = run_lengths(expansion)
+    kinds = {case.scene.config.packing: case.scene.config for case in expansion.cases}
+    effects = {name for config in kinds.values() for name in without(model_of(config, expansion.study.seeds[0]))}
     fillings, shaken = [run for run in runs if not run.shaken], [run for run in runs if run.shaken]
     work = sum(run.discs * run.steps for run in runs)
     lines = [
@@ -33,6 +36,7 @@ def told(expansion, priced: bool) -> list[str]:
         f"{_range(run.steps for run in fillings)} steps; equal fillings once",
         f"{len(shaken)} shaken run(s) of {_range(run.steps for run in shaken)} steps: with the settling at most {work:.2g} "
         "particle-steps",
+        f"effects compiled in, and no others: {'; '.join(sorted(effects))}",
     ]
     return [*lines, *_effects(expansion, work)] if priced else [*lines, "`--price` settles and times one filling"]
 
@@ -47,8 +51,7 @@ def _effects(expansion, work: int) -> list[str]:
     whole, share = prices(model)
     each = whole / len(model.x)
     lines = [f"{each * 1e9:.0f} ns a particle-step here and now: at most {each * work:,.0f} s on one core, and the compiling"]
-    shares = [f"  {name:30}{priced(one)}" for name, one in share.items()]
-    return [*lines, *shares, "  what the engine knows besides is not compiled in"]
+    return [*lines, *(f"  {name:30}{priced(one)}" for name, one in share.items())]
 
 
 def _range(numbers: Iterable[int]) -> str:

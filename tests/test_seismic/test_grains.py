@@ -103,10 +103,11 @@ def test_what_a_study_will_cost(monkeypatch):
     assert f"at most {work:.2g} particle-steps" in lines[1]
     monkeypatch.setattr("silostudy.compute.grains.settled_model", lambda *_: model)
     monkeypatch.setattr("silostudy.accuracy.prices.prices", lambda _: (discs * 5e-9, {"shaking": 0.25}))
+    assert lines[2].endswith("no others: friction, rotation, history; shaking; wall forces every step")
     timed = told(expansion, priced=True)
-    assert timed[2] == f"5 ns a particle-step here and now: at most {5e-9 * work:,.0f} s on one core, and the compiling"
-    assert "shaking" in timed[3]
-    assert "25.0% of a step" in timed[3]
+    assert timed[3] == f"5 ns a particle-step here and now: at most {5e-9 * work:,.0f} s on one core, and the compiling"
+    assert "shaking" in timed[4]
+    assert "25.0% of a step" in timed[4]
 
 
 def test_studies_are_valid_and_figure_draws(cube, tmp_path):
