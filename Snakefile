@@ -1,53 +1,71 @@
 """From studies to cubes to figures: `uv run snakemake --cores 2`, or `snakemake -n` to see what would be done."""
 
+from functools import cache
 from pathlib import Path
 
-from silostudy.config.load import load_project
+from silostudy.config.load import load_project, read_study
 from silostudy.config.study import SweepStudy
 from silostudy.errors import BadInput
-from silostudy.files import check_writable
-from silostudy.figures import OUTPUTS
+from silostudy.files import alone, check_writable, remove_damaged
+from silostudy.figures import OUTPUTS, files_of
 from silostudy.scene.expand import expand_file
+from silostudy.scene.plan import make_plan
 from silostudy.stamp import STAGES, stamp
 
 PROJECT = Path(config.get("project", "config/config.yaml"))
 RESULTS = config.get("results", "results")
 
+
+@cache
+def expansion(name):
+    """A study with its cases."""
+    return expand_file(STUDIES[name])
+
+
 try:  # every mistake of every study is told before any job starts
     STUDIES, SCENES = load_project(PROJECT)
-    EXPANSIONS = {name: expand_file(path) for name, path in STUDIES.items()}
-    SWEEPS = [name for name, expansion in EXPANSIONS.items() if isinstance(expansion.study, SweepStudy)]
-    for name, expansion in EXPANSIONS.items():
-        asked = getattr(expansion.study, "earthquake", None)
+    MODELS = {name: read_study(path) for name, path in STUDIES.items()}
+    SWEEPS = [name for name, model in MODELS.items() if isinstance(model, SweepStudy)]
+    for name, model in MODELS.items():
+        asked = getattr(model, "earthquake", None)
         if asked and asked.study not in STUDIES:
             raise BadInput("earthquake.study", asked.study, f"must be named in {PROJECT} too", name)
-    check_writable(Path(RESULTS))
+    if workflow.is_main_process:  # and not in the jobs that it starts elsewhere
+        check_writable(Path(RESULTS))
+        for name in STUDIES:
+            expansion(name)
+            remove_damaged(Path(RESULTS, name))
+        remove_damaged(Path(RESULTS, "dem"))
+        for name in SWEEPS:
+            make_plan(expansion(name), Path(RESULTS, name, "parts"), workflow.cores or 1)
 except BadInput as error:
     raise WorkflowError(str(error)) from None
+
+
+onstart:
+    try:
+        alone(Path(RESULTS))
+    except BadInput as error:
+        raise WorkflowError(str(error)) from None
 
 
 wildcard_constraints:
     study="|".join(STUDIES),
     scene="|".join(SCENES) or "none",
-    figure="|".join(key for key, row in OUTPUTS.items() if row.kind == "figure"),
-    table="|".join(key for key, row in OUTPUTS.items() if row.kind == "table"),
 
 
 def study_files(wildcards):
     """The study file and the user's own files that it names."""
-    path, expansion = STUDIES[wildcards.study], EXPANSIONS[wildcards.study]
-    materials = getattr(expansion.study, "materials", None)
-    return [path, *([path.parent / materials] if materials else []), *expansion.files]
+    path, materials = STUDIES[wildcards.study], getattr(MODELS[wildcards.study], "materials", None)
+    return [path, *([path.parent / materials] if materials else []), *expansion(wildcards.study).files]
 
 
 def wanted(name):
     """Every file that a study asks for."""
-    files = [f"{RESULTS}/{name}/cases.csv", *(f"{RESULTS}/{name}/{stage}.nc" for stage in EXPANSIONS[name].study.stages)]
-    for key in EXPANSIONS[name].study.outputs:
-        kind = OUTPUTS[key].kind
-        endings = ("png", "svg", "csv") if kind == "figure" else ("csv",)
-        files += [f"{RESULTS}/{name}/{kind}s/{key}.{ending}" for ending in endings]
-    return files + ([f"{RESULTS}/{name}/parts/{EXPANSIONS[name].study.kind}-verdict"] if name in SWEEPS else [])
+    model, folder = MODELS[name], f"{RESULTS}/{name}"
+    cubes = [f"{folder}/{stage}.nc" for stage in model.stages]
+    drawn = [file for key in model.outputs for file in files_of(key, folder)]
+    return [f"{folder}/cases.csv", *cubes, *drawn, *([f"{folder}/parts/{model.kind}-verdict"] if name in SWEEPS else [])]
 
 
 rule all:
@@ -181,43 +199,7 @@ rule stability:
         "python -m silostudy stability {input[0]} {output} > {log} 2>&1"
 
 
-def cubes_of(wildcards):
-    """The cube that a figure or table is drawn from, and further ones that it shows where the study has them."""
-    row = OUTPUTS[getattr(wildcards, "figure", None) or wildcards.table]
-    stages = [row.stage, *(stage for stage in row.also if stage in EXPANSIONS[wildcards.study].study.stages)]
-    return [f"{RESULTS}/{wildcards.study}/{stage}.nc" for stage in stages]
-
-
-rule figure:
-    input:
-        cubes_of,
-    output:
-        report(RESULTS + "/{study}/figures/{figure}.png", category="{study}"),
-        RESULTS + "/{study}/figures/{figure}.svg",
-        RESULTS + "/{study}/figures/{figure}.csv",
-    params:
-        code=stamp(*STAGES["draw"]),
-        stem=RESULTS + "/{study}/figures/{figure}",
-    log:
-        RESULTS + "/{study}/logs/{figure}.log",
-    shell:
-        "python -m silostudy draw {wildcards.figure} {input} {params.stem} > {log} 2>&1"
-
-
-rule table:
-    input:
-        cubes_of,
-    output:
-        report(RESULTS + "/{study}/tables/{table}.csv", category="{study}"),
-    params:
-        code=stamp(*STAGES["draw"]),
-        stem=RESULTS + "/{study}/tables/{table}",
-    log:
-        RESULTS + "/{study}/logs/{table}.log",
-    shell:
-        "python -m silostudy draw {wildcards.table} {input} {params.stem} > {log} 2>&1"
-
-
+include: "silostudy/rules/draw.smk"
 include: "silostudy/rules/sweep.smk"
 
 

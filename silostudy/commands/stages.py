@@ -26,6 +26,11 @@ def add(sub) -> None:
     draw.add_argument("stem", type=Path, help="file to write, without its ending")
     draw.set_defaults(run=run_draw)
 
+    redraw = sub.add_parser("redraw", help="draw figures and tables of a study anew")
+    redraw.add_argument("folder", type=Path, help="results/STUDY")
+    redraw.add_argument("keys", nargs="+", metavar="key", help="see `silostudy list outputs`")
+    redraw.set_defaults(run=run_redraw)
+
     schema = sub.add_parser("schema", help="write the JSON schema of study files, for editors")
     schema.add_argument("output", type=Path)
     schema.set_defaults(run=run_schema)
@@ -128,14 +133,31 @@ def run_uncertainty(chosen) -> None:
 
 
 def run_draw(chosen) -> None:
-    from importlib import import_module
+    from silostudy.cube.io import read
+
+    _draw(chosen.key, [read(path) for path in chosen.cube], chosen.stem)
+
+
+def run_redraw(chosen) -> None:
+    from functools import cache
 
     from silostudy.cube.io import read
     from silostudy.figures import OUTPUTS
 
-    row = OUTPUTS[chosen.key]
-    cube, *further = map(read, chosen.cube)
-    import_module(f"silostudy.figures.{row.key}").draw(cube, chosen.stem, *further)
+    once = cache(read)
+    for key in chosen.keys:
+        row = OUTPUTS[key]
+        files = [chosen.folder / f"{stage}.nc" for stage in (row.stage, *row.also)]
+        _draw(key, [once(file) for file in files[:1] + [file for file in files[1:] if file.exists()]],
+              chosen.folder / f"{row.kind}s" / key)  # fmt: skip
+
+
+def _draw(key: str, cubes: list, stem: Path) -> None:
+    from importlib import import_module
+
+    from silostudy.figures import OUTPUTS
+
+    import_module(f"silostudy.figures.{OUTPUTS[key].key}").draw(cubes[0], stem, *cubes[1:])
 
 
 def run_schema(chosen) -> None:

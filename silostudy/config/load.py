@@ -108,6 +108,11 @@ def study_of(content: dict[str, Any], where: str) -> BaseStudy:
     return validated(study_model(content["kind"]), content, where)
 
 
+def read_study(path: Path) -> BaseStudy:
+    """The study in a file; BadInput lists every mistake."""
+    return study_of(read_yaml(path), str(path))
+
+
 def load_project(path: Path) -> tuple[dict[str, Path], dict[str, Path]]:
     """Study name -> file and scene name -> file, for those that config.yaml names; BadInput for a file that is not there."""
     project = validated(Project, read_yaml(path), str(path))

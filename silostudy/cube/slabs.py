@@ -39,7 +39,7 @@ def write_slabs(frame: xr.Dataset, slabs: dict[str, Slab], fill: Fill, path: Pat
     own = {name: tuple(frame.sizes[dim] for dim in slab.dims) for name, slab in slabs.items()}
     chunk = extents(shape, max(1, CHUNK // max(map(prod, own.values()))))
     whole = sum(8 * prod(sizes) for sizes in own.values())
-    with replacing(path) as temporary:
+    with replacing(path, seal=True) as temporary:
         frame.to_netcdf(temporary, encoding={str(name): {"_FillValue": None} for name in frame.variables})
         with netCDF4.Dataset(temporary, "a") as file:
             for name, slab in slabs.items():

@@ -1,8 +1,10 @@
 """Pictures and tables drawn from a cube: one file each, all of them listed in tables/outputs.csv."""
 
 from dataclasses import dataclass
+from pathlib import Path
 
 from silostudy.catalogue import Family, Row
+from silostudy.files import replacing
 from silostudy.tables.read import HERE, rows
 
 LISTS = ("axes", "methods", "phases", "rules")
@@ -51,3 +53,22 @@ def _output(raw: dict) -> Output:
 
 _TEXT = ("output", "kind", "stage", "demands", *LISTS)
 OUTPUTS: Family[Output] = Family("output", map(_output, rows(HERE / "outputs.csv", text=_TEXT)))
+
+
+def files_of(key: str, folder: str) -> list[str]:
+    """Files of an output in the folder of a study's results: a figure as PNG, SVG and the numbers it shows, a table as CSV."""
+    kind = OUTPUTS[key].kind
+    return [f"{folder}/{kind}s/{key}.{ending}" for ending in (("png", "svg", "csv") if kind == "figure" else ("csv",))]
+
+
+def captions(folder: Path) -> dict[str, str]:
+    """Writes a caption (reStructuredText) of every output into a folder; their files by key."""
+    written = {}
+    for key, row in OUTPUTS.items():
+        path = (folder / f"{key}.rst").absolute()
+        text = f"{row.title}. Source: {row.source}, {row.locator}. Drawn from the cube {row.stage}.nc.\n"
+        if not path.exists() or path.read_text(encoding="utf-8") != text:
+            with replacing(path) as temporary:
+                temporary.write_text(text, encoding="utf-8")
+        written[key] = str(path)
+    return written

@@ -2,16 +2,12 @@
 
 import hashlib
 
-from silostudy.scene.plan import DONE, make_plan, read_plan
-
-if workflow.is_main_process:  # jobs elsewhere read the plan
-    for name in SWEEPS:
-        make_plan(EXPANSIONS[name], Path(RESULTS, name, "parts"), workflow.cores or 1)
+from silostudy.scene.plan import DONE, read_plan
 
 
 wildcard_constraints:
     part="[0-9a-f]+-[0-9a-f]+",
-    sweep="|".join({EXPANSIONS[name].study.kind for name in SWEEPS}) or "none",
+    sweep="|".join({MODELS[name].kind for name in SWEEPS}) or "none",
 
 
 def marks(wildcards):
@@ -24,7 +20,7 @@ def contents(wildcards):
     """A hash of the study and its cases in their order: what the cube holds."""
     plan = read_plan(Path(RESULTS, wildcards.study, "parts"))
     rows = sorted(row for rows in plan.values() for row in rows)
-    return hashlib.sha256(f"{EXPANSIONS[wildcards.study].study.model_dump_json()} {rows}".encode()).hexdigest()[:12]
+    return hashlib.sha256(f"{MODELS[wildcards.study].model_dump_json()} {rows}".encode()).hexdigest()[:12]
 
 
 rule part:

@@ -14,11 +14,12 @@ from tests.conftest import ROOT
 CONTENT = yaml.safe_load((ROOT / "config/studies/discharge-slit.yaml").read_text())
 
 
-def content(slits=(0.04, 0.06, 0.08), frictions=(0.0, 0.176), **changes) -> dict:
+def content(slits=(0.04, 0.06, 0.08), frictions=(0.0, 0.176), axes=(), **changes) -> dict:
     found = copy.deepcopy(CONTENT) | changes
     found["sweep"] = [
         {"axis": "slit_width", "values": {"silo.slit_width_m": list(slits)}},
         {"axis": "wall_friction", "values": {"walls.sliding_friction": list(frictions)}},
+        *axes,
     ]
     return found
 
