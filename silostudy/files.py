@@ -48,11 +48,16 @@ def _digest(path: Path) -> str:
         return hashlib.file_digest(stream, "sha256").hexdigest()
 
 
+def damaged(path: Path) -> bool:
+    """Whether a sealed file's content is not what was written."""
+    return path.exists() and _seal_of(path).exists() and _digest(path) != _seal_of(path).read_text(encoding="ascii")
+
+
 def remove_damaged(folder: Path) -> None:
     """Removes files of a folder whose content is not what was written, with a word: they will be made again."""
     for seal in sorted(folder.glob(".*.sha256")):
         path = seal.with_name(seal.name.removeprefix(".").removesuffix(".sha256"))
-        if path.exists() and _digest(path) != seal.read_text(encoding="ascii"):
+        if damaged(path):
             print(f"silostudy: {path} is damaged: removed, to be made again", file=sys.stderr)
             path.unlink()
 

@@ -12,6 +12,7 @@ from silostudy.compute.pressure import pressure_cube
 from silostudy.cube.contract import check
 from silostudy.cube.io import read, write
 from silostudy.errors import BadInput
+from silostudy.files import damaged, remove_damaged
 from silostudy.tables.handbook import table_4_2_5
 from tests.conftest import expanded
 
@@ -92,7 +93,23 @@ def test_half_written_file_never_looks_like_a_result(wheat, tmp_path, monkeypatc
     with pytest.raises(OSError, match="disk full"):
         write(wheat, path)
     assert path.read_bytes() == before
-    assert [file.name for file in tmp_path.iterdir()] == ["pressure.nc"]
+    assert {file.name for file in tmp_path.iterdir()} == {"pressure.nc", ".pressure.nc.sha256"}
+    assert not damaged(path)
+
+
+@pytest.mark.parametrize("place", [10, -5])
+def test_a_damaged_cube_is_known_and_removed(wheat, tmp_path, place, capsys):
+    path = tmp_path / "pressure.nc"
+    write(wheat, path)
+    remove_damaged(tmp_path)
+    assert path.exists()
+    content = bytearray(path.read_bytes())
+    content[place] ^= 1
+    path.write_bytes(content)
+    assert damaged(path)
+    remove_damaged(tmp_path)
+    assert not path.exists()
+    assert "pressure.nc is damaged: removed" in capsys.readouterr().err
 
 
 def test_folder_that_cannot_be_written(wheat, tmp_path):
