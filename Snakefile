@@ -128,7 +128,7 @@ rule buckling:
 
 def earthquake_of(wildcards):
     """The seismic cube of the study that a shell study names; none where it names none."""
-    asked = EXPANSIONS[wildcards.study].study.earthquake
+    asked = MODELS[wildcards.study].earthquake
     return f"{RESULTS}/{asked.study}/seismic.nc" if asked else []
 
 
