@@ -199,6 +199,20 @@ rule stability:
         "python -m silostudy stability {input[0]} {output} > {log} 2>&1"
 
 
+rule accuracy:
+    input:
+        study_files,
+    output:
+        RESULTS + "/{study}/accuracy.nc",
+    params:
+        code=stamp(*STAGES["accuracy"]),
+    threads: workflow.cores  # alone, as far as the pipeline goes: what it measures is time
+    log:
+        RESULTS + "/{study}/logs/accuracy.log",
+    shell:
+        "python -m silostudy accuracy {input[0]} {output} > {log} 2>&1"
+
+
 include: "silostudy/rules/draw.smk"
 include: "silostudy/rules/sweep.smk"
 

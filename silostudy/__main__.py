@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 from silostudy import __version__
 from silostudy.commands import (
+    accuracy,
     bench,
     cite,
     compare,
@@ -22,7 +23,7 @@ from silostudy.commands import (
 )
 from silostudy.errors import BadInput
 
-ROOMS = (listing, explain, compare, cite, stages, sweeps, seismic, grains, shells, dem, packing, stability, bench)
+ROOMS = (listing, explain, compare, cite, stages, sweeps, seismic, grains, shells, dem, packing, stability, accuracy, bench)
 
 
 def parser() -> argparse.ArgumentParser:

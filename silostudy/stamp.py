@@ -30,7 +30,7 @@ STAGES = {
     "packing": _stage("packing", "packing", "packing"),
     "motion": _stage("motion", "packing", "packing"),
     "stability": _stage("stability", "stability", "stability"),
-    "accuracy": ("accuracy",),
+    "accuracy": (*_stage("accuracy", "accuracy", "accuracy"), "accuracy"),
     "scenes": _stage("scenes", "scenes", "scenes"),
     "draw": ("figures",),
 }

@@ -40,7 +40,7 @@ HEAVY_FREE = {
 }  # quick to import: no xarray, no matplotlib
 SHOWN = {"pressure": "wheat-silo", "buckling": "miller-1977", "shell": "steel-wheat-silo", "seismic": "sasaki-1991",
          "grains": "grains-record", "scenes": "discharge-slit", "packing": "kiyama-1983",
-         "stability": "stability-map"}  # fmt: skip
+         "stability": "stability-map", "accuracy": "accuracy"}  # fmt: skip
 
 
 def imports(path: Path) -> set[str]:

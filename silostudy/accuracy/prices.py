@@ -1,35 +1,53 @@
-"""What each effect of a scene costs: measured by timing a step with it and without it, in turn."""
+"""What each effect of a scene costs in time and memory: the same discs at the same places, stepped with it and without it.
+
+A packing without friction soon is another packing, so the discs are first brought near rest with every effect on, and the
+steps that are timed are so short that nothing moves: contacts, lists and forces are those of one state throughout.
+"""
 
 import time
-from dataclasses import replace
+from collections.abc import Iterable
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from silostudy.dem.engine import Engine
 from silostudy.dem.model import Contact, Model
 
-TURNS, WARM, STEPS = 9, 50, 300  # turns of each variant, and their steps before and under the watch
+TURNS, READING = 15, 0.02  # readings of each variant, and the CPU seconds that one lasts about
+SETTLING = 1e7  # particle-steps that are spent on coming near rest
+SHORT = 1e-12  # s: a step in which nothing moves
+APART = 1e-9  # relative difference of radii that makes discs of several sizes of equal ones
 
 
-def without(model: Model) -> dict[str, Model]:
-    """The model without one effect at a time, for those that it has."""
+@dataclass(frozen=True)
+class Price:
+    """Share of a step's CPU time and of the engine's memory: median over the turns, and quartiles."""
+
+    time: float
+    low: float
+    high: float
+    memory: float
+
+
+def without(model: Model) -> dict[str, tuple[Model, Model]]:
+    """Pairs of models with and without one effect, for the effects that a model has; both of the same places."""
     found = {}
     if model.pieces.turns:
-        found["friction, rotation, history"] = replace(model, pair=_bare(model.pair), wall=_bare(model.wall))
-    if model.pair.laws.rolling != "none":
-        found["rolling resistance"] = replace(
-            model, pair=_less(model.pair, rolling="none"), wall=_less(model.wall, rolling="none")
-        )
-    if model.pair.laws.cohesion != "none":
-        found["cohesion"] = replace(model, pair=_less(model.pair, cohesion="none"), wall=_less(model.wall, cohesion="none"))
+        found["friction, rotation, history"] = (model, replace(model, pair=_bare(model.pair), wall=_bare(model.wall)))
+    for law, name in (("rolling", "rolling resistance"), ("cohesion", "cohesion")):
+        if getattr(model.pair.laws, law) != "none":
+            less = replace(model, pair=_less(model.pair, **{law: "none"}), wall=_less(model.wall, **{law: "none"}))
+            found[name] = (model, less)
     if model.unequal:
-        found["discs of several sizes"] = replace(model, radius=np.full(len(model.x), model.radius.min()))
+        equal = np.full(len(model.x), model.radius.mean())
+        hardly = equal * (1.0 + APART * (np.arange(len(equal)) % 2))
+        found["discs of several sizes"] = (replace(model, radius=hardly), replace(model, radius=equal))
     if model.quake is not None:
-        found["shaking"] = replace(model, quake=None)
+        found["shaking"] = (model, replace(model, quake=None))
     if model.watched:
-        found["wall forces every step"] = replace(model, watched=False)
+        found["wall forces every step"] = (model, replace(model, watched=False))
     if model.booked:
-        found["energy ledger"] = replace(model, booked=False)
+        found["energy ledger"] = (model, replace(model, booked=False))
     return found
 
 
@@ -43,24 +61,45 @@ def _bare(contact: Contact) -> Contact:
     return _less(contact, tangential="none", rolling="none")
 
 
-def prices(model: Model) -> tuple[float, dict[str, float]]:
-    """Seconds of a step of the whole model, and each effect's share of it (below zero: within the noise).
-
-    Every turn starts afresh and is short, because a packing without friction soon is another packing.
-    """
-    variants = {"": model} | without(model)
-    times: dict[str, list[float]] = {name: [] for name in variants}
-    for _ in range(TURNS):
-        for name, variant in variants.items():
-            times[name].append(_seconds_a_step(variant))
-    cost = {name: min(found) for name, found in times.items()}
-    whole = cost.pop("")
-    return whole, {name: 1.0 - part / whole for name, part in cost.items()}
+def still(model: Model) -> Model:
+    """The model near rest, with a step in which nothing moves."""
+    engine = Engine(replace(model, booked=False))
+    engine.step_to(max(1, int(SETTLING / len(model.x))))
+    x, y = engine.places.T
+    return replace(model, x=x, y=y, dt=SHORT, u=None, v=None, w=None)
 
 
-def _seconds_a_step(model: Model) -> float:
-    engine = Engine(model)
-    engine.step_to(WARM)
-    start = time.perf_counter()
-    engine.step_to(WARM + STEPS)
-    return (time.perf_counter() - start) / STEPS
+def prices(model: Model, turns: int = TURNS) -> tuple[float, dict[str, Price]]:
+    """CPU seconds of a step of the whole model, and the price of each of its effects; readings of all variants in turn."""
+    model = still(model)
+    pairs = without(model)
+    engines = {id(one): Engine(one) for one in (model, *(one for pair in pairs.values() for one in pair))}
+    steps = {key: _steps(engine) for key, engine in engines.items()}
+    readings: dict[int, list[float]] = {key: [] for key in engines}
+    for _ in range(turns):
+        for key, engine in engines.items():
+            readings[key].append(_seconds_a_step(engine, steps[key]))
+    found = {}
+    for name, (whole, less) in pairs.items():
+        memory = 1.0 - engines[id(less)].nbytes / engines[id(whole)].nbytes
+        found[name] = price(readings[id(whole)], readings[id(less)], memory)
+    return float(np.median(readings[id(model)])), found
+
+
+def price(whole: Iterable[float], less: Iterable[float], memory: float) -> Price:
+    """The price from readings with and without, taken in turn."""
+    share = 1.0 - np.array(list(less)) / np.array(list(whole))
+    low, middle, high = np.quantile(share, (0.25, 0.5, 0.75))
+    return Price(float(middle), float(low), float(high), memory)
+
+
+def _steps(engine: Engine) -> int:
+    """Steps of a reading, from a first look; the kernel is compiled before it."""
+    engine.step_to(1)
+    return max(10, int(READING / max(1e-7, _seconds_a_step(engine, 50))))
+
+
+def _seconds_a_step(engine: Engine, steps: int) -> float:
+    start = time.process_time()
+    engine.step_to(engine.step + steps)
+    return (time.process_time() - start) / steps

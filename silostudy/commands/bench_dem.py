@@ -6,6 +6,8 @@ import sys
 import time
 from typing import Any
 
+from silostudy.accuracy.silo import OPEN, scene
+
 REPEATS = 7  # turns of each code; the best counts, since whatever else runs on the machine only adds
 # discs across, rows, steps that settle, steps a turn
 SIZES = {"350": (18, 20, 40000, 5000), "10 thousand": (100, 101, 20000, 600), "100 thousand": (316, 317, 3000, 60)}
@@ -28,45 +30,6 @@ def run(chosen) -> None:
     table = pd.DataFrame(rows)
     print(table.to_string(index=False, float_format=lambda value: f"{value:.4g}"))
     save_table(table, chosen.output)
-
-
-def scene(across: int, levels: int, slit_share: float = 0.2):
-    """A model of Kiyama & Fujimura's law in a silo that the rows fill; and its slit (m)."""
-    from math import sqrt
-
-    from silostudy.dem.model import Contact, Model, Wall
-    from silostudy.dem.pieces import Laws
-    from silostudy.packing import PACKINGS
-
-    radius, gap, weight = 0.01, 4e-5, 2650.0 * 9.81
-    width = (2.0 + (across - 1) * 38.0 / 17.0) * radius
-    rise = sqrt((2.0 * radius + gap) ** 2 - ((width - 2.0 * (radius + gap)) / (across - 1) / 2.0) ** 2)
-    x, y, radii = PACKINGS["rows"].place(
-        width=width, height=2.0 * radius + (levels - 0.5) * rise, radius=radius, across=across, gap=gap
-    )
-    slit, height = slit_share * width, float(y.max()) + 0.1
-
-    def contact(factor, friction):
-        names = ("normal_stiffness", "normal_damping", "normal_damping_root", *TANGENTIAL)
-        values = (364 * weight, 0.153 * weight, 0, 91 * weight, 0.0765 * weight, 0)
-        return Contact(
-            Laws(tangential="spring-slider-total"), dict(zip(names, [factor * v for v in values] + [friction], strict=True))
-        )
-
-    left, right = 0.5 * (width - slit), 0.5 * (width + slit)
-    walls = (
-        Wall("floor", (0.0, 0.0), (width, 0.0)),
-        Wall("left", (0.0, height), (0.0, 0.0)),
-        Wall("right", (width, 0.0), (width, height)),
-        Wall("floor_left", (0.0, 0.0), (left, 0.0), live=False),
-        Wall("floor_right", (right, 0.0), (width, 0.0), live=False),
-    )
-    model = Model(x, y, radii, 2650.0, walls, contact(1.0, 0.577), contact(2.0, 0.176), 2.5e-5)
-    return model, slit
-
-
-TANGENTIAL = ("tangential_stiffness", "tangential_damping", "tangential_damping_root", "sliding_friction")
-OPEN = ("floor", ("floor_left", "floor_right"))
 
 
 class Ours:

@@ -34,7 +34,7 @@ def scene_explanation(name: str) -> list[str]:
     )
     for effect in effects(scene):
         price = priced(share.get(effect.name))
-        lines.append(f"  {effect.name:30}{'on ' if effect.on else 'off'}  {price:18}{effect.why}")
+        lines.append(f"  {effect.name:30}{'on ' if effect.on else 'off'}  {price:38}{effect.why}")
     return lines
 
 
@@ -82,8 +82,10 @@ def explanation(key: str) -> list[str]:
     return lines
 
 
-def priced(share: float | None) -> str:
-    """Share of a step; below zero it says that the kernel without the effect was not the faster one here."""
-    if share is None:
+def priced(price) -> str:
+    """Share of a step; below zero the kernel without the effect was the slower one on these discs."""
+    if price is None:
         return ""
-    return f"{share:6.1%} of a step" if share >= 0 else f"none measured ({share:.0%})"
+    if price.high < 0:
+        return f"{price.time:6.1%} (a step without it is slower here)"
+    return f"{price.time:6.1%} of a step, {price.memory:.0%} of memory"

@@ -4,7 +4,7 @@ from importlib import import_module
 
 from silostudy.config.study import BaseStudy
 
-KINDS = ("pressure", "buckling", "shell", "seismic", "grains", "scenes", "packing", "stability")
+KINDS = ("pressure", "buckling", "shell", "seismic", "grains", "scenes", "packing", "stability", "accuracy")
 
 
 def study_model(kind: str) -> type[BaseStudy]:

@@ -31,15 +31,15 @@ SECANTS = 6
 SMALLEST, LARGEST = 1e-4, 1e4  # stress on the axis over gamma r, between which the field is looked for
 
 
-def flow_slope(half_angle, wall_friction, effective_friction_angle, slot):
+def flow_slope(half_angle, wall_friction, effective_friction_angle, slot, steps=STEPS):
     """Normal wall pressure over unit weight and height above the apex (1) in flow; NaN where no field exists.
 
     Source: silo_handbook, section 4.5.2; arched radial field of the module's first lines.
     """
-    return _solved(_flow, half_angle, wall_friction, effective_friction_angle, slot)
+    return _solved(_flow, steps, half_angle, wall_friction, effective_friction_angle, slot)
 
 
-def initial_slope(half_angle, wall_friction, stress_ratio, slot):
+def initial_slope(half_angle, wall_friction, stress_ratio, slot, steps=STEPS):
     """Normal wall pressure over unit weight and height above the apex (1) before flow.
 
     inf where wall friction is too small to hold a field (its peak sinks to the apex), NaN where it would ask for tension on
@@ -47,26 +47,27 @@ def initial_slope(half_angle, wall_friction, stress_ratio, slot):
 
     Source: silo_handbook, section 4.5.2; peaked radial field of the module's first lines.
     """
-    return _solved(_initial, half_angle, wall_friction, stress_ratio, slot)
+    return _solved(_initial, steps, half_angle, wall_friction, stress_ratio, slot)
 
 
-def _solved(solve, *parameters):
+def _solved(solve, steps, *parameters):
     """solve over the distinct sets of parameters only, spread back over their common shape."""
     arrays = np.broadcast_arrays(*(np.asarray(parameter, dtype=float) for parameter in parameters))
     distinct, place = np.unique(np.stack([array.ravel() for array in arrays]), axis=1, return_inverse=True)
-    return _remembered(solve, distinct.tobytes(), distinct.shape)[place.ravel()].reshape(arrays[0].shape)
+    return remembered(solve, steps, distinct.tobytes(), distinct.shape)[place.ravel()].reshape(arrays[0].shape)
 
 
 @lru_cache(maxsize=256)
-def _remembered(solve, content: bytes, shape: tuple[int, ...]) -> np.ndarray:
-    return solve(*np.frombuffer(content).reshape(shape))
+def remembered(solve, steps: int, content: bytes, shape: tuple[int, ...]) -> np.ndarray:
+    """Wall values of sets of parameters that were solved before; whoever times a solution empties it first."""
+    return solve(steps, *np.frombuffer(content).reshape(shape))
 
 
-def _march(derivative, start, half_angle):
+def _march(derivative, start, half_angle, steps):
     """Runge-Kutta from the first step off the axis, where cot(theta) is singular, to the wall; state (2, cases)."""
-    h = half_angle / STEPS
+    h = half_angle / steps
     state = start(h)
-    for step in range(1, STEPS):
+    for step in range(1, steps):
         angle = step * h
         first = derivative(angle, state)
         second = derivative(angle + h / 2, state + h / 2 * first)
@@ -75,7 +76,7 @@ def _march(derivative, start, half_angle):
     return state
 
 
-def _initial(half_angle, wall_friction, stress_ratio, slot):
+def _initial(steps, half_angle, wall_friction, stress_ratio, slot):
     m = 1 - slot
     spread = (2 + m) / stress_ratio - 1 - m
 
@@ -91,7 +92,7 @@ def _initial(half_angle, wall_friction, stress_ratio, slot):
             t = -(spread * on_axis + weight) / (1 + m)
             return np.array([on_axis + (weight - (3 + m) * t) * h**2 / 2, t * h])
 
-        return _march(derivative, start, half_angle)
+        return _march(derivative, start, half_angle, steps)
 
     unit = np.ones_like(half_angle)
     (b_unit, t_unit), (b_weight, t_weight) = field(unit, 0 * unit), field(0 * unit, unit)
@@ -102,7 +103,7 @@ def _initial(half_angle, wall_friction, stress_ratio, slot):
     return np.select([~exists, on_axis > 0], [np.inf, slope], np.nan)
 
 
-def _flow(half_angle, wall_friction, effective_friction_angle, slot):
+def _flow(steps, half_angle, wall_friction, effective_friction_angle, slot):
     m, k = 1 - slot, np.sin(effective_friction_angle)
     wall_angle = np.arctan(wall_friction)
     rubs = wall_angle < effective_friction_angle - 1e-6  # at equality the field ends on its own limit
@@ -110,25 +111,25 @@ def _flow(half_angle, wall_friction, effective_friction_angle, slot):
     low, high = np.full_like(half_angle, np.log(SMALLEST)), np.full_like(half_angle, np.log(LARGEST))
     for _ in range(HALVINGS):  # a larger stress on the axis turns the major stress less
         middle = (low + high) / 2
-        turns_enough = _turned(middle, half_angle, m, k)[1] > at_wall
+        turns_enough = _turned(steps, middle, half_angle, m, k)[1] > at_wall
         low, high = np.where(turns_enough, middle, low), np.where(turns_enough, high, middle)
-    s, w = _refined(low, high, half_angle, m, k, at_wall)
+    s, w = _refined(steps, low, high, half_angle, m, k, at_wall)
     found = rubs & (np.abs(w - at_wall) < 1e-8)
     return np.where(found, s * (1 + k * np.cos(at_wall)) / np.cos(half_angle), np.nan)
 
 
-def _refined(first, second, half_angle, m, k, at_wall):
+def _refined(steps, first, second, half_angle, m, k, at_wall):
     """(s, w) at the wall by secants from two starts close to the solution."""
-    miss = _turned(first, half_angle, m, k)[1] - at_wall
+    miss = _turned(steps, first, half_angle, m, k)[1] - at_wall
     for _ in range(SECANTS):
-        s, w = _turned(second, half_angle, m, k)
+        s, w = _turned(steps, second, half_angle, m, k)
         slope = np.where(second == first, 1.0, (w - at_wall - miss) / np.where(second == first, 1.0, second - first))
         step = np.where(slope == 0, 0.0, (w - at_wall) / np.where(slope == 0, 1.0, slope))
         first, miss, second = second, w - at_wall, second - np.clip(step, -0.1, 0.1)
     return s, w
 
 
-def _turned(log_on_axis, half_angle, m, k):
+def _turned(steps, log_on_axis, half_angle, m, k):
     """(s, w) at the wall for the logarithm of s on the axis; a field that turns past its limit stays there."""
     on_axis = np.exp(log_on_axis)
     limit = np.arccos(-k) - 1e-9  # beyond it the yield condition lets no stress state go on
@@ -154,4 +155,4 @@ def _turned(log_on_axis, half_angle, m, k):
         return np.array([np.maximum(s, SMALLEST), np.minimum(w * h, limit)])
 
     with np.errstate(all="ignore"):  # fields far from the solution may run off; they only steer the search
-        return _march(derivative, start, half_angle)
+        return _march(derivative, start, half_angle, steps)

@@ -63,7 +63,9 @@ def contents_area(*, radius, thickness):
     return pi * (radius - thickness / 2) ** 2
 
 
-def modes(tube: Tube, coefficient: float, stiffness_reduction: float = 1.0, at: np.ndarray | None = None) -> Modes:
+def modes(
+    tube: Tube, coefficient: float, stiffness_reduction: float = 1.0, at: np.ndarray | None = None, degree: int = DEGREE
+) -> Modes:
     """Every mode of the discretised tube whose contents add `coefficient` of their mass; `at`: heights (m), default the top."""
     size = {"radius": tube.radius, "thickness": tube.thickness}
     area, inertia = section_area(**size), second_moment(**size)
@@ -73,14 +75,14 @@ def modes(tube: Tube, coefficient: float, stiffness_reduction: float = 1.0, at: 
     added = coefficient * tube.contents_density * contents_area(**size) / area  # equation (1) with (2), as a density
     ends = np.unique([0.0, tube.fill_height, tube.height])
     densities = [tube.wall_density + added * (end <= tube.fill_height) for end in ends[1:]]
-    stiffness, mass = _assemble(ends, densities, area, inertia, bending, shearing)
+    stiffness, mass = _assemble(degree, ends, densities, area, inertia, bending, shearing)
     free = np.delete(np.arange(len(mass)), [0, len(mass) // 2])
     squares, shapes = _eigen(stiffness[np.ix_(free, free)], mass[np.ix_(free, free)])
     whole = np.zeros((len(mass), len(squares)))
     whole[free] = shapes
     rigid = np.arange(len(mass)) < len(mass) // 2
     position = np.array([tube.height]) if at is None else np.asarray(at, dtype=float)
-    values, slopes = _interpolation(ends, position)
+    values, slopes = _interpolation(degree, ends, position)
     deflections, rotations = np.split(whole, 2)
     return Modes(
         frequency=np.sqrt(squares) / (2 * pi),
@@ -105,15 +107,15 @@ def _eigen(stiffness: np.ndarray, mass: np.ndarray) -> tuple[np.ndarray, np.ndar
     return 1 / inverse[kept], shapes[:, kept] / np.sqrt(inverse[kept])
 
 
-def _assemble(ends, densities, area, inertia, bending, shearing) -> tuple[np.ndarray, np.ndarray]:
+def _assemble(degree, ends, densities, area, inertia, bending, shearing) -> tuple[np.ndarray, np.ndarray]:
     """Stiffness and mass over (deflections, rotations) of all nodes, base included."""
-    count = DEGREE * (len(ends) - 1) + 1
+    count = degree * (len(ends) - 1) + 1
     stiffness, mass = np.zeros((2 * count, 2 * count)), np.zeros((2 * count, 2 * count))
-    points, weights = legendre.leggauss(DEGREE + 1)
-    values, slopes = _basis(points)
+    points, weights = legendre.leggauss(degree + 1)
+    values, slopes = _basis(degree, points)
     for element, (low, high) in enumerate(pairwise(ends)):
         half = (high - low) / 2
-        nodes = DEGREE * element + np.arange(DEGREE + 1)
+        nodes = degree * element + np.arange(degree + 1)
         w = np.hstack([values, 0 * values])
         rotation = np.hstack([0 * values, values])
         curvature = np.hstack([0 * values, slopes / half])
@@ -129,27 +131,27 @@ def _gram(field: np.ndarray, weights: np.ndarray) -> np.ndarray:
     return field.T @ (weights[:, None] * field)
 
 
-def _nodes() -> np.ndarray:
+def _nodes(degree: int) -> np.ndarray:
     """Gauss-Lobatto points of an element, -1 to 1."""
-    inner = legendre.legroots(legendre.legder([0] * DEGREE + [1]))
+    inner = legendre.legroots(legendre.legder([0] * degree + [1]))
     return np.concatenate([[-1.0], np.sort(inner), [1.0]])
 
 
-def _basis(points: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+def _basis(degree: int, points: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Values and slopes at `points` of the polynomials that are 1 at one node and 0 at the others."""
-    to_legendre = np.linalg.inv(legendre.legvander(_nodes(), DEGREE))
+    to_legendre = np.linalg.inv(legendre.legvander(_nodes(degree), degree))
     slopes = legendre.legder(to_legendre, axis=0)
-    return legendre.legvander(points, DEGREE) @ to_legendre, legendre.legvander(points, DEGREE - 1) @ slopes
+    return legendre.legvander(points, degree) @ to_legendre, legendre.legvander(points, degree - 1) @ slopes
 
 
-def _interpolation(ends: np.ndarray, position: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+def _interpolation(degree: int, ends: np.ndarray, position: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Matrices from nodal values to values and slopes at positions (m)."""
-    count = DEGREE * (len(ends) - 1) + 1
+    count = degree * (len(ends) - 1) + 1
     values, slopes = np.zeros((len(position), count)), np.zeros((len(position), count))
     element = np.clip(np.searchsorted(ends, position, side="left") - 1, 0, len(ends) - 2)
     for e in range(len(ends) - 1):
         here, half = np.flatnonzero(element == e), (ends[e + 1] - ends[e]) / 2
-        value, slope = _basis((position[here] - ends[e]) / half - 1)
-        columns = DEGREE * e + np.arange(DEGREE + 1)
+        value, slope = _basis(degree, (position[here] - ends[e]) / half - 1)
+        columns = degree * e + np.arange(degree + 1)
         values[np.ix_(here, columns)], slopes[np.ix_(here, columns)] = value, slope / half
     return values, slopes

@@ -24,6 +24,7 @@ def test_every_row_of_every_table_has_a_source(path):
     text |= {"erratum", "place", "printed", "right", "evidence", "silo", "plan"}
     text |= {"test", "material", "steel", "collapse", "shape", "ring"}
     text |= {"record", "package", "file"}
+    text |= {"problem", "group", "setting", "quantities", "reference_kind", "reference", "error"}
     found = rows(path, text=text)
     assert found
     for row in found:

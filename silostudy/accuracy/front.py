@@ -1,0 +1,19 @@
+"""Which settings are worth their cost: the Pareto front, and the cheapest that reaches an error."""
+
+import numpy as np
+
+
+def on_front(cost, error) -> np.ndarray:
+    """Whether no other rung is both cheaper and at least as accurate (or as cheap and more accurate); NaN never is."""
+    cost, error = np.asarray(cost, float), np.asarray(error, float)
+    kept, best = np.zeros(len(cost), bool), np.inf
+    for k in np.lexsort((error, cost)):
+        if error[k] < best:
+            kept[k], best = True, error[k]
+    return kept
+
+
+def cheapest(cost, error, asked: float) -> int | None:
+    """Number of the cheapest rung whose error is at most the asked one; None where none is."""
+    cost = np.where(np.asarray(error, float) <= asked, cost, np.inf)
+    return int(np.argmin(cost)) if np.isfinite(cost).any() else None

@@ -1,0 +1,56 @@
+"""Instructions that a stretch of work takes, counted by valgrind's callgrind: equal on a busy machine and an idle one.
+
+The work is named as module:function; the function gives name -> callable, each is run once before it is counted.
+"""
+
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+from importlib import import_module
+from pathlib import Path
+
+
+def missing() -> str:
+    """Why instructions cannot be counted here; empty where they can."""
+    tools = [tool for tool in ("valgrind", "callgrind_control") if shutil.which(tool) is None]
+    return f"{' and '.join(tools)} not found (package valgrind)" if tools else ""
+
+
+def count(work: str, folder: Path | None = None) -> dict[str, int]:
+    """Instructions of each callable that module:function gives; a process of its own under valgrind, minutes at first."""
+    with tempfile.TemporaryDirectory(prefix="silostudy-callgrind-") as place:
+        command = ["valgrind", "--tool=callgrind", "--instr-atstart=no", f"--callgrind-out-file={place}/out"]
+        command += [sys.executable, "-m", __name__, work]
+        done = subprocess.run(command, cwd=folder, capture_output=True, text=True)
+        names = [line.removeprefix("counted ") for line in done.stdout.splitlines() if line.startswith("counted ")]
+        if done.returncode or not names:
+            raise RuntimeError(f"callgrind counted nothing: {done.stderr[-500:]}")
+        return {name: _total(Path(f"{place}/out.{number}")) for number, name in enumerate(names, 1)}
+
+
+def _total(path: Path) -> int:
+    """The sum that callgrind writes at the end of a dump."""
+    lines = [line for line in path.read_text().splitlines() if line.startswith(("totals:", "summary:"))]
+    return int(lines[-1].split()[1])
+
+
+def _control(*order: str) -> None:
+    subprocess.run(["callgrind_control", *order, str(os.getpid())], check=True, capture_output=True)
+
+
+def _work(name: str) -> None:
+    module, function = name.split(":")
+    for label, run in getattr(import_module(module), function)().items():
+        run()
+        _control("-i", "on")
+        _control("-z")
+        run()
+        _control("-d", label)
+        _control("-i", "off")
+        print(f"counted {label}", flush=True)
+
+
+if __name__ == "__main__":
+    _work(sys.argv[1])

@@ -1,0 +1,61 @@
+"""A slit opens below disordered discs: how fast they leave and how hard they push, over members of an ensemble."""
+
+from dataclasses import replace
+
+import numpy as np
+
+from silostudy.accuracy.silo import LEFT, OPEN, RIGHT, STEP, scene, softened
+from silostudy.dem.engine import Engine
+from silostudy.dem.run import Event, Run
+
+ACROSS, LEVELS, SLIT, GAP, OFFSET = 8, 10, 0.55, 6e-5, 2e-5
+REST, FLOW, WINDOW = 0.3, 0.5, 5e-3  # s
+STEPS = (1e-4, 5e-5, 2.5e-5, 1.25e-5, 6.25e-6)
+LADDERS = {
+    "17-18": STEPS[1:],
+    "17-19": STEPS,
+    "17-18, stiffness / 16": STEPS,
+    "members at 2.5e-5 s": (4, 8, 16, 32, 64, 128),
+}
+
+
+def prepare(ladder: str, setting: float, members: int):
+    """An ensemble of discharges; the seeds of equal members are equal on every rung."""
+    if ladder.startswith("members"):
+        return _run("17-18", STEP, 1.0, int(setting))
+    integrator, *soft = ladder.split(", ")
+    return _run(integrator, setting, 1.0 / 16.0 if soft else 1.0, members)
+
+
+def reference(members: int):
+    """Four times the members at half the finest step, with seeds of their own."""
+    return _run("velocity-verlet", STEPS[-1] / 2.0, 1.0, 4 * members, first=10_000)()
+
+
+def _run(integrator: str, dt: float, stiffness: float, members: int, first: int = 0):
+    models = []
+    for seed in range(first, first + members):
+        model, _ = scene(ACROSS, LEVELS, SLIT, gap=GAP, offset=OFFSET, seed=seed)
+        models.append(replace(softened(model, stiffness), integrator=integrator, dt=dt, watched=True))
+
+    def run():
+        each = [_discharge(model) for model in models]
+        return {name: np.array([one[name] for one in each]) for name in each[0]}
+
+    return run
+
+
+def _discharge(model) -> dict[str, float]:
+    """Mean rate (kg/s per metre) until half is out, or over the whole flow; largest force on both walls over that at rest."""
+    events = (Event("time", REST, "open", (OPEN[0], *OPEN[1])), Event("discharged", 0.5, "stop"))
+    run = Run(Engine(model), events, limit=REST + FLOW, window=round(WINDOW / model.dt))
+    done = run.go()
+    if done.explosion is not None:
+        return {"discharge_rate": np.nan, "wall_peak": np.nan}
+    starts = np.cumsum([0, *(wall.cells + 2 for wall in model.walls)])[:-1]
+    force = np.add.reduceat(np.array(done.window)[:, :, 0, 0], starts, axis=1)[:, [LEFT, RIGHT]].sum(axis=1)
+    before = np.array(done.window_time) <= REST
+    return {
+        "discharge_rate": (done.discharged[-1] if done.discharged else 0.0) / (run.engine.time - REST),
+        "wall_peak": force[~before].max() / force[before][-1],
+    }

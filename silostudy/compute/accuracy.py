@@ -1,0 +1,61 @@
+"""The accuracy stage: every problem measured on this machine, and the prices of effects where they are asked for."""
+
+from collections.abc import Callable
+
+import numpy as np
+import xarray as xr
+
+from silostudy.accuracy.front import on_front
+from silostudy.accuracy.measure import Rung, machine, measure
+from silostudy.compute.prices import price_variables
+from silostudy.compute.variables import attributes
+from silostudy.cube.contract import VARIABLES, check
+from silostudy.cube.provenance import provenance
+from silostudy.scene.expand import Expansion
+from silostudy.tables.problems import PROBLEMS
+
+
+def accuracy_cube(expansion: Expansion, tell: Callable[[str], None] = lambda text: None) -> xr.Dataset:
+    """Errors and costs (point) of every problem; attributes say what machine measured them and when."""
+    study, asked = expansion.study, expansion.study.scene
+    options = {"repeats": asked.repeats, "members": asked.members, "rungs": asked.rungs, "ladders": asked.ladders}
+    found = {key: measure(key, tell=tell, **options) for key in study.problem_keys}
+    points = [point for rungs in found.values() for point in points_of(rungs)]
+    data: dict = {f"point_{name}": np.array([point[name] for point in points]) for name in points[0]}
+    rows = [PROBLEMS[key] for key in study.problem_keys]
+    for name in ("title", "group", "setting"):
+        data[f"problem_{name}"] = np.array([getattr(row, name) for row in rows])
+    data["problem_reference"] = np.array([f"{row.reference_kind}: {row.reference}" for row in rows])
+    data["problem"] = np.array(study.problem_keys)
+    if asked.prices:
+        data |= price_variables(asked.repeats, tell)
+    variables = {name: (VARIABLES[name].dims, values, attributes(name)) for name, values in data.items()}
+    about = provenance(study.title, study.model_dump_json(exclude_defaults=True), [row.source for row in rows], "accuracy")
+    own = {"sweep_axes": "", "repeats": asked.repeats, "members": asked.members}
+    return check(xr.Dataset(variables, attrs={**about, **machine(), **own}))
+
+
+def points_of(rungs: list[Rung]) -> list[dict]:
+    """One point a rung and quantity, with the front of each quantity marked: by the upper end of the error's interval."""
+    found = []
+    for quantity in rungs[0].error:
+        front = on_front([rung.cost for rung in rungs], [rung.high[quantity] for rung in rungs])
+        for rung, kept in zip(rungs, front, strict=True):
+            found.append(
+                {
+                    "problem": rung.problem,
+                    "quantity": quantity,
+                    "quantity_title": PROBLEMS[rung.problem].quantities[quantity],
+                    "ladder": rung.ladder,
+                    "setting": float(rung.setting),
+                    "error": rung.error[quantity],
+                    "error_low": rung.low[quantity],
+                    "error_high": rung.high[quantity],
+                    "floor": rung.floor[quantity],
+                    "cost": rung.cost,
+                    "cost_low": min(rung.seconds),
+                    "cost_high": max(rung.seconds),
+                    "on_front": float(kept),
+                }
+            )
+    return found

@@ -1,0 +1,58 @@
+"""Prices of effects and of optional parts: the bench's silo with every effect, and stages with and without a part."""
+
+from collections.abc import Callable
+from dataclasses import replace
+from math import nan
+
+import numpy as np
+
+from silostudy.accuracy.prices import Price, prices
+from silostudy.accuracy.silo import scene
+from silostudy.compute.optional_parts import PARTS, part_price
+from silostudy.dem.model import Contact, Model
+
+ACROSS, LEVELS = 18, 20  # the bench's 350 discs
+NAMES = ("", "_low", "_high")
+
+
+def full_scenes() -> list[tuple[str, Model]]:
+    """Scenes that have between them every effect of the engine; friction is priced where nothing is recorded as well."""
+    model, _ = scene(ACROSS, LEVELS)
+    rolling = replace(model, pair=_more(model.pair, "rolling"), wall=_more(model.wall, "rolling"))
+    pulling = replace(model, pair=_more(model.pair, "cohesion"), wall=_more(model.wall, "cohesion"))
+    sizes = replace(model, radius=model.radius * (1.0 - 0.002 * (np.arange(len(model.x)) % 2)))
+    shaken = replace(model, quake=np.zeros((2, 2)))
+    recording = replace(model, watched=True)
+    booked = replace(model, booked=True)
+    names = ("", "", "", "", "", " (wall forces recorded)", "")
+    return list(zip(names, (model, rolling, pulling, sizes, shaken, recording, booked), strict=True))
+
+
+def _more(contact: Contact, family: str) -> Contact:
+    law, values = {
+        "rolling": ("spring-slider", {"rolling_stiffness": 10.0, "rolling_friction": 0.1}),
+        "cohesion": ("constant-pull", {"pull": 1.0}),
+    }[family]
+    return Contact(replace(contact.laws, **{family: law}), contact.coefficients | values)
+
+
+def price_variables(repeats: int, tell: Callable[[str], None]) -> dict[str, np.ndarray]:
+    """Columns of the cube's price list by the names of the contract."""
+    rows: dict[str, tuple[str, Price]] = {}
+    for note, model in full_scenes():
+        for name, found in prices(model)[1].items():
+            label = name + (note if name.startswith("friction") else "")
+            rows.setdefault(label, ("discrete elements", found))
+        tell(f"prices: {', '.join(rows)}")
+    for part in PARTS:
+        rows[part.name] = (part.room, part_price(part, repeats))
+        tell(f"price of {part.name}: {rows[part.name][1].time:.0%}")
+    each = [price for _, price in rows.values()]
+    return {
+        "effect": np.array(list(rows)),
+        "effect_room": np.array([room for room, _ in rows.values()]),
+        "effect_time_share": np.array([price.time for price in each]),
+        "effect_time_share_low": np.array([price.low for price in each]),
+        "effect_time_share_high": np.array([price.high for price in each]),
+        "effect_memory_share": np.array([price.memory if price.memory is not None else nan for price in each]),
+    }

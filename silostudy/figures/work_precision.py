@@ -1,0 +1,77 @@
+"""What the figures of accuracy share: one panel a problem and quantity, error over CPU time, front, slope and floor."""
+
+import textwrap
+from pathlib import Path
+
+import matplotlib.pyplot as plt
+import numpy as np
+import pandas as pd
+import xarray as xr
+
+from silostudy.figures.style import save
+
+COLOURS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#e69f00", "#7f7f7f", "#332288")
+MARKERS = ("o", "s", "^", "D", "v", "P", "X", "*")
+LEAST = 1e-16  # where an error of zero is drawn
+ACROSS = 3
+
+
+def table(cube: xr.Dataset) -> pd.DataFrame:
+    """The points of a cube, one row each."""
+    names = [str(name) for name in cube.variables if str(name).startswith("point_")]
+    return pd.DataFrame({name.removeprefix("point_"): cube[name].to_numpy() for name in names})
+
+
+def draw_group(cube: xr.Dataset, group: str, stem: Path) -> None:
+    """Every problem of a group, quantity by quantity; writes the figure and its points."""
+    points = table(cube)
+    problems = cube.isel(problem=np.flatnonzero(cube["problem_group"].to_numpy() == group))
+    points = points[points["problem"].isin(problems["problem"].to_numpy())]
+    panels = list(points.groupby(["problem", "quantity"], sort=False))
+    across = min(ACROSS, max(1, len(panels)))
+    down = -(-len(panels) // across) or 1
+    figure, axes = plt.subplots(down, across, figsize=(5.6 * across, 5.0 * down), squeeze=False)
+    for axis, ((key, _), part) in zip(axes.flat, panels, strict=False):
+        panel(axis, part, problems.sel(problem=key))
+    for axis in axes.flat[len(panels) :]:
+        axis.set_visible(False)
+    about = f"CPU time: median of {cube.attrs['repeats']} readings on {cube.attrs['machine']}, {cube.attrs['measured_on']}"
+    figure.suptitle(f"{cube.attrs['title']}\n{about}", fontsize=10)
+    save(figure, points, stem)
+
+
+def panel(axis, part: pd.DataFrame, problem: xr.Dataset) -> None:
+    """One quantity of one problem."""
+    for number, (ladder, rungs) in enumerate(part.groupby("ladder", sort=False)):
+        shown = rungs[np.isfinite(rungs["error"]) & (rungs["error"] < 2.0)]
+        steep = slope(shown)
+        label = f"{ladder}  (slope {steep:.1f})" if np.isfinite(steep) else ladder
+        error = np.maximum(shown["error"], LEAST)
+        look: dict = {"color": COLOURS[number % 8], "marker": MARKERS[number % 8], "markersize": 4.5, "linewidth": 1.0}
+        bars = np.array([error - np.maximum(shown["error_low"], error / 30), shown["error_high"] - error])
+        axis.errorbar(shown["cost"], error, yerr=bars if bars.any() else None, label=label, capsize=2, elinewidth=0.6, **look)
+    front = part[part["on_front"] > 0].sort_values("cost")
+    axis.plot(
+        front["cost"], np.maximum(front["error"], LEAST), color="black", linewidth=6, alpha=0.13, solid_capstyle="round",
+        label="Pareto front", zorder=1,
+    )  # fmt: skip
+    if (part["floor"] > 0).any():
+        floor = part["floor"].min()
+        axis.axhspan(axis.get_ylim()[0], floor, color="grey", alpha=0.15, linewidth=0)
+        axis.axhline(floor, color="grey", linewidth=1, linestyle="--", label="statistical floor: least half-width seen")
+    for share in (0.1, 0.01, 0.001):
+        axis.axhline(share, color="black", linewidth=0.5, linestyle=":")
+    about = f"over {problem['problem_setting'].item()}; reference, {problem['problem_reference'].item()}"
+    axis.set(xscale="log", yscale="log", ylabel="relative error")
+    axis.set_xlabel(f"CPU time (s)\n{textwrap.fill(about, 80)}", fontsize=7.5)
+    axis.set_title(f"{problem['problem_title'].item()}\n{part['quantity_title'].iloc[0]}", fontsize=8.5)
+    axis.legend(fontsize=6.5, loc="best")
+
+
+def slope(rungs: pd.DataFrame) -> float:
+    """Slope of log error over log cost by least squares, between the floor or rounding and one; NaN for fewer than three."""
+    error, cost = rungs["error"].to_numpy(), rungs["cost"].to_numpy()
+    usable = (error > np.maximum(rungs["floor"].to_numpy(), 1e-13)) & (error < 1.0)
+    if usable.sum() < 3 or np.ptp(np.log(cost[usable])) < 0.3:
+        return np.nan
+    return float(np.polyfit(np.log(cost[usable]), np.log(error[usable]), 1)[0])

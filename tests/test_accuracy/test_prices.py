@@ -1,0 +1,76 @@
+"""Prices of effects: measured on one state; and a scene without an effect costs no more than a kernel written without it."""
+
+import time
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from silostudy.accuracy.instructions import count, missing
+from silostudy.accuracy.prices import prices, still, without
+from silostudy.accuracy.silo import scene
+from silostudy.dem.engine import Engine
+from tests.conftest import ROOT
+from tests.test_accuracy.by_hand import engines, frictionless
+
+MOST = 0.02  # of the kernel by hand: what the built one may cost more
+
+
+def test_by_hand_gives_the_same_bits():
+    pair = engines(frictionless(8, 12))
+    for engine in pair.values():
+        engine.step_to(3000)
+    built, by_hand = (engine.discs.rows[: engine.n] for engine in pair.values())
+    assert np.abs(built[:, 3]).max() > 0
+    assert np.array_equal(built, by_hand)
+
+
+def test_prices_compare_the_same_state():
+    model, _ = scene(8, 12)
+    model = still(replace(model, watched=True, radius=model.radius * (1 - 0.001 * (np.arange(len(model.x)) % 2))))
+    pairs = without(model)
+    assert set(pairs) == {"friction, rotation, history", "discs of several sizes", "wall forces every step"}
+    for whole, less in pairs.values():
+        assert np.array_equal(whole.x, less.x)
+        counts = []
+        for one in (whole, less):
+            engine = Engine(one)
+            engine.step_to(50)
+            assert np.abs(engine.places - np.c_[one.x, one.y]).max() < 1e-12
+            counts.append(int(engine.parts[0].pairs.begin[engine.blocks_of(engine.parts[0]) + 1]))
+        assert counts[0] == counts[1]
+    assert not pairs["friction, rotation, history"][1].pieces.turns
+    assert pairs["discs of several sizes"][0].pieces.unequal
+    assert not pairs["discs of several sizes"][1].pieces.unequal
+
+
+def test_friction_has_a_price():
+    whole, found = prices(scene(18, 20)[0], turns=7)
+    assert whole > 0
+    price = found["friction, rotation, history"]
+    assert 0.1 < price.time < 0.9
+    assert price.low <= price.time <= price.high
+    assert 0.2 < price.memory < 0.9
+
+
+def test_time_of_the_built_kernel_beside_the_one_by_hand():
+    """CPU time in turns; the counted instructions below are the sharper measure, this one only catches a gross loss."""
+    pair = engines(still(frictionless()))
+    spent: dict[str, list[float]] = {name: [] for name in pair}
+    for engine in pair.values():
+        engine.step_to(10)
+    for _ in range(15):
+        for name, engine in pair.items():
+            start = time.process_time()
+            engine.step_to(engine.step + 3000)
+            spent[name].append(time.process_time() - start)
+    ratio = np.median(np.array(spent["built"]) / np.array(spent["by hand"]))
+    assert ratio < 1.25
+
+
+@pytest.mark.skipif(bool(missing()), reason=missing() or "counted")
+def test_instructions_of_the_built_kernel_beside_the_one_by_hand():
+    counted = count("tests.test_accuracy.by_hand:work", ROOT)
+    assert set(counted) == {"built", "by hand"}
+    assert counted["by hand"] > 1e6
+    assert counted["built"] / counted["by hand"] < 1.0 + MOST

@@ -1,0 +1,130 @@
+"""Ladders, references and costs: errors fall as they should, and references come from elsewhere."""
+
+from importlib import import_module
+
+import numpy as np
+import pytest
+from scipy.integrate import solve_ivp
+
+from silostudy.accuracy.front import cheapest, on_front
+from silostudy.accuracy.measure import COMPARE, LEAST, machine, measure
+from silostudy.accuracy.problems import beam_frequency, dem_impact, history, strain_energy
+from silostudy.tables.problems import GROUPS, PROBLEMS
+
+# problem, ladder, quantity: factor by which the error falls between its last two rungs, each with half the step
+FALLS = {
+    ("depth_levels", "even levels", "wall_force"): 4.0,
+    ("radial_field", "steps", "flow_slope"): 8.0,
+    ("history", "exact recursion", "displacement"): 4.0,
+    ("history", "Newmark, mean acceleration", "displacement"): 4.0,
+    ("dem_impact", "17-18", "restitution"): 2.0,
+    ("dem_impact", "17-19", "restitution"): 2.0,
+    ("dem_impact", "velocity-verlet", "restitution"): 2.0,
+    ("dem_impact", "17-18, dashpot implicit", "restitution"): 2.0,
+}
+
+
+def errors(key, ladder, quantity, last):
+    module = import_module(f"silostudy.accuracy.problems.{key}")
+    expected = module.reference()[quantity]
+    return [
+        COMPARE[PROBLEMS[key].error](np.asarray(module.prepare(ladder, setting)()[quantity]), np.asarray(expected))[0]
+        for setting in module.LADDERS[ladder][-last:]
+    ]
+
+
+@pytest.mark.parametrize("row", PROBLEMS.values(), ids=lambda row: row.key)
+def test_every_problem_has_ladders_from_coarse_to_fine(row):
+    module = import_module(f"silostudy.accuracy.problems.{row.key}")
+    assert row.group in GROUPS
+    assert row.error in COMPARE
+    for settings in module.LADDERS.values():
+        steps = np.diff(settings)
+        assert (steps > 0).all() or (steps < 0).all()
+
+
+@pytest.mark.parametrize(("rung", "factor"), FALLS.items(), ids=lambda value: "-".join(value) if value is tuple else None)
+def test_errors_fall_with_the_order_of_the_method(rung, factor):
+    coarse, fine = errors(*rung, last=2)
+    assert coarse / fine == pytest.approx(factor, rel=0.12)
+
+
+def test_double_precision_has_sixteen_digits_of_fifty_and_single_seven():
+    single, double = errors("strain_energy", "float", "wall_pressure", last=2)
+    assert 1e-8 < single < 1e-6
+    assert 0 < double < 1e-14
+
+
+def test_the_decimal_formula_is_not_the_package_s():
+    """It must notice a changed friction: a reference that follows every mistake proves nothing."""
+    exact = strain_energy.reference()["wall_pressure"]
+    given = strain_energy.silos()
+    z = given.pop("z")
+    wrong = strain_energy.call(strain_energy.envelope_pressure, z, given | {"wall_friction": given["wall_friction"] * 1.001})
+    assert np.abs(wrong / exact - 1).max() > 1e-4
+
+
+def test_beam_converges_faster_than_any_power():
+    found = errors("beam_frequency", "spectral element", "fifth_frequency", last=8)
+    orders = np.diff(np.log(found[:5])) / np.diff(np.log(beam_frequency.DEGREES[-8:-3]))
+    assert (orders < -8).all()
+    assert (np.diff(orders) < 0).all()
+
+
+def test_restitution_against_an_independent_integration():
+    zeta = dem_impact.DAMPING_RATIO
+
+    def ends(t, y):
+        return y[0] + 2 * zeta * y[1]
+
+    ends.terminal, ends.direction = True, -1
+    done = solve_ivp(lambda t, y: [y[1], -y[0] - 2 * zeta * y[1]], (0, 10), [0.0, 1.0], events=ends, rtol=1e-11, atol=1e-13)
+    assert float(dem_impact.reference()["restitution"]) == pytest.approx(-done.y[1, -1], rel=1e-8)
+
+
+def test_shaken_oscillator_against_an_independent_integration():
+    w, forced = 2 * np.pi * history.NATURAL, 2 * np.pi * history.SHAKING
+    times = np.arange(101) * history.STEPS[0]
+    done = solve_ivp(
+        lambda t, y: [y[1], -np.sin(forced * t) - 2 * history.DAMPING * w * y[1] - w**2 * y[0]],
+        (0, times[-1]), [0.0, 0.0], t_eval=times, method="DOP853", rtol=1e-11, atol=1e-15,
+    )  # fmt: skip
+    exact = history.reference()["displacement"]
+    assert np.abs(done.y[0] - exact).max() < 1e-8 * np.abs(exact).max()
+
+
+def test_front_against_brute_force():
+    random = np.random.default_rng(3)
+    cost, error = random.integers(1, 9, 40).astype(float), random.integers(1, 9, 40).astype(float)
+    error[5] = np.nan
+    kept = on_front(cost, error)
+    for k in np.flatnonzero(kept):
+        assert not ((cost <= cost[k]) & (error <= error[k]) & ((cost < cost[k]) | (error < error[k]))).any()
+    for k in np.flatnonzero(~kept):
+        better = (cost <= cost[k]) & (error <= error[k])
+        better[k] = False
+        assert np.isnan(error[k]) or better.any()
+
+
+def test_cheapest_that_reaches():
+    cost, error = [1.0, 2.0, 3.0, 4.0], [0.3, np.nan, 0.01, 0.001]
+    assert cheapest(cost, error, 0.02) == 2
+    assert cheapest(cost, error, 1e-9) is None
+
+
+def test_interval_of_means_covers_equal_ones():
+    random, covered = np.random.default_rng(4), 0
+    for _ in range(400):
+        _, low, _, floor = COMPARE["means"](random.normal(5.0, 1.0, 10), random.normal(5.0, 1.0, 40))
+        covered += low == 0.0
+        assert floor > 0.0
+    assert 0.92 < covered / 400 < 0.98
+    assert COMPARE["means"](random.normal(5.0, 0.1, 10), random.normal(6.0, 0.1, 40))[1] > 0.1
+
+
+def test_measuring_repeats_short_runs_and_says_on_what():
+    rungs = measure("beam_frequency", repeats=3, members=4, rungs=2)
+    assert [rung.setting for rung in rungs] == [3, 4]
+    assert all(len(rung.seconds) == 3 and 0 < rung.cost < 10 * LEAST for rung in rungs)
+    assert machine()["machine"].endswith("cores")
+    assert set(machine()) == {"machine", "measured_with", "measured_on"}

@@ -1,0 +1,98 @@
+"""The accuracy study from configuration to cube to figures, on problems that take no time."""
+
+import numpy as np
+import pandas as pd
+import pytest
+
+from silostudy.compute import accuracy, optional_parts
+from silostudy.compute.accuracy import accuracy_cube
+from silostudy.cube.io import read, write
+from silostudy.errors import BadInput
+from silostudy.figures import accuracy_earthquake, accuracy_formulas, accuracy_summary, effect_prices, work_precision
+from tests.conftest import expanded
+
+CONTENT = {
+    "kind": "accuracy",
+    "title": "a little accuracy",
+    "scene": {"problems": ["history", "depth_levels", "beam_frequency"], "repeats": 3, "members": 4, "rungs": 5},
+    "outputs": ["accuracy_earthquake", "accuracy_summary"],
+}
+
+
+@pytest.fixture(scope="module")
+def cube():
+    return accuracy_cube(expanded(CONTENT))
+
+
+def test_the_cube_keeps_its_contract_and_says_what_measured_it(cube, tmp_path):
+    write(cube, tmp_path / "accuracy.nc")
+    again = read(tmp_path / "accuracy.nc")
+    assert again.sizes["point"] == 5 * (2 * 2 + 2 + 2)
+    assert again.attrs["machine"]
+    assert again.attrs["measured_on"] >= "2026-01-01"
+    assert (again["point_cost_low"] <= again["point_cost"]).all()
+    assert (again["point_cost"] <= again["point_cost_high"]).all()
+
+
+def test_every_quantity_has_a_front(cube):
+    points = work_precision.table(cube)
+    for _, part in points.groupby(["problem", "quantity"]):
+        front = part[part["on_front"] > 0].sort_values("cost")
+        assert front["error"].is_monotonic_decreasing
+        assert part["error"].min() == front["error"].min()
+
+
+def test_slopes_leave_out_the_floor():
+    points = pd.DataFrame({"cost": [1.0, 2.0, 4.0, 8.0, 16.0], "error": [0.4, 0.1, 0.025, 0.02, 0.02], "floor": 0.021})
+    assert work_precision.slope(points) == pytest.approx(-2.0)
+    assert np.isnan(work_precision.slope(points[2:]))
+
+
+def test_figures(cube, tmp_path, monkeypatch):
+    kept = []
+    monkeypatch.setattr(work_precision, "save", lambda figure, numbers, stem: kept.append((figure, numbers)))
+    monkeypatch.setattr(accuracy_summary, "save", lambda figure, numbers, stem: kept.append((figure, numbers)))
+    for module in (accuracy_earthquake, accuracy_formulas, accuracy_summary):
+        module.draw(cube, tmp_path / "figure")
+    (earthquake, points), (_, others), (_, costs) = kept
+    assert set(points["problem"]) == {"history", "beam_frequency"}
+    assert set(others["problem"]) == {"depth_levels"}
+    shown = [axis for axis in earthquake.axes if axis.get_visible()]
+    assert len(shown) == 4
+    for axis in shown:
+        assert axis.get_xlabel().startswith("CPU time (s)")
+        assert axis.get_ylabel() == "relative error"
+        assert (axis.get_xscale(), axis.get_yscale()) == ("log", "log")
+        assert "Pareto front" in [text.get_text() for text in axis.get_legend().get_texts()]
+    reached = costs[costs["ladder"] != ""]
+    assert (reached["error"] <= reached["asked"]).all()
+    ordered = reached.pivot_table(index=["problem", "quantity"], columns="asked", values="cost").dropna()
+    assert (ordered[0.01] >= ordered[0.1]).all()
+
+
+def test_an_accuracy_study_takes_no_sweep_and_no_unknown_problem():
+    with pytest.raises(BadInput, match="takes no sweep"):
+        expanded(CONTENT | {"sweep": [{"axis": "repeats", "values": {"repeats": [1, 2]}}]})
+    with pytest.raises(BadInput, match="dem_static"):
+        expanded(CONTENT | {"scene": {"problems": ["dem_statics"]}})
+    with pytest.raises(BadInput, match=r"needs scene\.prices"):
+        expanded(CONTENT | {"outputs": ["effect_prices"]})
+
+
+def test_prices_of_optional_parts(tmp_path, monkeypatch):
+    """The part that samples a thousand solids costs more than nearly all; a part against itself costs nothing in memory."""
+    parts = {part.name: part for part in optional_parts.PARTS}
+    scatter = optional_parts.part_price(parts["scatter of the solid"], 3)
+    assert scatter.time > 0.5
+    assert scatter.memory > 0.5
+    kept = []
+    monkeypatch.setattr(effect_prices, "save", lambda figure, numbers, stem: kept.append((figure, numbers)))
+    columns = {"effect": ["a", "b"], "effect_room": ["pressures", "earthquake"]}
+    columns |= {key: [0.5, -0.1] for key in effect_prices.COLUMNS[1:]}
+    monkeypatch.setattr(accuracy, "price_variables", lambda repeats, tell: {k: np.array(v) for k, v in columns.items()})
+    scene = {"problems": ["beam_frequency"], "repeats": 1, "rungs": 2, "prices": True}
+    effect_prices.draw(accuracy_cube(expanded(CONTENT | {"scene": scene, "outputs": []})), tmp_path / "figure")
+    (figure, numbers) = kept[0]
+    assert figure.axes[0].get_xlabel() == "share of the CPU time with it (%)"
+    assert [tick.get_text() for tick in figure.axes[0].get_yticklabels()] == ["a", "b"]
+    assert numbers["effect_memory_share"].tolist() == [0.5, -0.1]
