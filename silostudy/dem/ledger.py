@@ -84,6 +84,10 @@ def contact_book(laws, *, unequal, flat):
         return 0.5 * force * force / stiffness if stiffness > 0.0 else 0.0
 
     @piece(laws, unequal, flat)
+    def of_slip(trial, held, stiffness):
+        return held * (trial - held) / stiffness if stiffness > 0.0 else 0.0  # the force that is left, over the slip
+
+    @piece(laws, unequal, flat)
     def book(rows, ledger, contacts, shape, count, old_stored, old_rolled, dt, c, lanes):
         elastic_energy = slid = elastic_power = power = 0.0
         a, b, m = contacts.arm[0], contacts.other[0], contacts.mass[0]
@@ -108,9 +112,9 @@ def contact_book(laws, *, unequal, flat):
                 rate = lanes[3, k] * nx - lanes[2, k] * ny - spin
                 trial = old_stored[at] - c[1][0] * dt * rate if slides else 0.0
                 leaning = old_rolled[at] - c[2][0] * dt * lanes[5, k] if rolls else 0.0
-                slid += of_spring(trial, c[1][0]) if slides else 0.0
-                slid += of_spring(leaning, c[2][0]) if rolls else 0.0
-                if overlap <= 0.0:
+                if overlap <= 0.0:  # what springs held when the contact opened is lost
+                    slid += of_spring(old_stored[at], c[1][0]) if slides else 0.0
+                    slid += of_spring(old_rolled[at], c[2][0]) if rolls else 0.0
                     continue
                 elastic, push = normal_law(overlap, -(lanes[2, k] * nx + lanes[3, k] * ny), m, dt, c[0])
                 held, drag = tangential_law(old_stored[at], rate, m, dt, elastic, push, c[1])
@@ -120,10 +124,10 @@ def contact_book(laws, *, unequal, flat):
                 elastic_energy += energy(overlap, c[0]) - pull * overlap
                 if slides:
                     elastic_energy += of_spring(held, c[1][0])
-                    slid -= of_spring(held, c[1][0])
+                    slid += of_slip(trial, held, c[1][0])
                 if rolls:
                     elastic_energy += of_spring(moment, c[2][0])
-                    slid -= of_spring(moment, c[2][0])
+                    slid += of_slip(leaning, moment, c[2][0])
                 apart = mean[2, k] * nx + mean[3, k] * ny
                 along = mean[3, k] * nx - mean[2, k] * ny - turn
                 elastic_power += (elastic - pull) * apart + held * along + moment * mean[5, k]
