@@ -16,7 +16,8 @@ from silostudy.scene.expand import Expansion
 SIDES = ("pressed", "lifted")
 PREFIX = "earthquake_"
 UNCHECKED = (
-    "with the earthquake: characteristic values, no combination or partial factors; no check of the wall's shear and hoop"
+    "with the earthquake: horizontal motion; characteristic values, no combination or partial factors; no friction by the "
+    "added pressure; no check of the wall's shear and hoop"
 )
 
 
