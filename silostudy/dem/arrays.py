@@ -82,7 +82,7 @@ class Scratch(NamedTuple):
     cross: np.ndarray  # keys of pairs whose first disc belongs to an earlier thread
     slot: np.ndarray
     ghost: np.ndarray
-    counts: np.ndarray  # ghosts, kept pair histories, kept wall histories
+    counts: np.ndarray  # ghosts, kept pair histories, kept wall histories, a disc pressed too deep
 
 
 def aligned(*shape: int, dtype=np.float64) -> np.ndarray:

@@ -19,7 +19,10 @@ FAR = 1e9  # m: where the pair stands that pads the lists
 
 
 class Explosion(RuntimeError):
-    """A disc moved more than its radius in one step, or is not finite; what was recorded up to then is kept."""
+    """A disc moved more than its radius in a step, is pressed half through another body, or is not finite.
+
+    What was recorded up to then is kept.
+    """
 
     def __init__(self, disc: int, step: int, dt: float, cause: str):
         self.disc, self.step, self.time, self.cause = disc, step, step * dt, cause
@@ -204,6 +207,9 @@ class Engine:
         part = int(np.argmax(self.said == EXPLODED))
         disc = int(self.clock[2 + part])
         cause = "the time step is too long for the stiffness and damping, or the discs overlapped at the start"
+        way = np.hypot(*self.discs.rows[disc, [U, V]]) * self.model.dt
+        if way <= self.radius[disc]:
+            cause = "its overlap is beyond half a radius: contacts too soft for their load, or too long a time step"
         if not np.isfinite(self.discs.rows[disc, : W + 1]).all():
             cause = "its motion is not finite: two centres fell together, or a force overflowed"
         return Explosion(int(self.labels[disc]), self.step, self.model.dt, cause)

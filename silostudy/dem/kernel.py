@@ -17,7 +17,7 @@ from silostudy.dem.force import force_pass
 from silostudy.dem.integrate import INTEGRATORS
 from silostudy.dem.lanes import FX, FY, TORQUE, U, V, W, X, Y, gather, scatter
 from silostudy.dem.ledger import book_pass, keep_histories
-from silostudy.dem.neighbours import GHOSTS, allow, harvest, list_pairs, list_walls
+from silostudy.dem.neighbours import GHOSTS, PRESSED, allow, harvest, list_pairs, list_walls
 from silostudy.dem.pieces import Laws, Pieces
 from silostudy.dem.threads import meet
 from silostudy.dem.walls import add_to_window, gather_walls, note_walls, scatter_walls
@@ -163,8 +163,11 @@ def first_runaway(discs, lo, hi, dt):
 
 
 @njit(**OPTIONS)
-def relist(discs, pairs, near, memories, walls, blocks, scratch, said, part, parties, gate, n, lo, hi, base, limits):
-    """Make this thread's list anew; the histories come from the old list unless the memories hold them already."""
+def relist(discs, pairs, near, memories, walls, blocks, scratch, clock, said, part, parties, gate, n, lo, hi, base, limits):
+    """Make this thread's list anew; the histories come from the old list unless the memories hold them already.
+
+    Whoever is in the list is looked at: a disc pressed half through another body ends the run.
+    """
     if said[part] == STALE:
         harvest(pairs, near, memories[0], memories[1], scratch, (hi - lo + BLOCK - 1) // BLOCK, base)
         said[part] = REMEMBERED
@@ -173,6 +176,9 @@ def relist(discs, pairs, near, memories, walls, blocks, scratch, said, part, par
     enough = list_pairs(discs, pairs, memories[0], blocks, scratch, n, lo, hi, base)
     enough = enough and list_walls(discs, near, memories[1], walls, blocks, scratch, lo, hi, base + scratch.ghost.size)
     said[part] = FRESH if enough else SHORT_OF_ROOM
+    if scratch.counts[PRESSED] > 0:
+        said[part] = EXPLODED
+        clock[2 + part] = scratch.counts[PRESSED] - 1
 
 
 @njit(**OPTIONS)
@@ -215,7 +221,7 @@ def kernel(pieces: Pieces):
                 if said[part] == FRESH:
                     said[part] = STALE
                 relist(
-                    discs, pairs, near, memories, walls, blocks, scratch,
+                    discs, pairs, near, memories, walls, blocks, scratch, clock,
                     said, part, parties, gate, n, lo, hi, base, limits,
                 )  # fmt: skip
                 meet(gate, parties)

@@ -16,7 +16,8 @@ SHIFT = 32  # key = first << SHIFT | second
 LOW = (1 << SHIFT) - 1
 LOOK_AHEAD = 48.0  # steps that a list should last at the speed of its discs
 MOST, LEAST = 0.4, 0.004  # of the smallest radius: limits of a disc's allowance
-GHOSTS, KEPT_PAIRS, KEPT_WALLS = range(3)  # places in Scratch.count
+TOO_DEEP = 0.5  # of the smaller radius: discs or walls that overlap by more are no longer in touch but pressed through
+GHOSTS, KEPT_PAIRS, KEPT_WALLS, PRESSED = range(4)  # places in Scratch.counts
 
 
 @njit(**OPTIONS)
@@ -73,12 +74,16 @@ def pad(contacts, fill, first, second):
 
 @njit(**OPTIONS)
 def near_discs(rows, radius, skin, i, lo, grid, scratch):
-    """Discs after i within reach of it, in order; pairs with a disc before `lo` go to scratch.cross. Gives how many."""
+    """Discs after i within reach of it, in order; pairs with a disc before `lo` go to scratch.cross. Gives how many.
+
+    A disc that another is pressed half through is noted, one more than its number.
+    """
     x0, y0, size, nx, ny = grid
     found = scratch.found
     x, y = rows[i, X], rows[i, Y]
     cx, cy = cell_of(x, x0, size, nx), cell_of(y, y0, size, ny)
-    reach_i = radius[i if radius.size > 1 else 0] + skin[i // BLOCK]
+    own = radius[i if radius.size > 1 else 0]
+    reach_i = own + skin[i // BLOCK]
     count, crossing = 0, scratch.cross[0]
     for row in range(max(cy - 1, 0), min(cy + 2, ny)):
         begin = scratch.cell_begin[row * nx + max(cx - 1, 0)]
@@ -87,10 +92,14 @@ def near_discs(rows, radius, skin, i, lo, grid, scratch):
             j = scratch.order[t]
             if lo <= j <= i:
                 continue
-            reach = reach_i + radius[j if radius.size > 1 else 0] + skin[j // BLOCK]
+            other = radius[j if radius.size > 1 else 0]
+            reach = reach_i + other + skin[j // BLOCK]
             dx, dy = rows[j, X] - x, rows[j, Y] - y
             if dx * dx + dy * dy >= reach * reach:
                 continue
+            least = own + other - TOO_DEEP * min(own, other)
+            if dx * dx + dy * dy < least * least:
+                scratch.counts[PRESSED] = i + 1
             if j < lo:
                 crossing += 1
                 if crossing < scratch.cross.size:
@@ -160,6 +169,7 @@ def list_pairs(discs, contacts, memory, blocks, scratch, n, lo, hi, base):
     kept, room, dummy = scratch.counts[KEPT_PAIRS], contacts.first.size - WIDTH, base + scratch.ghost.size
     scratch.slot[:] = -1
     scratch.counts[GHOSTS] = 0
+    scratch.counts[PRESSED] = 0
     scratch.cross[0] = 0
     fill, at = 0, 0
     for i in range(lo, hi):
@@ -210,11 +220,14 @@ def list_walls(discs, near, memory, walls, blocks, scratch, lo, hi, dummy):
     """List the discs lo to hi near each live wall, in the order (disc, wall); False if room is short."""
     fill, at, kept = 0, 0, scratch.counts[KEPT_WALLS]
     for i in range(lo, hi):
-        reach = discs.radius[i if discs.radius.size > 1 else 0] + blocks.skin[i // BLOCK]
+        radius = discs.radius[i if discs.radius.size > 1 else 0]
+        reach, least = radius + blocks.skin[i // BLOCK], (1.0 - TOO_DEEP) * radius
         for q in range(walls.live.size):
             dx, dy, _ = nearest(walls.shape, q, discs.rows[i, X], discs.rows[i, Y])
             if not walls.live[q] or dx * dx + dy * dy >= reach * reach:
                 continue
+            if dx * dx + dy * dy < least * least:
+                scratch.counts[PRESSED] = i + 1
             if fill >= near.first.size - WIDTH:
                 return False
             near.first[fill], near.second[fill] = i, q

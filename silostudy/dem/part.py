@@ -4,6 +4,7 @@ import numpy as np
 
 from silostudy.dem.arrays import BLOCK, LANES, Contacts, Memory, Scratch, aligned
 from silostudy.dem.lanes import WIDTH
+from silostudy.dem.neighbours import KEPT_PAIRS, KEPT_WALLS
 from silostudy.dem.pieces import Laws
 
 
@@ -15,7 +16,7 @@ class Part:
         self.room, self.wall_room = 3 * BLOCK * WIDTH + int(2.7 * engine.most), 64 + engine.most // 16
         self.ghost_room = 0 if engine.threads == 1 else 1024 + 8 * int(engine.n**0.5)
         self.memories = (self._memory(0), self._memory(0))
-        self.counts = np.zeros(3, np.int64)
+        self.counts = np.zeros(4, np.int64)
         self.make_lists()
 
     def _memory(self, room: int) -> Memory:
@@ -80,4 +81,4 @@ class Part:
         for mine, given in zip(self.memories, (pair_memory, wall_memory), strict=True):
             for old, new in zip(mine, given, strict=True):
                 old[: len(new)] = new
-        self.scratch.counts[1:] = len(pair_memory.key), len(wall_memory.key)
+        self.scratch.counts[[KEPT_PAIRS, KEPT_WALLS]] = len(pair_memory.key), len(wall_memory.key)
