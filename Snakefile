@@ -215,6 +215,7 @@ rule accuracy:
 
 include: "silostudy/rules/draw.smk"
 include: "silostudy/rules/sweep.smk"
+include: "silostudy/rules/packing.smk"
 
 
 rule gallery:

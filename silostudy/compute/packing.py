@@ -3,6 +3,7 @@
 import os
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
+from itertools import chain
 
 import numpy as np
 import xarray as xr
@@ -31,7 +32,7 @@ def packing_cube(expansion: Expansion, tell: Callable[[str], None] = lambda text
 
     with ThreadPoolExecutor(os.cpu_count()) as pool:
         first = one(tasks[0])  # alone, so that the kernel is compiled once
-        for done, results in enumerate((first, *pool.map(one, tasks[1:])), 1):
+        for done, results in enumerate(chain([first], pool.map(one, tasks[1:])), 1):
             for case, run, values in results:
                 found[case][run] = values
             if done * 20 // len(tasks) > (done - 1) * 20 // len(tasks):

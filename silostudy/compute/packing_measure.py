@@ -49,6 +49,11 @@ def janssen_force(depth, *, unit_weight, hydraulic_radius, wall_friction, latera
     return unit_weight * hydraulic_radius / wall_friction * (depth - length * -np.expm1(-depth / length))
 
 
+def tributary(depth: np.ndarray) -> np.ndarray:
+    """Edges (m) of the stretches of wall that contacts from the top one down answer for: the middles between neighbours."""
+    return np.concatenate([[0.0], 0.5 * (depth[1:] + depth[:-1])])
+
+
 def fit_janssen(
     force: np.ndarray, depth: np.ndarray, *, unit_weight: float, hydraulic_radius: float
 ) -> tuple[float, float, float]:
@@ -57,7 +62,7 @@ def fit_janssen(
     Each contact answers for the wall between the middles to its neighbours.  The lowest is left out: the drop at the floor
     is a finding of its own.  residual: root mean square miss over the mean contact force.
     """
-    edges = np.concatenate([[0.0], 0.5 * (depth[1:] + depth[:-1])])
+    edges = tributary(depth)
     known = {"unit_weight": unit_weight, "hydraulic_radius": hydraulic_radius}
 
     def miss(logs):
@@ -83,6 +88,8 @@ def at_rest(config: PackingScene, rested: Rested) -> dict[str, np.ndarray | floa
     normal, shear = force[rows].T
     law = {"unit_weight": weight / (config.silo.width_m * height), "hydraulic_radius": config.silo.width_m / 2.0}
     lateral, friction, residual = fit_janssen(normal, depth, **law)
+    straight = np.diff(0.5 * tributary(depth) ** 2)  # of pressure in proportion to depth
+    line = straight @ normal[:-1] / (straight @ straight) * straight - normal[:-1]
     low = (rows + 0.5) * step < 0.25 * height
     return {
         "rest_reached": float(rested.rested),
@@ -100,6 +107,7 @@ def at_rest(config: PackingScene, rested: Rested) -> dict[str, np.ndarray | floa
         "janssen_lateral_ratio": lateral,
         "janssen_wall_friction": friction,
         "janssen_residual": residual,
+        "hydrostatic_residual": float(np.sqrt(np.mean(line**2)) / normal[:-1].mean()),
     }
 
 
@@ -212,10 +220,15 @@ def _moved(config: PackingScene, rested: Rested, found: Discharge) -> dict[str, 
     middle, outer = np.abs(x - width / 2.0) < slit / 2.0, np.abs(x - width / 2.0) > width / 2.0 - slit / 2.0
     layer = np.minimum((y / (config.silo.height_m / LAYERS)).astype(int), LAYERS - 1)
     share = [gone["early"][layer == k].mean() if (layer == k).any() else np.nan for k in range(LAYERS)]
+    wide = np.array(share) * width
+    filled = int(np.isfinite(wide).sum())
     return {
         "dead_share_early": 1.0 - float(gone["early"].mean()),
         "dead_share_late": 1.0 - float(gone["late"].mean()),
         "surface_fall_middle": float(fall[top & middle].mean()),
         "surface_fall_sides": float(fall[top & outer].mean()),
-        "moving_width": np.array(share) * width,
+        "surface_fall_excess": float(fall[top & middle].mean() - fall[top & outer].mean()),
+        "moving_width": wide,
+        "channel_widening": float(wide[filled // 2 : filled].mean() / wide[0]) if wide[0] > 0.0 else np.nan,
+        "channel_over_slit": float(wide[:filled].mean()) / slit,
     }

@@ -95,7 +95,7 @@ def discharge(
     engine.clear_window()
     window = round(WINDOW / engine.model.dt)
     run = Run(engine, (Event("time", NEVER, "stop"),), limit=NEVER, window=window)
-    engine.step_to(0)  # makes the list of contacts, which the first look needs
+    _list_contacts(engine)
     watch(run)
     swap_walls(engine, "floor", ("floor_left", "floor_right"))
     samples = round(study.discharge_s / WINDOW / SAMPLE)
@@ -106,6 +106,7 @@ def discharge(
         run.go(until=k * SAMPLE * window)
         if run.recording.explosion is not None:
             raise run.recording.explosion
+        _list_contacts(engine)
         found.passed[k], found.places[k] = _passed(run, found), engine.places
         watch(run)
         _look_for_stop(study, config, run, found, k, quiet)
@@ -133,6 +134,11 @@ def _look_for_stop(study, config, run: Run, found: Discharge, k: int, quiet: int
         found.removed.append((k * SAMPLE * WINDOW, arch.roof))
         found.stopped = False
         run.insert(Event("after", 0.0, "remove", (arch.roof,)))
+
+
+def _list_contacts(engine: Engine) -> None:
+    """Have the list of contacts made without a step: discs that were dropped or walls that changed have emptied it."""
+    engine.step_to(engine.step)
 
 
 def _passed(run: Run, found: Discharge) -> int:

@@ -75,7 +75,7 @@ class PackingStudy(BaseStudy):
     offset_gap_m: float = described("gap between neighbours at those starts", "m", gt=0, default=3e-4)
     discharge_s: float = described("time that each discharge is followed", "s", gt=0.5, default=1.2)
     stopped_s: float = described("time without a disc passing after which the flow has stopped", "s", gt=0, default=0.2)
-    rest_limit_s: float = described("longest time for a packing to come to rest", "s", gt=0, default=4.0)
+    rest_limit_s: float = described("longest time for a packing to come to rest", "s", gt=0, default=2.5)
     detailed: tuple[Detail, ...] = described("runs that are kept frame by frame, for figures and animations", "", default=())
 
     @property

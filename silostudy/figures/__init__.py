@@ -8,6 +8,7 @@ from silostudy.files import replacing
 from silostudy.tables.read import HERE, rows
 
 LISTS = ("axes", "methods", "phases", "rules")
+ENDINGS = {"figure": ("png", "svg", "csv"), "table": ("csv",), "animation": ("webp",)}
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -18,7 +19,7 @@ class Output(Row):
     The module of the same name in this room draws it (loaded only then: drawing needs matplotlib).
     """
 
-    kind: str  # "figure" or "table"
+    kind: str  # one of ENDINGS
     stage: str  # the cube it is drawn from
     also: tuple[str, ...]  # further cubes that it shows where the study has them
     axes: tuple[str, ...]
@@ -58,7 +59,7 @@ OUTPUTS: Family[Output] = Family("output", map(_output, rows(HERE / "outputs.csv
 def files_of(key: str, folder: str) -> list[str]:
     """Files of an output in the folder of a study's results: a figure as PNG, SVG and the numbers it shows, a table as CSV."""
     kind = OUTPUTS[key].kind
-    return [f"{folder}/{kind}s/{key}.{ending}" for ending in (("png", "svg", "csv") if kind == "figure" else ("csv",))]
+    return [f"{folder}/{kind}s/{key}.{ending}" for ending in ENDINGS[kind]]
 
 
 def captions(folder: Path) -> dict[str, str]:

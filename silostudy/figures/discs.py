@@ -42,7 +42,7 @@ def draw_box(panel: Axes, cube: xr.Dataset, *, opened: bool) -> None:
     edges = [(0, width / 2 - half), (width / 2 + half, width)] if opened else [(0, width)]
     for left, right in edges:
         panel.plot([left, right], [0, 0], color="black", linewidth=1)
-    panel.set(xlim=(-1, width + 1), ylim=(-4 if opened else -1, height), aspect="equal")
+    panel.set(xlim=(-1, width + 1), ylim=(-4, height), aspect="equal")
     panel.grid(False)
 
 

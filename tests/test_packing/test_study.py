@@ -1,6 +1,9 @@
 """The packing study: forces at rest against statics and Janssen, arches and their remedy, ensembles that repeat bit by bit."""
 
+from importlib import import_module
+
 import numpy as np
+import pandas as pd
 import pytest
 
 from silostudy.compute.arch import find_arch
@@ -11,7 +14,12 @@ from silostudy.compute.packing_run import GRAVITY, WINDOW, settle
 from silostudy.dem.engine import Engine
 from silostudy.dem.model import Wall
 from silostudy.errors import BadInput
-from tests.conftest import expanded
+from silostudy.figures import packing_slit
+from silostudy.figures.packing_against_codes import code_factors
+from silostudy.figures.packing_findings import findings, verdict
+from silostudy.scene.expand import expand_file
+from silostudy.tables.claims import kiyama_1983
+from tests.conftest import ROOT, expanded
 from tests.test_dem.scenes import free
 
 CONTENT = {
@@ -162,3 +170,77 @@ def test_film_at_rest_holds_the_fill(motion):
 def test_mistakes_are_told(change, told):
     with pytest.raises(BadInput, match=told.replace("(", r"\(")):
         expanded({**CONTENT, "sweep": [], "scene": {**CONTENT["scene"], **change}})
+
+
+DRAWN = {
+    "motion": ("kiyama_fig_6", "kiyama_fig_7", "kiyama_fig_8_9"),
+    "packing": ("kiyama_fig_10", "packing_arching", "packing_against_codes"),
+}
+
+
+@pytest.mark.parametrize(("stage", "key"), [(stage, key) for stage, keys in DRAWN.items() for key in keys])
+def test_figures_draw(stage, key, cube, motion, tmp_path):
+    import_module(f"silostudy.figures.{key}").draw(motion if stage == "motion" else cube, tmp_path / key)
+    assert (tmp_path / f"{key}.png").stat().st_size > 10_000
+    assert len(pd.read_csv(tmp_path / f"{key}.csv")) > 1
+
+
+def test_animation_shows_every_other_snapshot(motion, tmp_path):
+    from PIL import Image
+
+    from silostudy.figures import packing_motion
+
+    packing_motion.draw(motion.isel(snapshot=motion["snapshot_film"] != 3), tmp_path / "motion")
+    with Image.open(tmp_path / "motion.webp") as image:
+        assert image.format == "WEBP"
+        assert image.n_frames > 1
+
+
+def test_findings_judge_every_claim(cube):
+    table = findings(cube)
+    assert set(table["claim"]) == {claim.claim for claim in kiyama_1983()} - {
+        claim.claim for claim in kiyama_1983() if claim.across == 18
+    }
+    falls = table[table["claim"].str.startswith("side-wall force falls")].iloc[0]
+    assert falls["median"] == 1  # two packings, one step
+    assert falls["verdict"] == "not reproduced"  # seven steps are asked for
+    assert table["runs"].max() == 2
+
+
+def test_verdict_follows_from_the_runs():
+    assert [verdict(meet, 10) for meet in (0, 1, 2, 7, 8, 10)] == [
+        "not reproduced", "not reproduced", "in some runs", "in some runs", "reproduced", "reproduced",
+    ]  # fmt: skip
+    assert verdict(0, 0) == "no run to judge by"
+
+
+def test_codes_of_the_table_raise_static_janssen():
+    factors = code_factors()
+    assert factors["aij_load_draft"] == pytest.approx(2.6, rel=1e-3)
+    assert min(factors.values()) > 1.0
+
+
+def test_beverloo_fit_finds_known_constants():
+    slit = np.array([0.04, 0.06, 0.08, 0.12])
+    law = {"density": 1800.0, "diameter": 0.02}
+    known = packing_slit.rate(slit, 0.6, 1.3, **law)
+    assert packing_slit.fit(slit, known, np.full(4, 9), **law) == pytest.approx((0.6, 1.3), rel=1e-6)
+    assert packing_slit.rate(0.02, 0.6, 1.3, **law) == 0.0
+    assert np.isnan(packing_slit.fit(slit[:2], known[:2], np.full(2, 9), **law)).all()
+
+
+def test_slits_share_a_filling(tmp_path):
+    """A sweep over the slit: wider slits let more out; the figure and its fit are drawn."""
+    content = {**CONTENT, "runs": 1, "detailed": [], "sweep": [
+        {"axis": "packing", "values": {"across": [12]}}, {"axis": "slit", "values": {"silo.slit_width_m": [0.06, 0.1, 0.14]}},
+    ]}  # fmt: skip
+    cube = packing_cube(expanded(content))
+    assert len(np.unique(cube["rest_side_share"].isel(run=1))) == 1
+    assert np.all(np.diff(cube["passed_discs"].isel(packing=0, run=1, sample=-1)) > 0)
+    packing_slit.draw(cube, tmp_path / "slit")
+    assert set(pd.read_csv(tmp_path / "slit.csv")["runs"]) == {1}
+
+
+def test_studies_are_valid():
+    for path in sorted((ROOT / "config/studies").glob("kiyama-1983*.yaml")):
+        assert expand_file(path).cases

@@ -1,0 +1,64 @@
+"""Places of the discs and contact forces in discharge, after the source's Figs. 8 and 9."""
+
+from pathlib import Path
+
+import matplotlib.pyplot as plt
+import numpy as np
+import pandas as pd
+import xarray as xr
+
+from silostudy.figures import discs
+from silostudy.figures.style import save
+
+TIMES = (0.0, 0.05, 0.1, 0.2, 0.3, 0.4, 0.7, 1.0)  # s: the source's text speaks of these
+SCALE = 2 * discs.DIAMETER_IS  # disc weights a diameter: forces in flow are several times those at rest
+
+
+def draw(cube: xr.Dataset, stem: Path) -> None:
+    """Writes the figure and its numbers: of each film and time the discs left, the largest and the mean force."""
+    films = shown(cube)
+    figure, panels = plt.subplots(2 * len(films), len(TIMES), figsize=(2.35 * len(TIMES), 5.1 * len(films)), squeeze=False)
+    numbers = []
+    for row, film in enumerate(films):
+        for column, snapshot in enumerate(_snapshots(cube, film)):
+            place, force = panels[2 * row, column], panels[2 * row + 1, column]
+            time = float(cube["snapshot_time"][snapshot])
+            for panel in (place, force):
+                discs.draw_box(panel, cube, opened=time > 0)
+                panel.tick_params(labelsize=6)
+            place.add_collection(discs.circles(cube, snapshot, place, facecolors="#d9d9d9", edgecolors="black", linewidths=0.3))
+            force.add_collection(discs.chains(cube, snapshot, scale=SCALE))
+            place.set_title(f"t = {time:.3g} s", fontsize=9)
+            numbers.append(_row(cube, film, snapshot))
+        panels[2 * row, 0].set_ylabel(f"{discs.name(cube, film).replace(', a', chr(10) + 'a')}\nheight (cm)", fontsize=8)
+        panels[2 * row + 1, 0].set_ylabel("height (cm)", fontsize=8)
+        discs.scale_bar(panels[2 * row + 1, 0], cube, 0.5, 37.5, SCALE)
+    for panel in panels[-1]:
+        panel.set_xlabel("across (cm)", fontsize=8)
+    figure.suptitle(f"{cube.attrs['title']}\nplaces of the discs, and below them the contact forces")
+    save(figure, pd.DataFrame(numbers), stem)
+
+
+def shown(cube: xr.Dataset) -> list[int]:
+    """Films of a discharge, the one with the remedy in the place of that without."""
+    last: dict[tuple[int, int], int] = {}
+    for film in discs.films(cube, moving=True):
+        last[int(cube["film_across"][film]), int(cube["film_run"][film])] = film
+    return list(last.values())
+
+
+def _snapshots(cube: xr.Dataset, film: int) -> list[int]:
+    """The film's snapshots next to the times."""
+    own = discs.frames(cube, film)
+    time = cube["snapshot_time"].values[own]
+    return [int(own[np.argmin(np.abs(time - wanted))]) for wanted in TIMES]
+
+
+def _row(cube: xr.Dataset, film: int, snapshot: int) -> dict:
+    here = cube["contact_snapshot"].values == snapshot
+    size = np.hypot(cube["contact_force_x"].values[here], cube["contact_force_y"].values[here]) / discs.disc_weight(cube)
+    return {
+        "film": discs.name(cube, film), "time_s": float(cube["snapshot_time"][snapshot]),
+        "discs_above_floor": int((cube["disc_y"].values[snapshot] > 0).sum()),
+        "largest_force_disc_weights": size.max(), "mean_force_disc_weights": size.mean(),
+    }  # fmt: skip

@@ -1,0 +1,84 @@
+"""Whether, when and where an arch stops the flow, packing by packing, and what the remedy makes of it."""
+
+from pathlib import Path
+
+import matplotlib.pyplot as plt
+import numpy as np
+import pandas as pd
+import xarray as xr
+
+from silostudy.figures import ensembles
+from silostudy.figures.style import save
+
+CM = 100.0
+
+
+def draw(cube: xr.Dataset, stem: Path) -> None:
+    """Writes the figure and its numbers: chance of a stop, its time, the arch's span, discs out by the end."""
+    plain = ensembles.first(cube)
+    places = np.arange(cube.sizes["packing"])
+    chances = np.array(
+        [ensembles.chance(ensembles.runs(plain["flow_stopped"].sel(packing=s))) for s in plain["packing"].values]
+    )
+    figure, ((chance, time), (span, out)) = plt.subplots(2, 2, figsize=(11.5, 8))
+    middle, low, high = chances.T
+    chance.errorbar(places, middle, [middle - low, high - middle], fmt="o", color="black", capsize=3)
+    chance.set(ylabel="share of runs that an arch stops", ylim=(-0.03, 1.03), title="chance of a stop, with its 95 % interval")
+    _scatter(time, plain["stop_time"], places)
+    time.set(ylabel="last disc passed at (s)", title="when", ylim=(0, None))
+    _scatter(span, plain["arch_span"] * CM, places)
+    span.axhline(cube.attrs["slit_width_m"] * CM, color="black", linewidth=0.8, linestyle="--", label="width of the slit")
+    span.set(ylabel="distance of the arch's feet (cm)", title="where: the shortest chain of touching discs", ylim=(0, None))
+    span.legend(loc="lower right", fontsize=8)
+    _passed(out, cube, places)
+    for panel in (chance, time, span, out):
+        panel.set_xticks(places, [ensembles.name(s) for s in cube["packing"].values])
+        panel.set_xlabel("packing")
+    figure.suptitle(
+        f"{cube.attrs['title']}\narches in {cube.sizes['run'] - 1} runs a packing, slit {cube.attrs['slit_width_m'] * CM:g} cm"
+    )
+    save(figure, _numbers(cube, chances), stem)
+
+
+def _scatter(panel, values: xr.DataArray, places: np.ndarray) -> None:
+    for place, across in zip(places, values["packing"].values, strict=True):
+        known = ensembles.runs(values.sel(packing=across))
+        known = known[np.isfinite(known)]
+        panel.plot(place + np.linspace(-0.25, 0.25, len(known)), np.sort(known), ".", color="black", markersize=3, alpha=0.6)
+
+
+def _passed(panel, cube: xr.Dataset, places: np.ndarray) -> None:
+    """Discs that have passed by the end, with and without the remedy."""
+    cases = cube if "removal" in cube.dims else cube.expand_dims("removal")
+    for k in range(cases.sizes["removal"]):
+        values = ensembles.runs(cases["passed_discs"].isel(removal=k, sample=-1))
+        low, middle, high = ensembles.spread(values)
+        label = "a disc of the roof removed at each stop" if k else "as it comes"
+        panel.errorbar(
+            places + 0.16 * k - 0.08, middle, [middle - low, high - middle], fmt="os"[k], color=ensembles.COLOURS[bool(k)],
+            capsize=3, label=label,
+        )  # fmt: skip
+    end = float(cube["sample"][-1])
+    panel.set(
+        ylabel=f"discs out after {end:g} s",
+        title="with and without the remedy (median, middle four fifths)",
+        ylim=(0, 1.3 * panel.get_ylim()[1]),
+    )
+    panel.legend(loc="upper center", fontsize=8)
+
+
+def _numbers(cube: xr.Dataset, chances: np.ndarray) -> pd.DataFrame:
+    plain = ensembles.first(cube)
+    table = {"packing": [ensembles.name(s) for s in cube["packing"].values], "runs": plain.sizes["run"] - 1}
+    table |= dict(zip(("stopped_share", "share_low_95", "share_high_95"), chances.T, strict=True))
+    for name in ("stop_time", "arch_span", "arch_height", "arch_discs"):
+        values = plain[name].isel(run=slice(1, None))
+        table[f"{name}_median_of_stopped"] = values.median("run").values
+        table[f"{name}_ideal_start"] = plain[name].isel(run=0).values
+    cases = cube if "removal" in cube.dims else cube.expand_dims("removal")
+    for k in range(cases.sizes["removal"]):
+        passed = cases["passed_discs"].isel(removal=k, sample=-1, run=slice(1, None))
+        table[f"discs_out_median_{'with' if k else 'without'}_remedy"] = passed.median("run").values
+    if "removal" in cube.dims:
+        table["discs_removed_mean"] = cube["discs_removed"].isel(removal=1, run=slice(1, None)).mean("run").values
+    return pd.DataFrame(table)

@@ -1,0 +1,99 @@
+"""The detailed discharges in motion: discs coloured by speed, force chains on them, wall forces beside them."""
+
+from pathlib import Path
+
+import numpy as np
+import xarray as xr
+from matplotlib.animation import FuncAnimation, PillowWriter
+from matplotlib.axes import Axes
+from matplotlib.collections import LineCollection
+
+from silostudy.figures import discs
+from silostudy.figures.style import plt
+from silostudy.files import replacing
+
+FRAMES_A_SECOND = 8
+EVERY = 2  # snapshots a frame
+FASTEST = 1.0  # m/s: end of the colour scale
+SCALE = 4 * discs.DIAMETER_IS
+DPI = 80
+LENGTH = 10.0  # cm: length of the bar of the largest wall force of a film
+
+
+def draw(cube: xr.Dataset, stem: Path) -> None:
+    """Writes an animated WebP, which browsers play; a film that ends before the others keeps its last frame."""
+    films = [Film(cube, film) for film in discs.films(cube, moving=True)]
+    columns = min(2, len(films))
+    rows = -(-len(films) // columns)
+    figure, panels = plt.subplots(rows, columns, figsize=(5.0 * columns + 0.6, 3.9 * rows + 0.5), squeeze=False)
+    for panel in panels.flat[len(films) :]:
+        panel.axis("off")
+    for film, panel in zip(films, panels.flat, strict=False):
+        film.prepare(panel)
+    bar = figure.colorbar(films[0].circles, ax=panels, shrink=0.5, pad=0.01, fraction=0.04)
+    bar.set_label("speed of the disc (m/s)")
+    figure.suptitle(f"{cube.attrs['title']}\nblue bars: normal force on 1 cm of wall (mean of 10 ms)", fontsize=10)
+    last = max(len(film.shots) for film in films)
+
+    def show(number: int) -> None:
+        for film in films:
+            film.show(min(EVERY * number, len(film.shots) - 1))
+
+    animation = FuncAnimation(figure, show, frames=-(-last // EVERY), init_func=lambda: None)
+    with replacing(stem.with_suffix(".webp")) as temporary:
+        animation.save(temporary, writer=PillowWriter(fps=FRAMES_A_SECOND), dpi=DPI)
+    plt.close(figure)
+
+
+class Film:
+    """One film on its panel: what is drawn once, and what every frame changes."""
+
+    def __init__(self, cube: xr.Dataset, film: int):
+        self.cube, self.shots, self.name = cube, discs.frames(cube, film), discs.name(cube, film)
+        self.force = cube["frame_normal_force"].values[self.shots]
+        self.width, self.heights = float(cube.attrs["width_m"]) * discs.CM, cube["side_cell"].values * discs.CM
+
+    def prepare(self, panel: Axes) -> None:
+        """Draw the box and empty collections."""
+        self.panel = panel
+        discs.draw_box(panel, self.cube, opened=True)
+        panel.set(
+            xlim=(-LENGTH - 1, self.width + LENGTH + 1),
+            xlabel="across (cm)",
+            ylabel="height (cm)",
+            xticks=np.linspace(0, self.width, 5),
+        )
+        self.circles = panel.add_collection(self._circles(0))
+        self.chains = panel.add_collection(discs.chains(self.cube, self.shots[0], scale=SCALE))
+        self.bars = LineCollection([], colors="#0072b2", linewidths=1.6)
+        panel.add_collection(self.bars)
+        discs.scale_bar(panel, self.cube, 1.0, 38.5, SCALE)
+        panel.plot([self.width, self.width + LENGTH], [38.5, 38.5], color="#0072b2", linewidth=1.6)
+        panel.text(self.width, 36.6, f"{self.force.max():.0f} N/m", fontsize=7, color="#0072b2")
+
+    def show(self, number: int) -> None:
+        """Show a frame."""
+        self.circles.remove()
+        self.chains.remove()
+        self.circles = self.panel.add_collection(self._circles(number))
+        self.chains = self.panel.add_collection(discs.chains(self.cube, self.shots[number], scale=SCALE))
+        self.bars.set_segments(self._bars(number))
+        time = float(self.cube["snapshot_time"][self.shots[number]])
+        self.panel.set_title(f"{self.name}\nt = {time:.2f} s", fontsize=9)
+
+    def _circles(self, number: int):
+        shot = self.shots[number]
+        found = discs.circles(self.cube, shot, self.panel, cmap="YlOrRd", edgecolors="#888888", linewidths=0.3)
+        found.set_array(discs.speed(self.cube, shot))
+        found.set_clim(0.0, FASTEST)
+        return found
+
+    def _bars(self, number: int) -> list[np.ndarray]:
+        """Bars outward from both walls, as long as the force of each cell."""
+        long = self.force[number] / self.force.max() * LENGTH
+        found = []
+        for foot, way, side in ((0.0, -1.0, 0), (self.width, 1.0, 1)):
+            tips = np.stack([foot + way * long[side], self.heights], axis=1)
+            feet = np.stack([np.full_like(self.heights, foot), self.heights], axis=1)
+            found += list(np.stack([feet, tips], axis=1)[long[side] > 0])
+        return found
