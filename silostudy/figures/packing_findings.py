@@ -33,12 +33,19 @@ def findings(cube: xr.Dataset) -> pd.DataFrame:
         for packing, *place in product(across, *(range(cube.sizes[axis]) for axis in others)):
             if packing in cube["packing"].values:
                 one = cube.sel(packing=packing).isel(dict(zip(others, place, strict=True)))
-                found.append(_row(claim, one, int(packing), {axis: one[axis].item() for axis in others}))
+                found.append(_row(claim, one, int(packing), _variant(one, others)))
     return pd.DataFrame(found)
 
 
+def _variant(one: xr.Dataset, axes: list[str]) -> dict:
+    """What the axes set: their own values, or those of the keys that change together on them."""
+    beside = {axis: [str(name) for name in one.coords if str(name).startswith(f"{axis}_")] or [axis] for axis in axes}
+    return {name: one[name].item() for names in beside.values() for name in names}
+
+
 def _falling_steps(cube: xr.Dataset) -> xr.DataArray:
-    return (cube["rest_side_share"].diff("packing") < 0).sum("packing").astype(float) * xr.ones_like(cube["rest_side_share"])
+    """Share of the steps to the next packing at which the force falls."""
+    return (cube["rest_side_share"].diff("packing") < 0).mean("packing") * xr.ones_like(cube["rest_side_share"])
 
 
 def _gain(cube: xr.Dataset) -> xr.DataArray:
