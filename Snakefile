@@ -14,6 +14,7 @@ from silostudy.stamp import STAGES, stamp
 
 PROJECT = Path(config.get("project", "config/config.yaml"))
 RESULTS = config.get("results", "results")
+AT_ONCE = workflow.resource_settings.nodes or workflow.resource_settings.cores or 1  # jobs
 
 
 @cache
@@ -37,7 +38,7 @@ try:  # every mistake of every study is told before any job starts
             remove_damaged(Path(RESULTS, name))
         remove_damaged(Path(RESULTS, "dem"))
         for name in SWEEPS:
-            make_plan(expansion(name), Path(RESULTS, name, "parts"), workflow.cores or 1)
+            make_plan(expansion(name), Path(RESULTS, name, "parts"), AT_ONCE)
 except BadInput as error:
     raise WorkflowError(str(error)) from None
 

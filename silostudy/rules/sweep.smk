@@ -5,6 +5,11 @@ import hashlib
 from silostudy.scene.plan import DONE, read_plan
 
 
+localrules:
+    cases,
+    verdict,
+
+
 wildcard_constraints:
     part="[0-9a-f]+-[0-9a-f]+",
     sweep="|".join({MODELS[name].kind for name in SWEEPS}) or "none",

@@ -36,7 +36,6 @@ def test_random_faults(place, tmp_path, faults, capsys):
         if breaker.happened.total() % 8 == 0 or breaker.happened.total() == faults:
             assert breaker.run() == 0, (folder / "said.txt").read_text()[-3000:]
             assert (results / CUBE).read_bytes() == bits
-            assert sum(computed(results).values()) == 24
             finished += 1
             for path in [*(results / "sweep").rglob("*"), *(results / "sweep").rglob(".*")]:
                 if path.is_file():
