@@ -50,6 +50,9 @@ onstart:
         raise WorkflowError(str(error)) from None
 
 
+report: "silostudy/rules/report.rst"
+
+
 wildcard_constraints:
     study="|".join(STUDIES),
     scene="|".join(SCENES) or "none",

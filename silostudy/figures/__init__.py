@@ -6,6 +6,7 @@ from pathlib import Path
 from silostudy.catalogue import Family, Row
 from silostudy.files import replacing
 from silostudy.tables.read import HERE, rows
+from silostudy.tables.references import cite
 
 LISTS = ("axes", "methods", "phases", "rules")
 ENDINGS = {"figure": ("png", "svg", "csv"), "table": ("csv",), "animation": ("webp",)}
@@ -63,13 +64,11 @@ def files_of(key: str, folder: str) -> list[str]:
 
 
 def captions(folder: Path) -> dict[str, str]:
-    """Writes a caption (reStructuredText) of every output into a folder; their files by key."""
-    written = {}
+    """A caption (reStructuredText) of every output, written into a folder unless it is there; their files by key."""
+    made = {key: (folder / f"{key}.rst").absolute() for key in OUTPUTS}
     for key, row in OUTPUTS.items():
-        path = (folder / f"{key}.rst").absolute()
-        text = f"{row.title}. Source: {row.source}, {row.locator}. Drawn from the cube {row.stage}.nc.\n"
-        if not path.exists() or path.read_text(encoding="utf-8") != text:
-            with replacing(path) as temporary:
+        if not made[key].exists():
+            with replacing(made[key]) as temporary:
+                text = f"{row.title}.\n\nSource: {cite(row.source)} {row.locator}.\n\nDrawn from the cube {row.stage}.nc.\n"
                 temporary.write_text(text, encoding="utf-8")
-        written[key] = str(path)
-    return written
+    return {key: str(path) for key, path in made.items()}

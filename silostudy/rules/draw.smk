@@ -3,14 +3,14 @@
 from silostudy.figures import captions, files_of
 from silostudy.stamp import PACKAGE
 
-CAPTIONS = captions(Path(RESULTS, "captions")) if workflow.is_main_process else {}
+CAPTIONS = captions(Path(RESULTS, "captions", stamp("figures/__init__"))) if workflow.is_main_process else {}
 
 
 def shown(name, key):
     """Files of an output, the first of them with its caption in the report."""
     first, *others = files_of(key, f"{RESULTS}/{name}")
     row, category = OUTPUTS[key], f"{MODELS[name].title} ({name})"
-    return [report(first, CAPTIONS.get(key), category, labels={"output": row.title, "kind": row.kind}), *others]
+    return [report(first, CAPTIONS.get(key), category, labels={"output": f"{row.title} ({row.kind})"}), *others]
 
 
 def drawing(name, stage):
