@@ -42,7 +42,7 @@ def test_demand_of_a_slow_push_is_static():
     """A base acceleration that rises slowly: shear = mass x acceleration, moment = shear x half the height."""
     t = np.linspace(0, 20, 4001)
     base = Record(1.5 * np.sin(np.pi * t / 40) ** 2, t[1], "slow push")
-    found = demand(MODEL, 0.026, 0.8, 0.05, base, np.array([0.0, MODEL.height]))
+    found = demand(MODEL, 0.026, 0.8, 0.05, base, np.array([0.0, MODEL.height, 0.05]))
     mass = MODEL.height * (2350 * 2 * np.pi * 0.25 * 0.015 + 0.8 * 790 * np.pi * 0.2425**2)
     assert found.shear_force[0] == pytest.approx(1.5 * mass, rel=1e-3)
     assert found.bending_moment[0] == pytest.approx(1.5 * mass * MODEL.height / 2, rel=1e-3)
@@ -50,6 +50,8 @@ def test_demand_of_a_slow_push_is_static():
     assert found.shear_force[1] < 1e-3 * found.shear_force[0]
     assert found.top_peak == pytest.approx(1.5, rel=1e-3)
     assert found.wall_pressure[0] == 0  # three times no height above the bottom
+    reach = np.array([0.0, 0.2425, 0.15])  # the inner radius at the top, three times the height near the bottom
+    assert found.wall_pressure == pytest.approx(found.acceleration * 790.0 * reach, rel=1e-12)
 
 
 def test_true_peak_is_above_the_sampled_one():

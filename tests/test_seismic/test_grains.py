@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from silostudy.accuracy.prices import Price
 from silostudy.commands.grains import told
 from silostudy.compute.grains import grains_cube
 from silostudy.compute.grains_model import model_of
@@ -102,7 +103,7 @@ def test_what_a_study_will_cost(monkeypatch):
     work = 2 * discs * (longest + slow + fast)
     assert f"at most {work:.2g} particle-steps" in lines[1]
     monkeypatch.setattr("silostudy.compute.grains.settled_model", lambda *_: model)
-    monkeypatch.setattr("silostudy.accuracy.prices.prices", lambda _: (discs * 5e-9, {"shaking": 0.25}))
+    monkeypatch.setattr("silostudy.accuracy.prices.prices", lambda _: (discs * 5e-9, {"shaking": Price(0.25, 0.2, 0.3, 0.1)}))
     assert lines[2].endswith("no others: friction, rotation, history; shaking; wall forces every step")
     timed = told(expansion, priced=True)
     assert timed[3] == f"5 ns a particle-step here and now: at most {5e-9 * work:,.0f} s on one core, and the compiling"
