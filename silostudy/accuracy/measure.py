@@ -63,7 +63,7 @@ def measure(
     repeats: readings of the cost of each rung; members: of each ensemble.
     """
     row, module = PROBLEMS[key], import_module(f"silostudy.accuracy.problems.{key}")
-    extra = (members,) if row.error == "means" else ()
+    extra = (members,) if row.compare == "means" else ()
     chosen = [(name, setting) for name in list(module.LADDERS)[:ladders] for setting in module.LADDERS[name][:rungs]]
     runs = {rung: module.prepare(*rung, *extra) for rung in chosen}
     for name in {name: None for name, _ in chosen}:  # kernels are compiled before anything is timed
@@ -92,7 +92,7 @@ def _timed(run: Callable) -> tuple[float, dict]:
 
 
 def _rung(row: ProblemRow, rung: tuple[str, float], values: dict, expected: dict, seconds: Iterable[float]) -> Rung:
-    found = {name: COMPARE[row.error](np.asarray(values[name]), np.asarray(expected[name])) for name in row.quantities}
+    found = {name: COMPARE[row.compare](np.asarray(values[name]), np.asarray(expected[name])) for name in row.quantities}
     error, low, high, floor = ({name: one[k] for name, one in found.items()} for k in range(4))
     return Rung(row.key, *rung, error=error, low=low, high=high, floor=floor, seconds=tuple(seconds))
 

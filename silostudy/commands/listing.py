@@ -4,7 +4,9 @@ from pathlib import Path
 
 
 def add(sub) -> None:
-    command = sub.add_parser("list", help="list methods, buckling or mass rules, solids, walls, records, studies or outputs")
+    command = sub.add_parser(
+        "list", help="list methods, rules, solids, walls, records, studies, outputs, problems or accuracies"
+    )
     command.add_argument("what", choices=LISTS)
     command.add_argument("--studies", type=Path, default=Path("config/studies"), help="folder of study files")
     command.set_defaults(run=run)
@@ -79,6 +81,20 @@ def _outputs(chosen):
         yield f"{row.key:30}", f"{row.kind:7}", f"{wants:28}", row.title
 
 
+def _problems(chosen):
+    from silostudy.tables.problems import PROBLEMS
+
+    for row in PROBLEMS.values():
+        yield f"{row.key:16}", f"{row.title:76}", f"{row.reference_kind}: {row.reference}"
+
+
+def _accuracies(chosen):
+    from silostudy.tables.fronts import FRONTS
+
+    for row in FRONTS:
+        yield f"{row.kind:9}", f"{row.quantity:18}", f"error {row.error:<9.3g}", f"{row.cost:<9.3g} s", row.settings
+
+
 LISTS = {
     "methods": _methods,
     "buckling": _buckling,
@@ -88,4 +104,6 @@ LISTS = {
     "records": _records,
     "studies": _studies,
     "outputs": _outputs,
+    "problems": _problems,
+    "accuracies": _accuracies,
 }

@@ -60,7 +60,7 @@ def _discs(scene: DemScene, folder: Path):
 
 def _step(scene: DemScene, model: Model, where: str) -> float:
     if scene.march.step_s is None:
-        return chosen_step(model)
+        return scene.march.step_factor * chosen_step(model)
     bound = longest_step(model)
     if scene.march.step_s > bound and not scene.march.beyond_stability:
         allowed = f"beyond the stability bound {bound:.4g} s; shorten it, or set march.beyond_stability"

@@ -31,7 +31,7 @@ def cube_of(run: Run, scene: DemScene) -> xr.Dataset:
         for name, values in kept.items()
     }
     asked = scene.model_dump_json(exclude_defaults=True)
-    attributes: dict[str, Any] = dict(provenance(scene.title, asked, sources_of(model), "dem"))
+    attributes: dict[str, Any] = dict(provenance(scene.title, asked, sources_of(model), "dem")) | scene.promise
     attributes |= {"time_step_s": model.dt, "steps": run.engine.step, "discs_left": run.engine.n}
     if record.explosion is not None:
         attributes["stopped"] = str(record.explosion)

@@ -132,5 +132,9 @@ def _assemble(expansion: Expansion, labels: list[str], z, values, scopes, handed
         )
     study = expansion.study.model_dump_json(exclude_defaults=True)
     sources = [row_of(label).source for label in labels] + [case.scene.solid.source for case in expansion.cases]
-    about = {**provenance(expansion.study.title, study, sources, "pressure"), "sweep_axes": " ".join(axes)}
+    about = {
+        **provenance(expansion.study.title, study, sources, "pressure"),
+        **expansion.study.promise,
+        "sweep_axes": " ".join(axes),
+    }
     return check(xr.Dataset(data, coords, about))

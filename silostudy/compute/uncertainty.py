@@ -116,6 +116,5 @@ def _assemble(expansion: Expansion, labels: list[str], quantiles: np.ndarray, in
         coords["relative_depth"] = (level, np.array(expansion.study.depths), attributes("relative_depth"))
     study = expansion.study.model_dump_json(exclude_defaults=True)
     sources = [row_of(label).source for label in labels] + [case.scene.solid.source for case in expansion.cases]
-    return check(
-        xr.Dataset(data, coords, {**provenance(expansion.study.title, study, sources, "uncertainty"), "sweep_axes": ""})
-    )
+    about = {**provenance(expansion.study.title, study, sources, "uncertainty"), **expansion.study.promise}
+    return check(xr.Dataset(data, coords, {**about, "sweep_axes": ""}))

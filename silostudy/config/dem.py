@@ -1,9 +1,10 @@
 """What a user writes to describe one discrete-element scene, in the user's units."""
 
-from typing import Annotated, Literal, Self, TypeAlias
+from typing import Annotated, ClassVar, Literal, Self, TypeAlias
 
 from pydantic import Field, model_validator
 
+from silostudy.config.asked import Asked
 from silostudy.config.fields import Strict, described
 from silostudy.contact import COHESION, NORMAL, ROLLING, TANGENTIAL
 from silostudy.contact.line import PRINTED_CONSTANTS
@@ -114,6 +115,9 @@ class MarchConfig(Strict):
 
     integrator: IntegratorKey = described("how velocities and places follow from forces", "", default="17-18")
     step_s: float | None = described("time step; null: from the stability bound", "s", gt=0, default=None)
+    step_factor: float = described(
+        "time step over the one that the engine chooses where step_s is null", gt=0, le=1, default=1.0
+    )
     beyond_stability: bool = described("take a step_s beyond the stability bound all the same", "", default=False)
     limit_s: float = described("time at which the run ends at the latest", "s", gt=0)
 
@@ -162,8 +166,10 @@ class QuakeConfig(Strict):
     file: str = described("CSV file with columns time_s, x_m_s2, y_m_s2, relative to the scene file", "")
 
 
-class DemScene(Strict):
+class DemScene(Asked):
     """A discrete-element scene."""
+
+    front: ClassVar[str] = "dem"
 
     kind: Literal["dem"] = described("dem: discrete elements", "")
     title: str = described("title of the scene", "")
@@ -179,6 +185,12 @@ class DemScene(Strict):
     events: tuple[EventConfig, ...] = described("what happens, in order; the last is a stop", "", min_length=1)
     record: RecordConfig = described("what is recorded", "", default=RecordConfig())
     seed: int = described("seed of the random numbers", ge=0, default=0)
+
+    @model_validator(mode="after")
+    def _one_step(self) -> Self:
+        if self.accuracy is not None and self.march.step_s is not None:
+            raise ValueError("give either accuracy or march.step_s, and not both")
+        return self
 
     @model_validator(mode="after")
     def _events_fit(self) -> Self:

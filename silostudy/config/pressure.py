@@ -1,10 +1,11 @@
 """A pressure study: which methods, phases and depths."""
 
 from itertools import pairwise
-from typing import Literal, Self, TypeAlias
+from typing import ClassVar, Literal, Self, TypeAlias
 
 from pydantic import Field, field_validator, model_validator
 
+from silostudy.config.asked import Asked
 from silostudy.config.fields import Numbers, Range, Strict, described, expand
 from silostudy.config.scene import SceneConfig
 from silostudy.config.study import BaseStudy, distinct
@@ -23,8 +24,10 @@ class Uncertainty(Strict):
     seed: int = described("seed of the quasi-random sequence: the same seed gives the same numbers", ge=0, default=1)
 
 
-class PressureStudy(BaseStudy):
+class PressureStudy(Asked, BaseStudy):
     """Wall pressures of silos by theories and design codes."""
+
+    front: ClassVar[str] = "pressure"
 
     kind: Literal["pressure"] = described("pressure: wall pressures by theories and design codes", "")
     scene: SceneConfig = described("the base scene", "")

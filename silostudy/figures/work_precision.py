@@ -14,6 +14,7 @@ COLOURS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#e69f00", "#7
 MARKERS = ("o", "s", "^", "D", "v", "P", "X", "*")
 LEAST = 1e-16  # where an error of zero is drawn
 ACROSS = 3
+SPAN = 20.0  # of the time axis at the least: a narrower one is all noise
 
 
 def table(cube: xr.Dataset) -> pd.DataFrame:
@@ -64,6 +65,10 @@ def panel(axis, part: pd.DataFrame, problem: xr.Dataset) -> None:
     about = f"over {problem['problem_setting'].item()}; reference, {problem['problem_reference'].item()}"
     axis.set(xscale="log", yscale="log", ylabel="relative error")
     axis.set_xlabel(f"CPU time (s)\n{textwrap.fill(about, 80)}", fontsize=7.5)
+    low, high = axis.get_xlim()
+    if high < SPAN * low:
+        middle = np.sqrt(low * high)
+        axis.set_xlim(middle / np.sqrt(SPAN), middle * np.sqrt(SPAN))
     axis.set_title(f"{problem['problem_title'].item()}\n{part['quantity_title'].iloc[0]}", fontsize=8.5)
     axis.legend(fontsize=6.5, loc="best")
 
@@ -72,6 +77,6 @@ def slope(rungs: pd.DataFrame) -> float:
     """Slope of log error over log cost by least squares, between the floor or rounding and one; NaN for fewer than three."""
     error, cost = rungs["error"].to_numpy(), rungs["cost"].to_numpy()
     usable = (error > np.maximum(rungs["floor"].to_numpy(), 1e-13)) & (error < 1.0)
-    if usable.sum() < 3 or np.ptp(np.log(cost[usable])) < 0.3:
+    if usable.sum() < 3 or np.ptp(np.log(cost[usable])) < 0.7:
         return np.nan
     return float(np.polyfit(np.log(cost[usable]), np.log(error[usable]), 1)[0])

@@ -17,14 +17,14 @@ class ProblemRow(Row):
     quantities: dict[str, str]
     reference_kind: str
     reference: str
-    error: str  # over the largest reference value, over each, or between means of ensembles
+    compare: str  # error over the largest reference value, over each, or between means of ensembles
 
 
 def _problem(raw: dict) -> ProblemRow:
-    names = ("title", "group", "setting", "reference_kind", "reference", "error", "source", "locator")
+    names = ("title", "group", "setting", "reference_kind", "reference", "compare", "source", "locator")
     quantities = dict(part.split("=", 1) for part in raw["quantities"].split(";"))
     return ProblemRow(key=raw["problem"], quantities=quantities, **{name: raw[name] for name in names})
 
 
-_TEXT = ("problem", "group", "setting", "quantities", "reference_kind", "reference", "error")
+_TEXT = ("problem", "group", "setting", "quantities", "reference_kind", "reference", "compare")
 PROBLEMS = Family("problem", map(_problem, rows(HERE / "problems.csv", text=_TEXT)))

@@ -28,7 +28,7 @@ def errors(key, ladder, quantity, last):
     module = import_module(f"silostudy.accuracy.problems.{key}")
     expected = module.reference()[quantity]
     return [
-        COMPARE[PROBLEMS[key].error](np.asarray(module.prepare(ladder, setting)()[quantity]), np.asarray(expected))[0]
+        COMPARE[PROBLEMS[key].compare](np.asarray(module.prepare(ladder, setting)()[quantity]), np.asarray(expected))[0]
         for setting in module.LADDERS[ladder][-last:]
     ]
 
@@ -37,7 +37,7 @@ def errors(key, ladder, quantity, last):
 def test_every_problem_has_ladders_from_coarse_to_fine(row):
     module = import_module(f"silostudy.accuracy.problems.{row.key}")
     assert row.group in GROUPS
-    assert row.error in COMPARE
+    assert row.compare in COMPARE
     for settings in module.LADDERS.values():
         steps = np.diff(settings)
         assert (steps > 0).all() or (steps < 0).all()

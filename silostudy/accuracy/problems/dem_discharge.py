@@ -15,7 +15,7 @@ LADDERS = {
     "17-18": STEPS[1:],
     "17-19": STEPS,
     "17-18, stiffness / 16": STEPS,
-    "members at 2.5e-5 s": (4, 8, 16, 32, 64, 128),
+    "members at 2.5e-5 s": (4, 8, 16, 32, 64),
 }
 
 

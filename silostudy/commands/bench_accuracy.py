@@ -1,0 +1,131 @@
+"""`silostudy bench accuracy`: CPU time to an error of the static wall forces, the engine and LAMMPS side by side."""
+
+import time
+from collections.abc import Callable
+from dataclasses import replace
+from functools import partial
+
+import numpy as np
+
+from silostudy.accuracy.front import cheapest
+from silostudy.accuracy.silo import scene
+from silostudy.dem.engine import Engine, Explosion
+from silostudy.dem.model import Model
+
+ACROSS, LEVELS, PARTS, REST = 18, 20, 6, 0.6  # the bench's 350 discs; parts of a wall; s to rest
+STEPS = (1e-4, 6.4e-5, 4.8e-5, 3.2e-5, 2.4e-5, 1.6e-5, 8e-6, 4e-6)  # s
+FINEST, REPEATS, ASKED = 1e-6, 3, (0.2, 0.1, 0.05, 0.02)
+INTEGRATORS = ("17-18", "17-19", "velocity-verlet")
+COLOURS = {"17-18": "#0072b2", "17-19": "#d55e00", "velocity-verlet": "#009e73", "LAMMPS": "black"}
+
+
+def run(chosen) -> None:
+    import pandas as pd
+
+    from silostudy.accuracy.peers import available
+
+    missing = available()
+    if missing:
+        print(f"{missing}: its rows are left out")
+    model, _ = scene(ACROSS, LEVELS)
+    codes: dict[str, Callable] = {name: partial(_ours, model, name) for name in INTEGRATORS}
+    if not missing:
+        codes["LAMMPS"] = partial(_lammps, model)
+    finest = {name: codes[name](FINEST)[0] for name in ("velocity-verlet", *(["LAMMPS"] if not missing else []))}
+    exact = {code: finest["LAMMPS" if code == "LAMMPS" else "velocity-verlet"] for code in codes}
+    if not missing:
+        apart = _error(finest["LAMMPS"], exact["velocity-verlet"])
+        print(f"at {FINEST:g} s the wall forces of both codes are {apart:.1%} apart; each is measured against its own")
+    rows = pd.DataFrame(_in_turn(codes, exact))
+    print(rows.to_string(index=False, float_format=lambda value: f"{value:.3g}"))
+    for asked in ASKED:
+        print(_told(rows, asked))
+    _draw(rows, chosen.output)
+
+
+def _ours(model: Model, integrator: str, dt: float) -> tuple[np.ndarray, float]:
+    """Wall forces at rest and CPU seconds."""
+    engine = Engine(replace(model, integrator=integrator, dt=dt))
+    start = time.process_time()
+    try:
+        engine.step_to(round(REST / dt))
+    except Explosion:
+        return np.full((2, PARTS), np.nan), time.process_time() - start
+    return _wall_force(model, engine.places), time.process_time() - start
+
+
+def _lammps(model: Model, dt: float) -> tuple[np.ndarray, float]:
+    from silostudy.accuracy.peers import Lammps
+
+    peer = Lammps(replace(model, dt=dt), np.c_[model.x, model.y], slit=0.2 * model.walls[0].end[0])
+    start = time.process_time()
+    peer.step(round(REST / dt))
+    spent = time.process_time() - start
+    places = peer.places
+    peer.close()
+    return _wall_force(model, places), spent
+
+
+def _wall_force(model: Model, places: np.ndarray) -> np.ndarray:
+    """Normal force (N/m) at rest on each part of both walls, from the overlaps: (2, parts); NaN where discs are lost."""
+    if len(places) < len(model.x) or not np.isfinite(places).all():
+        return np.full((2, PARTS), np.nan)
+    width, radius = model.walls[0].end[0], model.radius[0]
+    edges = np.linspace(0.0, float(model.y.max()) + radius, PARTS + 1)
+    edges[0], edges[-1] = -np.inf, np.inf
+    stiffness = model.wall.coefficients["normal_stiffness"]
+    overlaps = (np.maximum(0.0, radius - places[:, 0]), np.maximum(0.0, places[:, 0] + radius - width))
+    return np.array([np.histogram(places[:, 1], edges, weights=stiffness * one)[0] for one in overlaps])
+
+
+def _error(force: np.ndarray, exact: np.ndarray) -> float:
+    return float(np.abs(force - exact).max() / exact.max())
+
+
+def _in_turn(codes: dict, exact: dict) -> list[dict]:
+    """Error and median CPU time of every code and step, the readings in turn."""
+    spent: dict[tuple, list[float]] = {(code, dt): [] for dt in STEPS for code in codes}
+    errors = {}
+    for _ in range(REPEATS):
+        for code, dt in spent:
+            force, seconds = codes[code](dt)
+            spent[code, dt].append(seconds)
+            errors[code, dt] = _error(force, exact[code])
+    return [{"code": c, "step_s": dt, "error": errors[c, dt], "cpu_s": float(np.median(s))} for (c, dt), s in spent.items()]
+
+
+def _told(rows, asked: float) -> str:
+    """The cheapest of ours and of LAMMPS that reach an error, and the ratio."""
+    words, costs = [], []
+    for part in (rows[rows["code"] != "LAMMPS"], rows[rows["code"] == "LAMMPS"]):
+        best = cheapest(part["cpu_s"], part["error"], asked)
+        if best is None:
+            words.append("not reached")
+            continue
+        one = part.iloc[best]
+        costs.append(one["cpu_s"])
+        words.append(f"{one['code']} at {one['step_s']:g} s in {one['cpu_s']:.3g} s")
+    ratio = f"; LAMMPS takes {costs[1] / costs[0]:.1f} times as long" if len(costs) == 2 else ""
+    return f"{asked:.0%}: {'; '.join(words)}{ratio}"
+
+
+def _draw(rows, output) -> None:
+    import matplotlib.pyplot as plt
+
+    from silostudy.accuracy.measure import machine
+    from silostudy.figures.style import save
+
+    figure, axis = plt.subplots(figsize=(7.5, 5.5))
+    for code, part in rows.groupby("code", sort=False):
+        shown = part[part["error"] < 1.0]
+        axis.plot(shown["cpu_s"], shown["error"], marker="o", markersize=4, color=COLOURS[code], label=code)
+    for asked in ASKED:
+        axis.axhline(asked, color="black", linewidth=0.5, linestyle=":")
+    axis.set(xscale="log", yscale="log", xlabel="CPU time (s)", ylabel="largest error of the wall forces over their largest")
+    about = machine()
+    axis.set_title(
+        f"{ACROSS * LEVELS - LEVELS // 2} discs brought to rest, one core\n{about['machine']}, {about['measured_on']}",
+        fontsize=9,
+    )
+    axis.legend()
+    save(figure, rows, output.with_suffix(""))
