@@ -190,6 +190,19 @@ rule grains:
         "python -m silostudy grains {input[0]} {output} > {log} 2>&1"
 
 
+rule profile:
+    input:
+        study_files,
+    output:
+        RESULTS + "/{study}/profile.nc",
+    params:
+        code=stamp(*STAGES["profile"]),
+    log:
+        RESULTS + "/{study}/logs/profile.log",
+    shell:
+        "python -m silostudy profile {input[0]} {output} > {log} 2>&1"
+
+
 rule stability:
     input:
         study_files,

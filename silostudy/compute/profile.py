@@ -1,0 +1,87 @@
+"""The profile stage of a stability study: the wall forces of a silo at rest over the time step, by march and in LAMMPS."""
+
+from collections.abc import Callable
+
+import numpy as np
+import xarray as xr
+
+from silostudy.accuracy.peers import available
+from silostudy.accuracy.silo_step import REFERENCE_MARCH, at_rest, error_of, filled, peer_at_rest, profile
+from silostudy.compute.variables import attributes
+from silostudy.cube.contract import check
+from silostudy.cube.provenance import provenance
+from silostudy.errors import BadInput
+from silostudy.scene.expand import Expansion
+
+PEER = "LAMMPS"
+CAPS = {PEER: "spring-slider-total"}  # the slider whose short steps a march is held against; the others: spring-slider
+
+
+def profile_cube(expansion: Expansion, tell: Callable[[str], None] = lambda text: None) -> xr.Dataset:
+    """The cube of the silo of a stability study; `tell` hears of each march and step."""
+    study, silo = expansion.study, expansion.study.silo
+    if silo is None:
+        raise BadInput("silo", None, "the study has no such section")
+    marches = {name(case.scene.config): _march(case.scene.config) for case in expansion.cases}
+    marchers = [*marches, *([PEER] if study.peer and not available() else [])]
+    steps, seeds = np.array(silo.steps_ms) * 1e-3, range(1, silo.fillings + 1)
+    references = {cap: _reference(silo, cap, seeds) for cap in {CAPS.get(one, "spring-slider") for one in marchers}}
+    error, noise = (np.full((len(marchers), len(steps)), np.nan) for _ in "en")
+    push = np.full((len(marchers), len(steps), silo.parts), np.nan)
+    for i, marcher in enumerate(marchers):
+        reference = references[CAPS.get(marcher, "spring-slider")]
+        for k, step in enumerate(steps):
+            found = _profiles(silo, marches.get(marcher), step, seeds)
+            if found is not None:
+                push[i, k] = found.mean(axis=0)
+                error[i, k], noise[i, k] = error_of(found, reference)
+            tell(f"{marcher}, {step * 1e3:g} ms: {error[i, k]:.3g} +- {noise[i, k]:.2g}")
+    data = {
+        "profile_error": (("marcher", "march_step"), error),
+        "profile_noise": (("marcher", "march_step"), noise),
+        "silo_push": (("marcher", "march_step", "wall_part"), push),
+        "reference_push": (("marcher", "wall_part"), np.array([_mean(references, one) for one in marchers])),
+    }
+    coords = {
+        "marcher": ("marcher", marchers),
+        "march_step": ("march_step", steps),
+        "wall_part": ("wall_part", np.arange(silo.parts)),
+    }
+    variables = {key: (dims, values, attributes(key)) for key, (dims, values) in (data | coords).items()}
+    about = provenance(study.title, study.model_dump_json(exclude_defaults=True), ["kiyama_fujimura_1983"], "profile")
+    about |= {"reference_step_s": silo.reference_step_ms * 1e-3, "fillings": silo.fillings}
+    return check(xr.Dataset({key: variables[key] for key in data}, {key: variables[key] for key in coords}, about))
+
+
+def name(config) -> str:
+    """Integrator and dashpots of a way of marching."""
+    implicit = "implicit" in config.discs.normal + config.discs.tangential
+    return config.integrator + (", semi-implicit dashpots" if implicit else "")
+
+
+def _march(config) -> tuple[str, str, str]:
+    return config.integrator, config.discs.normal, config.discs.tangential
+
+
+def _mean(references: dict[str, np.ndarray], marcher: str) -> np.ndarray:
+    return references[CAPS.get(marcher, "spring-slider")].mean(axis=0)
+
+
+def _reference(silo, cap: str, seeds) -> np.ndarray:
+    """Profiles (filling, part) at the short step; BadInput where a filling does not come to rest."""
+    found = _profiles(silo, (REFERENCE_MARCH, "spring-dashpot", cap), silo.reference_step_ms * 1e-3, seeds)
+    if found is None:
+        raise BadInput("silo.rest_s", silo.rest_s, "is too short for a filling to come to rest")
+    return found
+
+
+def _profiles(silo, march: tuple[str, str, str] | None, step: float, seeds) -> np.ndarray | None:
+    """Profiles (filling, part) at a step; None where a filling does not come to rest. Without a march: LAMMPS."""
+    found = []
+    for seed in seeds:
+        model = filled(seed, step, *(march or (REFERENCE_MARCH, "spring-dashpot", CAPS[PEER])))
+        places = at_rest(model, silo.rest_s) if march else peer_at_rest(model, silo.rest_s)
+        if places is None:
+            return None
+        found.append(profile(places, model, silo.parts))
+    return np.array(found)

@@ -1,0 +1,43 @@
+"""How far the wall forces of a silo at rest move with the time step: every way of marching, and LAMMPS."""
+
+from pathlib import Path
+
+import matplotlib.pyplot as plt
+import numpy as np
+import pandas as pd
+import xarray as xr
+
+from silostudy.figures.stability_map import COLOURS, MARKERS
+from silostudy.figures.style import save
+
+
+def draw(cube: xr.Dataset, stem: Path) -> None:
+    """Writes the figure and its numbers."""
+    figure, (panel, heights) = plt.subplots(1, 2, figsize=(11, 5.2), width_ratios=(3, 2))
+    steps = cube["march_step"].to_numpy() * 1e3
+    for k, marcher in enumerate(cube["marcher"].to_numpy()):
+        one = cube.isel(marcher=k)
+        peer = marcher == "LAMMPS"
+        look = {"color": "black" if peer else COLOURS[k % len(COLOURS)], "marker": "x" if peer else MARKERS[k % len(MARKERS)]}
+        panel.errorbar(steps, one["profile_error"], one["profile_noise"], label=str(marcher), capsize=2, linewidth=1, **look)
+        last = int(np.flatnonzero(np.isfinite(one["profile_error"]))[-1])
+        heights.plot(one["silo_push"].isel(march_step=last), cube["wall_part"], linewidth=1,
+                     label=f"{marcher}, {steps[last]:g} ms", **look)  # fmt: skip
+    heights.plot(cube["reference_push"].isel(marcher=0), cube["wall_part"], color="black", linewidth=2.5, alpha=0.4,
+                 label=f"{cube.attrs['reference_step_s'] * 1e3:g} ms")  # fmt: skip
+    panel.set(xscale="log", xlabel="time step (ms)", ylabel="distance of the mean wall profile from a short step's (1)")
+    panel.set_ylim(bottom=0.0)
+    panel.set_title("bars: standard error; a line ends at the last step at which all fillings came to rest", fontsize=9)
+    heights.set(xlabel="normal force on both walls (N/m)", ylabel="part of the fill's height, from the floor (1)")
+    heights.set_title("at the longest step", fontsize=9)
+    panel.legend(fontsize=8)
+    heights.legend(fontsize=7)
+    figure.suptitle(f"Critically damped discs in a silo at rest, {cube.attrs['fillings']} fillings", fontsize=10)
+    save(figure, _numbers(cube), stem)
+
+
+def _numbers(cube: xr.Dataset) -> pd.DataFrame:
+    table = cube[["profile_error", "profile_noise"]].to_dataframe().reset_index()
+    total = cube["silo_push"].sum("wall_part", skipna=False) / cube["reference_push"].sum("wall_part")
+    table["wall_force_over_reference"] = total.transpose("marcher", "march_step").to_numpy().ravel()
+    return table.rename(columns={"march_step": "march_step_s"})
