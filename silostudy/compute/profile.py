@@ -14,7 +14,7 @@ from silostudy.errors import BadInput
 from silostudy.scene.expand import Expansion
 
 PEER = "LAMMPS"
-CAPS = {PEER: "spring-slider-total"}  # the slider whose short steps a march is held against; the others: spring-slider
+PEER_SLIDER = "spring-slider-total"  # spring and dashpot capped together
 
 
 def profile_cube(expansion: Expansion, tell: Callable[[str], None] = lambda text: None) -> xr.Dataset:
@@ -25,11 +25,11 @@ def profile_cube(expansion: Expansion, tell: Callable[[str], None] = lambda text
     marches = {name(case.scene.config): _march(case.scene.config) for case in expansion.cases}
     marchers = [*marches, *([PEER] if study.peer and not available() else [])]
     steps, seeds = np.array(silo.steps_ms) * 1e-3, range(1, silo.fillings + 1)
-    references = {cap: _reference(silo, cap, seeds) for cap in {CAPS.get(one, "spring-slider") for one in marchers}}
+    references = {one: _reference(silo, one == PEER, seeds) for one in {"", PEER} & {"", *marchers}}
     error, noise = (np.full((len(marchers), len(steps)), np.nan) for _ in "en")
     push = np.full((len(marchers), len(steps), silo.parts), np.nan)
     for i, marcher in enumerate(marchers):
-        reference = references[CAPS.get(marcher, "spring-slider")]
+        reference = references.get(marcher, references[""])
         for k, step in enumerate(steps):
             found = _profiles(silo, marches.get(marcher), step, seeds)
             if found is not None:
@@ -40,7 +40,10 @@ def profile_cube(expansion: Expansion, tell: Callable[[str], None] = lambda text
         "profile_error": (("marcher", "march_step"), error),
         "profile_noise": (("marcher", "march_step"), noise),
         "silo_push": (("marcher", "march_step", "wall_part"), push),
-        "reference_push": (("marcher", "wall_part"), np.array([_mean(references, one) for one in marchers])),
+        "reference_push": (
+            ("marcher", "wall_part"),
+            np.array([references.get(one, references[""]).mean(axis=0) for one in marchers]),
+        ),
     }
     coords = {
         "marcher": ("marcher", marchers),
@@ -63,13 +66,10 @@ def _march(config) -> tuple[str, str, str]:
     return config.integrator, config.discs.normal, config.discs.tangential
 
 
-def _mean(references: dict[str, np.ndarray], marcher: str) -> np.ndarray:
-    return references[CAPS.get(marcher, "spring-slider")].mean(axis=0)
-
-
-def _reference(silo, cap: str, seeds) -> np.ndarray:
-    """Profiles (filling, part) at the short step; BadInput where a filling does not come to rest."""
-    found = _profiles(silo, (REFERENCE_MARCH, "spring-dashpot", cap), silo.reference_step_ms * 1e-3, seeds)
+def _reference(silo, of_peer: bool, seeds) -> np.ndarray:
+    """Profiles (filling, part) at the short step, each program by its own; BadInput where a filling does not come to rest."""
+    march = None if of_peer else (REFERENCE_MARCH, "spring-dashpot", "spring-slider")
+    found = _profiles(silo, march, silo.reference_step_ms * 1e-3, seeds)
     if found is None:
         raise BadInput("silo.rest_s", silo.rest_s, "is too short for a filling to come to rest")
     return found
@@ -79,7 +79,7 @@ def _profiles(silo, march: tuple[str, str, str] | None, step: float, seeds) -> n
     """Profiles (filling, part) at a step; None where a filling does not come to rest. Without a march: LAMMPS."""
     found = []
     for seed in seeds:
-        model = filled(seed, step, *(march or (REFERENCE_MARCH, "spring-dashpot", CAPS[PEER])))
+        model = filled(seed, step, *(march or (REFERENCE_MARCH, "spring-dashpot", PEER_SLIDER)))
         places = at_rest(model, silo.rest_s) if march else peer_at_rest(model, silo.rest_s)
         if places is None:
             return None
