@@ -6,7 +6,7 @@ from pathlib import Path
 from silostudy.config.load import load_project, read_study
 from silostudy.config.study import SweepStudy
 from silostudy.errors import BadInput
-from silostudy.files import alone, check_writable, remove_damaged
+from silostudy.files import alone, check_writable, end_future, remove_damaged
 from silostudy.figures import OUTPUTS, files_of
 from silostudy.scene.expand import expand_file
 from silostudy.scene.plan import make_plan
@@ -33,6 +33,7 @@ try:  # every mistake of every study is told before any job starts
             raise BadInput("earthquake.study", asked.study, f"must be named in {PROJECT} too", name)
     if workflow.is_main_process:  # and not in the jobs that it starts elsewhere
         check_writable(Path(RESULTS))
+        end_future(Path(RESULTS))
         for name in STUDIES:
             expansion(name)
             remove_damaged(Path(RESULTS, name))

@@ -5,6 +5,7 @@ import hashlib
 import os
 import sys
 import tempfile
+import time
 from pathlib import Path
 
 from silostudy.errors import BadInput
@@ -60,6 +61,14 @@ def remove_damaged(folder: Path) -> None:
         if damaged(path):
             print(f"silostudy: {path} is damaged: removed, to be made again", file=sys.stderr)
             path.unlink()
+
+
+def end_future(folder: Path) -> None:
+    """Gives files that are later than now, as after a clock set back, the time of now: Snakemake refuses to work with them."""
+    now = time.time()
+    for path in folder.rglob("*"):
+        if path.is_file() and path.stat().st_mtime > now:
+            os.utime(path, (now, now))
 
 
 def alone(folder: Path) -> None:

@@ -126,8 +126,10 @@ class Breaker:
     def clock_back(self) -> None:
         """Files carry times of the past and the future in no order."""
         self._quiet()
-        for path in [*self.results.rglob("*"), *(self.folder / "config").rglob("*.yaml")]:
-            when = time.time() + self.chance.uniform(-1e6, 1e5)
+        own = [(path, 1e5) for path in self.results.rglob("*")]
+        users = [(path, 0.0) for path in (self.folder / "config").rglob("*.yaml")]
+        for path, latest in own + users:
+            when = time.time() + self.chance.uniform(-1e6, latest)
             os.utime(path, (when, when))
 
     def fill_disk(self) -> None:
