@@ -6,6 +6,7 @@ import os
 import sys
 import tempfile
 import time
+from contextlib import suppress
 from pathlib import Path
 
 from silostudy.errors import BadInput
@@ -67,8 +68,9 @@ def end_future(folder: Path) -> None:
     """Gives files that are later than now, as after a clock set back, the time of now: Snakemake refuses to work with them."""
     now = time.time()
     for path in folder.rglob("*"):
-        if path.is_file() and path.stat().st_mtime > now:
-            os.utime(path, (now, now))
+        with suppress(FileNotFoundError):  # a temporary file of a job that goes on
+            if path.is_file() and path.stat().st_mtime > now:
+                os.utime(path, (now, now))
 
 
 def alone(folder: Path) -> None:

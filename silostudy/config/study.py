@@ -116,7 +116,7 @@ class BaseStudy(Strict):
 class SweepStudy(BaseStudy):
     """A study whose cases are costly: computed in parts, each case once, failed cases masked."""
 
-    part_s: float = described("about how much work one job does", "s", gt=0, default=60.0)
+    part_s: float = described("about how much work one job does", "s", gt=0, default=120.0)
     case_s: float | None = described("measured time of a case; null: from discs and steps", "s", gt=0, default=None)
 
     @property
