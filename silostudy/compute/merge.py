@@ -1,7 +1,7 @@
 """Merges the journals of a sweep into its cube, with a bounded memory: failed cases are masked and carry their error."""
 
 import json
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from importlib import import_module
 from math import prod
 from pathlib import Path
@@ -35,17 +35,18 @@ class Records:
         self.keys = np.array([key for _, key, _ in rows], "S20")
         self.part = np.array([number for _, _, number in rows], np.int32)
 
-    def read(self, first: int, last: int) -> list[dict[str, Any]]:
-        """The records of the cases first ... last - 1; BadInput where one is missing or damaged."""
-        place = {key.decode(): k for k, key in enumerate(self.keys[first:last])}
-        found: list[Any] = [None] * (last - first)
+    def each(self, first: int, last: int) -> Iterator[tuple[int, dict[str, Any]]]:
+        """(place, record) of the cases first ... last - 1, one by one; BadInput in the end where one is missing or damaged."""
+        places = {key: k for k, key in enumerate(self.keys[first:last])}
+        found = np.zeros(last - first, bool)
         for number in np.unique(self.part[first:last]):
             for key, record in sound(self.folder / f"{self.parts[number]}{ENDING}"):
-                if key in place:
-                    found[place[key]] = json.loads(record)
-        if missing := found.count(None):
+                place = places.get(key.encode())
+                if place is not None:
+                    found[place] = True
+                    yield place, json.loads(record)
+        if missing := int((~found).sum()):
             raise BadInput("parts", str(self.folder), f"{missing} case(s) have no sound record: run the same command again")
-        return found
 
     def pattern(self) -> dict[str, tuple[int, ...]]:
         """Names and shapes of a case's numbers, from the first that has any; none where all failed."""
@@ -71,9 +72,12 @@ def merge(path: Path, folder: Path, output: Path, memory: float = MEMORY) -> tup
     lost: list[tuple[str, str]] = []
 
     def fill(first: int, last: int) -> dict[str, np.ndarray]:
-        cases = records.read(first, last)
-        lost.extend((case["case"], case["error"]) for case in cases if "error" in case)
-        return {name: _column(name, cases, slabs[name], frame) for name in slabs}
+        found = {name: _empty(last - first, slab, frame) for name, slab in slabs.items()}
+        for place, record in records.each(first, last):
+            _put(found, place, record)
+            if "error" in record:
+                lost.append((record["case"], record["error"]))
+        return found
 
     write_slabs(frame, slabs, fill, output, memory=memory)
     _clear(folder, records.parts, study.kind)
@@ -92,18 +96,23 @@ def _slabs(pattern: dict[str, tuple[int, ...]], frame: xr.Dataset) -> dict[str, 
     return found
 
 
-def _column(name: str, cases: list[dict[str, Any]], slab: Slab, frame: xr.Dataset) -> np.ndarray:
-    """One variable of some cases, NaN where a case failed."""
-    if slab.kind is str:
-        return np.array([case.get("error" if name == "case_error" else "case", "") for case in cases], object)
-    if name == "case_outcome":
-        return np.array(["error" in case for case in cases], np.int8)
-    empty = np.full([frame.sizes[dim] for dim in slab.dims], np.nan).tolist()
-    rows = (case["numbers"] if "error" not in case else {name: empty} for case in cases)
-    try:
-        return np.array([row[name] for row in rows], float)
-    except (KeyError, ValueError):
-        raise BadInput("records", name, "its cases do not all have it in the same shape") from None
+def _empty(count: int, slab: Slab, frame: xr.Dataset) -> np.ndarray:
+    """Room for a variable of some cases: NaN, no text, computed."""
+    shape = (count, *(frame.sizes[dim] for dim in slab.dims))
+    return np.full(shape, "", object) if slab.kind is str else np.full(shape, np.nan if slab.kind == "f8" else 0, slab.kind)
+
+
+def _put(columns: dict[str, np.ndarray], place: int, record: dict[str, Any]) -> None:
+    """Puts a case into its place; BadInput where it has other numbers than the first."""
+    columns["case"][place] = record["case"]
+    if "error" in record:
+        columns["case_error"][place], columns["case_outcome"][place] = record["error"], OUTCOMES.index("failed")
+        return
+    numbers, known = record["numbers"], {"case", "case_error", "case_outcome"}
+    for name in columns.keys() - known | numbers.keys():
+        if name not in numbers or name not in columns or np.shape(numbers[name]) != columns[name].shape[1:]:
+            raise BadInput("records", name, "its cases do not all have it in the same shape")
+        columns[name][place] = numbers[name]
 
 
 def _clear(folder: Path, parts: list[str], kind: str) -> None:

@@ -12,7 +12,7 @@ import numpy as np
 from silostudy.errors import BadInput
 from silostudy.journal import ENDING, Journal, sound
 from silostudy.scene.expand import Case, expand_file
-from silostudy.scene.plan import DONE, case_keys, read_plan, rows_of
+from silostudy.scene.plan import DONE, case_keys, rows_of, sizes
 
 EVERY = 10.0  # s between words on the progress
 
@@ -56,7 +56,7 @@ class Progress:
     def __init__(self, name: str, folder: Path, tell: Callable[[str], None]):
         self.name, self.folder, self.tell = name, folder, tell
         self.start = self.said = 0.0  # s: the first case, which may wait for a kernel to be compiled, does not count
-        self.whole = sum(len(rows) for rows in read_plan(folder).values())
+        self.sizes = sizes(folder)
 
     def step(self) -> None:
         """Called after each case."""
@@ -65,18 +65,14 @@ class Progress:
             self.start, self.said, self.first = now, now, self._done()
         if now - self.said < EVERY:
             return
-        self.said, done = now, self._done()
+        self.said, done, whole = now, self._done(), self.sizes.total()
         rate = (done - self.first) / max(now - self.start, 1e-9)
-        left = f"{(self.whole - done) / rate / 60:.1f} min left" if rate else "no rate yet"
-        self.tell(f"{self.name}: {done} of {self.whole} cases, {rate:.2g} cases/s, {left}")
+        left = f"{(whole - done) / rate / 60:.1f} min left" if rate else "no rate yet"
+        self.tell(f"{self.name}: {done} of {whole} cases, {rate:.2g} cases/s, {left}")
 
     def _done(self) -> int:
         """Cases with a record: all of a part that is marked done, those in the journals of the others."""
-        plan = read_plan(self.folder)
-        keys = {part: {key for _, key in rows} for part, rows in plan.items()}
         return sum(
-            len(wanted)
-            if (self.folder / f"{part}{DONE}").exists()
-            else len(wanted & {key for key, _ in sound(self.folder / f"{part}{ENDING}")})
-            for part, wanted in keys.items()
+            size if (self.folder / f"{part}{DONE}").exists() else sum(1 for _ in sound(self.folder / f"{part}{ENDING}"))
+            for part, size in self.sizes.items()
         )

@@ -13,6 +13,7 @@ import xarray as xr
 from silostudy.cube.contract import check
 from silostudy.files import replacing
 
+TEXT = 100  # bytes of a short text in memory
 CHUNK = 65_536  # values of a variable in one compressed piece of the file
 
 
@@ -38,7 +39,7 @@ def write_slabs(frame: xr.Dataset, slabs: dict[str, Slab], fill: Fill, path: Pat
     shape = tuple(frame.sizes[axis] for axis in axes)
     own = {name: tuple(frame.sizes[dim] for dim in slab.dims) for name, slab in slabs.items()}
     chunk = extents(shape, max(1, CHUNK // max(map(prod, own.values()))))
-    whole = sum(8 * prod(sizes) for sizes in own.values())
+    whole = sum(TEXT if slabs[name].kind is str else 8 * prod(sizes) for name, sizes in own.items())
     with replacing(path, seal=True) as temporary:
         frame.to_netcdf(temporary, encoding={str(name): {"_FillValue": None} for name in frame.variables})
         with netCDF4.Dataset(temporary, "a") as file:

@@ -5,7 +5,8 @@ The plan is a file beside the journals.  A case stays where its record is, or wh
 
 import csv
 import hashlib
-from collections.abc import Iterable, Sequence
+from collections import Counter
+from collections.abc import Iterable, Iterator, Sequence
 from itertools import accumulate
 from pathlib import Path
 
@@ -72,19 +73,30 @@ LEAST = 30.0  # s of work in a job: its start takes 1 to 2 s
 def read_plan(folder: Path) -> Plan:
     """The plan in a folder, empty where there is none."""
     plan: Plan = {}
+    for part, position, key in _rows(folder):
+        plan.setdefault(part, []).append((int(position), key))
+    return plan
+
+
+def _rows(folder: Path) -> Iterator[list[str]]:
     if (folder / PLAN).exists():
         with (folder / PLAN).open(newline="", encoding="utf-8") as stream:
-            for part, position, key in list(csv.reader(stream))[1:]:
-                plan.setdefault(part, []).append((int(position), key))
-    return plan
+            rows = csv.reader(stream)
+            next(rows)
+            yield from rows
+
+
+def sizes(folder: Path) -> Counter[str]:
+    """How many cases each part of the plan has."""
+    return Counter(part for part, _, _ in _rows(folder))
 
 
 def rows_of(part: str, folder: Path) -> list[tuple[int, str]]:
     """Positions and keys of a part's cases; BadInput for a part that is not planned."""
-    plan = read_plan(folder)
-    if part not in plan:
+    found = [(int(position), key) for name, position, key in _rows(folder) if name == part]
+    if not found:
         raise BadInput("part", part, f"is not in {folder / PLAN}")
-    return plan[part]
+    return found
 
 
 def _write(plan: Plan, path: Path) -> None:

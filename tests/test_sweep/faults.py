@@ -26,7 +26,7 @@ def project(folder: Path, **changes) -> Path:
     """A folder with a project of one small sweep."""
     (folder / "config/studies").mkdir(parents=True)
     (folder / "config/config.yaml").write_text("studies: [sweep]\n")
-    ask(folder, **{"slits": [0.03 + 0.005 * k for k in range(12)], "case_s": 30.0} | changes)
+    ask(folder, **{"slits": [0.03 + 0.005 * k for k in range(12)], "case_s": 30.0, "part_s": 60.0} | changes)
     return folder
 
 

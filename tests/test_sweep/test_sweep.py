@@ -183,7 +183,7 @@ def test_journals_of_other_code_are_cleared_away(tmp_path, calls, monkeypatch):
 
 def test_progress_counts_all_jobs(tmp_path, calls, monkeypatch):
     monkeypatch.setattr("silostudy.compute.parts.EVERY", 0.0)
-    path, folder = save(tmp_path, case_s=60.0), tmp_path / "parts"
+    path, folder = save(tmp_path, case_s=60.0, part_s=60.0), tmp_path / "parts"
     first, second, *others = make_plan(expand_file(path), folder, 1)
     heard = []
     compute_part(path, first, folder, heard.append)

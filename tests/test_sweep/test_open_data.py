@@ -1,0 +1,94 @@
+"""Any cube opens with one line and prints sensibly; a cube larger than the memory at hand is merged all the same."""
+
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+import xarray as xr
+
+from silostudy.compute.merge import merge
+from silostudy.compute.pressure import pressure_cube
+from silostudy.cube.io import write
+from silostudy.journal import line
+from silostudy.scene.expand import expand_file
+from silostudy.scene.plan import make_plan
+from tests.conftest import ROOT
+from tests.test_sweep.sweeps import compute, save, stand_in
+
+
+@pytest.fixture(params=["pressure", "scenes"])
+def cube(request, tmp_path, monkeypatch) -> Path:
+    path = tmp_path / f"{request.param}.nc"
+    if request.param == "pressure":
+        write(pressure_cube(expand_file(ROOT / "config/studies/mass-flow-bin.yaml")), path)
+    else:
+        monkeypatch.setattr("silostudy.compute.scenes.measure", stand_in([]))
+        compute(save(tmp_path), tmp_path / "parts")
+        merge(save(tmp_path), tmp_path / "parts", path)
+    return path
+
+
+def test_opens_with_one_line(cube):
+    with xr.open_dataset(cube) as opened:
+        assert opened.attrs["references"]
+        for name, variable in opened.variables.items():
+            assert variable.attrs.get("long_name") or variable.attrs.get("standard_name"), name
+        floats = [name for name in opened.data_vars if opened[name].dtype.kind == "f"]
+        assert all("units" in opened[name].attrs for name in floats)
+        assert len(opened[floats].to_dataframe()) > 3
+
+
+def test_ncdump_prints_it(cube):
+    if shutil.which("ncdump") is None:
+        pytest.skip("no ncdump: Debian's package netcdf-bin")
+    head = subprocess.run(["ncdump", "-h", cube], capture_output=True, text=True, check=True).stdout
+    assert ':Conventions = "CF-1.11"' in head
+    assert ':units = "' in head
+    assert "_FillValue = NaN" in head
+    whole = subprocess.run(["ncdump", cube], capture_output=True, text=True, check=True).stdout
+    assert whole.rstrip().endswith("}")
+
+
+def test_compliance_of_a_merged_cube(tmp_path, monkeypatch):
+    monkeypatch.setattr("silostudy.compute.scenes.measure", stand_in([]))
+    compute(save(tmp_path), tmp_path / "parts")
+    merge(save(tmp_path), tmp_path / "parts", tmp_path / "scenes.nc")
+    checker = Path(sys.executable).parent / "compliance-checker"
+    command = [checker, "-t", "cf:1.11", "-c", "strict", tmp_path / "scenes.nc"]
+    done = subprocess.run(command, capture_output=True, text=True)
+    assert "All tests passed!" in done.stdout, done.stdout + done.stderr
+
+
+LIMITED = """
+import resource, sys
+from pathlib import Path
+import netCDF4, xarray, silostudy.compute.merge, silostudy.compute.scenes
+room, across = int(sys.argv[4]), int(sys.argv[5])
+silostudy.compute.scenes.coordinates = lambda study: {"body": ("body", [str(k) for k in range(across)])}
+now = int(Path("/proc/self/statm").read_text().split()[0]) * resource.getpagesize()
+resource.setrlimit(resource.RLIMIT_AS, (now + room, now + room))
+path, folder, output = map(Path, sys.argv[1:4])
+print(silostudy.compute.merge.merge(path, folder, output, memory=room / 8))
+"""
+
+
+def test_a_cube_larger_than_the_memory_is_merged(tmp_path):
+    """A cube of 64 MB from journals of 155 MB, with 40 MB to spare."""
+    count, across, room = 10_000, 800, 40_000_000
+    frictions = [round(1e-5 * k, 5) for k in range(count)]
+    path, folder = save(tmp_path, slits=[0.06], frictions=frictions, case_s=1.0, part_s=1000.0), tmp_path / "parts"
+    for part, rows in make_plan(expand_file(path), folder, 1).items():
+        with (folder / f"{part}.jsonl").open("wb") as stream:
+            for position, key in rows:
+                numbers = {"resting_normal_force": [position / 3] * across}
+                stream.write(line(key, {"case": key, "seconds": 1.0, "numbers": numbers}))
+    command = [sys.executable, "-c", LIMITED, path, folder, tmp_path / "scenes.nc", room, across]
+    done = subprocess.run(list(map(str, command)), cwd=ROOT, capture_output=True, text=True)
+    assert done.stdout.strip() == f"({count}, 0)", done.stderr[-2000:]
+    with xr.open_dataset(tmp_path / "scenes.nc") as merged:
+        force = merged["resting_normal_force"]
+        assert force.size * 8 > 1.5 * room
+        np.testing.assert_array_equal(force.isel(slit_width=0, body=across - 1), np.arange(count) / 3)
