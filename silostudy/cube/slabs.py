@@ -58,6 +58,8 @@ def _add(file: netCDF4.Dataset, name: str, slab: Slab, dims: tuple[str, ...], ch
     if slab.kind is str or not dims:
         packed = {}
     variable = file.createVariable(name, slab.kind, dims, fill_value=np.nan if slab.kind == "f8" else None, **packed)
+    if packed:
+        variable.set_var_chunk_cache(size=4 * 8 * CHUNK)  # blocks are whole pieces: none is needed twice
     variable.setncatts(slab.attributes)
 
 
