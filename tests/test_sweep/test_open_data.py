@@ -1,11 +1,14 @@
 """Any cube opens with one line and prints sensibly; a cube larger than the memory at hand is merged all the same."""
 
+import os
+import re
 import shutil
 import subprocess
 import sys
 from pathlib import Path
 
 import numpy as np
+import pandas as pd
 import pytest
 import xarray as xr
 
@@ -60,6 +63,17 @@ def test_compliance_of_a_merged_cube(tmp_path, monkeypatch):
     command = [checker, "-t", "cf:1.11", "-c", "strict", tmp_path / "scenes.nc"]
     done = subprocess.run(command, capture_output=True, text=True)
     assert "All tests passed!" in done.stdout, done.stdout + done.stderr
+
+
+def test_the_guide_of_the_readme_runs_as_it_stands(tmp_path):
+    (guide,) = re.findall(r"```python\n(.*?)```", (ROOT / "README.md").read_text(), flags=re.DOTALL)
+    write(pressure_cube(expand_file(ROOT / "config/studies/wheat-family.yaml")), tmp_path / "results/wheat-family/pressure.nc")
+    environment = {**os.environ, "MPLBACKEND": "Agg"}
+    subprocess.run([sys.executable, "-c", guide], cwd=tmp_path, env=environment, check=True)
+    load = pd.read_csv(tmp_path / "load.csv")
+    assert list(load) == ["depth", "wall_normal_pressure", "wall_friction_traction"]
+    assert load["depth"].is_monotonic_increasing
+    assert load["wall_normal_pressure"].gt(0).all()
 
 
 LIMITED = """
