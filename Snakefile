@@ -92,43 +92,22 @@ rule cases:
         "python -m silostudy cases {input[0]} {output} > {log} 2>&1"
 
 
-rule pressure:
-    input:
-        study_files,
-    output:
-        RESULTS + "/{study}/pressure.nc",
-    params:
-        code=stamp(*STAGES["pressure"]),
-    log:
-        RESULTS + "/{study}/logs/pressure.log",
-    shell:
-        "python -m silostudy pressure {input[0]} {output} > {log} 2>&1"
+for stage in ("pressure", "uncertainty", "buckling", "seismic", "grains", "profile", "stability"):
 
-
-rule uncertainty:
-    input:
-        study_files,
-    output:
-        RESULTS + "/{study}/uncertainty.nc",
-    params:
-        code=stamp(*STAGES["uncertainty"]),
-    log:
-        RESULTS + "/{study}/logs/uncertainty.log",
-    shell:
-        "python -m silostudy uncertainty {input[0]} {output} > {log} 2>&1"
-
-
-rule buckling:
-    input:
-        study_files,
-    output:
-        RESULTS + "/{study}/buckling.nc",
-    params:
-        code=stamp(*STAGES["buckling"]),
-    log:
-        RESULTS + "/{study}/logs/buckling.log",
-    shell:
-        "python -m silostudy buckling {input[0]} {output} > {log} 2>&1"
+    rule:
+        name:
+            stage
+        input:
+            study_files,
+        output:
+            f"{RESULTS}/{{study}}/{stage}.nc",
+        params:
+            code=stamp(*STAGES[stage]),
+            stage=stage,
+        log:
+            f"{RESULTS}/{{study}}/logs/{stage}.log",
+        shell:
+            "python -m silostudy {params.stage} {input[0]} {output} > {log} 2>&1"
 
 
 def earthquake_of(wildcards):
@@ -152,19 +131,6 @@ rule shell:
         "python -m silostudy shell {input[0]} {input.pressure} {output} {input.earthquake} > {log} 2>&1"
 
 
-rule seismic:
-    input:
-        study_files,
-    output:
-        RESULTS + "/{study}/seismic.nc",
-    params:
-        code=stamp(*STAGES["seismic"]),
-    log:
-        RESULTS + "/{study}/logs/seismic.log",
-    shell:
-        "python -m silostudy seismic {input[0]} {output} > {log} 2>&1"
-
-
 rule dem:
     input:
         lambda wildcards: SCENES[wildcards.scene],
@@ -176,45 +142,6 @@ rule dem:
         RESULTS + "/dem/logs/{scene}.log",
     shell:
         "python -m silostudy dem {input} {output} > {log} 2>&1"
-
-
-rule grains:
-    input:
-        study_files,
-    output:
-        RESULTS + "/{study}/grains.nc",
-    params:
-        code=stamp(*STAGES["grains"]),
-    log:
-        RESULTS + "/{study}/logs/grains.log",
-    shell:
-        "python -m silostudy grains {input[0]} {output} > {log} 2>&1"
-
-
-rule profile:
-    input:
-        study_files,
-    output:
-        RESULTS + "/{study}/profile.nc",
-    params:
-        code=stamp(*STAGES["profile"]),
-    log:
-        RESULTS + "/{study}/logs/profile.log",
-    shell:
-        "python -m silostudy profile {input[0]} {output} > {log} 2>&1"
-
-
-rule stability:
-    input:
-        study_files,
-    output:
-        RESULTS + "/{study}/stability.nc",
-    params:
-        code=stamp(*STAGES["stability"]),
-    log:
-        RESULTS + "/{study}/logs/stability.log",
-    shell:
-        "python -m silostudy stability {input[0]} {output} > {log} 2>&1"
 
 
 rule accuracy:
