@@ -18,7 +18,8 @@ from silostudy.dem.stability import longest_step
 from tests.test_dem.scenes import DENSITY, RADIUS, STIFFNESS, contact, free
 
 SIDE, ACROSS, LOOKS, STEPS = 3.0 * RADIUS, 4, 8, 1500
-RISE = 0.3  # of the energy at hand times the share of the stable step: what finite steps may add or take in all
+# of the energy at hand times the share of the stable step: what finite steps may add to it, and what they may hand to friction
+RISE, MADE = 0.3, 4.0
 
 
 @st.composite
@@ -77,7 +78,7 @@ def test_random_scenes_keep_books_momentum_and_distance(scene):
         assert account[DASHPOT] >= -1e-3 * account[TURNOVER]
         held = account[[KINETIC, POTENTIAL, ELASTIC]].sum() - before[[KINETIC, POTENTIAL, ELASTIC]].sum()
         assert held <= RISE * share * at_hand
-        assert abs(account[CREATED]) <= RISE * share * at_hand
-        assert deepest(engine) <= sqrt(2.0 * (1.0 + RISE * share) * at_hand / STIFFNESS) * (1.0 + 1e-9)
+        assert abs(account[CREATED]) <= MADE * share * at_hand
+        assert deepest(engine) <= sqrt(2.0 * (1.0 + MADE * share) * at_hand / STIFFNESS) * (1.0 + 1e-9)
         if not boxed:
             assert np.abs(mass @ engine.discs.rows[: engine.n, [U, V]] - momentum).max() <= 1e-12 * swing.max()
