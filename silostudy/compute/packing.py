@@ -9,7 +9,7 @@ import numpy as np
 import xarray as xr
 
 from silostudy.compute.axes import axis_coordinates
-from silostudy.compute.packing_measure import MEASURES, at_rest, in_flow
+from silostudy.compute.packing_measure import LOOKS, MEASURES, at_rest, in_flow
 from silostudy.compute.packing_run import SAMPLE, WINDOW, discharge, settle
 from silostudy.compute.variables import attributes
 from silostudy.cube.contract import VARIABLES, check
@@ -80,6 +80,7 @@ def _cube(expansion: Expansion, found: list[list[dict]]) -> xr.Dataset:
         "layer": ("layer", (np.arange(LAYERS) + 0.5) * height, attributes("layer")),
         "sample": ("sample", np.arange(samples) * SAMPLE * WINDOW, attributes("sample")),
         "interval": ("interval", (np.arange(samples - 1) + 0.5) * SAMPLE * WINDOW, attributes("interval")),
+        "look": ("look", list(LOOKS), attributes("look")),
         "measure": ("measure", list(MEASURES), attributes("measure")),
     }
     about = provenance(study.title, study.model_dump_json(exclude_defaults=True), SOURCES, "packing")

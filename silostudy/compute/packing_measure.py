@@ -10,9 +10,10 @@ from silostudy.compute.packing_run import GRAVITY, SAMPLE, WINDOW, Discharge, Re
 from silostudy.config.packing import PackingScene, PackingStudy
 from silostudy.scene.packing import CELLS_IN_LAYER, LAYERS
 
-MEASURES = ("contact_peak", "contact_seen", "layer_peak", "layer_mean", "panel_peak", "panel_mean")
+MEASURES = ("layer_peak", "layer_mean", "panel_peak", "panel_mean")
+LOOKS = {"step": 0.0, "1 ms": 1e-3, "5 ms": 5e-3, "10 ms": 0.01, "20 ms": 0.02, "50 ms": 0.05, "100 ms": 0.1}  # s
 PANEL = 0.7  # of the width: height over which Wagner measured mean wall loads (silo_handbook, section 4.5.1)
-EARLY, SEEN = 0.4, 0.05  # s: end of the paper's early flow; interval of its plots
+EARLY = 0.4  # s: end of the paper's early flow
 NORMAL, SHEAR = 0, 1
 MEAN, LEAST, MOST = range(3)
 
@@ -134,6 +135,8 @@ def _walls(config: PackingScene, rested: Rested, found: Discharge) -> dict[str, 
     rest_floor = rested.walls[cells.floor, NORMAL]
     return {
         **coarse,
+        "contact_overpressure": seen(mean.reshape(len(mean), -1), single.reshape(len(mean), -1)) / still[..., NORMAL].max(),
+        "floor_overpressure": seen(found.windows[:, cells.halves, NORMAL, MEAN], floor) / rest_floor.max(),
         "wall_overpressure": _overpressure(config, normal, still[..., NORMAL]),
         "layer_force_peak": band.max(axis=(0, 1)),
         "layer_force_mean": band[early].mean(axis=(0, 1)),
@@ -145,8 +148,6 @@ def _walls(config: PackingScene, rested: Rested, found: Discharge) -> dict[str, 
         "side_peak_shear": float(coarse["side_shear_force"][top] / coarse["side_normal_force"][top]),
         "side_least_shear": float(coarse["side_shear_force"].min()) / rest,
         "side_late": float(total[early.stop :].mean()) / rest,
-        "floor_peak": float(floor.max() / rest_floor.max()),
-        "floor_seen": float(_seen(found.windows[:, cells.halves, NORMAL, MEAN]) / rest_floor.max()),
         "floor_peak_time": (int(np.argmax(floor.max(axis=1))) + 0.5) * WINDOW,
     }
 
@@ -163,8 +164,7 @@ def _by_sample(values: np.ndarray) -> np.ndarray:
 def _overpressure(config: PackingScene, normal: np.ndarray, still: np.ndarray) -> np.ndarray:
     """Largest force in flow over the largest at rest, each over the same kind of area, in the order of MEASURES.
 
-    Single contacts in every step, and only at the instants of the paper's plots; layers and panels as the largest mean of
-    a window, and as the mean of the early flow.
+    Layers and panels (sums of layers over 0.7 widths) as the largest mean of a window, and as the mean of the early flow.
     """
     early = round(EARLY / WINDOW)
     mean = normal[..., MEAN]
@@ -172,16 +172,18 @@ def _overpressure(config: PackingScene, normal: np.ndarray, still: np.ndarray) -
     band, rest = layers(mean), layers(still)
     wide, wide_rest = (_sliding(values, panel) for values in (band, rest))
     return np.array([
-        normal[..., MOST].max() / still.max(), _seen(mean) / still.max(),
         band.max() / rest.max(), band[:early].mean(axis=0).max() / rest.max(),
         wide.max() / wide_rest.max(), wide[:early].mean(axis=0).max() / wide_rest.max(),
     ])  # fmt: skip
 
 
-def _seen(force: np.ndarray) -> float:
-    """Largest force at the instants of the paper's plots: what is seen of a motion kept every so often."""
-    every = round(SEEN / WINDOW)
-    return float(force[every - 1 :: every].max())
+def seen(force: np.ndarray, largest: np.ndarray) -> np.ndarray:
+    """Largest force (N/m) by how often one looks: every step, then at instants apart by LOOKS (means of the window there).
+
+    force, largest: (windows, contacts) mean and largest of each window.
+    """
+    every = [round(interval / WINDOW) for interval in LOOKS.values()]
+    return np.array([force[step - 1 :: step].max() if step else largest.max() for step in every])
 
 
 def _sliding(values: np.ndarray, count: int) -> np.ndarray:

@@ -17,8 +17,8 @@ SHOWN = (12, 15, 18)
 COLOURS = {12: "#0072b2", 15: "#009e73", 18: "#d55e00"}
 CLOSEST = 1.07  # ratio between the places of neighbouring names of codes
 NAMES = {
-    "contact_peak": "one contact,\nany step",
-    "contact_seen": "one contact,\nseen every 50 ms",
+    "step": "one contact,\nany step",
+    "50 ms": "one contact,\nseen every 50 ms",
     "layer_peak": "4 cm of wall,\nlargest 1 ms",
     "panel_peak": "0.7 widths of wall,\nlargest 1 ms",
     "layer_mean": "4 cm of wall,\nmean of 0.4 s",
@@ -94,7 +94,9 @@ def _profile(panel, one: xr.Dataset, across: int) -> pd.DataFrame:
 def _factors(panel, one: xr.Dataset, across: int, shift: float) -> pd.DataFrame:
     found = []
     for place, measure in enumerate(NAMES):
-        low, middle, high = ensembles.spread(ensembles.runs(one["wall_overpressure"].sel(measure=measure)))
+        kind = "look" if measure in one["look"].values else "measure"
+        values = one["contact_overpressure" if kind == "look" else "wall_overpressure"].sel({kind: measure})
+        low, middle, high = ensembles.spread(ensembles.runs(values))
         panel.errorbar(
             place + 0.18 * shift, middle, [[middle - low], [high - middle]], fmt="o", markersize=5, capsize=3,
             color=COLOURS[across], label=ensembles.name(across) if place == 0 else None,

@@ -54,7 +54,7 @@ def _gain(cube: xr.Dataset) -> xr.DataArray:
 
 def _row(claim: Claim, one: xr.Dataset, across: int, variant: dict) -> dict:
     values = one[claim.variable]
-    values = values.sel(measure=claim.measure) if claim.measure else values
+    values = values.sel({values.dims[-1]: claim.measure}) if claim.measure else values
     ideal, runs = float(values.isel(run=0)), values.isel(run=slice(1, None)).values
     runs = runs[np.isfinite(runs)]
     meet = int(((runs >= claim.at_least) & (runs <= claim.at_most)).sum())

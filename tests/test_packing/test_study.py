@@ -9,7 +9,7 @@ import pytest
 from silostudy.compute.arch import find_arch
 from silostudy.compute.motion import motion_cube
 from silostudy.compute.packing import packing_cube
-from silostudy.compute.packing_measure import NORMAL, SHEAR, cells_of, fit_janssen, janssen_force, layers
+from silostudy.compute.packing_measure import NORMAL, SHEAR, cells_of, fit_janssen, janssen_force, layers, seen
 from silostudy.compute.packing_run import GRAVITY, WINDOW, settle
 from silostudy.dem.engine import Engine
 from silostudy.dem.model import Wall
@@ -109,6 +109,13 @@ def test_arch_is_the_chain_over_the_slit():
     assert find_arch(over_slit(1e-3)) is None  # the roof touches its neighbours no more
 
 
+def test_rarer_looks_see_smaller_peaks():
+    force = np.array([[1.0, 2.0], [9.0, 3.0], [4.0, 5.0], [1.0, 1.0]] * 25)
+    found = seen(force, 2 * force)
+    assert found.tolist() == [18.0, 9.0, 9.0, 9.0, 1.0, 9.0, 1.0]  # every step, then each 1, 5, 10, 20, 50, 100 windows
+    assert found[0] >= found[1:].max()
+
+
 def test_opening_lets_discs_out_and_arches_stop_them(cube):
     stopped = cube["flow_stopped"].isel(removal=0)
     assert np.all(stopped.isel(packing=1) == 1)  # 18/19 is blocked by its own order
@@ -174,7 +181,7 @@ def test_mistakes_are_told(change, told):
 
 DRAWN = {
     "motion": ("kiyama_fig_6", "kiyama_fig_7", "kiyama_fig_8_9"),
-    "packing": ("kiyama_fig_10", "packing_arching", "packing_against_codes"),
+    "packing": ("kiyama_fig_10", "packing_arching", "packing_against_codes", "packing_sampling"),
 }
 
 
