@@ -23,7 +23,6 @@ def test_every_row_of_every_table_has_a_source(path):
     text |= {"output", "kind", "stage", "axes", "methods", "phases", "rules", "demands"}
     text |= {"erratum", "place", "printed", "right", "evidence", "silo", "plan"}
     text |= {"test", "material", "steel", "collapse", "shape", "ring"}
-    text |= {"record", "package", "file"}
     text |= {"problem", "group", "setting", "quantities", "reference_kind", "reference", "compare"}
     text |= {"quantity", "settings", "machine", "measured_on"}
     text |= {"record", "package", "file", "claim", "variable", "measure"}
