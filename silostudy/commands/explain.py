@@ -34,7 +34,7 @@ def scene_explanation(name: str) -> list[str]:
     )
     for effect in effects(scene):
         price = priced(share.get(effect.name))
-        lines.append(f"  {effect.name:30}{'on ' if effect.on else 'off'}  {price:38}{effect.why}")
+        lines.append(f"  {effect.name:30}{'on ' if effect.on else 'off'}  {price:42}{effect.why}")
     return lines
 
 

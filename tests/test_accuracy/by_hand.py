@@ -109,7 +109,10 @@ def kernel_by_hand():
             if worst(said) != FRESH:
                 if said[part] == FRESH:
                     said[part] = STALE
-                relist(discs, pairs, near, memories, walls, blocks, scratch, said, part, parties, gate, n, lo, hi, base, limits)
+                relist(
+                    discs, pairs, near, memories, walls, blocks, scratch, clock,
+                    said, part, parties, gate, n, lo, hi, base, limits,
+                )  # fmt: skip
                 if worst(said) != FRESH:
                     break
             if step >= stop:

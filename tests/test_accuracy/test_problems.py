@@ -43,7 +43,7 @@ def test_every_problem_has_ladders_from_coarse_to_fine(row):
         assert (steps > 0).all() or (steps < 0).all()
 
 
-@pytest.mark.parametrize(("rung", "factor"), FALLS.items(), ids=lambda value: "-".join(value) if value is tuple else None)
+@pytest.mark.parametrize(("rung", "factor"), FALLS.items(), ids=map("-".join, FALLS))
 def test_errors_fall_with_the_order_of_the_method(rung, factor):
     coarse, fine = errors(*rung, last=2)
     assert coarse / fine == pytest.approx(factor, rel=0.12)
