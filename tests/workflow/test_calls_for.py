@@ -18,7 +18,7 @@ CALLED = {
     "miller-1977": {"buckling"},
     "sasaki-1991": {"seismic"},
     "grains-record": {"grains"},
-    "stability-map": {"stability"},
+    "stability-map": {"stability", "profile"},
     "accuracy": {"accuracy"},
 }
 
