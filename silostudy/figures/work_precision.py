@@ -7,6 +7,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 import pandas as pd
 import xarray as xr
+from matplotlib.ticker import NullFormatter
 
 from silostudy.figures.style import save
 
@@ -65,6 +66,7 @@ def panel(axis, part: pd.DataFrame, problem: xr.Dataset) -> None:
     about = f"over {problem['problem_setting'].item()}; reference, {problem['problem_reference'].item()}"
     axis.set(xscale="log", yscale="log", ylabel="relative error")
     axis.set_xlabel(f"CPU time (s)\n{textwrap.fill(about, 80)}", fontsize=7.5)
+    axis.xaxis.set_minor_formatter(NullFormatter())  # its labels would overlap
     low, high = axis.get_xlim()
     if high < SPAN * low:
         middle = np.sqrt(low * high)
