@@ -233,6 +233,8 @@ def test_beverloo_fit_finds_known_constants():
     known = packing_slit.rate(slit, 0.6, 1.3, **law)
     assert packing_slit.fit(slit, known, np.full(4, 9), **law) == pytest.approx((0.6, 1.3), rel=1e-6)
     assert packing_slit.rate(0.02, 0.6, 1.3, **law) == 0.0
+    near, far = (packing_slit.rate(0.02 + free, 0.6, 1.0, **law) for free in (0.03, 0.06))
+    assert far / near == pytest.approx(2**1.5, rel=1e-12)
     assert np.isnan(packing_slit.fit(slit[:2], known[:2], np.full(2, 9), **law)).all()
 
 
