@@ -53,8 +53,19 @@ def run_check(chosen) -> None:
         print(f"  {line}")
     for line in shells.told(expansion) if "shell" in study.stages else ():
         print(f"  {line}")
+    if hasattr(study, "case_s"):
+        print(f"  {price(expansion)}")
     if rules := getattr(study, "rule_keys", ()):
         print(f"  {len(rules)} buckling rule(s)")
+
+
+def price(expansion) -> str:
+    """About what a sweep costs: from the measured time of a case where the study states it, else from discs and steps."""
+    from silostudy.scene.kinds import cost_of
+
+    study, cost = expansion.study, cost_of(expansion.study.kind)
+    seconds = sum(study.case_s or cost(case.scene) for case in expansion.cases)
+    return f"at most about {seconds / 60:.3g} min of one core, a kernel's compiling apart"
 
 
 def counts(expansion) -> list[str]:

@@ -86,6 +86,12 @@ def test_check_counts(capsys):
     assert "flour on painted_concrete: no wall_friction in the tables" in out
 
 
+def test_check_tells_the_price_of_a_sweep(capsys):
+    out = said(capsys, "check", ROOT / "config/studies/discharge-thousand.yaml")
+    assert "1000 case(s): slit_width 10 x wall_friction 10 x filling 10" in out
+    assert re.search(r"about [0-9.]+ min of one core", out)
+
+
 def test_stages_by_hand(capsys, tmp_path, study):
     path = tmp_path / "small.yaml"
     study["sweep"] = [{"axis": "solid", "values": {"solid": ["wheat_benchmark", "mine"]}}]
