@@ -16,6 +16,7 @@ GRAVITY = 9.80665
 ENOUGH = 5  # runs with a rate, from which on a slit takes part in the fit
 COLOURS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#e69f00", "#000000", "#999999")
 LINES = ("-", "--", ":", "-.")
+SHORT = {"disc_friction": "disc friction", "wall_friction_coefficient": "wall", "stiffness": "E"}
 CLOSE = 0.1  # relative miss up to which the law is said to hold
 
 
@@ -43,12 +44,14 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     flow.set(
         ylabel="discharge rate (kg m⁻¹ s⁻¹), runs until their first stop", title="points: median of the runs; lines: Beverloo"
     )
-    chance.set(ylabel="share of runs that an arch stops", ylim=(-0.03, 1.03), title="arching, with 95 % intervals")
+    chance.set(
+        ylabel="share of runs that an arch stops", ylim=(-0.03, 1.03), title="arching, with 95 % intervals from 5 runs on"
+    )
     over.set(yscale="log", ylabel="largest over static: 4 cm of wall, largest 1 ms", title="overpressure, median of the runs")
     over.set_yticks([1, 2, 5, 10], ["1", "2", "5", "10"])
     for panel in panels:
         panel.set(xlabel="width of the slit (cm)", xlim=(0, None))
-    figure.legend(loc="outside lower center", ncols=4, fontsize=7)
+    figure.legend(loc="outside lower center", ncols=4 if len(numbers) <= 16 else 6, fontsize=7 if len(numbers) <= 16 else 6)
     figure.suptitle(f"{cube.attrs['title']}\n{cube.sizes['run'] - 1} runs a point")
     save(figure, pd.concat(numbers, ignore_index=True), stem)
 
@@ -64,7 +67,9 @@ def _name(one: xr.Dataset, others: list[str]) -> str:
     words = []
     for axis in others:
         value = one[axis].item()
-        words.append(ensembles.name(value) if axis == "packing" else f"{axis.replace('_', ' ')} {_shown(axis, value)}")
+        words.append(
+            ensembles.name(value) if axis == "packing" else f"{SHORT.get(axis, axis.replace('_', ' '))} {_shown(axis, value)}"
+        )
     return ", ".join(words)
 
 
@@ -91,7 +96,8 @@ def _line(panels, one: xr.Dataset, name: str, look: dict, number: int) -> pd.Dat
     shares = np.array([ensembles.chance(ensembles.runs(one["flow_stopped"].isel(slit=k))) for k in range(len(slit))]).T
     middle, low, high = shares
     shift = 0.02 * number
-    chance.errorbar(slit * 100 + shift, middle, [middle - low, high - middle], capsize=2, label=name, **look)
+    bars = [middle - low, high - middle] if rates.shape[0] >= ENOUGH else None  # of fewer runs they would span the panel
+    chance.errorbar(slit * 100 + shift, middle, bars, capsize=2, label=name, **look)
     peaks = np.median(ensembles.runs(one["wall_overpressure"].sel(measure="layer_peak")), axis=0)
     over.plot(slit * 100, peaks, **look)
     expected = rate(slit, coefficient, edge, **law)
