@@ -86,6 +86,8 @@ class Run:
 
     def go(self, *, until: int | None = None, tell: Callable[[int], None] = lambda step: None) -> Recording:
         """Run to the stop, or to `until` steps; `tell` hears the step now and then."""
+        if self.engine.step == 0:
+            self._act_where_due()
         while not self.done and (until is None or self.engine.step < until):
             try:
                 self.engine.step_to(self._next_stop(until))
@@ -123,16 +125,19 @@ class Run:
             self.recording.snapshots.append(self.snapshot())
         if step % CHECK_EVERY == 0:
             self._drop()
-        while not self.done and self._triggered(self.events[self.next_event]):
-            self._act(self.events[self.next_event])
+        self._act_where_due()
         if step >= self.last and not self.done:
             self.recording.happened.append((self.engine.time, "limit", "stop"))
             self.next_event = len(self.events)
 
+    def _act_where_due(self) -> None:
+        while not self.done and self._triggered(self.events[self.next_event]):
+            self._act(self.events[self.next_event])
+
     def _triggered(self, event: Event) -> bool:
         if event.trigger in ("time", "after"):
             return self.engine.step >= self._due()
-        if self.engine.step % CHECK_EVERY:
+        if self.engine.step % CHECK_EVERY or not self.engine.step:  # discs that have not moved yet are not at rest
             return False
         return self.at_rest() if event.trigger == "rest" else self.dropped >= event.value * self.full
 

@@ -19,7 +19,7 @@ from silostudy.config.load import validated
 from silostudy.cube.io import read, write
 from silostudy.dem.engine import Engine
 from silostudy.dem.lanes import V
-from silostudy.dem.run import REST
+from silostudy.dem.run import REST, Event, Run
 from silostudy.dem.stability import chosen_step, longest_step
 from silostudy.errors import BadInput
 from silostudy.packing import PACKINGS
@@ -245,6 +245,18 @@ def test_events_remove_and_change():
     assert run.engine.contacts[1].coefficients["sliding_friction"] == 0.176
     assert run.engine.gravity == (0.0, 0.0)
     assert [what for _, _, what in run.recording.happened] == ["remove", "remove", "friction", "gravity", "stop"]
+
+
+def test_an_event_due_at_the_start_acts_at_once():
+    """Whatever windows are recorded: the first stop of a run must not decide when a slit opens."""
+    open_slit = Event("time", 0.0, "open", ("floor", "floor_left", "floor_right"))
+    places = []
+    for window in (0, 40, 200):
+        run = Run(Engine(silo()), (open_slit, Event("time", 0.05, "stop")), limit=1.0, window=window)
+        assert run.go().happened[0] == (0.0, "time", "open")
+        places.append(run.engine.places)
+    assert np.array_equal(places[0], places[1])
+    assert np.array_equal(places[0], places[2])
 
 
 def test_discharge_stops_at_a_share():
