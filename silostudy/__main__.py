@@ -10,20 +10,17 @@ from silostudy.commands import (
     bench,
     cite,
     compare,
+    cubes,
     dem,
     explain,
-    grains,
     listing,
-    packing,
-    seismic,
     shells,
-    stability,
     stages,
     sweeps,
 )
 from silostudy.errors import BadInput
 
-ROOMS = (listing, explain, compare, cite, stages, sweeps, seismic, grains, shells, dem, packing, stability, accuracy, bench)
+ROOMS = (listing, explain, compare, cite, stages, sweeps, cubes, shells, dem, accuracy, bench)
 
 
 def parser() -> argparse.ArgumentParser:

@@ -1,24 +1,6 @@
-"""`silostudy grains`: the cube of shaken discs; and what `silostudy check` says of such a study."""
+"""What `silostudy check` says of a study of shaken discs."""
 
 from collections.abc import Iterable
-from pathlib import Path
-
-
-def add(sub) -> None:
-    grains = sub.add_parser("grains", help="compute the grains cube of a study: contents of a shaken box")
-    grains.add_argument("study", type=Path)
-    grains.add_argument("output", type=Path, help="netCDF file to write")
-    grains.set_defaults(run=run)
-
-
-def run(chosen) -> None:
-    from silostudy.compute.grains import grains_cube
-    from silostudy.cube.io import write
-    from silostudy.scene.expand import expand_file
-
-    expansion = expand_file(chosen.study)
-    write(grains_cube(expansion, lambda text: print(text, flush=True)), chosen.output)
-    print(f"{expansion.name}: {len(expansion.cases)} case(s) -> {chosen.output}")
 
 
 def told(expansion, priced: bool) -> list[str]:

@@ -1,23 +1,4 @@
-"""`silostudy seismic`: the cube of such a study; and what `silostudy check` says of one."""
-
-from pathlib import Path
-
-
-def add(sub) -> None:
-    seismic = sub.add_parser("seismic", help="compute the seismic cube of a study")
-    seismic.add_argument("study", type=Path)
-    seismic.add_argument("output", type=Path, help="netCDF file to write")
-    seismic.set_defaults(run=run)
-
-
-def run(chosen) -> None:
-    from silostudy.compute.seismic import seismic_cube
-    from silostudy.cube.io import write
-    from silostudy.scene.expand import expand_file
-
-    expansion = expand_file(chosen.study)
-    write(seismic_cube(expansion, print), chosen.output)
-    print(f"{expansion.name}: {len(expansion.cases)} case(s) -> {chosen.output}")
+"""What `silostudy check` says of a seismic study."""
 
 
 def told(expansion) -> list[str]:

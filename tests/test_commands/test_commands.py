@@ -120,3 +120,10 @@ def test_bench_pressure_writes_its_table(capsys, tmp_path, monkeypatch):
     table = list(csv.DictReader((tmp_path / "bench.csv").open()))
     assert [row["method"] for row in table] == list(PRESSURE)
     assert all(float(row["ratio"]) > 0 for row in table)
+
+
+def test_a_stage_that_a_study_does_not_have_is_refused(tmp_path, capsys):
+    study = str(ROOT / "config/studies/wheat-silo.yaml")
+    assert main(["packing", study, str(tmp_path / "packing.nc")]) == 2
+    assert "kind = 'pressure': has no stage packing; its stages: pressure" in capsys.readouterr().err
+    assert not (tmp_path / "packing.nc").exists()

@@ -123,7 +123,7 @@ def pair(touch, radii, densities, closing, spins):
     return np.array(after)
 
 
-def check_oblique(touch, radius, density, u, v, w):
+def assert_oblique(touch, radius, density, u, v, w):
     """Every motion after an oblique impact on a plane against that of the contact alone."""
     mass, inertia = disc(radius, density)
     after_u, after_v, after_w = on_plane(touch, radius, density, u, v, w)
@@ -182,14 +182,14 @@ def test_4_oblique_impact_at_angles_from_5_to_85_degrees(ratio):
 def test_5_oblique_impact_at_one_normal_and_many_tangential_speeds(ratio):
     touch = Touch(disc(0.01, 2500.0)[0], 0.01 * SHALLOW, ratio, 0.8, 0.3, 5.0)
     u = 5.0 * np.array([0.05, 0.1, 0.3, 0.6, 0.9, 1.2, 1.5, 2.0, 2.5, 4.0, 7.0])
-    check_oblique(touch, 0.01, 2500.0, u, np.full(len(u), -5.0), np.zeros(len(u)))
+    assert_oblique(touch, 0.01, 2500.0, u, np.full(len(u), -5.0), np.zeros(len(u)))
 
 
 @pytest.mark.parametrize("ratio", [0.25, 1.0])
 def test_6_a_spinning_disc_meets_a_plane(ratio):
     """Radius 100 mm, 0.2 m/s, restitution 0.5, friction 0.4."""
     touch = Touch(disc(0.1, 2700.0)[0], 0.1 * SHALLOW, ratio, 0.5, 0.4, 0.2)
-    check_oblique(touch, 0.1, 2700.0, np.zeros(len(SPINS)), np.full(len(SPINS), -0.2), SPINS)
+    assert_oblique(touch, 0.1, 2700.0, np.zeros(len(SPINS)), np.full(len(SPINS), -0.2), SPINS)
 
 
 def test_7_two_equal_discs_meet_with_opposite_spins():

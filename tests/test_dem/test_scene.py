@@ -18,15 +18,13 @@ from silostudy.config.dem import DemScene
 from silostudy.config.load import validated
 from silostudy.cube.io import read, write
 from silostudy.dem.engine import Engine
-from silostudy.dem.lanes import V
-from silostudy.dem.run import REST, Event, Run
-from silostudy.dem.stability import chosen_step, longest_step
+from silostudy.dem.run import Event, Run
+from silostudy.dem.stability import longest_step
 from silostudy.errors import BadInput
-from silostudy.packing import PACKINGS
 from silostudy.scene.dem import effects, load
 from tests.conftest import ROOT
 
-from .scenes import box, silo
+from .scenes import silo
 
 SMALL = {
     "kind": "dem",
@@ -155,21 +153,6 @@ def test_the_stability_bound_of_the_paper_s_scene():
     model = model_of(scene, ROOT)
     assert 5e-5 < longest_step(model) < 7e-5
     assert 1e-4 < longest_step(replace(model, integrator="17-19")) < 2e-4
-
-
-@pytest.mark.parametrize("spread", [0.0, 0.3])
-def test_a_loose_packing_does_not_jitter_at_the_step_that_the_engine_chooses(spread):
-    """Its start has no contacts and promises a longer step than the settled packing bears."""
-    x, y, radius = PACKINGS["loose"].place(width=0.2, count=60, radius=0.01, spread=spread, seed=3)
-    model = silo(x=x, y=y, radius=radius, walls=box(0.2, float(y.max()) + 0.1))
-    model = replace(model, dt=chosen_step(model))
-    engine = Engine(model)
-    engine.step_to(round(2.0 / model.dt))
-    assert np.abs(engine.column(V)).mean() < REST * model.dt * 9.81  # a disc may still roll on top of the others
-    places = engine.places
-    settled = longest_step(replace(model, x=places[:, 0], y=places[:, 1]))
-    assert model.dt < 0.9 * settled
-    assert longest_step(model) > 1.2 * settled
 
 
 REFUSED = {

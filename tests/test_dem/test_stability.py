@@ -6,12 +6,16 @@ import numpy as np
 import pytest
 
 from silostudy.contact import NORMAL, TANGENTIAL
+from silostudy.dem.engine import Engine
 from silostudy.dem.integrate import INTEGRATORS
+from silostudy.dem.lanes import V
 from silostudy.dem.model import Contact
 from silostudy.dem.pieces import Laws
-from silostudy.dem.stability import Extremes, _bounded, longest_step
+from silostudy.dem.run import REST
+from silostudy.dem.stability import Extremes, _bounded, chosen_step, longest_step
+from silostudy.packing import PACKINGS
 
-from .scenes import RADIUS, contact, free, silo
+from .scenes import RADIUS, box, contact, free, silo
 
 
 @pytest.mark.parametrize("integrator", INTEGRATORS)
@@ -68,3 +72,18 @@ def test_implicit_dashpots_lengthen_the_step():
     assert implicit.tangential in TANGENTIAL
     explicit = longest_step(silo())
     assert longest_step(silo(pair=contact(laws=implicit), wall=contact(2.0, 0.176, laws=implicit))) > 1.5 * explicit
+
+
+@pytest.mark.parametrize("spread", [0.0, 0.3])
+def test_a_loose_packing_does_not_jitter_at_the_step_that_the_engine_chooses(spread):
+    """Its start has no contacts and promises a longer step than the settled packing bears."""
+    x, y, radius = PACKINGS["loose"].place(width=0.2, count=60, radius=0.01, spread=spread, seed=3)
+    model = silo(x=x, y=y, radius=radius, walls=box(0.2, float(y.max()) + 0.1))
+    model = replace(model, dt=chosen_step(model))
+    engine = Engine(model)
+    engine.step_to(round(2.0 / model.dt))
+    assert np.abs(engine.column(V)).mean() < REST * model.dt * 9.81  # a disc may still roll on top of the others
+    places = engine.places
+    settled = longest_step(replace(model, x=places[:, 0], y=places[:, 1]))
+    assert model.dt < 0.9 * settled
+    assert longest_step(model) > 1.2 * settled
