@@ -54,6 +54,7 @@ def run_fronts(chosen) -> None:
     found["cost_ratio"] = found["cost"] / found["cheapest"]
     with replacing(chosen.output) as temporary:
         found.to_csv(temporary, index=False, float_format="%.4g")
-    print(found.groupby("asked").agg({"met": "mean", "error": "max", "cost_ratio": ["median", "max"]}).to_string())
-    print(f"met in {found['met'].mean():.0%} of {len(found)}; at most 1.5 times the cheapest cost in "
-          f"{(found['cost_ratio'] <= 1.5).mean():.0%}; median ratio {found['cost_ratio'].median():.2f}")  # fmt: skip
+    for (kind, quantity), each in found.groupby(["kind", "quantity"], sort=False):
+        print(each.groupby("asked").agg({"met": "mean", "error": "max", "cost_ratio": ["median", "max"]}).to_string())
+        print(f"{kind}, {quantity}: met in {each['met'].mean():.0%} of {len(each)}; at most 1.5 times the cheapest cost in "
+              f"{(each['cost_ratio'] <= 1.5).mean():.0%}; median ratio {each['cost_ratio'].median():.2f}")  # fmt: skip

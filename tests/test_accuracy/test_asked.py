@@ -6,7 +6,6 @@ import json
 import numpy as np
 import pytest
 
-from silostudy.accuracy import fronts
 from silostudy.compute.dem import model_of
 from silostudy.compute.pressure import pressure_cube
 from silostudy.config.dem import DemScene
@@ -16,7 +15,7 @@ from silostudy.errors import BadInput
 from silostudy.pressure import janssen
 from silostudy.pressure.family import call
 from silostudy.tables.fronts import FRONTS, choose, quantities
-from tests.conftest import ROOT, expanded
+from tests.conftest import expanded
 from tests.test_dem.test_scene import SMALL as DEM_SCENE
 
 ASKED = (0.1, 0.03, 0.01, 1e-3, 1e-4)
@@ -120,17 +119,3 @@ def test_depths_of_one_s_own_and_accuracy_exclude_each_other(asking):
         expanded(asking | {"relative_depth": [0.5, 1.0]})
     with pytest.raises(BadInput, match="either depth_m or relative_depth"):
         expanded(asking | {"depth_m": [1.0, 2.0]})
-
-
-def test_an_unseen_silo_is_tried(monkeypatch):
-    """One small silo: every error and cost comes from runs of its own; the whole trial is `silostudy fronts --trial`."""
-    small = next(iter(sorted(fronts.silos(1, fronts.UNSEEN), key=lambda model: len(model.x))))
-    measured = list(fronts.silos(0, fronts.MEASURED))
-    assert not any(len(model.x) == len(small.x) and np.array_equal(model.x, small.x) for model in measured)
-    monkeypatch.setattr(fronts, "silos", lambda seed, count: [small])
-    found = fronts.trials(lambda text: None, 1)
-    assert [trial.asked for trial in found] == list(fronts.ASKED)
-    for trial in found:
-        assert trial.met == (trial.error <= trial.asked)
-        assert trial.cheapest <= trial.cost or not trial.met
-    assert (ROOT / "silostudy/tables/fronts.csv").exists()
