@@ -11,10 +11,11 @@ from pathlib import Path
 
 import numpy as np
 from scipy.stats import t as student
+from threadpoolctl import threadpool_limits
 
 from silostudy.tables.problems import PROBLEMS, ProblemRow
 
-LEAST = 2e-3  # s of CPU time that a reading lasts at least: quicker runs are repeated within it
+LEAST = 1e-2  # s of CPU time that a reading lasts at least: quicker runs are repeated within it
 CONFIDENCE = 0.95
 
 
@@ -49,6 +50,7 @@ def machine() -> dict[str, str]:
     }
 
 
+@threadpool_limits.wrap(limits=1)  # threads of the linear algebra that wait for each other spend CPU time
 def measure(
     key: str,
     *,

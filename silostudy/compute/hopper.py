@@ -19,10 +19,10 @@ from silostudy.pressure.family import (
     call,
     parameters_of,
 )
+from silostudy.pressure.quadrature import hopper_wall_force
 from silostudy.scene.expand import Expansion
 
 BALANCE = ("hopper_weight", "hopper_wall_force", "hopper_balance")
-NODES = np.linspace(-3.3, 3.3, 81)  # of the double-exponential rule below
 
 
 def total_variables(expansion: Expansion, labels: list[str]) -> dict[str, tuple]:
@@ -119,28 +119,16 @@ def _contents(parameters: Mapping) -> np.ndarray:
 
 
 def _wall_force(row: PressureMethod, phase: str, parameters: Mapping) -> np.ndarray:
-    """Vertical force (N) on the hopper wall: (p_n tan(theta) + p_t) integrated over the wall, in two parts.
-
-    The parts meet at the peak of the pressure, where it has a kink; each by the double-exponential rule, which takes the
-    powers of x at the apex in its stride.
-    """
+    """Vertical force (N) on the hopper wall, in two parts that meet at the peak of the pressure, where it has a kink."""
     top, bottom = heights(parameters)
     peak = row.totals[phase].get("peak_height")
     middle = (top + bottom) / 2 if peak is None else np.clip(call(peak, None, parameters), bottom, top)
-    share = (1 + np.tanh(np.pi / 2 * np.sinh(NODES))) / 2
-    weights = np.pi / 4 * np.cosh(NODES) / np.cosh(np.pi / 2 * np.sinh(NODES)) ** 2 * (NODES[1] - NODES[0])
-    total = np.zeros(np.shape(top)[:-1])
-    for start, end in ((bottom, middle), (middle, top)):
-        x = start + (end - start) * share
+
+    def pressures(x):
         wall = _of_wall(row, phase, x, parameters)
-        projected = wall["hopper_normal_pressure"][0] * np.tan(parameters["hopper_half_angle"])
-        names = parameters_of(hopper_shape.wall_length)
-        around = hopper_shape.wall_length(x, **{name: parameters[name] for name in names})
-        total = (
-            total
-            + np.sum((projected + wall["hopper_friction_traction"][0]) * around * weights, axis=-1) * (end - start)[..., 0]
-        )
-    return total
+        return wall["hopper_normal_pressure"][0], wall["hopper_friction_traction"][0]
+
+    return hopper_wall_force(pressures, (bottom, middle), parameters) + hopper_wall_force(pressures, (middle, top), parameters)
 
 
 def _shape(expansion: Expansion) -> dict[str, tuple]:

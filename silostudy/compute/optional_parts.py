@@ -7,6 +7,8 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
+from threadpoolctl import threadpool_limits
+
 from silostudy.accuracy.prices import Price, price
 from silostudy.compute.pressure import pressure_cube
 from silostudy.compute.seismic import seismic_cube
@@ -89,6 +91,7 @@ PARTS = (
 )  # fmt: skip
 
 
+@threadpool_limits.wrap(limits=1)
 def part_price(part: Part, turns: int) -> Price:
     """Share of CPU time and of the largest memory that goes without the part; readings in turn."""
     whole, less = _making(part.whole, part.making), _making(part.less, part.making_less)

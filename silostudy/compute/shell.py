@@ -6,7 +6,8 @@ import numpy as np
 import xarray as xr
 
 from silostudy.buckling import BUCKLING
-from silostudy.buckling.family import IN_SCOPE, MODES, NO_LOAD, OUT_OF_RANGE, REASONS, BucklingRule, evaluate
+from silostudy.buckling.family import IN_SCOPE, MODES, NO_LOAD, REASONS
+from silostudy.buckling.thickness import required_thickness, with_thickness
 from silostudy.compute.buckling import rule_coordinates
 from silostudy.compute.pressure import row_of
 from silostudy.compute.shell_earthquake import SIDES, beside, earthquake_loads, earthquake_told, of_this_study, sides
@@ -16,9 +17,6 @@ from silostudy.cube.contract import check
 from silostudy.cube.provenance import provenance
 from silostudy.errors import BadInput
 from silostudy.scene.expand import Expansion
-
-SLENDEREST, STOCKIEST = 10_000, 10  # R/t between which the required thickness is sought
-HALVINGS = 40
 
 
 def shell_cube(expansion: Expansion, pressure: xr.Dataset, seismic: xr.Dataset | None = None) -> xr.Dataset:
@@ -107,16 +105,6 @@ def wall_parameters(expansion: Expansion, lower: np.ndarray, upper: np.ndarray) 
     }
 
 
-def with_thickness(rule: BucklingRule, parameters: Mapping, thickness: np.ndarray) -> dict[str, np.ndarray]:
-    """Every quantity of a rule for walls of this thickness (m); masked where the pressure it needs is unknown."""
-    own = {name: value for name, value in parameters.items() if name != "inner_radius"}
-    found = evaluate(rule, {**own, "thickness": thickness, "shell_radius": parameters["inner_radius"] + thickness / 2})
-    if rule.pressurised:
-        unknown = np.isnan(parameters["lower_internal_pressure"]) | np.isnan(parameters["upper_internal_pressure"])
-        found["buckling_stress_scope"] = np.where(unknown, np.int8(NO_LOAD), found["buckling_stress_scope"])
-    return found
-
-
 def required_thicknesses(rules, parameters: Mapping, force: np.ndarray, safety, dims: tuple[str, ...]) -> dict[str, tuple]:
     """`required_thickness` by rule, and as its scope what masks the rule for a wall a hair thinner."""
     found = [required_thickness(rule, parameters, force, safety) for rule in rules]
@@ -125,25 +113,6 @@ def required_thicknesses(rules, parameters: Mapping, force: np.ndarray, safety, 
         "required_thickness": (dims, np.array([one[0] for one in found]), attributes("required_thickness")),
         "required_thickness_scope": (dims, np.array([one[1] for one in found]), flags(meaning, REASONS)),
     }
-
-
-def required_thickness(rule: BucklingRule, parameters: Mapping, force: np.ndarray, safety) -> tuple[np.ndarray, np.ndarray]:
-    """(thickness (m) at which the rule's strength meets the force (N/m), scope flag), by halving the range of log R/t."""
-    radius = np.broadcast_to(parameters["inner_radius"], force.shape)
-    thin, thick = radius / SLENDEREST, radius / STOCKIEST
-
-    def enough(thickness):
-        with np.errstate(invalid="ignore"):
-            return safety * force / thickness <= with_thickness(rule, parameters, thickness)["buckling_stress"]
-
-    found, lightest = enough(thick), enough(thin)
-    for _ in range(HALVINGS):
-        middle = np.sqrt(thin * thick)
-        carries = enough(middle)
-        thin, thick = np.where(carries, thin, middle), np.where(carries, middle, thick)
-    scope = with_thickness(rule, parameters, np.where(found, thick * (1 - 1e-6), radius / STOCKIEST))["buckling_stress_scope"]
-    scope = np.select([np.isnan(force), lightest], [NO_LOAD, OUT_OF_RANGE], scope).astype(np.int8)
-    return np.where(found, thick, np.nan), scope
 
 
 def strakes(expansion: Expansion, pressure: xr.Dataset) -> np.ndarray:

@@ -4,6 +4,7 @@ import numpy as np
 import xarray as xr
 
 from silostudy.pressure.family import ABOVE_CONTACT
+from silostudy.pressure.quadrature import from_surface
 
 # Where the axial wall force of a method and phase comes from: position = flag value in the cube.
 SOURCES = (
@@ -56,13 +57,6 @@ def _source(normal: np.ndarray, own: np.ndarray, traction: np.ndarray) -> np.nda
     whole = ~(np.isfinite(normal) & ~np.isfinite(own)).any(axis=rest)
     conditions = [~covered, has_own & whole, has_own, has_traction]
     return np.select(conditions, [NOT_COVERED, OWN_FORCE, OWN_CONTINUED, OWN_TRACTION], FRICTION_TIMES_PRESSURE).astype(np.int8)
-
-
-def from_surface(traction: np.ndarray, z: np.ndarray) -> np.ndarray:
-    """The integral (N/m) of a traction (Pa) from the surface, where it vanishes, to each depth z (m): trapezoids."""
-    whole = np.concatenate([np.zeros((*traction.shape[:-1], 1)), traction], axis=-1)
-    levels = np.concatenate([np.zeros((*z.shape[:-1], 1)), z], axis=-1)
-    return np.cumsum((whole[..., 1:] + whole[..., :-1]) / 2 * np.diff(levels, axis=-1), axis=-1)
 
 
 def internal_pressures(pressure: xr.Dataset) -> tuple[np.ndarray, np.ndarray]:

@@ -7,7 +7,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 import pandas as pd
 import xarray as xr
-from matplotlib.ticker import NullFormatter
+from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 
 from silostudy.figures.style import save
 
@@ -16,6 +16,7 @@ MARKERS = ("o", "s", "^", "D", "v", "P", "X", "*")
 LEAST = 1e-16  # where an error of zero is drawn
 ACROSS = 3
 SPAN = 20.0  # of the time axis at the least: a narrower one is all noise
+FEW = 300.0  # of a time axis on which there is room for labels between the decades
 
 
 def table(cube: xr.Dataset) -> pd.DataFrame:
@@ -66,13 +67,24 @@ def panel(axis, part: pd.DataFrame, problem: xr.Dataset) -> None:
     about = f"over {problem['problem_setting'].item()}; reference, {problem['problem_reference'].item()}"
     axis.set(xscale="log", yscale="log", ylabel="relative error")
     axis.set_xlabel(f"CPU time (s)\n{textwrap.fill(about, 80)}", fontsize=7.5)
-    axis.xaxis.set_minor_formatter(NullFormatter())  # its labels would overlap
+    _spread(axis)
+    titles = (problem["problem_title"].item(), part["quantity_title"].iloc[0])
+    axis.set_title("\n".join(textwrap.fill(title, 72) for title in titles), fontsize=8.5)
+    axis.legend(fontsize=6.5, loc="best", frameon=True, framealpha=0.8, edgecolor="none")
+
+
+def _spread(axis) -> None:
+    """A time axis of SPAN at the least, with labels at every decade, and between them where there are few."""
     low, high = axis.get_xlim()
     if high < SPAN * low:
         middle = np.sqrt(low * high)
-        axis.set_xlim(middle / np.sqrt(SPAN), middle * np.sqrt(SPAN))
-    axis.set_title(f"{problem['problem_title'].item()}\n{part['quantity_title'].iloc[0]}", fontsize=8.5)
-    axis.legend(fontsize=6.5, loc="best")
+        low, high = middle / np.sqrt(SPAN), middle * np.sqrt(SPAN)
+        axis.set_xlim(low, high)
+    if high < FEW * low:
+        axis.xaxis.set_minor_locator(LogLocator(subs=(3.0,)))
+        axis.xaxis.set_minor_formatter(FuncFormatter(lambda value, _: rf"$3\times10^{{{np.floor(np.log10(value)):.0f}}}$"))
+    else:
+        axis.xaxis.set_minor_formatter(NullFormatter())  # its labels would overlap
 
 
 def slope(rungs: pd.DataFrame) -> float:

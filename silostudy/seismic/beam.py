@@ -64,16 +64,25 @@ def contents_area(*, radius, thickness):
 
 
 def modes(
-    tube: Tube, coefficient: float, stiffness_reduction: float = 1.0, at: np.ndarray | None = None, degree: int = DEGREE
+    tube: Tube,
+    coefficient: float,
+    stiffness_reduction: float = 1.0,
+    at: np.ndarray | None = None,
+    degree: int = DEGREE,
+    elements: int = 1,
 ) -> Modes:
-    """Every mode of the discretised tube whose contents add `coefficient` of their mass; `at`: heights (m), default the top."""
+    """Every mode of the discretised tube whose contents add `coefficient` of their mass; `at`: heights (m), default the top.
+
+    elements: equal ones below the contents' surface, and as many above it where the tube goes on.
+    """
     size = {"radius": tube.radius, "thickness": tube.thickness}
     area, inertia = section_area(**size), second_moment(**size)
     bending = stiffness_reduction * tube.youngs_modulus * inertia
     shear_modulus = tube.youngs_modulus / (2 * (1 + tube.poisson_ratio))
     shearing = stiffness_reduction * tube.shear_factor * shear_modulus * area
     added = coefficient * tube.contents_density * contents_area(**size) / area  # equation (1) with (2), as a density
-    ends = np.unique([0.0, tube.fill_height, tube.height])
+    levels = (0.0, tube.fill_height, tube.height)
+    ends = np.unique([np.linspace(low, high, elements + 1) for low, high in pairwise(levels)])
     densities = [tube.wall_density + added * (end <= tube.fill_height) for end in ends[1:]]
     stiffness, mass = _assemble(degree, ends, densities, area, inertia, bending, shearing)
     free = np.delete(np.arange(len(mass)), [0, len(mass) // 2])

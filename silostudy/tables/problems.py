@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from silostudy.catalogue import Family, Row
 from silostudy.tables.read import HERE, rows
 
-GROUPS = ("grains", "formulas", "earthquake")
+GROUPS = ("grains", "formulas", "shells", "earthquake")
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -7,11 +7,13 @@ import numpy as np
 import pytest
 
 from silostudy.buckling import BUCKLING
+from silostudy.buckling.thickness import required_thickness, with_thickness
 from silostudy.compute.pressure import pressure_cube
-from silostudy.compute.shell import required_thickness, shell_cube, wall_parameters, with_thickness
-from silostudy.compute.shell_load import SOURCES, from_surface, internal_pressures
+from silostudy.compute.shell import shell_cube, wall_parameters
+from silostudy.compute.shell_load import SOURCES, internal_pressures
 from silostudy.errors import BadInput
 from silostudy.pressure.janssen import axial_wall_force, normal_pressure
+from silostudy.pressure.quadrature import from_surface
 from silostudy.scene.scene import solid_parameters
 from tests.conftest import expanded
 

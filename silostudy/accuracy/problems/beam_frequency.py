@@ -1,4 +1,4 @@
-"""First and fifth frequency of a tube over the degree of its spectral elements."""
+"""First and fifth frequency of a tube over the degree and the number of its elements."""
 
 import numpy as np
 from scipy.optimize import brentq
@@ -6,7 +6,12 @@ from scipy.optimize import brentq
 from silostudy.seismic.beam import Tube, modes, second_moment, section_area
 
 DEGREES = (3, 4, 5, 6, 7, 8, 9, 11, 13, 17, 23)
-LADDERS = {"spectral element": DEGREES}
+LADDERS = {
+    "one element, its degree": DEGREES,
+    "elements of degree 1": (4, 8, 16, 32, 64),
+    "elements of degree 2": (2, 4, 8, 16, 32),
+    "elements of degree 4": (1, 2, 4, 8, 16),
+}
 TUBE = Tube(
     radius=0.25, thickness=0.015, height=1.08, fill_height=1.08, wall_density=2350.0, youngs_modulus=25e9,
     poisson_ratio=0.2, shear_factor=0.5, contents_density=790.0,
@@ -16,9 +21,11 @@ SCAN = np.arange(0.5, 60.0, 0.01)
 
 def prepare(ladder: str, setting: float):
     """The modes of the empty tube."""
+    degree = int(setting) if ladder.startswith("one") else int(ladder.split()[-1])
+    elements = 1 if ladder.startswith("one") else int(setting)
 
     def run():
-        frequency = modes(TUBE, 0.0, degree=int(setting)).frequency
+        frequency = modes(TUBE, 0.0, degree=degree, elements=elements).frequency
         return {"first_frequency": frequency[0], "fifth_frequency": frequency[4]}
 
     return run

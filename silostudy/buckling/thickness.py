@@ -1,0 +1,41 @@
+"""How thick a wall must be: the thickness at which a rule's strength meets the axial force."""
+
+from collections.abc import Mapping
+
+import numpy as np
+
+from silostudy.buckling.family import NO_LOAD, OUT_OF_RANGE, BucklingRule, evaluate
+
+SLENDEREST, STOCKIEST = 10_000, 10  # R/t between which the required thickness is sought
+HALVINGS = 40
+
+
+def with_thickness(rule: BucklingRule, parameters: Mapping, thickness: np.ndarray) -> dict[str, np.ndarray]:
+    """Every quantity of a rule for walls of this thickness (m); masked where the pressure it needs is unknown."""
+    own = {name: value for name, value in parameters.items() if name != "inner_radius"}
+    found = evaluate(rule, {**own, "thickness": thickness, "shell_radius": parameters["inner_radius"] + thickness / 2})
+    if rule.pressurised:
+        unknown = np.isnan(parameters["lower_internal_pressure"]) | np.isnan(parameters["upper_internal_pressure"])
+        found["buckling_stress_scope"] = np.where(unknown, np.int8(NO_LOAD), found["buckling_stress_scope"])
+    return found
+
+
+def required_thickness(
+    rule: BucklingRule, parameters: Mapping, force: np.ndarray, safety, halvings: int = HALVINGS
+) -> tuple[np.ndarray, np.ndarray]:
+    """(thickness (m) at which the rule's strength meets the force (N/m), scope flag), by halving the range of log R/t."""
+    radius = np.broadcast_to(parameters["inner_radius"], force.shape)
+    thin, thick = radius / SLENDEREST, radius / STOCKIEST
+
+    def enough(thickness):
+        with np.errstate(invalid="ignore"):
+            return safety * force / thickness <= with_thickness(rule, parameters, thickness)["buckling_stress"]
+
+    found, lightest = enough(thick), enough(thin)
+    for _ in range(halvings):
+        middle = np.sqrt(thin * thick)
+        carries = enough(middle)
+        thin, thick = np.where(carries, thin, middle), np.where(carries, middle, thick)
+    scope = with_thickness(rule, parameters, np.where(found, thick * (1 - 1e-6), radius / STOCKIEST))["buckling_stress_scope"]
+    scope = np.select([np.isnan(force), lightest], [NO_LOAD, OUT_OF_RANGE], scope).astype(np.int8)
+    return np.where(found, thick, np.nan), scope

@@ -1,0 +1,38 @@
+"""Integrals of pressures over a wall: trapezoids down the cylinder, the double-exponential rule over the hopper."""
+
+from collections.abc import Callable, Mapping
+
+import numpy as np
+
+from silostudy.pressure import hopper_shape
+from silostudy.pressure.family import parameters_of
+
+NODES, REACH = 81, 3.3  # of the double-exponential rule: points, and where its variable ends
+
+
+def from_surface(traction: np.ndarray, z: np.ndarray) -> np.ndarray:
+    """The integral (N/m) of a traction (Pa) from the surface, where it vanishes, to each depth z (m): trapezoids."""
+    whole = np.concatenate([np.zeros((*traction.shape[:-1], 1)), traction], axis=-1)
+    levels = np.concatenate([np.zeros((*z.shape[:-1], 1)), z], axis=-1)
+    return np.cumsum((whole[..., 1:] + whole[..., :-1]) / 2 * np.diff(levels, axis=-1), axis=-1)
+
+
+def double_exponential(count: int = NODES) -> tuple[np.ndarray, np.ndarray]:
+    """(places within 0 ... 1, weights) of the double-exponential rule, which takes powers at either end in its stride."""
+    nodes = np.linspace(-REACH, REACH, count)
+    places = (1 + np.tanh(np.pi / 2 * np.sinh(nodes))) / 2
+    return places, np.pi / 4 * np.cosh(nodes) / np.cosh(np.pi / 2 * np.sinh(nodes)) ** 2 * (nodes[1] - nodes[0])
+
+
+def hopper_wall_force(pressures: Callable, between, parameters: Mapping, rule=None) -> np.ndarray:
+    """Vertical force (N) on a hopper's wall: p_n tan(theta) + p_t over the wall between two heights (m) above its apex.
+
+    pressures(x) -> (p_n, p_t) (Pa) at heights of shape (cases, places); rule: (places, weights), None: double_exponential().
+    """
+    start, end = between
+    places, weights = double_exponential() if rule is None else rule
+    x = start + (end - start) * places
+    normal, traction = pressures(x)
+    around = hopper_shape.wall_length(x, **{name: parameters[name] for name in parameters_of(hopper_shape.wall_length)})
+    pushed = normal * np.tan(parameters["hopper_half_angle"]) + traction
+    return np.sum(pushed * around * weights, axis=-1) * (end - start)[..., 0]
