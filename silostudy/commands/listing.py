@@ -92,7 +92,8 @@ def _accuracies(chosen):
     from silostudy.tables.fronts import FRONTS
 
     for row in FRONTS:
-        yield f"{row.kind:9}", f"{row.quantity:18}", f"error {row.error:<9.3g}", f"{row.cost:<9.3g} s", row.settings
+        by = f"x {row.scaled_by}" if row.scaled_by else ""
+        yield f"{row.kind:9}", f"{row.quantity:26}", f"error {row.error:<9.3g}{by:18}", f"{row.cost:<9.3g} s", row.settings
 
 
 LISTS = {

@@ -1,13 +1,18 @@
-"""A study may ask for an accuracy in place of settings: the cheapest settings on the measured fronts are put in for it."""
+"""A study may ask for an accuracy in place of settings: the cheapest settings on the measured fronts are put in for it.
+
+What an error is in a scene hangs on the scene.  Where its configuration tells, it is asked at once; else the finest settings
+stand in until the scenes are built, and the study is read once more with their traits as the context.
+"""
 
 import copy
+from collections.abc import Mapping
 from typing import Any, ClassVar
 
-from pydantic import model_validator
+from pydantic import PrivateAttr, model_validator
 
 from silostudy.config.fields import Strict, described
 from silostudy.errors import BadInput
-from silostudy.tables.fronts import choose
+from silostudy.tables.fronts import Choice, choose, finest
 
 
 class Asked(Strict):
@@ -19,28 +24,36 @@ class Asked(Strict):
         "largest relative error by quantity, in place of the settings that decide it: the cheapest measured ones are chosen",
         default=None,
     )
+    _choice: Choice | None = PrivateAttr(default=None)
 
-    @model_validator(mode="before")
+    @model_validator(mode="wrap")
     @classmethod
-    def _settings_for_accuracy(cls, content: Any) -> Any:
+    def _settings_for_accuracy(cls, content: Any, handler, info):
         asked = content.get("accuracy") if isinstance(content, dict) else None
         if not isinstance(asked, dict) or not all(isinstance(error, (int, float)) for error in asked.values()):
-            return content  # pydantic says what is wrong with it
+            return handler(content)  # pydantic says what is wrong with it
         try:
-            settings = choose(cls.front, asked).settings
+            choice = choose(cls.front, asked, info.context) if info.context else finest(cls.front, asked)
+            model = handler(_with(content, choice.settings))
+            if not info.context and model.traits is not None:
+                choice = choose(cls.front, asked, [model.traits])
+                model = handler(_with(content, choice.settings))
         except BadInput as error:
             raise ValueError(error.reason) from None
-        content = copy.deepcopy(content)
-        for dotted, value in settings.items():
-            _put(content, dotted, value)
-        return content
+        model._choice = choice
+        return model
+
+    @property
+    def traits(self) -> Mapping[str, float] | None:
+        """What the errors of this scene hang on, by name; None where only the built scenes of a study tell."""
+        return None
 
     @property
     def promise(self) -> dict[str, str]:
         """Attributes for a cube: what was asked, what was chosen for it, and the error expected; empty where nothing was."""
-        if self.accuracy is None:
+        choice = self._choice
+        if self.accuracy is None or choice is None:
             return {}
-        choice = choose(self.front, self.accuracy)
         return {
             "accuracy_asked": _listed(self.accuracy),
             "accuracy_settings": ", ".join(f"{key} = {value}" for key, value in choice.settings.items()),
@@ -50,7 +63,14 @@ class Asked(Strict):
 
 
 def _listed(errors: dict[str, float]) -> str:
-    return ", ".join(f"{name} {error:g}" for name, error in errors.items())
+    return ", ".join(f"{name} {error:.3g}" for name, error in errors.items())
+
+
+def _with(content: dict[str, Any], settings: dict[str, Any]) -> dict[str, Any]:
+    content = copy.deepcopy(content)
+    for dotted, value in settings.items():
+        _put(content, dotted, value)
+    return content
 
 
 def _put(content: dict[str, Any], dotted: str, value: Any) -> None:
@@ -61,7 +81,6 @@ def _put(content: dict[str, Any], dotted: str, value: Any) -> None:
         node = node.setdefault(parent, {})
         if not isinstance(node, dict):
             return  # pydantic says what is wrong with it
-    given = node.get(last)
-    if given is not None and given != value:
+    if node.get(last) is not None:
         raise ValueError(f"give either accuracy or {dotted}, and not both: it would be {value!r}")
     node[last] = value

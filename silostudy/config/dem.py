@@ -1,5 +1,6 @@
 """What a user writes to describe one discrete-element scene, in the user's units."""
 
+from collections.abc import Mapping
 from typing import Annotated, ClassVar, Literal, Self, TypeAlias
 
 from pydantic import Field, model_validator
@@ -185,6 +186,11 @@ class DemScene(Asked):
     events: tuple[EventConfig, ...] = described("what happens, in order; the last is a stop", "", min_length=1)
     record: RecordConfig = described("what is recorded", "", default=RecordConfig())
     seed: int = described("seed of the random numbers", ge=0, default=0)
+
+    @property
+    def traits(self) -> Mapping[str, float]:
+        """None yet that the fronts distinguish."""
+        return {}
 
     @model_validator(mode="after")
     def _one_step(self) -> Self:

@@ -11,7 +11,7 @@ from typing import Any
 from silostudy.config.fields import Strict
 from silostudy.config.load import read_yaml, study_of, validated
 from silostudy.errors import BadInput
-from silostudy.scene.kinds import builder
+from silostudy.scene.kinds import builder, traits_of
 
 
 @dataclass(frozen=True)
@@ -53,6 +53,9 @@ def expand(content: dict[str, Any], name: str, where: str, folder: Path, positio
         settings = _settings_at(axes, position, where)
         config = validated(type(study.scene), _applied(content["scene"], settings, where), f"{where} (scene)")
         cases.append(Case(_identity(config), settings, build(config, settings)))
+    if getattr(study, "accuracy", None):  # now that the scenes tell what their errors hang on
+        traits = traits_of(study.kind)(study, [case.scene for case in cases])
+        study = study_of(content, where, traits)
     return Expansion(study, name, shape, tuple(cases))
 
 

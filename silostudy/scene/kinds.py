@@ -14,6 +14,11 @@ def builder(kind: str) -> Callable[..., Callable]:
     return getattr(import_module(f"silostudy.scene.{ROOMS.get(kind, kind)}"), f"{kind}_builder")
 
 
+def traits_of(kind: str) -> Callable[..., list[dict[str, float]]]:
+    """For a kind that may ask for an accuracy: traits(study, scenes) -> what its errors hang on, from its builder's file."""
+    return getattr(import_module(f"silostudy.scene.{ROOMS.get(kind, kind)}"), f"{kind}_traits")
+
+
 def cost_of(kind: str) -> Callable[..., float]:
     """For a kind whose cases are computed in parts: cost(scene) -> seconds, from its file in this room."""
     return import_module(f"silostudy.scene.{kind}").cost

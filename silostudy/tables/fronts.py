@@ -1,13 +1,20 @@
-"""Measured fronts: which settings reach which error at what cost, and the cheapest of them for the errors asked for."""
+"""Measured fronts: which settings reach which error at what cost, and the cheapest of them for the errors asked for.
+
+What an error depends on from scene to scene are the scene's traits, numbers by name.  A row holds for scenes whose traits lie
+`within` its ranges; where it is `scaled_by` a trait, its error is that of a scene in which the trait is 1, and goes with it.
+"""
 
 import json
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
 from silostudy.errors import BadInput
 from silostudy.tables.read import HERE, rows
 
-COLUMNS = ("kind", "quantity", "settings", "error", "cost_s", "scenes", "machine", "measured_on", "source", "locator")
+COLUMNS = ("kind", "quantity", "settings", "error", "scaled_by", "within", "cost_s", "scenes",
+           "machine", "measured_on", "source", "locator")  # fmt: skip
+Traits = Mapping[str, float]
 
 
 @dataclass(frozen=True)
@@ -18,9 +25,19 @@ class Measured:
     quantity: str
     settings: str  # JSON
     error: float
+    scaled_by: str  # a trait, or empty
+    within: dict[str, tuple[float, float]]  # range of each trait in which it was measured
     cost: float
     machine: str
     measured_on: str
+
+    def holds(self, scene: Traits) -> bool:
+        """Whether the scene's traits lie where the row was measured."""
+        return all(low <= scene[name] <= high for name, (low, high) in self.within.items())
+
+    def expected(self, scene: Traits) -> float:
+        """Error (1) expected of a scene."""
+        return self.error * (scene[self.scaled_by] if self.scaled_by else 1.0)
 
 
 @dataclass(frozen=True)
@@ -33,11 +50,12 @@ class Choice:
 
 
 def _measured(raw: dict) -> Measured:
-    names = ("kind", "quantity", "settings", "error", "machine", "measured_on")
-    return Measured(cost=raw["cost_s"], **{name: raw[name] for name in names})
+    names = ("kind", "quantity", "settings", "error", "scaled_by", "machine", "measured_on")
+    within = {name: (low, high) for name, (low, high) in json.loads(raw["within"] or "{}").items()}
+    return Measured(cost=raw["cost_s"], within=within, **{name: raw[name] for name in names})
 
 
-TEXT = ("kind", "quantity", "settings", "machine", "measured_on")
+TEXT = ("kind", "quantity", "settings", "scaled_by", "within", "machine", "measured_on")
 FRONTS = [_measured(raw) for raw in rows(HERE / "fronts.csv", text=TEXT)]
 
 
@@ -46,23 +64,32 @@ def quantities(kind: str) -> tuple[str, ...]:
     return tuple(dict.fromkeys(row.quantity for row in FRONTS if row.kind == kind))
 
 
-def choose(kind: str, asked: dict[str, float]) -> Choice:
-    """The cheapest measured settings whose worst error is at most what is asked; BadInput where none reaches it.
+def choose(kind: str, asked: Mapping[str, float], scenes: Sequence[Traits] = ({},)) -> Choice:
+    """The cheapest measured settings that keep every scene's error at or below what is asked; BadInput where none does.
 
-    Quantities that hang on the same keys are met by one choice.
+    scenes: traits of each.  Quantities that hang on the same keys are met by one choice.
     """
+    return _joined(kind, asked, scenes, cheapest)
+
+
+def finest(kind: str, asked: Mapping[str, float]) -> Choice:
+    """The most accurate settings, whatever they cost: for as long as the scenes are not known."""
+    return _joined(kind, asked, (), _finest)
+
+
+def _joined(kind: str, asked: Mapping[str, float], scenes: Sequence[Traits], pick) -> Choice:
     settings: dict[str, Any] = {}
     expected: dict[str, float] = {}
     told = set()
     for names in _together(kind, asked):
-        best = _cheapest(kind, {name: asked[name] for name in names})
-        settings |= json.loads(best[0].settings)
-        expected |= {row.quantity: row.error for row in best}
-        told |= {f"{row.machine}, {row.measured_on}" for row in best}
+        best, errors = pick(kind, {name: asked[name] for name in names}, scenes)
+        settings |= json.loads(best.settings)
+        expected |= errors
+        told.add(f"{best.machine}, {best.measured_on}")
     return Choice(settings, expected, "; ".join(sorted(told)))
 
 
-def _together(kind: str, asked: dict[str, float]) -> list[list[str]]:
+def _together(kind: str, asked: Mapping[str, float]) -> list[list[str]]:
     """The quantities asked for, grouped by the keys that their settings set."""
     groups: dict[tuple, list[str]] = {}
     known = quantities(kind)
@@ -76,14 +103,43 @@ def _together(kind: str, asked: dict[str, float]) -> list[list[str]]:
     return list(groups.values())
 
 
-def _cheapest(kind: str, asked: dict[str, float]) -> list[Measured]:
-    """One row a quantity, all of the same settings."""
-    by_settings: dict[str, list[Measured]] = {}
+def _rows(kind: str, names) -> dict[str, dict[str, list[Measured]]]:
+    """settings -> quantity -> its rows."""
+    found: dict[str, dict[str, list[Measured]]] = {}
     for row in FRONTS:
-        if row.kind == kind and row.quantity in asked:
-            by_settings.setdefault(row.settings, []).append(row)
-    reached = [each for each in by_settings.values() if all(row.error <= asked[row.quantity] for row in each)]
+        if row.kind == kind and row.quantity in names:
+            found.setdefault(row.settings, {}).setdefault(row.quantity, []).append(row)
+    return {settings: by for settings, by in found.items() if len(by) == len(names)}
+
+
+def cheapest(kind: str, asked: Mapping[str, float], scenes: Sequence[Traits]) -> tuple[Measured, dict[str, float]]:
+    """A row of the cheapest settings that reach it, and the worst error expected by quantity."""
+    each = [(by, worst(by, scenes)) for by in _rows(kind, asked).values()]
+    measured = [(by, errors) for by, errors in each if errors is not None]
+    if not measured:
+        ranges = {name: span for by, _ in each for all_of in by.values() for row in all_of for name, span in row.within.items()}
+        raise BadInput("accuracy", dict(asked), f"was measured on no such scene, only within {ranges}")
+    reached = [(by, errors) for by, errors in measured if all(errors[name] <= asked[name] for name in asked)]
     if not reached:
-        least = {name: min(row.error for row in FRONTS if row.kind == kind and row.quantity == name) for name in asked}
-        raise BadInput("accuracy", asked, f"no measured setting reaches it; the least errors are {least}")
-    return min(reached, key=lambda each: max(row.cost for row in each))
+        least = {name: float(f"{min(errors[name] for _, errors in measured):.3g}") for name in asked}
+        raise BadInput("accuracy", dict(asked), f"no measured setting reaches it; the least errors are {least}")
+    by, errors = min(reached, key=lambda one: max(row.cost for all_of in one[0].values() for row in all_of))
+    return next(iter(by.values()))[0], errors
+
+
+def worst(by: Mapping[str, list[Measured]], scenes: Sequence[Traits]) -> dict[str, float] | None:
+    """Worst error expected over the scenes, by quantity; None where one of the scenes is like none that was measured."""
+    found = dict.fromkeys(by, 0.0)
+    for name, all_of in by.items():
+        for scene in scenes:
+            holding = [row.expected(scene) for row in all_of if row.holds(scene)]
+            if not holding:
+                return None
+            found[name] = max(found[name], *holding)
+    return found
+
+
+def _finest(kind: str, asked: Mapping[str, float], scenes: Sequence[Traits]) -> tuple[Measured, dict[str, float]]:
+    each = [[row for all_of in by.values() for row in all_of] for by in _rows(kind, asked).values()]
+    rows = min(each, key=lambda rows: max(row.error for row in rows))
+    return rows[0], {row.quantity: row.error for row in rows}

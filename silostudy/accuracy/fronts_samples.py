@@ -1,0 +1,134 @@
+"""The front of a study's samples: the 95 % quantile of Janssen's wall pressure of solids that scatter more or less.
+
+Reference: the distribution function by Gauss quadrature over friction and lateral ratio, exact in the unit weight.
+"""
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.optimize import brentq
+from scipy.stats import qmc
+
+from silostudy.accuracy.trial import Trial, cpu_seconds, front_row
+from silostudy.pressure import janssen
+from silostudy.pressure.family import call
+from silostudy.scene.traits import spread_number
+from silostudy.tables.fronts import choose
+
+POWERS = tuple(range(6, 17))
+MEASURED, UNSEEN, SEEDS, SHARE = 30, 40, 20, 0.95  # solids, other solids, sequences for each; share of them that must meet it
+KEPT = 0.95  # share of all errors measured, over solids and sequences, that a row keeps
+LEVELS, ABOVE = 25, 0.1  # depths of the wall whose quantiles count, the worst of them; the first over the last
+ASKED = (1e-3, 0.05)
+NODES, WEIGHTS = np.polynomial.legendre.leggauss(100)
+SOURCE = "silo_handbook"
+
+
+@dataclass(frozen=True)
+class Solid:
+    """A solid in a silo: its means, their spreads (upper over mean), and the least over the mean unit weight."""
+
+    means: dict[str, float]
+    depth: float  # m, of the wall's foot
+    a_mu: float
+    a_K: float
+    lightest: float
+
+    @property
+    def scatter(self) -> float:
+        """The trait that the error goes with."""
+        return spread_number(1.0, self.a_K, self.a_mu, self.lightest)
+
+    @property
+    def depths(self) -> np.ndarray:
+        """Where quantiles are taken (m)."""
+        return np.linspace(ABOVE, 1.0, LEVELS) * self.depth
+
+    def pressure(self, depth, friction, ratio, weight):
+        """Janssen's wall pressure (Pa) where properties are so many times their means."""
+        times = {"wall_friction": friction, "lateral_pressure_ratio": ratio, "unit_weight": weight}
+        return call(janssen.normal_pressure, depth, self.means | {name: self.means[name] * by for name, by in times.items()})
+
+
+def solids(seed: int, count: int, widest: float) -> Iterator[Solid]:
+    """Solids with spreads up to the widest, in silos of many sizes; other seeds give others."""
+    random = np.random.default_rng(seed)
+    for _ in range(count):
+        means = {"unit_weight": random.uniform(6e3, 16e3), "hydraulic_radius": random.uniform(0.5, 5.0),
+                 "wall_friction": random.uniform(0.2, 0.6), "lateral_pressure_ratio": random.uniform(0.35, 0.6)}  # fmt: skip
+        spreads = *random.uniform(1.05, widest, 2), random.uniform(1.0 / widest, 0.95)
+        yield Solid(means, random.uniform(2.0, 40.0), *spreads)
+
+
+def sampled(solid: Solid, power: int, seed: int) -> np.ndarray:
+    """Quantiles (Pa) as the uncertainty stage samples them: friction and ratio log-uniform, unit weight uniform."""
+    points = qmc.Sobol(3, rng=seed).random_base2(power)
+    friction, ratio = (spread ** (2.0 * points[:, k] - 1.0) for k, spread in enumerate((solid.a_mu, solid.a_K)))
+    weight = solid.lightest + (1.0 - solid.lightest) * points[:, 2]
+    return np.quantile(solid.pressure(solid.depths[:, None], friction, ratio, weight), SHARE, axis=1)
+
+
+def exact(solid: Solid) -> np.ndarray:
+    """The quantiles (Pa): where the distribution function is the share asked for; the pressure is linear in the unit weight."""
+    return np.array([_quantile(solid.pressure(z, *_nodes(solid), 1.0), solid.lightest) for z in solid.depths])
+
+
+def _nodes(solid: Solid) -> tuple[np.ndarray, np.ndarray]:
+    return (solid.a_mu**NODES)[:, None], (solid.a_K**NODES)[None, :]
+
+
+def _quantile(heaviest: np.ndarray, lightest: float) -> float:
+    """Of the pressures (Pa) at the nodes with the largest unit weight."""
+    weights = 0.5 * WEIGHTS
+
+    def below(pressure):
+        part = np.clip((pressure / heaviest - lightest) / (1.0 - lightest), 0.0, 1.0)
+        return float(weights @ part @ weights)
+
+    return brentq(lambda p: below(p) - SHARE, heaviest.min() * lightest, heaviest.max())
+
+
+def errors(solid: Solid, first: int) -> np.ndarray:
+    """Largest relative error over the depths with every sample size and sequence: (power, sequence)."""
+    right = exact(solid)
+    each = [[sampled(solid, power, first + seed) for seed in range(SEEDS)] for power in POWERS]
+    return np.abs(np.array(each) / right - 1.0).max(axis=-1)
+
+
+def costs(solid: Solid) -> np.ndarray:
+    """CPU seconds of every sample size."""
+    return np.array([cpu_seconds(lambda power=power: sampled(solid, power, 1)) for power in POWERS])  # type: ignore[misc]
+
+
+def measured_fronts(tell: Callable[[str], None]) -> list[dict]:
+    """Rows of tables/fronts.csv: the error over the solid's scatter that all but a few sequences of all solids keep."""
+    each = list(solids(0, MEASURED, 1.5))
+    over = np.hstack([errors(solid, 1000) / solid.scatter for solid in each])
+    kept, cost = np.quantile(over, KEPT, axis=1), costs(each[0])
+    tell(f"pressure_quantile: {MEASURED} solids, {SEEDS} sequences each")
+    within = {"scatter": (0.0, float(f"{1.05 * max(solid.scatter for solid in each):.2g}"))}
+    return [
+        front_row("pressure", "pressure_quantile", {"uncertainty.log2_samples": power}, kept[k], cost[k], MEASURED * SEEDS,
+                  SOURCE, scaled_by="scatter", within=within)
+        for k, power in enumerate(POWERS)
+    ]  # fmt: skip
+
+
+def trials(tell: Callable[[str], None], count: int = UNSEEN) -> list[Trial]:
+    """Other solids and sequences; the cheapest is the smallest sample with which 19 of 20 sequences meet it."""
+    found, random = [], np.random.default_rng(2)
+    spent = costs(next(iter(solids(0, 1, 1.5))))
+    for solid in solids(1, count, 1.4):
+        asked = float(np.exp(random.uniform(*np.log(ASKED))))
+        power = choose("pressure", {"pressure_quantile": asked}, [{"scatter": solid.scatter}]).settings[
+            "uncertainty.log2_samples"
+        ]
+        wrong = errors(solid, 2000)
+        k, enough = POWERS.index(power), int(np.argmax(np.quantile(wrong, SHARE, axis=1) <= asked))
+        found += [
+            Trial("pressure", "pressure_quantile", asked, one, spent[k], spent[enough], 2.0**power, 2.0 ** POWERS[enough])
+            for one in wrong[k]
+        ]
+    tell(f"pressure_quantile: {sum(one.met for one in found)} of {len(found)} met")
+    return found

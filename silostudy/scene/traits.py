@@ -1,0 +1,115 @@
+"""Numbers of a pressure study's scenes on which the errors of its depth levels and samples hang: see tables/fronts.py."""
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from math import log
+
+import numpy as np
+
+from silostudy.pressure import PRESSURE
+from silostudy.pressure.family import call
+from silostudy.scene.scene import Scene, geometry_parameters, solid_parameters
+
+LEVELS = 257  # of the look at each curve
+
+
+def pressure_traits(study, scenes: Sequence[Scene]) -> list[dict[str, float]]:
+    """Of each scene: the worst of the study's curves for an integral and for a largest value, its heap, its scatter."""
+    integral = np.zeros(len(scenes))
+    peak, kink = np.zeros(len(scenes)), np.zeros(len(scenes))
+    for curves in curves_of(study, scenes):
+        if "wall_friction_traction" in curves:
+            integral = np.fmax(integral, integral_number(curves["wall_friction_traction"]))
+        peak = np.fmax(peak, peak_number(curves["wall_normal_pressure"]))
+        kink = np.fmax(kink, kink_number(curves["wall_normal_pressure"]))
+    numbers = {"integral_number": integral, "peak_number": peak, "kink_number": kink}
+    numbers |= {"heap": np.array([one.silo.top_cone_height for one in scenes]), "scatter": np.array(list(map(scatter, scenes)))}
+    return [{name: float(values[k]) for name, values in numbers.items()} for k in range(len(scenes))]
+
+
+def curves_of(study, scenes: Sequence[Scene]) -> Iterator[dict[str, np.ndarray]]:
+    """quantity -> values at even levels, shape (scene, level), by method and phase; NaN where the method does not speak."""
+    depth = np.array([[one.silo.cylinder_depth] for one in scenes])
+    z = depth * np.linspace(0.0, 1.0, LEVELS)
+    for key in study.method_keys:
+        row = PRESSURE[key]
+        parameters = parameters_of_scenes(scenes, row.table_key or key)
+        covered = np.array([[one.silo.plan in row.plans] for one in scenes])
+        for phase in study.phases:
+            functions: Mapping[str, Callable] = row.phases.get(phase, {})
+            with np.errstate(all="ignore"):  # unknown parameters are NaN
+                found = {name: np.asarray(call(function, z, parameters)) for name, function in functions.items()}
+            if found:
+                yield {name: np.where(covered, np.broadcast_to(value, z.shape), np.nan) for name, value in found.items()}
+
+
+def parameters_of_scenes(scenes: Sequence[Scene], key: str) -> dict[str, np.ndarray]:
+    """Every parameter that a method may ask for, in SI, shape (scene, 1)."""
+    each = [{**geometry_parameters(one), **solid_parameters(one, key)} for one in scenes]
+    return {name: np.array([[one[name]] for one in each]) for name in each[0]}
+
+
+def integral_number(curve: np.ndarray) -> np.ndarray:
+    """Relative error (1) of one trapezoid over the whole depth, if the error went with the square of the step: (scene,).
+
+    From the trapezoidal sums of every level and of every second one; 0 where the curve is masked.
+    """
+    fine, coarse = np.trapezoid(curve, axis=-1), 2.0 * np.trapezoid(curve[..., ::2], axis=-1)
+    with np.errstate(invalid="ignore", divide="ignore"):
+        return np.nan_to_num(np.abs(fine - coarse) / 3.0 * (LEVELS - 1) ** 2 / fine)
+
+
+def peak_number(curve: np.ndarray) -> np.ndarray:
+    """What a rounded peak loses (1, relative) half a step away, if that step were the whole depth: (scene,).
+
+    0 where the curve is largest at its end, which is a level, where it has a kink there, or where it is masked.
+    """
+    before, here, after = _around(curve, (-1, 0, 1))
+    rounded = (2.0 * here - before - after) * (LEVELS - 1) ** 2 / (8.0 * here)
+    return np.where(_peaks_inside(curve) & (kink_number(curve) == 0), rounded, 0.0)
+
+
+def kink_number(curve: np.ndarray) -> np.ndarray:
+    """What a peak with a kink loses (1, relative) at most between two levels, if their distance were the whole depth: (scene,).
+
+    There the slopes on both sides do not fall to nothing towards the peak; 0 elsewhere.
+    """
+    *left, here = _around(curve, (-3, -2, -1, 0))
+    *right, _ = _around(curve, (3, 2, 1, 0))
+    (far_left, near_left), (far_right, near_right) = np.diff(left, axis=0), np.diff(right, axis=0)
+    rise, drop = near_left + 1.5 * (near_left - far_left), near_right + 1.5 * (near_right - far_right)
+    kinked = _peaks_inside(curve) & (rise > 0.5 * near_left) & (drop > 0.5 * near_right) & (rise > 0) & (drop > 0)
+    with np.errstate(invalid="ignore", divide="ignore"):
+        return np.where(kinked, rise * drop / (rise + drop) * (LEVELS - 1) / here, 0.0)
+
+
+def _place(curve: np.ndarray) -> np.ndarray:
+    """Number of the last of the largest values."""
+    return LEVELS - 1 - np.argmax(np.where(np.isfinite(curve), curve, -np.inf)[..., ::-1], axis=-1)
+
+
+def _peaks_inside(curve: np.ndarray) -> np.ndarray:
+    """Whether a curve without a gap is largest between its ends."""
+    return (_place(curve) > 0) & (_place(curve) < LEVELS - 1) & np.isfinite(curve).all(axis=-1)
+
+
+def _around(curve: np.ndarray, steps: tuple[int, ...]) -> list[np.ndarray]:
+    """The values some steps from the largest."""
+    places = np.clip(_place(curve), 3, LEVELS - 4)[..., None]
+    return [np.take_along_axis(curve, places + step, axis=-1)[..., 0] for step in steps]
+
+
+def scatter(scene: Scene) -> float:
+    """How far the solid's properties scatter (1); 0 where it is not known."""
+    values = solid_parameters(scene, "")
+    lightest = values["unit_weight_lower"] / values["unit_weight"]
+    number = spread_number(values["a_phi"], values["a_K"], values["a_mu"], lightest)
+    return number if np.isfinite(number) else 0.0
+
+
+def spread_number(a_phi: float, a_K: float, a_mu: float, lightest: float) -> float:
+    """Sum of the logarithms of the spreads (upper over mean) and of half the unit weight's (1), the largest counted a tenth.
+
+    In a single dimension a Sobol sequence hardly errs.
+    """
+    each = sorted((log(a_phi), log(a_K), log(a_mu), -0.5 * log(lightest)))
+    return sum(each) - 0.9 * each[-1]
