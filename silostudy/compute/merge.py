@@ -12,6 +12,7 @@ import xarray as xr
 
 from silostudy.compute.axes import axis_coordinates
 from silostudy.compute.variables import attributes, flags
+from silostudy.config.asked import promises
 from silostudy.cube.contract import VARIABLES
 from silostudy.cube.provenance import provenance
 from silostudy.cube.slabs import Slab, write_slabs
@@ -21,6 +22,7 @@ from silostudy.journal import ENDING, failed, sound
 from silostudy.scene.expand import expand_file
 from silostudy.scene.plan import DONE, code_stamp, read_plan
 
+PIECE = 1000  # cases that are expanded at once
 MEMORY = 256e6  # bytes of cases held at once
 OUTCOMES = ("computed", "failed")
 
@@ -67,7 +69,8 @@ def merge(path: Path, folder: Path, output: Path, memory: float = MEMORY) -> tup
     coords = {name: (*coordinate, attributes(name)) for name, coordinate in stage.coordinates(study).items()}
     about = provenance(study.title, study.model_dump_json(exclude_defaults=True), stage.sources(study), study.kind)
     axes = " ".join(axis.axis for axis in study.sweep)
-    frame = xr.Dataset(coords={**axis_coordinates(study), **coords}, attrs={**about, "sweep_axes": axes})
+    about |= {"sweep_axes": axes, **_promise(path, study, len(records.keys))}
+    frame = xr.Dataset(coords={**axis_coordinates(study), **coords}, attrs=about)
     slabs = _slabs(records.pattern(), frame)
     lost: list[tuple[str, str]] = []
 
@@ -83,6 +86,14 @@ def merge(path: Path, folder: Path, output: Path, memory: float = MEMORY) -> tup
     _clear(folder, records.parts, study.kind)
     _list(lost, output.with_name(f"{output.stem}-failed.csv"))
     return len(records.keys), len(lost)
+
+
+def _promise(path: Path, study, count: int) -> dict[str, str]:
+    """What was asked, chosen and expected of a sweep whose scenes ask for an accuracy; read in bounded pieces."""
+    if getattr(study.scene, "accuracy", None) is None:
+        return {}
+    pieces = (range(first, min(first + PIECE, count)) for first in range(0, count, PIECE))
+    return promises(case.scene.config for piece in pieces for case in expand_file(path, piece).cases)
 
 
 def _slabs(pattern: dict[str, tuple[int, ...]], frame: xr.Dataset) -> dict[str, Slab]:

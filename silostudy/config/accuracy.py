@@ -1,6 +1,6 @@
 """An accuracy study: which problems to set against their cost, and how carefully to measure."""
 
-from typing import Literal, Self, TypeAlias
+from typing import ClassVar, Literal, Self, TypeAlias
 
 from pydantic import model_validator
 
@@ -24,6 +24,8 @@ class Measuring(Strict):
 
 class AccuracyStudy(BaseStudy):
     """Error against CPU time of every numerical method."""
+
+    unasked: ClassVar[str] = "it measures what accuracy costs"
 
     kind: Literal["accuracy"] = described("accuracy: error against CPU time, measured on this machine", "")
     scene: Measuring = described("what is measured", "")

@@ -5,7 +5,7 @@ stand in until the scenes are built, and the study is read once more with their 
 """
 
 import copy
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from typing import Any, ClassVar
 
 from pydantic import PrivateAttr, model_validator
@@ -51,15 +51,22 @@ class Asked(Strict):
     @property
     def promise(self) -> dict[str, str]:
         """Attributes for a cube: what was asked, what was chosen for it, and the error expected; empty where nothing was."""
-        choice = self._choice
-        if self.accuracy is None or choice is None:
-            return {}
-        return {
-            "accuracy_asked": _listed(self.accuracy),
-            "accuracy_settings": ", ".join(f"{key} = {value}" for key, value in choice.settings.items()),
-            "accuracy_expected": _listed(choice.expected),
-            "accuracy_measured": choice.measured,
-        }
+        return promises([self])
+
+
+def promises(scenes: Iterable[Asked]) -> dict[str, str]:
+    """The attributes of many scenes in one cube: everything asked, chosen and measured, and the worst error expected."""
+    each = [(one.accuracy, one._choice) for one in scenes if one.accuracy is not None and one._choice is not None]
+    worst: dict[str, float] = {}
+    for _, choice in each:
+        worst |= {name: max(error, worst.get(name, 0.0)) for name, error in choice.expected.items()}
+    found = {
+        "accuracy_asked": [_listed(asked) for asked, _ in each],
+        "accuracy_settings": [", ".join(f"{key} = {value}" for key, value in choice.settings.items()) for _, choice in each],
+        "accuracy_expected": [_listed(worst)] if each else [],
+        "accuracy_measured": [choice.measured for _, choice in each],
+    }
+    return {name: "; ".join(dict.fromkeys(texts)) for name, texts in found.items() if texts}
 
 
 def _listed(errors: dict[str, float]) -> str:

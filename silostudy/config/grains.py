@@ -1,6 +1,6 @@
 """A grains study: discs in a box that is shaken, and what walls and floor have to carry of them."""
 
-from typing import Literal, Self, TypeAlias
+from typing import ClassVar, Literal, Self, TypeAlias
 
 from pydantic import Field, model_validator
 
@@ -58,6 +58,8 @@ class GrainsScene(Strict):
 
 class GrainsStudy(BaseStudy):
     """Effective mass of shaken discs, with its spread over fillings."""
+
+    unasked: ClassVar[str] = "no front is measured for shaken discs"
 
     kind: Literal["grains"] = described("grains: effective mass of discs in a shaken box", "")
     scene: GrainsScene = described("the base scene", "")

@@ -1,7 +1,7 @@
 """A packing study: discs laid in rows, brought to rest and let out through a slit, again and again with other offsets."""
 
 from math import sqrt
-from typing import Literal, TypeAlias
+from typing import ClassVar, Literal, TypeAlias
 
 from silostudy.config.dem import IntegratorKey
 from silostudy.config.fields import Strict, described
@@ -67,6 +67,8 @@ class Detail(Strict):
 
 class PackingStudy(BaseStudy):
     """Discs at rest and in discharge: ensembles of starts for every case."""
+
+    unasked: ClassVar[str] = "no front is measured for ensembles of discharges"
 
     kind: Literal["packing"] = described("packing: rows of discs at rest and in discharge", "")
     scene: PackingScene = described("the base scene", "")

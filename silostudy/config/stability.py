@@ -1,6 +1,6 @@
 """A stability study: networks of discs at rest, and the largest time step at which they stay so."""
 
-from typing import Literal, Self
+from typing import ClassVar, Literal, Self
 
 from pydantic import Field, model_validator
 
@@ -43,6 +43,8 @@ class SiloTrial(Strict):
 
 class StabilityStudy(BaseStudy):
     """Largest stable step by bisection, against the engine's bound and LAMMPS."""
+
+    unasked: ClassVar[str] = "it looks for the largest step itself"
 
     kind: Literal["stability"] = described("stability: largest stable step of discs at rest", "")
     scene: StabilityScene = described("the base scene", "")

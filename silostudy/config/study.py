@@ -1,7 +1,7 @@
 """What a user writes to ask for a parametric study: axes, and what every kind of study shares."""
 
 from itertools import pairwise
-from typing import Any, Literal, Self, TypeAlias
+from typing import Any, ClassVar, Literal, Self, TypeAlias
 
 from pydantic import field_validator, model_validator
 
@@ -69,12 +69,21 @@ def _steady(values: list) -> bool:
 class BaseStudy(Strict):
     """What every study shares, whatever is computed; `kind` tells the sorts of study apart."""
 
+    unasked: ClassVar[str] = "none of its settings decides a numerical error"  # why this kind may not ask for an accuracy
+
     kind: str
     title: str = described("one line for figures and reports", "", min_length=1)
     description: str = described("what the study is for, and which of its values are assumed", "", default="")
     scene: Strict
     sweep: tuple[Axis, ...] = described("axes; every combination is a case", "", default=())
     outputs: tuple[OutputKey, ...] = described("figures and tables to make (`silostudy list outputs`)", "", default=())
+
+    @model_validator(mode="before")
+    @classmethod
+    def _may_ask(cls, content: Any) -> Any:
+        if isinstance(content, dict) and "accuracy" in content and "accuracy" not in cls.model_fields:
+            raise ValueError(f"a study of kind {content.get('kind')} cannot ask for an accuracy: {cls.unasked}")
+        return content
 
     @property
     def stages(self) -> tuple[str, ...]:

@@ -9,12 +9,12 @@ import pytest
 from silostudy.compute.dem import model_of
 from silostudy.compute.pressure import pressure_cube
 from silostudy.config.dem import DemScene
-from silostudy.config.load import validated
+from silostudy.config.load import read_yaml, study_of, validated
 from silostudy.dem.stability import chosen_step
 from silostudy.errors import BadInput
 from silostudy.scene.traits import pressure_traits
 from silostudy.tables.fronts import FRONTS, Measured, choose, finest
-from tests.conftest import expanded
+from tests.conftest import ROOT, expanded
 from tests.test_dem.test_scene import SMALL as DEM_SCENE
 
 SCENE = {name: value for name, value in DEM_SCENE.items() if name != "march"} | {"march": {"limit_s": 1.0}}
@@ -155,3 +155,21 @@ def test_depths_of_one_s_own_and_accuracy_exclude_each_other(asking):
         expanded(asking | {"relative_depth": [0.5, 1.0]})
     with pytest.raises(BadInput, match="either depth_m or relative_depth"):
         expanded(asking | {"depth_m": [1.0, 2.0]})
+
+
+@pytest.mark.parametrize(
+    ("name", "why"),
+    [
+        ("buckling-map", "none of its settings decides a numerical error"),
+        ("stability-map", "it looks for the largest step itself"),
+        ("accuracy", "it measures what accuracy costs"),
+        ("discharge-slit", "its scenes do: write scene.accuracy"),
+        ("kiyama-1983", "no front is measured"),
+        ("grains-record", "no front is measured"),
+    ],
+)
+def test_kinds_that_may_not_ask_say_why(name, why):
+    content = read_yaml(ROOT / f"config/studies/{name}.yaml") | {"accuracy": {"wall_force": 0.01}}
+    with pytest.raises(BadInput, match=f"a study of kind {content['kind']} cannot ask for an accuracy: {why}") as refused:
+        study_of(content, "study.yaml")
+    assert "unknown key" not in str(refused.value)

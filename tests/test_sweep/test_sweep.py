@@ -160,6 +160,26 @@ def test_a_damaged_record_is_computed_again_alone(tmp_path, calls):
     merge(path, folder, tmp_path / "scenes.nc")
 
 
+def test_the_cube_says_what_accuracy_its_scenes_asked_for(tmp_path, calls, monkeypatch):
+    """Also where an axis sweeps it, and whatever the pieces in which the scenes are read."""
+    axis = {"axis": "asked", "values": {"accuracy.wall_force": [0.1, 0.2]}}
+    scene = content()["scene"] | {"march": {"limit_s": 2.0}, "accuracy": {"wall_force": 0.2}}
+    path, folder, cube = save(tmp_path, scene=scene, axes=[axis]), tmp_path / "parts", tmp_path / "scenes.nc"
+    compute(path, folder)
+    told = []
+    for piece in (1000, 5):
+        monkeypatch.setattr(merging, "PIECE", piece)
+        merge(path, folder, cube)
+        told.append({name: text for name, text in read(cube).attrs.items() if name.startswith("accuracy_")})
+    chosen = [case.scene.config.promise for case in expand_file(path).cases]
+    assert told[0] == told[1]
+    assert told[0]["accuracy_asked"] == "wall_force 0.1; wall_force 0.2"
+    for each in chosen:
+        assert each["accuracy_settings"] in told[0]["accuracy_settings"]
+        assert float(each["accuracy_expected"].split()[-1]) <= float(told[0]["accuracy_expected"].split()[-1]) <= 0.2
+    assert told[0]["accuracy_measured"]
+
+
 def test_records_that_do_not_agree_are_refused(tmp_path, monkeypatch):
     shapes = iter([2, 2, 2, 3, 2, 2])
     monkeypatch.setattr("silostudy.compute.scenes.measure",
