@@ -28,17 +28,16 @@ def piece(*key):
     Numba links compiled functions by name, types and a number that starts anew in every process.  Two processes that
     compile two kernels would give inner functions of one name the same number, and a third process that loads both
     kernels would run the forces of the first in the second, or write histories into arrays that have no room for them.
+
+    They are inlined by force: the arrays of a scene are some 400 words, which a call copies on the stack.  That took a
+    fifth of a step of few discs, and half of it where the copy lay 4 KiB from its source: each load then waits for the
+    store before it, whose address has the same low twelve bits.
     """
 
     def registered(function):
-        return register_jitable(named(function, repr(key)))
+        return register_jitable(forceinline=True)(named(function, repr(key)))
 
     return registered
-
-
-def names_of(functions) -> tuple[str, ...]:
-    """What tells functions apart by name."""
-    return tuple(f"{function.__module__}.{function.__qualname__}" for function in functions)
 
 
 def root() -> Path:

@@ -2,19 +2,19 @@
 
 from math import sqrt
 
-from silostudy.dem.cache import names_of, piece
+from silostudy.dem.cache import piece
+from silostudy.dem.pieces import Laws
 
 
-def force_pass(laws, *, unequal, slides, rolls, flat):
-    """Function that turns lanes of relative motion into lanes of force, for discs of one size or of many.
+def force_pass(laws: Laws, *, unequal: bool, flat: bool):
+    """Function that turns lanes of relative motion into lanes of force, for discs of one size or of many, or at a wall.
 
-    laws: four functions (normal, tangential, rolling, cohesion); slides and rolls: whether histories are carried;
-    flat: the second body is a wall.
     A contact's force depends on nothing but its own numbers: the same bits wherever it stands in the list.
     """
-    normal_law, tangential_law, rolling_law, cohesion_law = laws
+    normal_law, tangential_law, rolling_law, cohesion_law = laws.functions
+    drags, slides, rolls = laws.drags, laws.slides, laws.rolls
 
-    @piece(names_of(laws), unequal, slides, rolls, flat)
+    @piece(laws, unequal, flat)
     def forces(lanes, out, stored, rolled, arm, other, mass, count, dt, c):
         a, b, m = arm[0], other[0], mass[0]
         for k in range(count):
@@ -40,8 +40,8 @@ def force_pass(laws, *, unequal, slides, rolls, flat):
                 stored[k] = held if touching else 0.0
             if rolls:
                 rolled[k] = moment
-            out[0, k] = push * nx - drag * ny
-            out[1, k] = push * ny + drag * nx
+            out[0, k] = push * nx - drag * ny if drags else push * nx  # zero times a number is not left out by itself
+            out[1, k] = push * ny + drag * nx if drags else push * ny
             out[2, k] = moment - drag * a
             out[3, k] = moment + drag * b  # taken from the second
 

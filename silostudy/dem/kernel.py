@@ -27,7 +27,7 @@ FRESH, STALE, REMEMBERED, SHORT_OF_ROOM, EXPLODED = range(5)  # what a thread sa
 
 def pair_pass(laws: Laws, unequal: bool):
     """Function that adds the contact forces of a stretch of the list to its discs."""
-    forces = force_pass(laws.functions, unequal=unequal, slides=laws.slides, rolls=laws.rolls, flat=False)
+    forces = force_pass(laws, unequal=unequal, flat=False)
     slides, rolls = laws.slides, laws.rolls
 
     @piece(laws, unequal)
@@ -48,7 +48,7 @@ def pair_pass(laws: Laws, unequal: bool):
 
 def wall_pass(laws: Laws, unequal: bool, watched: bool):
     """Function that adds the walls' forces of a stretch of the list to its discs."""
-    forces = force_pass(laws.functions, unequal=unequal, slides=laws.slides, rolls=laws.rolls, flat=True)
+    forces = force_pass(laws, unequal=unequal, flat=True)
     slides, rolls = laws.slides, laws.rolls
 
     @piece(laws, unequal, watched)

@@ -24,6 +24,10 @@ class Laws:
         )
 
     @property
+    def drags(self) -> bool:
+        return self.tangential != "none"
+
+    @property
     def slides(self) -> bool:
         return TANGENTIAL[self.tangential].stores
 
@@ -33,7 +37,7 @@ class Laws:
 
     @property
     def turns(self) -> bool:
-        return self.tangential != "none" or self.rolling != "none"
+        return self.drags or self.rolling != "none"
 
 
 @dataclass(frozen=True)

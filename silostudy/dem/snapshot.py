@@ -30,7 +30,7 @@ class Contacts:
 @cache
 def reader(laws: Laws, unequal: bool, flat: bool):
     """Compiled function that computes the forces of a list without changing its histories."""
-    forces = force_pass(laws.functions, unequal=unequal, slides=laws.slides, rolls=laws.rolls, flat=flat)
+    forces = force_pass(laws, unequal=unequal, flat=flat)
 
     def read(rows, contacts, shape, count, lanes, out, stored, rolled, dt, c):
         size = lanes.shape[1]

@@ -20,10 +20,11 @@ from silostudy.dem.pieces import Laws
 from silostudy.dem.walls import gather_walls, scatter_walls
 
 PLAIN = {**OPTIONS, "cache": False}
-STEPS = 200
+inlined = register_jitable(forceinline=True)  # as the pieces of the built kernel are
+STEPS = 2000
 
 
-@register_jitable
+@inlined
 def push(lanes, out, reach, count, stiffness, damping):
     """Normal forces only: spring and dashpot that never pull."""
     for k in range(count):
@@ -39,7 +40,7 @@ def push(lanes, out, reach, count, stiffness, damping):
         out[0, k], out[1, k], out[2, k], out[3, k] = total * nx, total * ny, 0.0, 0.0
 
 
-@register_jitable
+@inlined
 def pairs_of(rows, pairs, begin, end, scratch, c):
     reach, damping = pairs.arm[0] + pairs.other[0], c[0][1] + c[0][2] * sqrt(pairs.mass[0])
     for start in range(begin, end, LANES):
@@ -49,7 +50,7 @@ def pairs_of(rows, pairs, begin, end, scratch, c):
         scatter(rows, pairs.first, pairs.second, start, count, scratch.force)
 
 
-@register_jitable
+@inlined
 def walls_of(rows, near, walls, end, scratch, c):
     reach, damping = near.arm[0] + near.other[0], c[0][1] + c[0][2] * sqrt(near.mass[0])
     for start in range(0, end, LANES):
@@ -59,7 +60,7 @@ def walls_of(rows, near, walls, end, scratch, c):
         scatter_walls(rows, near.first, start, count, scratch.force)
 
 
-@register_jitable
+@inlined
 def moved(rows, begin, end, im, gx, gy, dt, motion, motion_bits):
     for i in range(begin, end):
         u = rows[i, U] + (rows[i, FX] * im + gx) * dt
@@ -77,7 +78,7 @@ def moved(rows, begin, end, im, gx, gy, dt, motion, motion_bits):
     return sqrt(motion[0])
 
 
-@register_jitable
+@inlined
 def one_step(discs, pairs, near, walls, blocks, scratch, laws, hi, gx, gy, dt):
     last, stale = (hi + BLOCK - 1) // BLOCK, FRESH
     walls_of(discs.rows, near, walls, near.begin[0], scratch, laws[1])

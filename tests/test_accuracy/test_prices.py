@@ -13,7 +13,7 @@ from silostudy.dem.engine import Engine
 from tests.conftest import ROOT
 from tests.test_accuracy.by_hand import engines, frictionless
 
-MOST = 0.05  # of the instructions by hand: 0.042 was counted where 0.02 was hoped for; the time is the same within 0.01
+MOST = 0.02  # of the instructions by hand
 
 
 def test_by_hand_gives_the_same_bits():
@@ -44,8 +44,10 @@ def test_prices_compare_the_same_state():
     assert not pairs["discs of several sizes"][1].pieces.unequal
 
 
-def test_friction_has_a_price():
-    whole, found = prices(scene(18, 20)[0], turns=7)
+@pytest.mark.parametrize("watched", [False, True])
+def test_friction_has_a_price(watched):
+    """Also where wall forces are recorded: when arrays were handed from piece to piece it cost less than nothing there."""
+    whole, found = prices(replace(scene(18, 20)[0], watched=watched), turns=7)
     assert whole > 0
     price = found["friction, rotation, history"]
     assert 0.1 < price.time < 0.9
