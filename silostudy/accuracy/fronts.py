@@ -6,13 +6,16 @@ Each offers measured_fronts(tell) -> rows of tables/fronts.csv, and trials(tell)
 from collections.abc import Callable
 from importlib import import_module
 
+from threadpoolctl import threadpool_limits
+
 from silostudy.accuracy.measure import machine
 from silostudy.accuracy.trial import Trial
 from silostudy.tables.fronts import COLUMNS
 
-KINDS = ("dem", "pressure")
+KINDS = ("dem", "pressure", "shell")
 
 
+@threadpool_limits.wrap(limits=1)  # threads of the linear algebra that wait for each other spend CPU time
 def measured_fronts(tell: Callable[[str], None]) -> list[dict]:
     """Rows of tables/fronts.csv, measured here and now."""
     about = {name: machine()[name] for name in ("machine", "measured_on")}
@@ -20,6 +23,7 @@ def measured_fronts(tell: Callable[[str], None]) -> list[dict]:
     return [{name: (row | about)[name] for name in COLUMNS} for row in rows]
 
 
+@threadpool_limits.wrap(limits=1)
 def trials(tell: Callable[[str], None]) -> list[Trial]:
     """How the shipped fronts' choices do on scenes that they were not measured on."""
     return [trial for kind in KINDS for trial in _of(kind).trials(tell)]

@@ -1,36 +1,26 @@
-"""The front of depth levels, over all methods: an integral along the wall by trapezoids, and the largest pressure on it.
+"""The fronts of depth levels: what every quantity taken from even levels shares, and silos by all methods to measure it on."""
 
-References: Gauss-Legendre panels for the integral, a bounded search for the peak.
-"""
-
-from collections.abc import Callable, Iterator
-from dataclasses import dataclass
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import dataclass, field
+from functools import partial
 from pathlib import Path
 from typing import Any
 
 import numpy as np
-from scipy.optimize import minimize_scalar
+from scipy.integrate import quad
 
 from silostudy.accuracy.trial import Trial, cpu_seconds, front_row
 from silostudy.pressure import PRESSURE
 from silostudy.pressure.family import call
 from silostudy.scene.expand import Expansion, expand
-from silostudy.scene.traits import LEVELS, integral_number, kink_number, parameters_of_scenes, peak_number
+from silostudy.scene.traits import LEVELS, parameters_of_scenes
 from silostudy.tables.solids import SOLIDS
 from silostudy.tables.walls import WALLS
 
 COUNTS = tuple(dict.fromkeys(round(2.0 ** (1 + k / 4)) + 1 for k in range(37)))  # 3 ... 1025, each 1.19 times the one before
-MEASURED, UNSEEN, TIMED = 60, 100, 5  # silos with every method; studies of up to four methods; silos that are timed
+TIMED = 5  # silos that are timed
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(10)
-PANELS, FINE = 64, 4097
-ASKED = {"wall_force": (1e-5, 0.1), "peak_pressure": (1e-5, 0.1)}  # errors asked for lie between
-# traits that the errors of a quantity go with, each the worst of a scene's curves
-NUMBERS: dict[str, dict[str, Callable]] = {
-    "wall_force": {"integral_number": integral_number},
-    "peak_pressure": {"peak_number": peak_number, "kink_number": kink_number},
-}
-CURVE = {"wall_force": "wall_friction_traction", "peak_pressure": "wall_normal_pressure"}
-HEAP = {"wall_force": {"heap": (0.0, 0.0)}, "peak_pressure": {}}  # above it a traction begins with a step
+PANELS, FINE, ROUNDING = 64, 4097, 1e-11
 SOURCE = "silo_handbook"
 
 
@@ -49,6 +39,39 @@ class Curve:
         """Values at even levels from the surface to the foot."""
         return self(np.linspace(0.0, self.depth, count))
 
+    @property
+    def whole(self) -> bool:
+        """Whether the method speaks at every depth."""
+        with np.errstate(all="ignore"):
+            return bool(np.isfinite(self.levels(FINE)).all())
+
+    def integrals(self) -> np.ndarray:
+        """The integral (N/m) from the surface to the ends of even panels: by Gauss and Legendre, adaptive in one that jumps."""
+        ends = np.linspace(0.0, self.depth, 2 * PANELS + 1)
+        whole = self._panels(ends[::2])
+        halves = self._panels(ends).reshape(PANELS, 2).sum(axis=1)
+        for k in np.flatnonzero(np.abs(whole - halves) > ROUNDING * np.abs(halves).sum()):
+            halves[k] = quad(self, ends[2 * k], ends[2 * k + 2], epsrel=ROUNDING, limit=200)[0]
+        return np.cumsum(halves)
+
+    def _panels(self, ends: np.ndarray) -> np.ndarray:
+        half = 0.5 * np.diff(ends)
+        return self(ends[:-1, None] + half[:, None] * (1.0 + NODES)) @ WEIGHTS * half
+
+
+@dataclass(frozen=True)
+class Quantity:
+    """What is taken from levels: of which curves, its right value, what a number of levels gives, what its error goes with."""
+
+    kind: str
+    name: str
+    curves: Callable[[Expansion], list[Any]]
+    exact: Callable[[Any], float]
+    found: Callable[[Any, int], float]
+    numbers: dict[str, Callable]  # trait -> the same of a curve; a scene's trait is the worst of its curves
+    within: dict[str, tuple[float, float]] = field(default_factory=dict)
+    asked: tuple[float, float] = (1e-5, 0.1)  # errors that trials ask for lie between
+
 
 def studies(seed: int, count: int, methods: int | None = None) -> Iterator[dict]:
     """Contents of pressure studies of one silo each, with all methods or up to so many: other seeds give others.
@@ -58,7 +81,7 @@ def studies(seed: int, count: int, methods: int | None = None) -> Iterator[dict]
     least, most = (0.5, 9.0) if methods else (0.2, 15.0)
     random = np.random.default_rng(seed)
     walls = [key for key, wall in WALLS.items() if wall.rule != "category"]
-    while count:
+    for _ in range(count):
         width = random.uniform(1.0, 20.0)
         plan, named = (("circular", "diameter_m"), ("square", "width_m"), ("slot", "width_m"))[random.integers(3)]
         silo = {"plan": plan, named: width, "slenderness": float(np.exp(random.uniform(np.log(least), np.log(most))))}
@@ -74,7 +97,6 @@ def studies(seed: int, count: int, methods: int | None = None) -> Iterator[dict]
             "methods": keys,
             "phases": ["filling", "discharge"],
         }
-        count -= 1
 
 
 def expansion_of(content: dict, **more) -> Expansion:
@@ -82,92 +104,67 @@ def expansion_of(content: dict, **more) -> Expansion:
     return expand({**content, **more}, "trial", "trial", Path("."))
 
 
-def curves(expansion: Expansion, quantity: str) -> list[Curve]:
-    """The curves of a study that the quantity is taken from: those that its methods give throughout the depth."""
-    scene, found = expansion.cases[0].scene, []
+def spoken(expansion: Expansion) -> Iterator[tuple[Mapping[str, Callable], dict[str, Any]]]:
+    """(quantity -> function, parameters) of every method of a study in every phase that it covers."""
+    scene = expansion.cases[0].scene
     for key in expansion.study.method_keys:
         row = PRESSURE[key]
         parameters = {name: value[0, 0] for name, value in parameters_of_scenes([scene], row.table_key or key).items()}
         for phase in expansion.study.phases:
-            function = row.phases.get(phase, {}).get(CURVE[quantity])
-            if function is None or scene.silo.plan not in row.plans:
-                continue
-            curve = Curve(function, parameters, scene.silo.cylinder_depth)
-            with np.errstate(all="ignore"):
-                if np.isfinite(curve.levels(FINE)).all():
-                    found.append(curve)
-    return found
+            if phase in row.phases and scene.silo.plan in row.plans:
+                yield row.phases[phase], parameters
 
 
-def exact(curve: Curve, quantity: str) -> float:
-    """The integral (N/m) by Gauss-Legendre panels, or the largest pressure (Pa) by a bounded search."""
-    if quantity == "wall_force":
-        edges = np.linspace(0.0, curve.depth, PANELS + 1)
-        half = 0.5 * (edges[1] - edges[0])
-        z = (edges[:-1, None] + half) + half * NODES
-        return float((curve(z) @ WEIGHTS).sum() * half)
-    z = np.linspace(0.0, curve.depth, FINE)
-    k = int(np.argmax(curve(z)))
-    near = (z[max(k - 1, 0)], z[min(k + 1, FINE - 1)])
-    search = minimize_scalar(lambda at: -float(curve(at)), bounds=near, method="bounded", options={"xatol": 1e-12})
-    return max(-search.fun, float(curve(z[k])))
-
-
-def found_with(curve: Curve, quantity: str, count: int) -> float:
-    """What even levels give of it."""
-    values = curve.levels(count)
-    return float(np.trapezoid(values, dx=curve.depth / (count - 1)) if quantity == "wall_force" else values.max())
-
-
-def errors(each: list[Curve], quantity: str) -> np.ndarray:
+def errors(each: list, quantity: Quantity) -> np.ndarray:
     """Relative error of every curve with every number of levels: (curve, count)."""
-    right = np.array([exact(curve, quantity) for curve in each])
-    return np.abs(np.array([[found_with(curve, quantity, count) for count in COUNTS] for curve in each]) / right[:, None] - 1)
+    right = np.array([quantity.exact(curve) for curve in each])
+    return np.abs(np.array([[quantity.found(curve, count) for count in COUNTS] for curve in each]) / right[:, None] - 1.0)
 
 
-def costs(each: list[Curve], quantity: str) -> np.ndarray:
+def costs(each: list, quantity: Quantity) -> np.ndarray:
     """CPU seconds of all curves with every number of levels; more levels never cost less, what says otherwise is noise."""
-    spent = [cpu_seconds(lambda count=count: [found_with(curve, quantity, count) for curve in each]) for count in COUNTS]  # type: ignore[misc]
-    return np.maximum.accumulate(spent)
+    return np.maximum.accumulate([cpu_seconds(partial(_all, each, quantity, count)) for count in COUNTS])
 
 
-def measured_fronts(tell: Callable[[str], None]) -> list[dict]:
+def _all(each: list, quantity: Quantity, count: int) -> None:
+    for curve in each:
+        quantity.found(curve, count)
+
+
+def rows_of(quantity: Quantity, expansions: Iterable[Expansion], tell: Callable[[str], None]) -> list[dict]:
     """Rows of tables/fronts.csv: error over each of the curve's numbers that it goes with, worst of all curves of all silos."""
     rows = []
-    for quantity, numbers in NUMBERS.items():
-        silos = [curves(expansion_of(content, relative_depth=[0.0, 1.0]), quantity) for content in studies(0, MEASURED)]
-        cost = np.median([costs(each, quantity) / len(each) for each in [one for one in silos if one][:TIMED]], axis=0)
-        for trait, number_of in numbers.items():
-            of = {curve: float(number_of(curve.levels(LEVELS))) for each in silos for curve in each}
-            counted = [curve for curve, number in of.items() if number > 0]
-            over = errors(counted, quantity) / np.array([[of[curve]] for curve in counted])
-            tell(f"{quantity}: {len(counted)} curves with a {trait}, of {MEASURED} silos")
-            within = {trait: (0.0, float(f"{1.05 * max(of.values()):.2g}")), **HEAP[quantity]}
-            for k, levels in enumerate(COUNTS):
-                settings = {"relative_depth": {"start": 0.0, "stop": 1.0, "count": levels}}
-                row = front_row("pressure", quantity, settings, float(over[:, k].max()), cost[k], len(counted), SOURCE,
-                                scaled_by=trait, within=within)  # fmt: skip
-                rows.append(row)
+    silos = [curves for expansion in expansions if (curves := quantity.curves(expansion))]
+    cost = np.median([costs(each, quantity) / len(each) for each in silos[:TIMED]], axis=0)
+    for trait, number_of in quantity.numbers.items():
+        of = {curve: float(number_of(curve.levels(LEVELS))) for each in silos for curve in each}
+        counted = [curve for curve, number in of.items() if number > 0]
+        worst = (errors(counted, quantity) / np.array([[of[curve]] for curve in counted])).max(axis=0)
+        tell(f"{quantity.kind}, {quantity.name}: {len(counted)} curves with a {trait}, of {len(silos)} silos")
+        within = {trait: (0.0, float(f"{1.05 * max(of.values()):.2g}")), **quantity.within}
+        for k, levels in enumerate(COUNTS):
+            settings = {"relative_depth": {"start": 0.0, "stop": 1.0, "count": levels}}
+            row = front_row(quantity.kind, quantity.name, settings, float(worst[k]), cost[k], len(counted), SOURCE,
+                            scaled_by=trait, within=within)  # fmt: skip
+            rows.append(row)
     return rows
 
 
-def trials(tell: Callable[[str], None], count: int = UNSEEN) -> list[Trial]:
+def trials_of(quantity: Quantity, contents: Iterable[dict], tell: Callable[[str], None]) -> list[Trial]:
     """Studies of several methods at once that ask for errors at random: the worst of their curves counts."""
     found, random = [], np.random.default_rng(2)
-    for quantity, (low, high) in ASKED.items():
-        for content in studies(1, count, 4):
-            asked = float(np.exp(random.uniform(np.log(low), np.log(high))))
-            expansion = expansion_of(content, accuracy={quantity: asked})
-            each = curves(expansion, quantity)
-            if each:
-                found.append(trial(quantity, asked, len(expansion.study.depths), each))
-        tell(f"{quantity}: {sum(one.met for one in found)} of {len(found)} met")
+    for content in contents:
+        asked = float(np.exp(random.uniform(*np.log(quantity.asked))))
+        if quantity.curves(expansion_of(content, relative_depth=[0.0, 1.0])):
+            expansion = expansion_of(content, accuracy={quantity.name: asked})
+            found.append(trial(quantity, asked, len(expansion.study.depths), quantity.curves(expansion)))
+    tell(f"{quantity.kind}, {quantity.name}: {sum(one.met for one in found)} of {len(found)} met")
     return found
 
 
-def trial(quantity: str, asked: float, chosen: int, each: list[Curve]) -> Trial:
+def trial(quantity: Quantity, asked: float, chosen: int, each: list) -> Trial:
     """What a number of levels gave, and the least that would have met what was asked."""
     error, cost = errors(each, quantity).max(axis=0), costs(each, quantity)
     enough = int(np.argmax(error <= asked)) if (error <= asked).any() else -1
     k = COUNTS.index(chosen)
-    return Trial("pressure", quantity, asked, error[k], cost[k], cost[enough], chosen, COUNTS[enough])
+    return Trial(quantity.kind, quantity.name, asked, error[k], cost[k], cost[enough], chosen, COUNTS[enough])

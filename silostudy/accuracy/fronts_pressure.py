@@ -1,16 +1,61 @@
-"""The fronts of pressure studies: depth levels for what is integrated or sought along a wall, samples for a quantile."""
+"""The fronts of pressure studies: levels for an integral along the wall and for its largest pressure, samples for a quantile.
+
+References: Gauss-Legendre panels for the integral, a bounded search for the peak; see fronts_samples for the quantile.
+"""
 
 from collections.abc import Callable
 
-from silostudy.accuracy import fronts_levels, fronts_samples
+import numpy as np
+from scipy.optimize import minimize_scalar
+
+from silostudy.accuracy import fronts_samples
+from silostudy.accuracy.fronts_levels import FINE, Curve, Quantity, expansion_of, rows_of, spoken, studies, trials_of
 from silostudy.accuracy.trial import Trial
+from silostudy.scene.expand import Expansion
+from silostudy.scene.traits import integral_number, kink_number, peak_number
+
+MEASURED, UNSEEN = 60, 100  # silos with every method; studies of up to four methods
+
+
+def curves(expansion: Expansion, name: str) -> list[Curve]:
+    """Curves of a quantity of the methods: those that are given throughout the depth."""
+    depth = expansion.cases[0].scene.silo.cylinder_depth
+    found = [Curve(functions[name], parameters, depth) for functions, parameters in spoken(expansion) if name in functions]
+    return [curve for curve in found if curve.whole]
+
+
+def trapezoids(curve: Curve, count: int) -> float:
+    """The integral (N/m) from even levels."""
+    return float(np.trapezoid(curve.levels(count), dx=curve.depth / (count - 1)))
+
+
+def largest(curve: Curve) -> float:
+    """The largest pressure (Pa): between the neighbours of the largest of many."""
+    z = np.linspace(0.0, curve.depth, FINE)
+    k = int(np.argmax(curve(z)))
+    near = (z[max(k - 1, 0)], z[min(k + 1, FINE - 1)])
+    search = minimize_scalar(lambda at: -float(curve(at)), bounds=near, method="bounded", options={"xatol": 1e-12})
+    return max(-search.fun, float(curve(z[k])))
+
+
+QUANTITIES = (
+    Quantity("pressure", "wall_force", lambda expansion: curves(expansion, "wall_friction_traction"),
+             lambda curve: float(curve.integrals()[-1]), trapezoids, {"integral_number": integral_number},
+             within={"heap": (0.0, 0.0)}),  # above the wall's contact a traction begins with a step
+    Quantity("pressure", "peak_pressure", lambda expansion: curves(expansion, "wall_normal_pressure"),
+             largest, lambda curve, count: float(curve.levels(count).max()),
+             {"peak_number": peak_number, "kink_number": kink_number}),
+)  # fmt: skip
 
 
 def measured_fronts(tell: Callable[[str], None]) -> list[dict]:
     """Rows of tables/fronts.csv."""
-    return fronts_levels.measured_fronts(tell) + fronts_samples.measured_fronts(tell)
+    silos = [expansion_of(content, relative_depth=[0.0, 1.0]) for content in studies(0, MEASURED)]
+    levels = [row for quantity in QUANTITIES for row in rows_of(quantity, silos, tell)]
+    return levels + fronts_samples.measured_fronts(tell)
 
 
 def trials(tell: Callable[[str], None]) -> list[Trial]:
     """How the shipped fronts' choices do on studies that they were not measured on."""
-    return fronts_levels.trials(tell) + fronts_samples.trials(tell)
+    levels = [trial for quantity in QUANTITIES for trial in trials_of(quantity, studies(1, UNSEEN, 4), tell)]
+    return levels + fronts_samples.trials(tell)

@@ -46,7 +46,7 @@ def shell_cube(expansion: Expansion, pressure: xr.Dataset, seismic: xr.Dataset |
         coords["side"] = ("side", list(SIDES), attributes("side"))
         told |= earthquake_told(one)
         sources.append("en1998_4_2006")
-    return check(xr.Dataset(data, coords, {**provenance(study.title, text, sources, "shell"), **told}))
+    return check(xr.Dataset(data, coords, {**provenance(study.title, text, sources, "shell"), **told, **study.promise}))
 
 
 def shaken(rules, parameters: Mapping, force, added, safety, thickness, over: tuple[str, ...]) -> dict[str, tuple]:

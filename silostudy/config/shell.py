@@ -1,6 +1,6 @@
 """A shell study: a silo's wall pressures by theories and codes, and what they ask of its steel wall by buckling rules."""
 
-from typing import Literal, Self
+from typing import ClassVar, Literal, Self
 
 from pydantic import model_validator
 
@@ -30,6 +30,8 @@ class Earthquake(Strict):
 
 class ShellStudy(PressureStudy, RuleChoice):
     """A pressure study that goes on to the shell."""
+
+    front: ClassVar[str] = "shell"
 
     kind: Literal["shell"] = described("shell: wall pressures, and the steel wall that carries them", "")  # type: ignore[assignment]
     scene: SteelSilo = described("the base scene", "")

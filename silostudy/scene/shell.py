@@ -12,7 +12,10 @@ from silostudy.config.steel import Cylinder, Making, SiloWall, Steel
 from silostudy.scene.build import pressure_builder
 from silostudy.scene.earthquake import check_same_silo, read_earthquake
 from silostudy.scene.scene import Scene
+from silostudy.scene.traits import shell_traits
 from silostudy.tables.miller1977 import TESTS, MillerTest
+
+__all__ = ["Shell", "ShellScene", "Wall", "buckling_builder", "shell_builder", "shell_traits"]
 
 QUALITY = {"A": 40.0, "B": 25.0, "C": 16.0}  # EN 1993-1-6: Q of the fabrication quality classes, second-hand transcription
 

@@ -10,6 +10,7 @@ from silostudy.pressure.family import call
 from silostudy.scene.scene import Scene, geometry_parameters, solid_parameters
 
 LEVELS = 257  # of the look at each curve
+JUMP = 5.0  # how many times its neighbours a difference must be
 
 
 def pressure_traits(study, scenes: Sequence[Scene]) -> list[dict[str, float]]:
@@ -24,6 +25,17 @@ def pressure_traits(study, scenes: Sequence[Scene]) -> list[dict[str, float]]:
     numbers = {"integral_number": integral, "peak_number": peak, "kink_number": kink}
     numbers |= {"heap": np.array([one.silo.top_cone_height for one in scenes]), "scatter": np.array(list(map(scatter, scenes)))}
     return [{name: float(values[k]) for name, values in numbers.items()} for k in range(len(scenes))]
+
+
+def shell_traits(study, scenes: Sequence[Scene]) -> list[dict[str, float]]:
+    """Those of a pressure study, and the worst of the frictions that are summed to an axial force: own, or by the pressure."""
+    smooth, jump = np.zeros(len(scenes)), np.zeros(len(scenes))
+    for curves in curves_of(study, scenes):
+        if "axial_wall_force" not in curves:
+            rubbed = curves.get("wall_friction_traction", curves["wall_normal_pressure"])
+            smooth, jump = np.fmax(smooth, smooth_number(rubbed)), np.fmax(jump, jump_number(rubbed))
+    own = [{"smooth_number": a, "jump_number": b} for a, b in zip(smooth.tolist(), jump.tolist(), strict=True)]
+    return [one | more for one, more in zip(pressure_traits(study, scenes), own, strict=True)]
 
 
 def curves_of(study, scenes: Sequence[Scene]) -> Iterator[dict[str, np.ndarray]]:
@@ -51,11 +63,32 @@ def parameters_of_scenes(scenes: Sequence[Scene], key: str) -> dict[str, np.ndar
 def integral_number(curve: np.ndarray) -> np.ndarray:
     """Relative error (1) of one trapezoid over the whole depth, if the error went with the square of the step: (scene,).
 
-    From the trapezoidal sums of every level and of every second one; 0 where the curve is masked.
+    From trapezoidal sums of every level, of every second and of every fourth, the larger answer, for a kink may hide from
+    one of them; 0 where the curve is masked.
     """
-    fine, coarse = np.trapezoid(curve, axis=-1), 2.0 * np.trapezoid(curve[..., ::2], axis=-1)
+    sums = [every * np.trapezoid(curve[..., ::every], axis=-1) for every in (1, 2, 4)]
     with np.errstate(invalid="ignore", divide="ignore"):
-        return np.nan_to_num(np.abs(fine - coarse) / 3.0 * (LEVELS - 1) ** 2 / fine)
+        numbers = [abs(fine - coarse) / 3.0 * ((LEVELS - 1) / every) ** 2 / fine
+                   for every, fine, coarse in zip((1, 2), sums, sums[1:], strict=False)]  # fmt: skip
+        return np.nan_to_num(np.fmax(*numbers))
+
+
+def smooth_number(curve: np.ndarray) -> np.ndarray:
+    """The integral's number of a curve without jumps; 0 for one with."""
+    return np.where(jump_number(curve) > 0, 0.0, integral_number(curve))
+
+
+def jump_number(curve: np.ndarray) -> np.ndarray:
+    """Relative error (1) that the jumps of a curve make, if one step were the whole depth: half of them over the mean.
+
+    A jump is a difference of two levels that is much larger than those on both sides of it; 0 where the curve is masked.
+    """
+    steps = np.abs(np.diff(curve, axis=-1))
+    beside = np.maximum(np.roll(steps, 1, axis=-1), np.roll(steps, -1, axis=-1))
+    beside[..., 0], beside[..., -1] = steps[..., 1], steps[..., -2]
+    with np.errstate(invalid="ignore", divide="ignore"):
+        jumps = np.where(steps > JUMP * beside, steps, 0.0).sum(axis=-1)
+        return np.nan_to_num(0.5 * jumps / np.mean(curve, axis=-1))
 
 
 def peak_number(curve: np.ndarray) -> np.ndarray:

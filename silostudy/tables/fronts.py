@@ -15,6 +15,7 @@ from silostudy.tables.read import HERE, rows
 COLUMNS = ("kind", "quantity", "settings", "error", "scaled_by", "within", "cost_s", "scenes",
            "machine", "measured_on", "source", "locator")  # fmt: skip
 Traits = Mapping[str, float]
+ALSO = {"shell": "pressure"}  # a shell study is a pressure study that goes on: what may be asked of one may be of the other
 
 
 @dataclass(frozen=True)
@@ -59,9 +60,14 @@ TEXT = ("kind", "quantity", "settings", "scaled_by", "within", "machine", "measu
 FRONTS = [_measured(raw) for raw in rows(HERE / "fronts.csv", text=TEXT)]
 
 
+def rows_for(kind: str) -> list[Measured]:
+    """The rows that a kind of study chooses from."""
+    return [row for row in FRONTS if row.kind in (kind, ALSO.get(kind))]
+
+
 def quantities(kind: str) -> tuple[str, ...]:
     """Quantities whose accuracy a kind of study may ask for."""
-    return tuple(dict.fromkeys(row.quantity for row in FRONTS if row.kind == kind))
+    return tuple(dict.fromkeys(row.quantity for row in rows_for(kind)))
 
 
 def choose(kind: str, asked: Mapping[str, float], scenes: Sequence[Traits] = ({},)) -> Choice:
@@ -98,7 +104,7 @@ def _together(kind: str, asked: Mapping[str, float]) -> list[list[str]]:
             raise BadInput("accuracy", name, f"unknown; known: {', '.join(known) or 'none for this kind'}")
         if not error > 0:
             raise BadInput(f"accuracy.{name}", error, "must be above 0")
-        first = next(row for row in FRONTS if row.kind == kind and row.quantity == name)
+        first = next(row for row in rows_for(kind) if row.quantity == name)
         groups.setdefault(tuple(json.loads(first.settings)), []).append(name)
     return list(groups.values())
 
@@ -106,8 +112,8 @@ def _together(kind: str, asked: Mapping[str, float]) -> list[list[str]]:
 def _rows(kind: str, names) -> dict[str, dict[str, list[Measured]]]:
     """settings -> quantity -> its rows."""
     found: dict[str, dict[str, list[Measured]]] = {}
-    for row in FRONTS:
-        if row.kind == kind and row.quantity in names:
+    for row in rows_for(kind):
+        if row.quantity in names:
             found.setdefault(row.settings, {}).setdefault(row.quantity, []).append(row)
     return {settings: by for settings, by in found.items() if len(by) == len(names)}
 

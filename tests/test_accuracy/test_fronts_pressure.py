@@ -3,7 +3,8 @@
 import numpy as np
 import pytest
 
-from silostudy.accuracy import fronts_levels, fronts_samples
+from silostudy.accuracy import fronts_pressure, fronts_samples
+from silostudy.accuracy.fronts_levels import Curve, studies, trials_of
 from silostudy.scene.traits import LEVELS, integral_number, kink_number, peak_number
 
 Z = np.linspace(0.0, 1.0, LEVELS)
@@ -21,11 +22,10 @@ def test_numbers_of_curves():
     assert kink_number(np.minimum(3 * Z, 1.0)) == 0  # a plateau to the foot, which is a level
 
 
-@pytest.mark.parametrize("quantity", fronts_levels.NUMBERS)
-def test_levels_meet_what_was_asked_on_other_silos(quantity, monkeypatch):
+@pytest.mark.parametrize("quantity", fronts_pressure.QUANTITIES, ids=lambda quantity: quantity.name)
+def test_levels_meet_what_was_asked_on_other_silos(quantity):
     """At no more than 1.5 times the cheapest cost, and with few more levels than would have met it."""
-    monkeypatch.setattr(fronts_levels, "ASKED", {quantity: fronts_levels.ASKED[quantity]})
-    found = fronts_levels.trials(lambda text: None, 50)
+    found = trials_of(quantity, studies(1, 50, 4), lambda text: None)
     assert len(found) >= 20
     assert np.mean([trial.met for trial in found]) >= 0.95
     assert np.mean([trial.cost <= 1.5 * trial.cheapest for trial in found]) >= 0.95
@@ -33,8 +33,14 @@ def test_levels_meet_what_was_asked_on_other_silos(quantity, monkeypatch):
 
 
 def test_no_study_of_the_trial_was_measured_on():
-    measured = [content["scene"] for content in fronts_levels.studies(0, fronts_levels.MEASURED)]
-    assert not any(content["scene"] in measured for content in fronts_levels.studies(1, fronts_levels.UNSEEN, 4))
+    measured = [content["scene"] for content in studies(0, fronts_pressure.MEASURED)]
+    assert not any(content["scene"] in measured for content in studies(1, fronts_pressure.UNSEEN, 4))
+
+
+def test_an_integral_over_a_jump():
+    """1 above a depth that no panel's end meets, 3 below."""
+    curve = Curve(lambda z: np.where(z < 0.7123, 1.0, 3.0), {}, 2.0)
+    assert curve.integrals()[-1] == pytest.approx(0.7123 + 3 * (2.0 - 0.7123), rel=1e-9)
 
 
 def test_samples_meet_what_was_asked_of_other_solids():
