@@ -13,6 +13,15 @@ def on_front(cost, error) -> np.ndarray:
     return kept
 
 
+def kept(error) -> np.ndarray:
+    """Largest error at each setting of a ladder and at all finer ones, from coarse to fine: a lucky setting does not count.
+
+    NaN where the setting itself has none.
+    """
+    error = np.asarray(error, float)
+    return np.where(np.isnan(error), np.nan, np.fmax.accumulate(error[::-1])[::-1])
+
+
 def cheapest(cost, error, asked: float) -> int | None:
     """Number of the cheapest rung whose error is at most the asked one; None where none is."""
     cost = np.where(np.asarray(error, float) <= asked, cost, np.inf)

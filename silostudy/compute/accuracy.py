@@ -5,7 +5,7 @@ from collections.abc import Callable
 import numpy as np
 import xarray as xr
 
-from silostudy.accuracy.front import on_front
+from silostudy.accuracy.front import kept, on_front
 from silostudy.accuracy.measure import Rung, machine, measure
 from silostudy.compute.prices import price_variables
 from silostudy.compute.variables import attributes
@@ -36,11 +36,13 @@ def accuracy_cube(expansion: Expansion, tell: Callable[[str], None] = lambda tex
 
 
 def points_of(rungs: list[Rung]) -> list[dict]:
-    """One point a rung and quantity, with the front of each quantity marked: by the upper end of the error's interval."""
+    """One point a rung and quantity, with the front of each quantity marked: by the error that finer settings keep."""
     found = []
     for quantity in rungs[0].error:
-        front = on_front([rung.cost for rung in rungs], [rung.high[quantity] for rung in rungs])
-        for rung, kept in zip(rungs, front, strict=True):
+        ladders = {rung.ladder: [one.high[quantity] for one in rungs if one.ladder == rung.ladder] for rung in rungs}
+        lasting = np.concatenate([kept(errors) for errors in ladders.values()])
+        front = on_front([rung.cost for rung in rungs], lasting)
+        for rung, lasts, chosen in zip(rungs, lasting, front, strict=True):
             found.append(
                 {
                     "problem": rung.problem,
@@ -51,11 +53,12 @@ def points_of(rungs: list[Rung]) -> list[dict]:
                     "error": rung.error[quantity],
                     "error_low": rung.low[quantity],
                     "error_high": rung.high[quantity],
+                    "error_kept": float(lasts),
                     "floor": rung.floor[quantity],
                     "cost": rung.cost,
                     "cost_low": min(rung.seconds),
                     "cost_high": max(rung.seconds),
-                    "on_front": float(kept),
+                    "on_front": float(chosen),
                 }
             )
     return found

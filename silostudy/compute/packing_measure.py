@@ -104,7 +104,7 @@ def at_rest(config: PackingScene, rested: Rested) -> dict[str, np.ndarray | floa
         "rest_side_share": float(normal.sum()) / weight,
         "rest_carried_share": 2.0 * float(shear.sum()) / weight,
         "rest_floor_drop": float(normal[-1] / normal.max()),
-        "rest_corner_shear": float((shear / normal)[low].min()),
+        "rest_corner_shear": float((shear / normal)[low].min()) if low.any() else np.nan,
         "janssen_lateral_ratio": lateral,
         "janssen_wall_friction": friction,
         "janssen_residual": residual,

@@ -8,10 +8,12 @@ import numpy as np
 
 from silostudy.accuracy.prices import Price, prices
 from silostudy.accuracy.silo import scene
-from silostudy.compute.optional_parts import PARTS, part_price
+from silostudy.compute import optional_discs, optional_formulas
+from silostudy.compute.optional_parts import part_price
 from silostudy.dem.model import Contact, Model
 
 ACROSS, LEVELS = 18, 20  # the bench's 350 discs
+PARTS = (*optional_discs.PARTS, *optional_formulas.PARTS)
 NAMES = ("", "_low", "_high")
 
 

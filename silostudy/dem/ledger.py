@@ -85,7 +85,7 @@ def contact_book(laws, *, unequal, flat):
 
     @piece(laws, unequal, flat)
     def of_slip(trial, held, stiffness):
-        return held * (trial - held) / stiffness if stiffness > 0.0 else 0.0  # the force that is left, over the slip
+        return 0.5 * (trial * trial - held * held) / stiffness if stiffness > 0.0 else 0.0  # what the spring lets go in it
 
     @piece(laws, unequal, flat)
     def book(rows, ledger, contacts, shape, count, old_stored, old_rolled, dt, c, lanes):

@@ -14,22 +14,24 @@ ASKED = {0.1: ("10 %", "#56b4e9", "o"), 0.01: ("1 %", "#d55e00", "s"), 0.001: ("
 
 
 def draw(cube: xr.Dataset, stem: Path) -> None:
-    """Writes the figure and the table; an error counts with the upper end of its interval."""
+    """Writes the figure and the table; an error counts where all finer settings of its ladder keep it."""
     found = costs(cube)
-    names = list(dict.fromkeys(zip(found["problem"], found["quantity"], strict=True)))
-    figure, axis = plt.subplots(figsize=(13, 0.62 * len(names) + 1.8))
-    for row, name in enumerate(names):
-        part = found[(found["problem"] == name[0]) & (found["quantity"] == name[1])]
+    problems = cube.set_coords("problem")
+    figure, axis = plt.subplots(figsize=(15, 0.5 * found.groupby(["problem", "quantity"]).ngroups + 1.6))
+    labels = []
+    for row, ((problem, quantity), part) in enumerate(found.groupby(["problem", "quantity"], sort=False)):
         axis.plot(part["cost"], np.full(len(part), row), color="grey", linewidth=1, zorder=1)
-        words = []
         for one in part.itertuples():
-            text, colour, marker = ASKED[one.asked]
-            axis.scatter(one.cost, row, color=colour, marker=marker, s=40, zorder=2, label=text if row == 0 else None)
-            words.append(f"{text}: {one.ladder}, {one.setting:.3g}" if one.ladder else f"{text}: not reached")
-        axis.text(1.01, row, "\n".join(words), transform=axis.get_yaxis_transform(), fontsize=6.3, va="center")
-    axis.set_yticks(range(len(names)), [_label(found, name) for name in names], fontsize=7.5)
-    axis.invert_yaxis()
-    axis.set(xscale="log", xlabel="CPU time of the cheapest setting that reaches it (s)")
+            _, colour, marker = ASKED[one.asked]
+            axis.scatter(one.cost, row, color=colour, marker=marker, s=130 * one.asked**0.15, zorder=2)
+        words = "\n".join(map(_words, part.itertuples()))
+        axis.text(1.01, row, words, transform=axis.get_yaxis_transform(), fontsize=6.3, va="center")
+        about = problems.sel(problem=problem)
+        title, setting = (about[f"problem_{name}"].item() for name in ("title", "setting"))
+        labels.append(f"{problem}: {quantity}".replace("_", " ") + f"\n{title}; by {setting}")
+    axis.set_yticks(range(len(labels)), labels, fontsize=6.5)
+    axis.set_ylim(len(labels) - 0.4, -0.6)
+    axis.set(xscale="log", xlabel="CPU time of the cheapest setting that reaches it and whose finer ones do too (s)")
     handles = [plt.Line2D([], [], color=c, marker=m, linestyle="") for _, c, m in ASKED.values()]
     figure.legend(handles, [text for text, *_ in ASKED.values()], loc="outside lower center", ncols=3, title="relative error")
     axis.set_title(
@@ -38,9 +40,14 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     save(figure, found, stem)
 
 
-def _label(found: pd.DataFrame, name: tuple[str, str]) -> str:
-    row = found[(found["problem"] == name[0]) & (found["quantity"] == name[1])].iloc[0]
-    return f"{row['problem'].replace('_', ' ')}: {name[1].replace('_', ' ')}"
+def _words(one) -> str:
+    """What reaches an error, or why nothing does."""
+    text = ASKED[one.asked][0]
+    if one.ladder:
+        return f"{text}: {one.ladder}, {one.setting:.6g}"
+    return f"{text}: " + (
+        "drowned in chance, which alone makes %.0f %%" % (100 * one.floor) if one.floor > one.asked else "not reached"
+    )
 
 
 def costs(cube: xr.Dataset) -> pd.DataFrame:
@@ -48,8 +55,8 @@ def costs(cube: xr.Dataset) -> pd.DataFrame:
     rows = []
     for (problem, quantity), part in table(cube).groupby(["problem", "quantity"], sort=False):
         for asked in ASKED:
-            reached = part[part["error_high"] <= asked].sort_values("cost")
-            row = {"problem": problem, "quantity": quantity, "asked": asked}
-            empty = {"ladder": "", "setting": np.nan, "error": np.nan, "error_high": np.nan, "cost": np.nan}
+            reached = part[part["error_kept"] <= asked].sort_values("cost")
+            row = {"problem": problem, "quantity": quantity, "asked": asked, "floor": part["floor"].min()}
+            empty = {"ladder": "", "setting": np.nan, "error": np.nan, "error_kept": np.nan, "cost": np.nan}
             rows.append(row | ({name: reached.iloc[0][name] for name in empty} if len(reached) else empty))
     return pd.DataFrame(rows)

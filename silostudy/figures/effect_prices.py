@@ -9,7 +9,13 @@ import xarray as xr
 
 from silostudy.figures.style import save
 
-COLOURS = {"discrete elements": "#0072b2", "pressures": "#d55e00", "earthquake": "#009e73"}
+COLOURS = {
+    "discrete elements": "#0072b2",
+    "scenes and studies of discs": "#56b4e9",
+    "pressures": "#d55e00",
+    "shells": "#882255",
+    "earthquake": "#009e73",
+}
 COLUMNS = ("effect_room", "effect_time_share", "effect_time_share_low", "effect_time_share_high", "effect_memory_share")
 
 
@@ -29,10 +35,10 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
         axis.axvline(0, color="black", linewidth=0.8)
         axis.set_xlim(min(0, float(values.min()) * 1.15 - 2), 112)
     time.set_yticks(places, prices["effect"], fontsize=8)
-    time.invert_yaxis()
+    time.set_ylim(len(prices) - 0.4, -0.6)
     time.set(xlabel="share of the CPU time with it (%)", title="time: median and quartiles of the turns")
     memory.set(xlabel="share of the memory with it (%)", title="memory")
     handles = [plt.Rectangle((0, 0), 1, 1, color=colour) for colour in COLOURS.values()]
-    figure.legend(handles, COLOURS, loc="outside lower center", ncols=3)
+    figure.legend(handles, COLOURS, loc="outside lower center", ncols=len(COLOURS))
     figure.suptitle(f"What effects and optional parts cost; {cube.attrs['machine']}, {cube.attrs['measured_on']}", fontsize=10)
     save(figure, prices, stem)

@@ -14,6 +14,7 @@ from silostudy.figures.style import save
 COLOURS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#e69f00", "#7f7f7f", "#332288")
 MARKERS = ("o", "s", "^", "D", "v", "P", "X", "*")
 LEAST = 1e-16  # where an error of zero is drawn
+BELOW = 30.0  # how far below the statistical floor is shown: what lies there is chance
 ACROSS = 3
 SPAN = 20.0  # of the time axis at the least: a narrower one is all noise
 FEW = 300.0  # of a time axis on which there is room for labels between the decades
@@ -48,19 +49,21 @@ def panel(axis, part: pd.DataFrame, problem: xr.Dataset) -> None:
     for number, (ladder, rungs) in enumerate(part.groupby("ladder", sort=False)):
         shown = rungs[np.isfinite(rungs["error"]) & (rungs["error"] < 2.0)]
         steep = slope(shown)
-        label = f"{ladder}  (slope {steep:.1f})" if np.isfinite(steep) else ladder
+        label = f"{ladder}  (slope {round(steep, 1) + 0.0:.1f})" if np.isfinite(steep) else ladder
         error = np.maximum(shown["error"], LEAST)
         look: dict = {"color": COLOURS[number % 8], "marker": MARKERS[number % 8], "markersize": 4.5, "linewidth": 1.0}
         bars = np.array([error - np.maximum(shown["error_low"], error / 30), shown["error_high"] - error])
         axis.errorbar(shown["cost"], error, yerr=bars if bars.any() else None, label=label, capsize=2, elinewidth=0.6, **look)
-    front = part[part["on_front"] > 0].sort_values("cost")
+    front, chance = part[part["on_front"] > 0].sort_values("cost"), bool((part["floor"] > 0).any())
+    what = "upper ends of intervals" if chance else "errors"
     axis.plot(
-        front["cost"], np.maximum(front["error"], LEAST), color="black", linewidth=6, alpha=0.13, solid_capstyle="round",
-        label="Pareto front", zorder=1,
+        front["cost"], np.maximum(front["error_kept"], LEAST), color="black", linewidth=6, alpha=0.13, solid_capstyle="round",
+        label=f"Pareto front of {what} that finer settings keep", zorder=1,
     )  # fmt: skip
-    if (part["floor"] > 0).any():
+    if chance:
         floor = part["floor"].min()
-        axis.axhspan(axis.get_ylim()[0], floor, color="grey", alpha=0.15, linewidth=0)
+        axis.set_ylim(bottom=floor / BELOW)
+        axis.axhspan(floor / BELOW, floor, color="grey", alpha=0.15, linewidth=0)
         axis.axhline(floor, color="grey", linewidth=1, linestyle="--", label="statistical floor: least half-width seen")
     for share in (0.1, 0.01, 0.001):
         axis.axhline(share, color="black", linewidth=0.5, linestyle=":")
@@ -69,7 +72,7 @@ def panel(axis, part: pd.DataFrame, problem: xr.Dataset) -> None:
     axis.set_xlabel(f"CPU time (s)\n{textwrap.fill(about, 80)}", fontsize=7.5)
     _spread(axis)
     titles = (problem["problem_title"].item(), part["quantity_title"].iloc[0])
-    axis.set_title("\n".join(textwrap.fill(title, 72) for title in titles), fontsize=8.5)
+    axis.set_title("\n".join(textwrap.fill(title, 80) for title in titles), fontsize=8.5)
     axis.legend(fontsize=6.5, loc="best", frameon=True, framealpha=0.8, edgecolor="none")
 
 

@@ -15,6 +15,7 @@ from silostudy.scene.dem import contact_of
 
 PRINTED_GAPS = {12: 3e-4, 18: 4e-5}  # m: kiyama_fujimura_1983, note 2, for 11/12 and 17/18
 STIFFER_WALLS = 2.0  # section 4 (2)
+LEAST_ROWS = 5  # with fewer, walls have too few contacts to say anything of the depth
 LAYERS = 10  # of a side wall: the paper's cell grid, 4 cm
 CELLS_IN_LAYER = 4  # each no higher than a radius, so that it never holds two contacts: see packing_builder
 EDGE_CELLS = 16  # parts of each half of the floor
@@ -38,6 +39,8 @@ def packing_builder(study: PackingStudy, folder: Path, where: str) -> Callable[[
         if silo.height_m / (LAYERS * CELLS_IN_LAYER) > 1.9 * radius:
             least = silo.height_m / (LAYERS * CELLS_IN_LAYER) / 1.9
             raise BadInput("discs.radius_m", radius, f"must be {least:.3g} or more, or a wall cell holds two contacts", where)
+        if (rows := rows_of(config)) < LEAST_ROWS:
+            raise BadInput("disc_count", config.disc_count, f"lays {rows} rows: forces over the depth need {LEAST_ROWS}", where)
         for run in (0, 1):
             top = float(discs_of(study, config, run)[1].max()) + radius
             if top > silo.height_m:
@@ -53,13 +56,18 @@ def ideal_gap(across: int) -> float:
     return wide * (narrow / wide) ** ((across - low) / (high - low))
 
 
+def rows_of(config: PackingScene) -> int:
+    """Rows of s and s - 1 discs in turn that come nearest to the number of discs wanted."""
+    return max(1, round(config.disc_count / (config.across - 0.5)))
+
+
 def discs_of(study: PackingStudy, config: PackingScene, run: int):
     """x, y and radius (m) of the discs: run 0 starts from the ideal packing, others from offsets with the run as seed."""
     gap = (ideal_gap(config.across) if config.gap_m is None else config.gap_m) if run == 0 else study.offset_gap_m
     radius, width, across = config.discs.radius_m, config.silo.width_m, config.across
     pitch = (width - 2.0 * (radius + gap)) / max(1, across - 1)
     rise = sqrt(max(0.0, (2.0 * radius + gap) ** 2 - (pitch / 2.0) ** 2))
-    levels = max(1, round(config.disc_count / (across - 0.5)))
+    levels = rows_of(config)
     return PACKINGS["rows"].place(
         width=width, height=2.0 * radius + gap + (levels - 0.5) * rise, radius=radius, across=across, gap=gap,
         offset=0.0 if run == 0 else study.offset_m, seed=run,

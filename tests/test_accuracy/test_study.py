@@ -4,8 +4,10 @@ import numpy as np
 import pandas as pd
 import pytest
 
-from silostudy.compute import accuracy, optional_parts
-from silostudy.compute.accuracy import accuracy_cube
+from silostudy.accuracy.front import kept
+from silostudy.accuracy.measure import Rung
+from silostudy.compute import accuracy, optional_parts, prices
+from silostudy.compute.accuracy import accuracy_cube, points_of
 from silostudy.cube.io import read, write
 from silostudy.errors import BadInput
 from silostudy.figures import accuracy_earthquake, accuracy_formulas, accuracy_summary, effect_prices, work_precision
@@ -38,8 +40,17 @@ def test_every_quantity_has_a_front(cube):
     points = work_precision.table(cube)
     for _, part in points.groupby(["problem", "quantity"]):
         front = part[part["on_front"] > 0].sort_values("cost")
-        assert front["error"].is_monotonic_decreasing
-        assert part["error"].min() == front["error"].min()
+        assert front["error_kept"].is_monotonic_decreasing
+        assert part["error_kept"].min() == front["error_kept"].min()
+
+
+def test_a_lucky_setting_does_not_count():
+    assert np.array_equal(kept([0.4, np.nan, 0.001, 0.2, 0.1]), [0.4, np.nan, 0.2, 0.2, 0.1], equal_nan=True)
+    rungs = [Rung("history", "lucky", k, *({"peak": value},) * 3, {"peak": 0.0}, (k,)) for k, value in ((1, 0.001), (2, 0.2))]
+    rungs += [Rung("history", "sound", 3, *({"peak": 0.01},) * 3, {"peak": 0.0}, (3,))]
+    points = {(point["ladder"], point["setting"]): point for point in points_of(rungs)}
+    assert points["lucky", 1.0]["error_kept"] == 0.2
+    assert points["sound", 3.0]["on_front"] == 1.0
 
 
 def test_slopes_leave_out_the_floor():
@@ -63,7 +74,8 @@ def test_figures(cube, tmp_path, monkeypatch):
         assert axis.get_xlabel().startswith("CPU time (s)")
         assert axis.get_ylabel() == "relative error"
         assert (axis.get_xscale(), axis.get_yscale()) == ("log", "log")
-        assert "Pareto front" in [text.get_text() for text in axis.get_legend().get_texts()]
+        told = [text.get_text() for text in axis.get_legend().get_texts()]
+        assert any(text.startswith("Pareto front") for text in told)
     reached = costs[costs["ladder"] != ""]
     assert (reached["error"] <= reached["asked"]).all()
     ordered = reached.pivot_table(index=["problem", "quantity"], columns="asked", values="cost").dropna()
@@ -80,8 +92,8 @@ def test_an_accuracy_study_takes_no_sweep_and_no_unknown_problem():
 
 
 def test_prices_of_optional_parts(tmp_path, monkeypatch):
-    """The part that samples a thousand solids costs more than nearly all; a part against itself costs nothing in memory."""
-    parts = {part.name: part for part in optional_parts.PARTS}
+    """The part that samples a thousand solids costs nearly all there is."""
+    parts = {part.name: part for part in prices.PARTS}
     scatter = optional_parts.part_price(parts["scatter of the solid"], 3)
     assert scatter.time > 0.5
     assert scatter.memory > 0.5
@@ -96,3 +108,25 @@ def test_prices_of_optional_parts(tmp_path, monkeypatch):
     assert figure.axes[0].get_xlabel() == "share of the CPU time with it (%)"
     assert [tick.get_text() for tick in figure.axes[0].get_yticklabels()] == ["a", "b"]
     assert numbers["effect_memory_share"].tolist() == [0.5, -0.1]
+
+
+@pytest.mark.parametrize("part", prices.PARTS, ids=lambda part: part.name)
+def test_the_studies_of_every_part_are_sound(part):
+    assert part.room in effect_prices.COLOURS
+    assert callable(part.whole())
+    assert callable(part.less())
+
+
+@pytest.mark.parametrize(
+    ("name", "time", "memory"),
+    [
+        ("hopper walls", 0.2, 0.0),
+        ("rival readings", 0.05, 0.05),
+        ("49 snapshots", -0.1, 0.4),
+        ("49 snapshots also for ParaView", 0.2, -0.1),
+    ],
+)
+def test_parts_that_surely_cost_something_do(name, time, memory):
+    found = optional_parts.part_price(next(part for part in prices.PARTS if part.name == name), 5)
+    assert time < found.time < 1.0
+    assert memory < found.memory < 1.0

@@ -5,9 +5,10 @@ import pytest
 
 from silostudy.dem.engine import Engine
 from silostudy.dem.ledger import CARRIED_OUT, CREATED, DASHPOT, SLIDING, TURNOVER, balance
+from silostudy.dem.pieces import Laws
 from silostudy.dem.run import Event, Run
 
-from .scenes import rows, silo
+from .scenes import contact, free, rows, silo
 
 OPEN = ("floor", "floor_left", "floor_right")
 
@@ -47,3 +48,16 @@ def test_the_ledger_changes_no_bit():
     for engine in (plain, kept):
         engine.step_to(4000)
     assert np.array_equal(rows(plain), rows(kept))
+
+
+@pytest.mark.parametrize("slider", ["spring-slider", "spring-slider-total", "spring-slider-implicit"])
+def test_what_the_step_creates_in_a_sliding_impact_vanishes_with_it(slider):
+    """A cap on the sum makes the spring's force jump at first touch: what the spring then takes is no error of the step."""
+    touch = contact(friction=0.2, laws=Laws(tangential=slider))
+    created = []
+    for dt in (4e-6, 2e-6, 1e-6):
+        engine = Engine(free([0.0, 0.02], [0.0, 0.004], [0.3, -0.3], [0.0, 0.5], [10.0, 30.0], pair=touch, booked=True, dt=dt))
+        engine.step_to(round(4e-3 / dt))
+        created.append(abs(engine.ledger.account[CREATED]) / engine.ledger.account[TURNOVER])
+    assert created[0] > 1.6 * created[1] > 1.6**2 * created[2]
+    assert created[2] < 0.02

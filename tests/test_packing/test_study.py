@@ -54,6 +54,14 @@ def rested():
     return settle(expansion.study, expansion.cases[0].scene.config, 0)
 
 
+def test_a_filling_of_few_rows_has_its_numbers_or_none():
+    """Five rows need not touch the wall in their lowest quarter: no friction in the corner to speak of."""
+    few = CONTENT | {"scene": {"across": 18, "disc_count": 87}, "sweep": [], "runs": 1, "detailed": []}
+    found = packing_cube(expanded(few))
+    assert np.isfinite(found["rest_side_share"]).all()
+    assert np.isnan(found["rest_corner_shear"]).any()
+
+
 def test_floor_and_walls_carry_the_weight(rested):
     cells = cells_of(rested)
     carried = rested.walls[cells.floor, NORMAL].sum() + rested.walls[cells.sides][..., SHEAR].sum()
@@ -169,6 +177,7 @@ def test_film_at_rest_holds_the_fill(motion):
     [
         ({"silo": {"slit_width_m": 0.4}}, "slit_width_m = 0.4: must be below the floor"),
         ({"disc_count": 500}, "disc_count = 500: fills"),
+        ({"disc_count": 60}, "disc_count = 60: lays 3 rows"),
         ({"discs": {"radius_m": 0.004}}, "radius_m = 0.004"),
         ({"across": 30}, "across = 30: 30 discs"),
         ({"march": {"normal": "line-contact"}}, "march.normal = 'line-contact': must be 'spring-dashpot'"),

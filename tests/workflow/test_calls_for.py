@@ -8,6 +8,8 @@ import sys
 import pytest
 import yaml
 
+from silostudy.config.kinds import KINDS
+from silostudy.figures import files_of
 from tests.conftest import ROOT
 
 # study -> the rules besides cases and drawing that its kind and sections call for
@@ -15,9 +17,14 @@ CALLED = {
     "pieper-flour": {"pressure"},
     "wheat-silo-today": {"pressure", "uncertainty"},
     "steel-wheat-strakes": {"pressure", "shell"},
+    "steel-wheat-shaken": {"pressure", "shell"},
+    "steel-wheat-earthquake": {"seismic"},
     "miller-1977": {"buckling"},
     "sasaki-1991": {"seismic"},
     "grains-record": {"grains"},
+    "discharge-slit": {"part", "merge", "verdict"},
+    "kiyama-1983": {"packing", "motion"},
+    "kiyama-1983-slit": {"packing"},
     "stability-map": {"stability", "profile"},
     "accuracy": {"accuracy"},
 }
@@ -25,7 +32,7 @@ CALLED = {
 
 @pytest.fixture(scope="module")
 def jobs(tmp_path_factory):
-    """(rule, output files) of every job that a project of all these studies would run, and of one with a scene alone."""
+    """(rule, lines before its output, output files) of every job of a project of all these studies and one scene."""
     folder = tmp_path_factory.mktemp("results")
     project = folder / "project.yaml"
     project.write_text(yaml.safe_dump({"studies": list(CALLED), "scenes": ["kiyama-17-18"]}))
@@ -37,22 +44,41 @@ def jobs(tmp_path_factory):
     command += [f"project={project}", f"results={folder}/results"]
     done = subprocess.run(command, cwd=ROOT, env=environment, capture_output=True, text=True)
     assert done.returncode == 0, done.stderr
-    return re.findall(r"^(?:local)?rule (\w+):\n(?:    (?!output)\w+: .*\n)*    output: (.*)", done.stdout, flags=re.MULTILINE)
+    each = re.findall(
+        r"^(?:local)?rule (\w+):\n((?:    (?!output)\w+: .*\n)*)    output: (.*)", done.stdout, flags=re.MULTILINE
+    )
+    assert len(each) > 2 * len(CALLED)
+    return each
+
+
+def test_every_kind_of_study_is_looked_at():
+    kinds = {yaml.safe_load((ROOT / f"config/studies/{study}.yaml").read_text())["kind"] for study in CALLED}
+    assert kinds == set(KINDS)
+
+
+def test_a_shell_waits_for_its_earthquake_and_for_no_other(jobs):
+    """Of all the seismic cubes only the study's own is an input, and the shell without an earthquake has none."""
+    asked = {study: set(re.findall(r"/results/([\w-]+)/seismic\.nc", inputs)) for study, inputs in _shells(jobs)}
+    assert asked == {"steel-wheat-strakes": set(), "steel-wheat-shaken": {"steel-wheat-earthquake"}}
+
+
+def _shells(jobs):
+    return [(re.search(r"/results/([\w-]+)/shell\.nc", output)[1], inputs) for rule, inputs, output in jobs if rule == "shell"]
 
 
 @pytest.mark.parametrize("study", CALLED)
 def test_stages_are_those_of_the_kind_and_its_sections(jobs, study):
-    rules = {rule for rule, output in jobs if f"/results/{study}/" in output and not rule.startswith("draw_")}
+    rules = {rule for rule, _, output in jobs if f"/results/{study}/" in output and not rule.startswith("draw_")}
     assert rules - {"cases"} == CALLED[study]
 
 
 @pytest.mark.parametrize("study", CALLED)
 def test_figures_and_tables_are_those_asked_for(jobs, study):
     asked = yaml.safe_load((ROOT / f"config/studies/{study}.yaml").read_text()).get("outputs", [])
-    places = (re.findall(rf"/results/{study}/(?:figures|tables)/(\w+)\.", output) for _, output in jobs)
-    drawn = {key for keys in places for key in keys}
-    assert drawn == set(asked)
+    drawn = [file for rule, _, output in jobs if rule.startswith("draw_") for file in output.split(", ")]
+    here = [file.split("/results/")[1] for file in drawn if f"/results/{study}/" in file]
+    assert sorted(here) == sorted(file for key in asked for file in files_of(key, study))
 
 
 def test_a_scene_asks_for_its_run_and_nothing_else(jobs):
-    assert [rule for rule, output in jobs if "/results/dem/" in output] == ["dem"]
+    assert [rule for rule, _, output in jobs if "/results/dem/" in output] == ["dem"]
