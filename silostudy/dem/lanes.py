@@ -11,6 +11,8 @@ from numba import types
 from numba.core import cgutils
 from numba.extending import intrinsic, overload
 
+from silostudy.dem.arrays import LANES
+
 WIDTH = 8  # contacts taken at a time
 X, Y, U, V, W, FX, FY, TORQUE = range(8)
 
@@ -63,9 +65,9 @@ def _data(context, builder, signature, args, position):
     return array.data
 
 
-def _stride(context, builder, signature, args):
-    lanes = cgutils.create_struct_proxy(signature.args[4])(context, builder, value=args[4])
-    return builder.extract_value(lanes.shape, 1)
+def _place(builder, lane, component):
+    """Where eight numbers of a component start among the lanes of a scratch, which all have the same length."""
+    return builder.add(lane, ir.Constant(_INDEX, component * LANES))
 
 
 def _row_of(builder, indices, start, lane):
@@ -100,10 +102,8 @@ def _gather(typing, rows, first, second, start, lanes, offset):
             a = _load(builder, data, _row_of(builder, one, args[3], lane), _EIGHT)
             b = _load(builder, data, _row_of(builder, two, args[3], lane), _EIGHT)
             relative.append(_mix(builder, builder.fsub(a, b), builder.fadd(a, b), [0, 1, 2, 3, 12, 4, 6, 7]))
-        stride = _stride(context, builder, signature, args)
         for component, column in enumerate(_transpose(builder, relative)[:6]):
-            place = builder.add(args[5], builder.mul(stride, ir.Constant(_INDEX, component)))
-            _store(builder, column, out, place, _EIGHT)
+            _store(builder, column, out, _place(builder, args[5], component), _EIGHT)
         return context.get_dummy_value()
 
     return types.void(rows, first, second, start, lanes, offset), generate
@@ -113,10 +113,7 @@ def _gather(typing, rows, first, second, start, lanes, offset):
 def _scatter(typing, rows, first, second, start, force, offset):
     def generate(context, builder, signature, args):
         data, one, two, lanes = (_data(context, builder, signature, args, k) for k in (0, 1, 2, 4))
-        stride = _stride(context, builder, signature, args)
-        fx, fy, own, others = (
-            _load(builder, lanes, builder.add(args[5], builder.mul(stride, ir.Constant(_INDEX, c))), _EIGHT) for c in range(4)
-        )
+        fx, fy, own, others = (_load(builder, lanes, _place(builder, args[5], component), _EIGHT) for component in range(4))
         nothing = ir.Constant(_EIGHT, [0.0] * WIDTH)  # for the spin that stands before the force in a row
         for lane, push in enumerate(_transpose(builder, [nothing, fx, fy, own, nothing, fx, fy, others])):
             for indices, half, add in ((one, [0, 1, 2, 3], builder.fadd), (two, [4, 5, 6, 7], builder.fsub)):

@@ -1,6 +1,8 @@
-"""A kernel for frictionless discs of one size, written out by hand: what the built one must not cost more than."""
+"""Kernels for discs of one size, written out by hand without friction and with it: what the built ones must not cost more.
 
-from dataclasses import replace
+Neither knows of several sizes, recorded wall forces, shaking, an energy ledger, rolling resistance or cohesion.
+"""
+
 from functools import cache
 from math import sqrt
 
@@ -8,15 +10,14 @@ import numpy as np
 from numba import njit
 from numba.extending import register_jitable
 
-from silostudy.accuracy.prices import still
+from silostudy.accuracy.prices import still, without
 from silostudy.accuracy.silo import scene
 from silostudy.dem.arrays import BLOCK, LANES
 from silostudy.dem.cells import OPTIONS
 from silostudy.dem.engine import Engine
 from silostudy.dem.kernel import EXPLODED, FRESH, STALE, first_runaway, relist, worst
-from silostudy.dem.lanes import FX, FY, TORQUE, U, V, X, Y, gather, scatter
-from silostudy.dem.model import Contact
-from silostudy.dem.pieces import Laws
+from silostudy.dem.lanes import FX, FY, TORQUE, U, V, W, X, Y, gather, scatter
+from silostudy.dem.model import Model
 from silostudy.dem.walls import gather_walls, scatter_walls
 
 PLAIN = {**OPTIONS, "cache": False}
@@ -25,8 +26,9 @@ STEPS = 2000
 
 
 @inlined
-def push(lanes, out, reach, count, stiffness, damping):
+def push(lanes, out, stored, a, b, count, dt, c, damping, drag_damping):
     """Normal forces only: spring and dashpot that never pull."""
+    reach, stiffness = a + b, c[0][0]
     for k in range(count):
         dx, dy = lanes[0, k], lanes[1, k]
         distance = sqrt(dx * dx + dy * dy)
@@ -41,64 +43,104 @@ def push(lanes, out, reach, count, stiffness, damping):
 
 
 @inlined
-def pairs_of(rows, pairs, begin, end, scratch, c):
-    reach, damping = pairs.arm[0] + pairs.other[0], c[0][1] + c[0][2] * sqrt(pairs.mass[0])
-    for start in range(begin, end, LANES):
-        count = min(end - start, LANES)
-        gather(rows, pairs.first, pairs.second, start, count, scratch.lanes)
-        push(scratch.lanes, scratch.force, reach, count, c[0][0], damping)
-        scatter(rows, pairs.first, pairs.second, start, count, scratch.force)
+def rub(lanes, out, stored, a, b, count, dt, c, damping, drag_damping):
+    """The same, and Cundall and Strack's slider."""
+    reach, stiffness, slip, friction = a + b, c[0][0], c[1][0] * dt, c[1][3]
+    for k in range(count):
+        dx, dy, du, dv = lanes[0, k], lanes[1, k], lanes[2, k], lanes[3, k]
+        distance = sqrt(dx * dx + dy * dy)
+        inverse = 1.0 / distance
+        nx, ny = dx * inverse, dy * inverse
+        overlap = reach - distance
+        depth = overlap if overlap > 0.0 else 0.0
+        total = stiffness * depth + damping * -(du * nx + dv * ny)
+        total = total if total > 0.0 else 0.0
+        sliding = dv * nx - du * ny - lanes[4, k] * a
+        dashpot = -drag_damping * sliding
+        most = friction * total
+        drag = stored[k] - slip * sliding + dashpot
+        drag = drag if drag > -most else -most
+        drag = drag if drag < most else most
+        held = drag - dashpot
+        total = total if overlap > 0.0 else 0.0
+        drag = drag if overlap > 0.0 else 0.0
+        stored[k] = held if overlap > 0.0 else 0.0
+        out[0, k], out[1, k] = total * nx - drag * ny, total * ny + drag * nx
+        out[2, k], out[3, k] = -drag * a, drag * b
 
 
-@inlined
-def walls_of(rows, near, walls, end, scratch, c):
-    reach, damping = near.arm[0] + near.other[0], c[0][1] + c[0][2] * sqrt(near.mass[0])
-    for start in range(0, end, LANES):
-        count = min(end - start, LANES)
-        gather_walls(rows, walls.shape, near.first, near.second, start, count, scratch.lanes)
-        push(scratch.lanes, scratch.force, reach, count, c[0][0], damping)
-        scatter_walls(rows, near.first, start, count, scratch.force)
+def step_by_hand(rough: bool):
+    """One step with friction or without; the flag is known when it is compiled."""
+    force = rub if rough else push
 
+    @inlined
+    def of_list(contacts, start, count, scratch, dt, c):
+        root = sqrt(contacts.mass[0])
+        drag_damping = c[1][1] + c[1][2] * root if rough else 0.0
+        stored = contacts.stored[start:] if rough else contacts.stored
+        force(
+            scratch.lanes, scratch.force, stored, contacts.arm[0], contacts.other[0], count, dt, c,
+            c[0][1] + c[0][2] * root, drag_damping,
+        )  # fmt: skip
 
-@inlined
-def moved(rows, begin, end, im, gx, gy, dt, motion, motion_bits):
-    for i in range(begin, end):
-        u = rows[i, U] + (rows[i, FX] * im + gx) * dt
-        v = rows[i, V] + (rows[i, FY] * im + gy) * dt
-        du, dv = u * dt, v * dt
-        rows[i, X] += du
-        rows[i, Y] += dv
-        rows[i, U], rows[i, V] = u, v
-        rows[i, FX], rows[i, FY], rows[i, TORQUE] = 0.0, 0.0, 0.0
-        motion[i - begin] = du * du + dv * dv
-    most = np.uint64(0)
-    for k in range(end - begin):
-        most = motion_bits[k] if motion_bits[k] > most else most
-    motion_bits[0] = most
-    return sqrt(motion[0])
+    @inlined
+    def pairs_of(rows, pairs, begin, end, scratch, dt, c):
+        for start in range(begin, end, LANES):
+            count = min(end - start, LANES)
+            gather(rows, pairs.first, pairs.second, start, count, scratch.lanes)
+            of_list(pairs, start, count, scratch, dt, c)
+            scatter(rows, pairs.first, pairs.second, start, count, scratch.force)
 
+    @inlined
+    def walls_of(rows, near, walls, end, scratch, dt, c):
+        for start in range(0, end, LANES):
+            count = min(end - start, LANES)
+            gather_walls(rows, walls.shape, near.first, near.second, start, count, scratch.lanes)
+            of_list(near, start, count, scratch, dt, c)
+            scatter_walls(rows, near.first, start, count, scratch.force)
 
-@inlined
-def one_step(discs, pairs, near, walls, blocks, scratch, laws, hi, gx, gy, dt):
-    last, stale = (hi + BLOCK - 1) // BLOCK, FRESH
-    walls_of(discs.rows, near, walls, near.begin[0], scratch, laws[1])
-    pairs_of(discs.rows, pairs, pairs.begin[last], pairs.begin[last + 1], scratch, laws[0])
-    for b in range(last):
-        pairs_of(discs.rows, pairs, pairs.begin[b], pairs.begin[b + 1], scratch, laws[0])
-        start = b * BLOCK
-        way = moved(
-            discs.rows, start, min(start + BLOCK, hi), discs.inverse_mass[0], gx, gy, dt, scratch.motion, scratch.motion_bits
-        )
-        blocks.peak[b] = way
-        blocks.travel[b] += way
-        if blocks.travel[b] > blocks.skin[b]:
-            stale = STALE
-    return stale
+    @inlined
+    def moved(rows, begin, end, im, ii, gx, gy, dt, motion, motion_bits):
+        for i in range(begin, end):
+            u = rows[i, U] + (rows[i, FX] * im + gx) * dt
+            v = rows[i, V] + (rows[i, FY] * im + gy) * dt
+            du, dv = u * dt, v * dt
+            rows[i, X] += du
+            rows[i, Y] += dv
+            rows[i, U], rows[i, V] = u, v
+            if rough:
+                rows[i, W] += rows[i, TORQUE] * ii * dt
+            rows[i, FX], rows[i, FY], rows[i, TORQUE] = 0.0, 0.0, 0.0
+            motion[i - begin] = du * du + dv * dv
+        most = np.uint64(0)
+        for k in range(end - begin):
+            most = motion_bits[k] if motion_bits[k] > most else most
+        motion_bits[0] = most
+        return sqrt(motion[0])
+
+    @inlined
+    def one_step(discs, pairs, near, walls, blocks, scratch, laws, hi, gx, gy, dt):
+        last, stale = (hi + BLOCK - 1) // BLOCK, FRESH
+        walls_of(discs.rows, near, walls, near.begin[0], scratch, dt, laws[1])
+        pairs_of(discs.rows, pairs, pairs.begin[last], pairs.begin[last + 1], scratch, dt, laws[0])
+        for b in range(last):
+            pairs_of(discs.rows, pairs, pairs.begin[b], pairs.begin[b + 1], scratch, dt, laws[0])
+            start, im, ii = b * BLOCK, discs.inverse_mass[0], discs.inverse_inertia[0]
+            end = min(start + BLOCK, hi)
+            way = moved(discs.rows, start, end, im, ii, gx, gy, dt, scratch.motion, scratch.motion_bits)
+            blocks.peak[b] = way
+            blocks.travel[b] += way
+            if blocks.travel[b] > blocks.skin[b]:
+                stale = STALE
+        return stale
+
+    return one_step
 
 
 @cache
-def kernel_by_hand():
+def kernel_by_hand(rough: bool):
     """Takes the built kernel's arguments; for one thread only."""
+    one_step = step_by_hand(rough)
 
     @njit(**PLAIN)
     def run(
@@ -133,28 +175,23 @@ def kernel_by_hand():
     return run
 
 
-def frictionless(across: int = 18, levels: int = 20):
-    """The bench's silo without friction, history and rotation."""
+def silos(across: int = 18, levels: int = 20) -> dict[str, Model]:
+    """The bench's silo, and the same without friction, history and rotation."""
     model, _ = scene(across, levels)
-
-    def bare(contact: Contact) -> Contact:
-        names = ("normal_stiffness", "normal_damping", "normal_damping_root")
-        return Contact(Laws(), {name: contact.coefficients[name] for name in names})
-
-    return replace(model, pair=bare(model.pair), wall=bare(model.wall))
+    return {"friction": model, "no friction": without(model)["friction, rotation, history"][1]}
 
 
-def engines(model) -> dict[str, Engine]:
+def engines(model: Model) -> dict[str, Engine]:
     """The built kernel and the one by hand on the same model."""
     found = {"built": Engine(model), "by hand": Engine(model)}
-    found["by hand"]._kernel = kernel_by_hand()
+    found["by hand"]._kernel = kernel_by_hand(model.pieces.turns)
     return found
 
 
 def work():
-    """Steps of both engines on discs that stand still, for the counter of instructions."""
+    """Steps of all engines on discs that stand still, for the counter of instructions."""
 
     def steps(engine):
         return lambda: engine.step_to(engine.step + STEPS)
 
-    return {name: steps(engine) for name, engine in engines(still(frictionless())).items()}
+    return {f"{name}, {how}": steps(engine) for name, model in silos().items() for how, engine in engines(still(model)).items()}

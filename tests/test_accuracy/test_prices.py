@@ -11,13 +11,17 @@ from silostudy.accuracy.prices import prices, still, without
 from silostudy.accuracy.silo import scene
 from silostudy.dem.engine import Engine
 from tests.conftest import ROOT
-from tests.test_accuracy.by_hand import engines, frictionless
+from tests.test_accuracy.by_hand import engines, silos
 
 MOST = 0.02  # of the instructions by hand
 
 
-def test_by_hand_gives_the_same_bits():
-    pair = engines(frictionless(8, 12))
+SILOS = ("friction", "no friction")
+
+
+@pytest.mark.parametrize("name", SILOS)
+def test_by_hand_gives_the_same_bits(name):
+    pair = engines(silos(8, 12)[name])
     for engine in pair.values():
         engine.step_to(3000)
     built, by_hand = (engine.discs.rows[: engine.n] for engine in pair.values())
@@ -55,9 +59,10 @@ def test_friction_has_a_price(watched):
     assert 0.2 < price.memory < 0.9
 
 
-def test_time_of_the_built_kernel_beside_the_one_by_hand():
+@pytest.mark.parametrize("name", SILOS)
+def test_time_of_the_built_kernel_beside_the_one_by_hand(name):
     """CPU time in turns; the counted instructions below are the sharper measure, this one only catches a gross loss."""
-    pair = engines(still(frictionless()))
+    pair = engines(still(silos()[name]))
     spent: dict[str, list[float]] = {name: [] for name in pair}
     for engine in pair.values():
         engine.step_to(10)
@@ -73,6 +78,7 @@ def test_time_of_the_built_kernel_beside_the_one_by_hand():
 @pytest.mark.skipif(bool(missing()), reason=missing() or "counted")
 def test_instructions_of_the_built_kernel_beside_the_one_by_hand():
     counted = count("tests.test_accuracy.by_hand:work", ROOT)
-    assert set(counted) == {"built", "by hand"}
-    assert counted["by hand"] > 1e6
-    assert counted["built"] / counted["by hand"] < 1.0 + MOST
+    assert counted.keys() == {f"{name}, {how}" for name in SILOS for how in ("built", "by hand")}
+    for name in SILOS:
+        assert counted[f"{name}, by hand"] > 1e7
+        assert counted[f"{name}, built"] / counted[f"{name}, by hand"] < 1.0 + MOST
