@@ -11,8 +11,8 @@ from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 
 from silostudy.figures.style import save
 
-COLOURS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#e69f00", "#7f7f7f", "#332288")
-MARKERS = ("o", "s", "^", "D", "v", "P", "X", "*")
+COLOURS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#e69f00", "#7f7f7f", "#332288", "#882255")
+MARKERS = ("o", "s", "^", "D", "v", "P", "X", "*", "h")
 LEAST = 1e-16  # where an error of zero is drawn
 BELOW = 30.0  # how far below the statistical floor is shown: what lies there is chance
 ACROSS = 3
@@ -51,7 +51,8 @@ def panel(axis, part: pd.DataFrame, problem: xr.Dataset) -> None:
         steep = slope(shown)
         label = f"{ladder}  (slope {round(steep, 1) + 0.0:.1f})" if np.isfinite(steep) else ladder
         error = np.maximum(shown["error"], LEAST)
-        look: dict = {"color": COLOURS[number % 8], "marker": MARKERS[number % 8], "markersize": 4.5, "linewidth": 1.0}
+        look: dict = {"markersize": 4.5, "linewidth": 1.0}
+        look |= {"color": COLOURS[number % len(COLOURS)], "marker": MARKERS[number % len(MARKERS)]}
         bars = np.array([error - np.maximum(shown["error_low"], error / 30), shown["error_high"] - error])
         axis.errorbar(shown["cost"], error, yerr=bars if bars.any() else None, label=label, capsize=2, elinewidth=0.6, **look)
     front, chance = part[part["on_front"] > 0].sort_values("cost"), bool((part["floor"] > 0).any())

@@ -8,7 +8,10 @@ from scipy.integrate import solve_ivp
 
 from silostudy.accuracy.front import cheapest, on_front
 from silostudy.accuracy.measure import COMPARE, LEAST, machine, measure
-from silostudy.accuracy.problems import beam_frequency, dem_impact, history, strain_energy
+from silostudy.accuracy.problems import beam_frequency, dem_impact, dem_static, history, strain_energy
+from silostudy.accuracy.problems.dem_static import step_rounded
+from silostudy.accuracy.silo import scene
+from silostudy.dem.engine import Engine
 from silostudy.tables.problems import GROUPS, PROBLEMS
 
 # problem, ladder, quantity: factor by which the error falls between its last two rungs, each with half the step
@@ -51,6 +54,28 @@ def test_every_problem_has_ladders_from_coarse_to_fine(row):
 def test_errors_fall_with_the_order_of_the_method(rung, factor):
     coarse, fine = errors(*rung, last=2)
     assert coarse / fine == pytest.approx(factor, rel=0.12)
+
+
+def test_a_finer_step_drowns_in_single_precision():
+    """Below some step a disc at rest no longer moves by a digit; doubles go on getting better."""
+    rounded = errors("dem_static", dem_static.SINGLE, "wall_force", last=3)
+    double = errors("dem_static", "17-18", "wall_force", last=4)[:3]
+    assert dem_static.LADDERS[dem_static.SINGLE][-3:] == dem_static.LADDERS["17-18"][-4:-1]
+    assert rounded[-1] > 1.5 * rounded[0]
+    assert double[-1] < 0.5 * double[0]
+    assert rounded[-1] > 10.0 * double[-1]
+
+
+def test_rounding_is_all_that_sets_the_single_ladder_apart(monkeypatch):
+    model = scene(4, 4)[0]
+    whole, stepped, rounded = Engine(model), Engine(model), Engine(model)
+    whole.step_to(500)
+    step_rounded(rounded, 500)
+    monkeypatch.setattr(np, "float32", np.float64)
+    step_rounded(stepped, 500)
+    assert np.array_equal(whole.discs.rows, stepped.discs.rows)
+    apart = np.abs(rounded.places - whole.places).max()
+    assert 1e-10 < apart < 1e-5
 
 
 @pytest.mark.parametrize(("problem", "quantity"), [("strain_energy", "wall_pressure"), ("shell_strength", "strength")])
