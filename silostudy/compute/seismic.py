@@ -49,6 +49,7 @@ def seismic_cube(expansion: Expansion, tell: Callable[[str], None] = lambda text
         "sweep_axes": " ".join(axes),
         "assumed": ", ".join(study.assumed),
         "published": study.published or "",
+        **study.promise,
     }
     if study.identification:
         own["band_Hz"] = list(study.identification.band_Hz)

@@ -1,9 +1,10 @@
 """A seismic study: a tube with contents, the motion of its base, and what was measured on it."""
 
-from typing import Any, Literal, Self, TypeAlias
+from typing import Any, ClassVar, Literal, Self, TypeAlias
 
 from pydantic import field_validator, model_validator
 
+from silostudy.config.asked import Asked
 from silostudy.config.fields import Numbers, Range, Strict, described, expand
 from silostudy.config.study import BaseStudy
 from silostudy.figures import OUTPUTS
@@ -174,8 +175,10 @@ class Identification(Strict):
         return Range(start=coarse.start, stop=coarse.stop, count=(coarse.count - 1) * self.refinement + 1).expand()
 
 
-class SeismicStudy(BaseStudy):
+class SeismicStudy(Asked, BaseStudy):
     """What an earthquake asks of a silo's wall, and where a response was measured the effective mass of the contents."""
+
+    front: ClassVar[str] = "seismic"
 
     kind: Literal["seismic"] = described("seismic: a silo in an earthquake, and the effective mass of its contents", "")
     scene: SeismicScene = described("the base scene", "")
