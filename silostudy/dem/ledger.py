@@ -85,7 +85,11 @@ def contact_book(laws, *, unequal, flat):
 
     @piece(laws, unequal, flat)
     def of_slip(trial, held, stiffness):
-        return 0.5 * (trial * trial - held * held) / stiffness if stiffness > 0.0 else 0.0  # what the spring lets go in it
+        if not stiffness > 0.0:
+            return 0.0
+        if 0.0 <= held * trial and abs(held) <= abs(trial):
+            return held * (trial - held) / stiffness  # the force that is left, over the slip
+        return 0.5 * (trial * trial - held * held) / stiffness  # a spring that a cap on the sum has loaded at a stroke
 
     @piece(laws, unequal, flat)
     def book(rows, ledger, contacts, shape, count, old_stored, old_rolled, dt, c, lanes):
