@@ -1,56 +1,90 @@
-"""The front of discrete-element scenes: worst errors of the wall forces over silos of many kinds, and trials on others.
+"""The front of discrete-element scenes: errors of the forces on the walls of silos at rest, and trials on other silos.
 
-Error: of the static force on each sixth of the walls, against velocity Verlet at a quarter of the finest step.
+Where discs come to rest hangs on every rounding.  So a silo is filled many times, its discs a little elsewhere each time, and
+its error is the one that 95 % of its fillings keep: of the force on each sixth of the walls, over the largest, against
+velocity Verlet at a finer step.
 """
 
 import time
-from collections.abc import Callable, Iterable
-from dataclasses import replace
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
-from silostudy.accuracy.silo import contact, scene, wall_force
+from silostudy.accuracy.silo import wall_force
 from silostudy.accuracy.trial import Trial, front_row, kept
+from silostudy.config.dem import MEASURED_LAWS, DemScene
 from silostudy.dem.engine import Engine, Explosion
-from silostudy.dem.model import Model
-from silostudy.dem.stability import chosen_step
-from silostudy.tables.fronts import choose
+from silostudy.scene.dem_model import model_of, placed
 
-INTEGRATORS = ("17-18", "17-19", "velocity-verlet")
-FACTORS = (1.0, 0.5, 0.25, 0.12, 0.06, 0.03)  # of the step that the engine chooses
-FINEST, REST, PARTS = 0.0075, 0.5, 6  # factor of the reference; s to rest; parts of a wall
-MEASURED, UNSEEN = 8, 12  # silos that the front is measured on, and silos that the choice is tried on
-ASKED = (0.2, 0.1, 0.05, 0.02)
+STEPS = tuple(2.0 ** (-k / 2) for k in range(9))  # factors of the step that the engine chooses
+COARSE = {"velocity-verlet": STEPS[:7], "17-18": STEPS[::2], "17-19": STEPS[:7:2]}
+FINE = {"17-18": (2.0**-5, 2.0**-6)}  # on fewer fillings
+FINEST = {"coarse": 2.0**-6, "fine": 2.0**-7.5}  # factors of the references' steps, by velocity Verlet
+SHARE, REST, PARTS = 0.95, 0.25, 6  # of fillings that keep an error; s to rest; parts of a wall
+MEASURED, UNSEEN = 16, 12  # silos that the front is measured on, and others that the choice is tried on
+FILLINGS, FINE_FILLINGS, UNSEEN_FILLINGS = 8, 4, 20
+ASKED = (0.03, 0.3)  # errors asked for lie between
+SPAN = {"damping_ratio": (0.5, 1.0), "wall_stiffness_ratio": (1.0, 2.0), "stiffness_ratio": (0.2, 0.5),
+        "disc_friction": (0.3, 0.6), "wall_friction": (0.1, 0.4)}  # fmt: skip
+GAPS = (1e-5, 8e-5)  # of discs of RADIUS
+RADIUS, DENSITY, STIFFNESS, PITCH = 0.01, 2650.0, 9.462726e6, 38.0 / 17.0  # Kiyama & Fujimura (1983), Table 2 and Fig. 8
 SOURCE = "kiyama_fujimura_1983"
 
+Setting = tuple[str, float]  # integrator, factor of the step
 
-def silos(seed: int, count: int) -> Iterable[Model]:
-    """Silos that differ in width, height, frictions and order; other seeds give others."""
+
+@dataclass(frozen=True)
+class Found:
+    """Of one silo: errors of its fillings, and the CPU seconds of one filling, by setting."""
+
+    error: dict[Setting, np.ndarray]
+    cost: dict[Setting, float]
+
+    def kept(self, setting: Setting) -> float:
+        """Error that 95 % of the fillings keep."""
+        return float(np.quantile(self.error[setting], SHARE))
+
+
+def silos(seed: int, count: int) -> Iterator[dict[str, Any]]:
+    """Contents of scenes of many widths, heights, gaps and contacts; other seeds give others."""
     random = np.random.default_rng(seed)
-    for number in range(count):
-        across, levels = int(random.integers(5, 10)), int(random.integers(6, 13))
-        disordered = number % 2 == 1
-        seed = int(random.integers(1000))
-        gap, offset = (6e-5, 2e-5) if disordered else (4e-5, 0.0)
-        model, _ = scene(across, levels, gap=gap, offset=offset, seed=seed)
-        friction = random.uniform(0.3, 0.6), random.uniform(0.1, 0.4)
-        yield replace(model, pair=contact(1.0, friction[0]), wall=contact(2.0, friction[1]))
+    for _ in range(count):
+        across, layers = int(random.integers(5, 8)), float(random.uniform(5, 16))
+        gap = float(np.exp(random.uniform(*np.log(GAPS))))
+        own = {name: float(random.uniform(*span)) for name, span in SPAN.items()}
+        shared: dict[str, Any] = {**MEASURED_LAWS} | {name: own[name] for name in ("damping_ratio", "stiffness_ratio")}
+        yield {
+            "kind": "dem", "title": "a silo to measure accuracy on", "radius_m": RADIUS, "density_kg_m3": DENSITY,
+            "silo": {"width_m": (2.0 + (across - 1) * PITCH) * RADIUS, "height_m": 2.0 * layers * RADIUS + 0.1},
+            "packing": {"kind": "rows", "across": across, "fill_height_m": 2.0 * layers * RADIUS, "gap_m": gap,
+                        "offset_m": gap * float(random.choice([0.3, 0.1, 0.01]))},
+            "discs": shared | {"normal_stiffness_N_m2": STIFFNESS, "sliding_friction": own["disc_friction"]},
+            "walls": shared | {"normal_stiffness_N_m2": STIFFNESS * own["wall_stiffness_ratio"],
+                               "sliding_friction": own["wall_friction"]},
+            "march": {"limit_s": REST}, "events": [{"when": "time", "value": REST, "do": "stop"}],
+        }  # fmt: skip
 
 
-def errors_and_costs(model: Model) -> dict[tuple[str, float], tuple[float, float]]:
-    """Error of the wall forces and CPU seconds of every integrator and step on one silo."""
-    exact, _ = _forces(model, "velocity-verlet", FINEST)
-    found = {}
-    for integrator in INTEGRATORS:
-        for factor in FACTORS:
-            force, spent = _forces(model, integrator, factor)
-            found[integrator, factor] = float(np.abs(force - exact).max() / exact.max()), spent
-    return found
+def measured(content: dict[str, Any], ladders: Mapping[str, tuple[float, ...]], finest: float, seeds: range) -> Found:
+    """Errors and costs of every setting on one silo; finest: factor of the reference's step."""
+    settings = [(integrator, factor) for integrator, factors in ladders.items() for factor in factors]
+    errors, spent = np.empty((len(settings), len(seeds))), np.empty((len(settings), len(seeds)))
+    for number, seed in enumerate(seeds):
+        exact, _ = forces(content, ("velocity-verlet", finest), seed)
+        for k, setting in enumerate(settings):
+            force, spent[k, number] = forces(content, setting, seed)
+            errors[k, number] = np.abs(force - exact).max() / exact.max()
+    cost = np.median(spent, axis=1)
+    return Found(dict(zip(settings, errors, strict=True)), dict(zip(settings, cost.tolist(), strict=True)))
 
 
-def _forces(model: Model, integrator: str, factor: float) -> tuple[np.ndarray, float]:
-    model = replace(model, integrator=integrator)
-    engine = Engine(replace(model, dt=factor * chosen_step(model)))
+def forces(content: dict[str, Any], setting: Setting, seed: int) -> tuple[np.ndarray, float]:
+    """Force (N/m) on the parts of both walls of a filling at rest, and CPU seconds; infinite where the discs run away."""
+    march = content["march"] | {"integrator": setting[0], "step_factor": setting[1]}
+    scene = DemScene.model_validate(content | {"march": march, "seed": seed})
+    engine = Engine(model_of(scene, placed(scene)))
     start = time.process_time()
     try:
         engine.step_to(round(REST / engine.model.dt))
@@ -61,29 +95,34 @@ def _forces(model: Model, integrator: str, factor: float) -> tuple[np.ndarray, f
 
 
 def measured_fronts(tell: Callable[[str], None]) -> list[dict]:
-    """Rows of tables/fronts.csv."""
-    found = []
-    for model in silos(0, MEASURED):
-        found.append(errors_and_costs(model))
-        tell(f"silo {len(found)} of {MEASURED}: {len(model.x)} discs")
+    """Rows of tables/fronts.csv: the error over the trait `fall` that 95 % of all fillings of all silos keep."""
+    found: list[tuple[float, Found]] = []
+    for number, content in enumerate(silos(0, MEASURED), 1):
+        fall = DemScene.model_validate(content).traits["fall"]
+        found += [(fall, measured(content, COARSE, FINEST["coarse"], range(FILLINGS)))]
+        found += [(fall, measured(content, FINE, FINEST["fine"], range(FINE_FILLINGS)))]
+        tell(f"dem: silo {number} of {MEASURED}")
+    within = SPAN | {"fall": (0.0, float(f"{1.05 * max(fall for fall, _ in found):.2g}"))}
     rows = []
-    for integrator, factor in found[0]:
-        worst = max(one[integrator, factor][0] for one in found)
-        cost = float(np.median([one[integrator, factor][1] for one in found]))
-        settings = {"march.integrator": integrator, "march.step_factor": factor}
-        rows.append(front_row("dem", "wall_force", settings, worst, cost, MEASURED, SOURCE))
+    for setting in dict.fromkeys(setting for _, one in found for setting in one.error):
+        over = np.concatenate([one.error[setting] / fall for fall, one in found if setting in one.error])
+        cost = float(np.median([one.cost[setting] for _, one in found if setting in one.cost]))
+        settings = {"march.integrator": setting[0], "march.step_factor": float(f"{setting[1]:.4g}")}
+        row = front_row("dem", "wall_force", settings, float(np.quantile(over, SHARE)), cost, len(over), SOURCE,
+                        scaled_by="fall", within=within)  # fmt: skip
+        rows.append(row)
     return kept(rows)
 
 
-def trials(tell: Callable[[str], None], count: int = UNSEEN) -> list[Trial]:
-    """How the shipped front's choice does on silos that it was not measured on."""
-    chosen = {asked: choose("dem", {"wall_force": asked}).settings for asked in ASKED}
-    found = []
-    for number, model in enumerate(silos(1, count)):
-        each = errors_and_costs(model)
-        for asked, settings in chosen.items():
-            error, cost = each[settings["march.integrator"], settings["march.step_factor"]]
-            cheapest = min((spent for wrong, spent in each.values() if wrong <= asked), default=np.nan)
-            found.append(Trial("dem", "wall_force", asked, error, cost, cheapest))
-        tell(f"silo {number + 1} of {count}: {len(model.x)} discs, {sum(one.met for one in found)} of {len(found)} met")
+def trials(tell: Callable[[str], None], count: int = UNSEEN, fillings: int = UNSEEN_FILLINGS) -> list[Trial]:
+    """Fillings of silos that the front was not measured on; the cheapest is what 95 % of the fillings of a silo ask for."""
+    found, random = [], np.random.default_rng(2)
+    for number, content in enumerate(silos(1, count), 1):
+        asked = float(np.exp(random.uniform(*np.log(ASKED))))
+        march = DemScene.model_validate(content | {"accuracy": {"wall_force": asked}}).march
+        one = measured(content, COARSE, FINEST["coarse"], range(fillings))
+        setting = min(one.error, key=lambda each: (each[0] != march.integrator, abs(each[1] - march.step_factor)))
+        cheapest = min((one.cost[each] for each in one.error if one.kept(each) <= asked), default=np.nan)
+        found += [Trial("dem", "wall_force", asked, float(error), one.cost[setting], cheapest) for error in one.error[setting]]
+        tell(f"dem: silo {number} of {count}, {sum(trial.met for trial in found)} of {len(found)} met")
     return found

@@ -12,60 +12,31 @@ from silostudy.config.dem import DemScene
 from silostudy.dem.engine import Engine
 from silostudy.dem.model import Model
 from silostudy.dem.run import Run
-from silostudy.dem.stability import chosen_step, longest_step
 from silostudy.errors import BadInput
 from silostudy.files import replacing
 from silostudy.packing import PACKINGS
-from silostudy.scene.dem import bottom_of, check_start, contact_of, events_of, walls_of
+from silostudy.scene.dem import events_of
+from silostudy.scene.dem_model import model_of as still_model
+from silostudy.scene.dem_model import placed
 from silostudy.stamp import stamp
 
 
 def model_of(scene: DemScene, folder: Path, where: str = "") -> Model:
     """The engine's model of a scene; BadInput for a start or a step that cannot be."""
-    walls = walls_of(scene.silo)
-    x, y, radius = _discs(scene, folder)
-    if scene.packing.kind != "given":
-        y = y + bottom_of(scene.silo)
-    check_start(walls, x, y, radius, where)
-    contacts = [contact_of(config, scene.radius_m, scene.density_kg_m3) for config in (scene.discs, scene.walls or scene.discs)]
-    model = Model(
-        x=x, y=y, radius=radius, density=scene.density_kg_m3, walls=walls, pair=contacts[0], wall=contacts[1],
-        dt=scene.march.step_s or 1.0, gravity=scene.gravity_m_s2, integrator=scene.march.integrator,
-        watched=scene.record.wall_force_window_s is not None, booked=scene.record.energy,
-    )  # fmt: skip
-    model = replace(model, dt=_step(scene, model, where))
+    discs = _given(scene.packing.file, folder) if scene.packing.kind == "given" else placed(scene)
+    model = still_model(scene, discs, where)
     return model if scene.quake is None else replace(model, quake=_quake(scene, folder, model.dt))
 
 
-def _discs(scene: DemScene, folder: Path):
-    packing = scene.packing
-    if packing.kind == "rows":
-        return PACKINGS["rows"].place(
-            width=scene.silo.width_m, height=packing.fill_height_m, radius=scene.radius_m, across=packing.across,
-            gap=packing.gap_m, offset=packing.offset_m, seed=scene.seed,
-        )  # fmt: skip
-    if packing.kind == "loose":
-        return PACKINGS["loose"].place(
-            width=scene.silo.width_m, count=packing.count, radius=scene.radius_m, spread=packing.radius_spread, seed=scene.seed
-        )
+def _given(file: str, folder: Path):
     try:
-        with xr.open_dataset(folder / packing.file) as given:
+        with xr.open_dataset(folder / file) as given:
             last = {"snapshot": -1} if "snapshot" in given.dims else {}
             x, y = (given[name].isel(last).to_numpy() for name in ("disc_x", "disc_y"))
             left = np.isfinite(x)
             return PACKINGS["given"].place(x=x[left], y=y[left], radius=given["disc_radius"].to_numpy()[left])
     except (OSError, KeyError) as error:
-        raise BadInput("packing.file", packing.file, f"must be netCDF with disc_x, disc_y, disc_radius ({error})") from None
-
-
-def _step(scene: DemScene, model: Model, where: str) -> float:
-    if scene.march.step_s is None:
-        return scene.march.step_factor * chosen_step(model)
-    bound = longest_step(model)
-    if scene.march.step_s > bound and not scene.march.beyond_stability:
-        allowed = f"beyond the stability bound {bound:.4g} s; shorten it, or set march.beyond_stability"
-        raise BadInput("march.step_s", scene.march.step_s, allowed, where)
-    return scene.march.step_s
+        raise BadInput("packing.file", file, f"must be netCDF with disc_x, disc_y, disc_radius ({error})") from None
 
 
 def _quake(scene: DemScene, folder: Path, dt: float) -> np.ndarray:

@@ -1,6 +1,7 @@
 """What a user writes to describe one discrete-element scene, in the user's units."""
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from math import pi, sqrt
 from typing import Annotated, ClassVar, Literal, Self, TypeAlias
 
 from pydantic import Field, model_validator
@@ -10,6 +11,7 @@ from silostudy.config.fields import Strict, described
 from silostudy.contact import COHESION, NORMAL, ROLLING, TANGENTIAL
 from silostudy.contact.line import PRINTED_CONSTANTS
 from silostudy.dem.integrate import INTEGRATORS
+from silostudy.errors import BadInput
 
 NormalKey: TypeAlias = Literal[tuple(NORMAL)]  # type: ignore[valid-type]
 TangentialKey: TypeAlias = Literal[tuple(TANGENTIAL)]  # type: ignore[valid-type]
@@ -17,6 +19,9 @@ RollingKey: TypeAlias = Literal[tuple(ROLLING)]  # type: ignore[valid-type]
 CohesionKey: TypeAlias = Literal[tuple(COHESION)]  # type: ignore[valid-type]
 IntegratorKey: TypeAlias = Literal[tuple(INTEGRATORS)]  # type: ignore[valid-type]
 ConstantKey: TypeAlias = Literal[tuple(PRINTED_CONSTANTS)]  # type: ignore[valid-type]
+# Laws with which `accuracy:` was measured.  Where slip drops the dashpot (spring-slider) a force jumps, and errors fall with
+# the step more slowly, in some silos hardly at all (tests/test_accuracy/test_fronts_dem.py).
+MEASURED_LAWS = {"normal": "spring-dashpot", "tangential": "spring-slider-total", "rolling": "none", "cohesion": "none"}
 
 
 class BoxConfig(Strict):
@@ -189,8 +194,41 @@ class DemScene(Asked):
 
     @property
     def traits(self) -> Mapping[str, float]:
-        """None yet that the fronts distinguish."""
-        return {}
+        """What the error of the wall forces at rest hangs on (1): the dynamics before rest, and the contacts.
+
+        fall: gap over the overlap that a disc's weight makes, times the root of the layers of discs.
+        BadInput for a scene of a kind that was not measured.
+        """
+        walls = self.walls or self.discs
+        for key, value, measured in self._kinds(walls):
+            if value != measured:
+                raise BadInput("accuracy", self.accuracy, f"was measured with {key} {measured} alone, not {value}")
+        assert isinstance(self.packing, RowsConfig)
+        assert self.discs.normal_stiffness_N_m2 is not None
+        assert walls.normal_stiffness_N_m2 is not None
+        stiffness, mass = self.discs.normal_stiffness_N_m2, self.density_kg_m3 * pi * self.radius_m**2
+        gap = self.packing.gap_m * stiffness / (-self.gravity_m_s2[1] * mass)
+        direct, ratio = self.discs.normal_damping_N_s_m2, self.discs.damping_ratio or 0.0
+        return {
+            "fall": gap * sqrt(0.5 * self.packing.fill_height_m / self.radius_m),
+            "damping_ratio": direct / (2.0 * sqrt(mass * stiffness)) if direct is not None else ratio,
+            "wall_stiffness_ratio": walls.normal_stiffness_N_m2 / stiffness,
+            "stiffness_ratio": self.discs.stiffness_ratio,
+            "disc_friction": self.discs.sliding_friction,
+            "wall_friction": walls.sliding_friction,
+        }
+
+    def _kinds(self, walls: ContactConfig) -> Iterator[tuple[str, object, object]]:
+        """Keys whose values make a scene of the kind that was measured: name, value, the one measured."""
+        across, up = self.gravity_m_s2
+        yield "packing.kind", self.packing.kind, "rows"
+        yield "silo.hopper_half_angle_deg", self.silo.hopper_half_angle_deg, None
+        yield "quake", self.quake, None
+        yield "gravity", "straight down" if across == 0 and up < 0 else self.gravity_m_s2, "straight down"
+        for name, contact in (("discs", self.discs), ("walls", walls)):
+            for family, law in MEASURED_LAWS.items():
+                yield f"{name}.{family}", getattr(contact, family), law
+            yield f"{name}.line_contact", contact.line_contact, None
 
     @model_validator(mode="after")
     def _one_step(self) -> Self:

@@ -87,7 +87,7 @@ def contact_book(laws, *, unequal, flat):
     def of_slip(trial, held, stiffness):
         if not stiffness > 0.0:
             return 0.0
-        if 0.0 <= held * trial and abs(held) <= abs(trial):
+        if held * trial >= 0.0 and abs(held) <= abs(trial):
             return held * (trial - held) / stiffness  # the force that is left, over the slip
         return 0.5 * (trial * trial - held * held) / stiffness  # a spring that a cap on the sum has loaded at a stroke
 

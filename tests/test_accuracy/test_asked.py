@@ -18,6 +18,7 @@ from tests.conftest import ROOT, expanded
 from tests.test_dem.test_scene import SMALL as DEM_SCENE
 
 SCENE = {name: value for name, value in DEM_SCENE.items() if name != "march"} | {"march": {"limit_s": 1.0}}
+SCENE |= {body: DEM_SCENE[body] | {"tangential": "spring-slider-total"} for body in ("discs", "walls")}
 
 
 @pytest.fixture
@@ -107,12 +108,13 @@ def test_pressure_cube_records_what_was_chosen(asking):
 def test_a_scene_gets_integrator_and_step(tmp_path):
     content = copy.deepcopy(SCENE) | {"accuracy": {"wall_force": 0.1}}
     scene = validated(DemScene, content, "asked.yaml")
-    settings = choose("dem", {"wall_force": 0.1}).settings
+    settings = choose("dem", {"wall_force": 0.1}, [scene.traits]).settings
     assert scene.march.integrator == settings["march.integrator"]
     assert scene.march.step_factor == settings["march.step_factor"]
     model = model_of(scene, tmp_path)
     assert model.dt == pytest.approx(settings["march.step_factor"] * chosen_step(model))
     assert scene.promise["accuracy_asked"] == "wall_force 0.1"
+    assert 0.01 < float(scene.promise["accuracy_expected"].split()[-1]) <= 0.1
     assert "accuracy" not in SCENE
 
 
@@ -128,6 +130,19 @@ def test_a_scene_gets_integrator_and_step(tmp_path):
             "either accuracy or march.step_factor",
         ),
         ({"accuracy": {"wall_force": 0.1}, "march": {"limit_s": 1.0, "step_s": 1e-6}}, "either accuracy or march.step_s"),
+        *(
+            ({"accuracy": {"wall_force": 0.1}, **change}, message)
+            for change, message in (
+                ({"packing": {"kind": "loose", "count": 40}}, "packing.kind rows alone, not loose"),
+                ({"walls": DEM_SCENE["walls"]}, "walls.tangential spring-slider-total alone, not spring-slider"),
+                ({"gravity_m_s2": (1.0, -9.81)}, "gravity straight down"),
+                ({"packing": SCENE["packing"] | {"gap_m": 4e-4}}, "measured on no such scene, only within .*'fall'"),
+                (
+                    {"discs": SCENE["discs"] | {"sliding_friction": 0.7}},
+                    "measured on no such scene, only within .*'disc_friction'",
+                ),
+            )
+        ),
     ],
 )
 def test_refusals(changes, message):

@@ -1,0 +1,45 @@
+"""From a discrete-element scene to the engine's model: where the discs start, what pushes them, and the time step."""
+
+from dataclasses import replace
+
+from silostudy.config.dem import DemScene
+from silostudy.dem.model import Model
+from silostudy.dem.stability import chosen_step, longest_step
+from silostudy.errors import BadInput
+from silostudy.packing import PACKINGS
+from silostudy.scene.dem import bottom_of, check_start, contact_of, walls_of
+
+
+def placed(scene: DemScene):
+    """x, y and radius (m) of the discs of a packing that no file gives; y from the lowest point of the silo."""
+    packing, size = scene.packing, {"width": scene.silo.width_m, "radius": scene.radius_m, "seed": scene.seed}
+    if packing.kind == "rows":
+        rows = {"height": packing.fill_height_m, "across": packing.across, "gap": packing.gap_m, "offset": packing.offset_m}
+        x, y, radius = PACKINGS["rows"].place(**size, **rows)
+    else:
+        assert packing.kind == "loose"  # a file's discs are read elsewhere
+        x, y, radius = PACKINGS["loose"].place(**size, count=packing.count, spread=packing.radius_spread)
+    return x, y + bottom_of(scene.silo), radius
+
+
+def model_of(scene: DemScene, discs, where: str = "") -> Model:
+    """The engine's model of a scene without shaking; BadInput for a start or a step that cannot be."""
+    walls, (x, y, radius) = walls_of(scene.silo), discs
+    check_start(walls, x, y, radius, where)
+    contacts = [contact_of(config, scene.radius_m, scene.density_kg_m3) for config in (scene.discs, scene.walls or scene.discs)]
+    model = Model(
+        x=x, y=y, radius=radius, density=scene.density_kg_m3, walls=walls, pair=contacts[0], wall=contacts[1],
+        dt=scene.march.step_s or 1.0, gravity=scene.gravity_m_s2, integrator=scene.march.integrator,
+        watched=scene.record.wall_force_window_s is not None, booked=scene.record.energy,
+    )  # fmt: skip
+    return replace(model, dt=_step(scene, model, where))
+
+
+def _step(scene: DemScene, model: Model, where: str) -> float:
+    if scene.march.step_s is None:
+        return scene.march.step_factor * chosen_step(model)
+    bound = longest_step(model)
+    if scene.march.step_s > bound and not scene.march.beyond_stability:
+        allowed = f"beyond the stability bound {bound:.4g} s; shorten it, or set march.beyond_stability"
+        raise BadInput("march.step_s", scene.march.step_s, allowed, where)
+    return scene.march.step_s
