@@ -2,6 +2,8 @@
 
 import numpy as np
 
+ROUNDING = 1e-12  # relative error below which finer settings only roll other dice
+
 
 def on_front(cost, error) -> np.ndarray:
     """Whether no other rung is both cheaper and at least as accurate (or as cheap and more accurate); NaN never is."""
@@ -16,10 +18,11 @@ def on_front(cost, error) -> np.ndarray:
 def kept(error) -> np.ndarray:
     """Largest error at each setting of a ladder and at all finer ones, from coarse to fine: a lucky setting does not count.
 
-    NaN where the setting itself has none.
+    NaN where the setting itself has none; errors of rounding size count at their own setting only.
     """
     error = np.asarray(error, float)
-    return np.where(np.isnan(error), np.nan, np.fmax.accumulate(error[::-1])[::-1])
+    lasting = np.fmax.accumulate(np.where(error < ROUNDING, 0.0, error)[::-1])[::-1]
+    return np.where(np.isnan(error), np.nan, np.fmax(error, lasting))
 
 
 def cheapest(cost, error, asked: float) -> int | None:

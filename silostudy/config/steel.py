@@ -58,7 +58,11 @@ class Cylinder(Steel):
 class Strake(Strict):
     """A part of the wall with its own thickness."""
 
-    down_to: float = described("depth of its lower edge over the height of the cylinder", gt=0, le=1)
+    down_to: float = described(
+        "depth of its lower edge over the height of the cylinder; let a depth of the study lie there, where it is used most",
+        gt=0,
+        le=1,
+    )
     thickness_mm: float = described("wall thickness", "mm", gt=0)
 
 

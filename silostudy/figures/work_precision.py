@@ -14,6 +14,7 @@ from silostudy.figures.style import save
 COLOURS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#e69f00", "#7f7f7f", "#332288", "#882255")
 MARKERS = ("o", "s", "^", "D", "v", "P", "X", "*", "h")
 LEAST = 1e-16  # where an error of zero is drawn
+NAME = 0.055  # share of a panel's height that a name in its legend takes
 BELOW = 30.0  # how far below the statistical floor is shown: what lies there is chance
 ACROSS = 3
 SPAN = 20.0  # of the time axis at the least: a narrower one is all noise
@@ -74,7 +75,10 @@ def panel(axis, part: pd.DataFrame, problem: xr.Dataset) -> None:
     _spread(axis)
     titles = (problem["problem_title"].item(), part["quantity_title"].iloc[0])
     axis.set_title("\n".join(textwrap.fill(title, 80) for title in titles), fontsize=8.5)
-    axis.legend(fontsize=6.5, loc="best", frameon=True, framealpha=0.8, edgecolor="none")
+    names = len(axis.get_legend_handles_labels()[1])
+    low, high = axis.get_ylim()
+    axis.set_ylim(low, high * (high / low) ** (NAME * names))  # the legend stands above all points
+    axis.legend(fontsize=6.5, loc="upper right", borderpad=0.1)
 
 
 def _spread(axis) -> None:

@@ -45,6 +45,7 @@ def test_every_quantity_has_a_front(cube):
 
 
 def test_a_lucky_setting_does_not_count():
+    assert np.array_equal(kept([1e-3, 1e-15, 1e-13]), [1e-3, 1e-15, 1e-13])
     assert np.array_equal(kept([0.4, np.nan, 0.001, 0.2, 0.1]), [0.4, np.nan, 0.2, 0.2, 0.1], equal_nan=True)
     rungs = [Rung("history", "lucky", k, *({"peak": value},) * 3, {"peak": 0.0}, (k,)) for k, value in ((1, 0.001), (2, 0.2))]
     rungs += [Rung("history", "sound", 3, *({"peak": 0.01},) * 3, {"peak": 0.0}, (3,))]

@@ -4,11 +4,11 @@ import numpy as np
 import pytest
 
 from silostudy.dem.engine import Engine
-from silostudy.dem.ledger import CARRIED_OUT, CREATED, DASHPOT, SLIDING, TURNOVER, balance
+from silostudy.dem.ledger import CARRIED_OUT, CREATED, DASHPOT, KINETIC, SLIDING, TURNOVER, balance
 from silostudy.dem.pieces import Laws
 from silostudy.dem.run import Event, Run
 
-from .scenes import contact, free, rows, silo
+from .scenes import box, contact, free, rows, silo
 
 OPEN = ("floor", "floor_left", "floor_right")
 
@@ -61,3 +61,16 @@ def test_what_the_step_creates_in_a_sliding_impact_vanishes_with_it(slider):
         created.append(abs(engine.ledger.account[CREATED]) / engine.ledger.account[TURNOVER])
     assert created[0] > 1.6 * created[1] > 1.6**2 * created[2]
     assert created[2] < 0.02
+
+
+def test_a_disc_that_spins_on_a_frictionless_floor_loses_nothing():
+    touch = contact(friction=0.0)
+    disc = free(
+        [0.1], [0.0099], w=[-75.0], walls=box(0.2, 0.2), gravity=(0.0, -9.81), pair=touch, wall=touch, booked=True, dt=5e-5
+    )
+    engine = Engine(disc)
+    engine.step_to(20_000)
+    account = engine.ledger.account
+    spinning = 0.25 * disc.mass[0] * disc.radius[0] ** 2 * 75.0**2
+    assert account[KINETIC] == pytest.approx(spinning, rel=1e-9)
+    assert abs(account[SLIDING]) < 1e-12 * spinning
