@@ -6,15 +6,18 @@ from math import nan
 
 import numpy as np
 
-from silostudy.accuracy.prices import Price, prices
+from silostudy.accuracy.instructions import count, missing
+from silostudy.accuracy.prices import Price, prices, still, without
 from silostudy.accuracy.silo import scene
 from silostudy.compute import optional_discs, optional_formulas
 from silostudy.compute.optional_parts import part_price
+from silostudy.dem.engine import Engine
 from silostudy.dem.model import Contact, Model
 
 ACROSS, LEVELS = 18, 20  # the bench's 350 discs
 PARTS = (*optional_discs.PARTS, *optional_formulas.PARTS)
-NAMES = ("", "_low", "_high")
+STEPS = 2000  # whose instructions are counted
+DISCS, OTHERS = "discrete elements", "only effects of discrete elements are counted"
 
 
 def full_scenes() -> list[tuple[str, Model]]:
@@ -38,14 +41,45 @@ def _more(contact: Contact, family: str) -> Contact:
     return Contact(replace(contact.laws, **{family: law}), contact.coefficients | values)
 
 
+def counted_work() -> dict[str, Callable[[], None]]:
+    """Steps with each effect and without it, for the counter of instructions."""
+    found: dict[str, Callable[[], None]] = {}
+    for note, model in full_scenes():
+        for name, pair in without(still(model)).items():
+            for end, one in zip(("with", "without"), pair, strict=True):
+                found.setdefault(f"{end} {_label(name, note)}", _steps(Engine(one)))
+    return found
+
+
+def _steps(engine: Engine) -> Callable[[], None]:
+    return lambda: engine.step_to(engine.step + STEPS)
+
+
+def _label(name: str, note: str) -> str:
+    return name + (note if name.startswith("friction") else "")
+
+
+def instruction_shares() -> tuple[dict[str, float], str]:
+    """Share of a step's instructions by effect, or none and why they cannot be counted here."""
+    if missing():
+        return {}, missing()
+    try:
+        counted = count(f"{__name__}:counted_work")
+    except RuntimeError as reason:
+        return {}, str(reason)
+    names = [name.removeprefix("with ") for name in counted if name.startswith("with ")]
+    return {name: 1.0 - counted[f"without {name}"] / counted[f"with {name}"] for name in names}, ""
+
+
 def price_variables(repeats: int, tell: Callable[[str], None]) -> dict[str, np.ndarray]:
     """Columns of the cube's price list by the names of the contract."""
     rows: dict[str, tuple[str, Price]] = {}
     for note, model in full_scenes():
         for name, found in prices(model)[1].items():
-            label = name + (note if name.startswith("friction") else "")
-            rows.setdefault(label, ("discrete elements", found))
+            rows.setdefault(_label(name, note), (DISCS, found))
         tell(f"prices: {', '.join(rows)}")
+    shares, uncounted = instruction_shares()
+    tell(f"instructions: {uncounted or 'counted'}")
     for part in PARTS:
         rows[part.name] = (part.room, part_price(part, repeats))
         tell(f"price of {part.name}: {rows[part.name][1].time:.0%}")
@@ -56,5 +90,7 @@ def price_variables(repeats: int, tell: Callable[[str], None]) -> dict[str, np.n
         "effect_time_share": np.array([price.time for price in each]),
         "effect_time_share_low": np.array([price.low for price in each]),
         "effect_time_share_high": np.array([price.high for price in each]),
+        "effect_instruction_share": np.array([shares.get(name, nan) for name in rows]),
+        "effect_uncounted": np.array([uncounted if room == DISCS else OTHERS for room, _ in rows.values()]),
         "effect_memory_share": np.array([price.memory if price.memory is not None else nan for price in each]),
     }

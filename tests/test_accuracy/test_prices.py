@@ -82,3 +82,14 @@ def test_instructions_of_the_built_kernel_beside_the_one_by_hand():
     for name in SILOS:
         assert counted[f"{name}, by hand"] > 1e7
         assert counted[f"{name}, built"] / counted[f"{name}, by hand"] < 1.0 + MOST
+
+
+def two_sums():
+    """Work for the counter, a hundred times as much the second time."""
+    return {"a sum (of few)": lambda: sum(range(10_000)), "a sum, of many": lambda: sum(range(1_000_000))}
+
+
+@pytest.mark.skipif(bool(missing()), reason=missing() or "counted")
+def test_every_count_belongs_to_its_name():
+    few, many = count("tests.test_accuracy.test_prices:two_sums", ROOT).values()
+    assert 10 < many / few < 100

@@ -102,6 +102,7 @@ def test_prices_of_optional_parts(tmp_path, monkeypatch):
     monkeypatch.setattr(effect_prices, "save", lambda figure, numbers, stem: kept.append((figure, numbers)))
     columns = {"effect": ["a", "b"], "effect_room": ["pressures", "earthquake"]}
     columns |= {key: [0.5, -0.1] for key in effect_prices.COLUMNS[1:]}
+    columns |= {"effect_instruction_share": [0.4, np.nan], "effect_uncounted": ["", "no valgrind"]}
     monkeypatch.setattr(accuracy, "price_variables", lambda repeats, tell: {k: np.array(v) for k, v in columns.items()})
     scene = {"problems": ["beam_frequency"], "repeats": 1, "rungs": 2, "prices": True}
     effect_prices.draw(accuracy_cube(expanded(CONTENT | {"scene": scene, "outputs": []})), tmp_path / "figure")
@@ -109,6 +110,31 @@ def test_prices_of_optional_parts(tmp_path, monkeypatch):
     assert figure.axes[0].get_xlabel() == "share of the CPU time with it (%)"
     assert [tick.get_text() for tick in figure.axes[0].get_yticklabels()] == ["a", "b"]
     assert numbers["effect_memory_share"].tolist() == [0.5, -0.1]
+    assert [[text.get_text() for text in axis.texts] for axis in figure.axes[:2]] == [
+        ["50 %", "-10 %"],
+        ["40 %", "no valgrind"],
+    ]
+
+
+def test_share_of_instructions_or_why_there_is_none(monkeypatch):
+    counted = {"with a": 100, "without a": 80, "with b (c)": 50, "without b (c)": 50}
+    monkeypatch.setattr(prices, "missing", lambda: "")
+    monkeypatch.setattr(prices, "count", lambda work: counted)
+    shares, why = prices.instruction_shares()
+    assert (shares, why) == ({"a": pytest.approx(0.2), "b (c)": 0.0}, "")
+    monkeypatch.setattr(prices, "missing", lambda: "valgrind not found")
+    assert prices.instruction_shares() == ({}, "valgrind not found")
+
+
+def test_instructions_are_counted_of_steps_with_every_effect_and_without(monkeypatch):
+    monkeypatch.setattr(prices, "ACROSS", 4)
+    monkeypatch.setattr(prices, "LEVELS", 4)
+    monkeypatch.setattr(prices, "still", lambda model: model)
+    work = prices.counted_work()
+    for _, model in prices.full_scenes():
+        for name in prices.without(model):
+            assert {f"with {name}", f"without {name}"} <= work.keys()
+    assert len(work) == 2 * 8
 
 
 @pytest.mark.parametrize("part", prices.PARTS, ids=lambda part: part.name)
