@@ -12,7 +12,7 @@ from silostudy.accuracy.measure import machine
 from silostudy.accuracy.trial import Trial
 from silostudy.tables.fronts import COLUMNS
 
-KINDS = ("dem", "pressure", "shell", "seismic")
+KINDS = ("dem", "pressure", "shell", "seismic", "packing")
 
 
 @threadpool_limits.wrap(limits=1)  # threads of the linear algebra that wait for each other spend CPU time

@@ -85,4 +85,4 @@ def _cube(expansion: Expansion, found: list[list[dict]]) -> xr.Dataset:
     }
     about = provenance(study.title, study.model_dump_json(exclude_defaults=True), SOURCES, "packing")
     settings = {"width_m": silo.width_m, "radius_m": discs.radius_m, "slit_width_m": silo.slit_width_m}
-    return check(xr.Dataset(data, coords, {**about, **settings, "sweep_axes": " ".join(axes)}))
+    return check(xr.Dataset(data, coords, {**about, **settings, "sweep_axes": " ".join(axes), **study.promise}))

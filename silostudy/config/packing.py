@@ -3,6 +3,7 @@
 from math import sqrt
 from typing import ClassVar, Literal, TypeAlias
 
+from silostudy.config.asked import Asked
 from silostudy.config.dem import IntegratorKey
 from silostudy.config.fields import Strict, described
 from silostudy.config.study import BaseStudy
@@ -65,10 +66,10 @@ class Detail(Strict):
     run: int = described("number of the run; 0: the ideal start", ge=0, default=0)
 
 
-class PackingStudy(BaseStudy):
+class PackingStudy(Asked, BaseStudy):
     """Discs at rest and in discharge: ensembles of starts for every case."""
 
-    unasked: ClassVar[str] = "no front is measured for ensembles of discharges"
+    front: ClassVar[str] = "packing"
 
     kind: Literal["packing"] = described("packing: rows of discs at rest and in discharge", "")
     scene: PackingScene = described("the base scene", "")

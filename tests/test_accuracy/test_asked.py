@@ -179,7 +179,6 @@ def test_depths_of_one_s_own_and_accuracy_exclude_each_other(asking):
         ("stability-map", "it looks for the largest step itself"),
         ("accuracy", "it measures what accuracy costs"),
         ("discharge-slit", "its scenes do: write scene.accuracy"),
-        ("kiyama-1983", "no front is measured"),
         ("grains-record", "no front is measured"),
     ],
 )

@@ -1,0 +1,124 @@
+"""The front of packing studies: how many runs the mean share of the weight on a side wall needs.
+
+Discs of the source's 17/18 packing, laid with the offsets of a packing study and brought to rest.  A mean has no other error
+than what its runs scatter: that is measured, and means of so many runs are drawn from it.  Trials hold means of other silos'
+runs against many more.
+"""
+
+import time
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from silostudy.accuracy.silo import GRAVITY, RADIUS, contact, scene, wall_force
+from silostudy.accuracy.trial import Trial, front_row
+from silostudy.dem.engine import Engine
+from silostudy.dem.model import Model
+from silostudy.dem.stability import chosen_step
+from silostudy.scene.packing import friction_scatter
+from silostudy.tables.fronts import choose
+
+RUNS = tuple(dict.fromkeys(round(2.0 ** (k / 4)) for k in range(4, 37)))  # 2 ... 512, each 1.19 times the one before
+GAP, OFFSET, REST = 3e-4, 1e-4, 1.0  # m, m, s: a packing study's own starts
+PITCH = 38.0 / 17.0  # of the discs in a row over their radius: 17/18 of the source
+MEASURED, SPREAD, DRAWN = 20, 48, 4000  # silos, runs of each, means drawn of them
+UNSEEN, AGAINST, TRIED = 8, 192, 128  # other silos, runs behind their right value, runs in the means that are tried
+SHARE, ASKED = 0.95, (0.012, 0.06)
+SOURCE = "kiyama_fujimura_1983"
+
+
+@dataclass(frozen=True)
+class Silo:
+    """Discs across, rows, friction of discs and walls."""
+
+    across: int
+    rows: int
+    discs: float
+    walls: float
+
+    @property
+    def number(self) -> float:
+        """The trait that the spread of the runs goes with."""
+        return friction_scatter(self.discs, self.walls, len(self.model(0).x))
+
+    @property
+    def traits(self) -> dict[str, float]:
+        """All that are measured."""
+        return {"friction_scatter": self.number, "offset": OFFSET / RADIUS, "offset_gap": GAP / RADIUS, "pitch": PITCH}
+
+    def model(self, seed: int) -> Model:
+        """One start."""
+        model, _ = scene(self.across, self.rows, gap=GAP, offset=OFFSET, seed=seed)
+        model = replace(model, pair=contact(1.0, self.discs), wall=contact(2.0, self.walls))
+        return replace(model, dt=chosen_step(model))
+
+
+def silos(seed: int, count: int, across: tuple[int, int]) -> Iterator[Silo]:
+    """Silos that differ in width, height and frictions; other seeds give others.  across: discs in the lowest row."""
+    random = np.random.default_rng(seed)
+    for _ in range(count):
+        width = int(random.integers(*across))
+        rows = int(width * random.uniform(0.9, 2.2))
+        yield Silo(width, rows, random.uniform(0.3, 0.6), random.uniform(0.1, 0.4))
+
+
+def shares(silo: Silo, seeds) -> tuple[np.ndarray, float]:
+    """(mean normal force of a side wall over the weight (1) of every run at rest, CPU seconds of one)."""
+    found, start = [], time.process_time()
+    for seed in seeds:
+        engine = Engine(silo.model(seed))
+        engine.step_to(round(REST / engine.model.dt))
+        found.append(0.5 * wall_force(engine, 1).sum() / (engine.mass.sum() * GRAVITY))
+    return np.array(found), (time.process_time() - start) / len(found)
+
+
+def drawn(runs: np.ndarray, random: np.random.Generator) -> np.ndarray:
+    """Relative errors of means of so many runs, drawn from those at hand: (number of runs, mean)."""
+    wrong = runs / runs.mean() - 1.0
+    return np.abs([random.choice(wrong, (DRAWN, count)).mean(axis=1) for count in RUNS])
+
+
+def measured_fronts(tell: Callable[[str], None]) -> list[dict]:
+    """Rows of tables/fronts.csv: the error over the silo's number that 19 of 20 means keep, over all silos."""
+    random, errors, spent, each = np.random.default_rng(0), [], [], list(silos(0, MEASURED, (5, 19)))
+    for silo in each:
+        runs, cost = shares(silo, range(SPREAD))
+        errors.append(drawn(runs, random) / silo.number)
+        spent.append(cost)
+        tell(f"rest_side_share: silo {len(spent)} of {MEASURED}, runs scatter by {runs.std(ddof=1) / runs.mean():.1%}")
+    kept, cost = np.quantile(np.hstack(errors), SHARE, axis=1), float(np.median(spent))
+    numbers = [silo.number for silo in each]
+    within = {"friction_scatter": (0.95 * min(numbers), 1.05 * max(numbers)), "offset": _about(OFFSET / RADIUS),
+              "offset_gap": _about(GAP / RADIUS), "pitch": _about(PITCH)}  # fmt: skip
+    return [
+        front_row("packing", "rest_side_share", {"runs": count}, float(kept[k]), count * cost, MEASURED * SPREAD, SOURCE,
+                  scaled_by="friction_scatter", within={name: _rounded(span) for name, span in within.items()})
+        for k, count in enumerate(RUNS)
+    ]  # fmt: skip
+
+
+def _about(value: float) -> tuple[float, float]:
+    return 0.99 * value, 1.01 * value
+
+
+def _rounded(span: tuple[float, float]) -> tuple[float, float]:
+    return float(f"{span[0]:.3g}"), float(f"{span[1]:.3g}")
+
+
+def trials(tell: Callable[[str], None], count: int = UNSEEN) -> list[Trial]:
+    """Means of runs of other silos; so many would have met it of which 19 in 20 means do."""
+    found, random = [], np.random.default_rng(2)
+    for silo in silos(1, count, (7, 13)):
+        right, _ = shares(silo, range(10_000, 10_000 + AGAINST))
+        runs, cost = shares(silo, range(TRIED))
+        least = np.quantile(drawn(np.concatenate([right, runs]), random), SHARE, axis=1)
+        for asked in np.exp(np.log(ASKED[0]) + np.log(ASKED[1] / ASKED[0]) * random.random(4)).tolist():
+            chosen = choose("packing", {"rest_side_share": asked}, [silo.traits]).settings["runs"]
+            enough = RUNS[int(np.argmax(least <= asked))]
+            means = runs[: TRIED // chosen * chosen].reshape(-1, chosen).mean(axis=1)
+            for wrong in np.abs(means / right.mean() - 1.0):
+                found.append(Trial("packing", "rest_side_share", asked, float(wrong), chosen * cost, enough * cost,
+                                   chosen, enough))  # fmt: skip
+        tell(f"rest_side_share: {sum(one.met for one in found)} of {len(found)} means met")
+    return found
