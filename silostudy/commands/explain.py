@@ -7,7 +7,10 @@ def add(sub) -> None:
     command = sub.add_parser(
         "explain", help="explain a method, a rule, or a discrete-element scene: which effects it calls for and their price"
     )
-    what = "see `silostudy list methods`, `buckling` and `mass-rules`; earthquake: that on a shell; or a scene file (*.yaml)"
+    what = (
+        "see `silostudy list methods`, `buckling` and `mass-rules`; earthquake: that on a shell; accuracy: who may ask for it; "
+        "or a scene file (*.yaml)"
+    )
     command.add_argument("method", help=what)
     command.set_defaults(run=run)
 
@@ -41,7 +44,7 @@ def scene_explanation(name: str) -> list[str]:
 def explanation(key: str) -> list[str]:
     """The lines that explain a pressure method, a buckling rule or an effective mass rule; BadInput lists the known ones."""
     from silostudy.buckling import BUCKLING, RIVALS
-    from silostudy.commands import explain_buckling, explain_seismic
+    from silostudy.commands import explain_accuracy, explain_buckling, explain_seismic
     from silostudy.errors import unknown
     from silostudy.pressure import PRESSURE
     from silostudy.pressure.family import PARAMETERS
@@ -51,13 +54,15 @@ def explanation(key: str) -> list[str]:
 
     if key == explain_seismic.EARTHQUAKE:
         return explain_seismic.earthquake()
+    if key == explain_accuracy.KEY:
+        return explain_accuracy.explanation()
     if key in MASS_RULES:
         return explain_seismic.explanation(MASS_RULES[key])
     rules = {**BUCKLING, **RIVALS}
     if key in rules:
         return explain_buckling.explanation(rules[key])
     if key not in PRESSURE:
-        raise unknown("method or rule", key, [*PRESSURE, *rules, *MASS_RULES, explain_seismic.EARTHQUAKE])
+        raise unknown("method or rule", key, [*PRESSURE, *rules, *MASS_RULES, explain_seismic.EARTHQUAKE, explain_accuracy.KEY])
     row = PRESSURE[key]
     lines = [f"{row.title} ({row.key})", f"  formula   {row.formula}", f"  range     {row.validity}"]
     lines.append(f"  plans     {', '.join(sorted(row.plans))}")

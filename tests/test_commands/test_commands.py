@@ -9,6 +9,7 @@ import yaml
 from silostudy.__main__ import main
 from silostudy.cube.io import read
 from silostudy.pressure import PRESSURE
+from silostudy.tables.fronts import FRONTS
 from tests.conftest import ROOT
 
 WHEAT = str(ROOT / "config/studies/wheat-silo.yaml")
@@ -46,6 +47,16 @@ def test_explain_names_its_symbols(capsys):
     out = said(capsys, "explain", "jenike_mass_flow")
     assert "nu: poisson_ratio (1)" in out
     assert "R = A/U: hydraulic_radius (m)" in out
+
+
+def test_explain_accuracy_names_every_kind(capsys):
+    out = said(capsys, "explain", "accuracy")
+    assert "seismic, effective_mass_coefficient: sets identification.refinement" in out
+    assert "shell, wall_force: sets relative_depth" in out  # a shell study is a pressure study too
+    assert "buckling: may not ask: none of its settings decides a numerical error" in out
+    for row in FRONTS:
+        assert f"{row.kind}, {row.quantity}: sets" in out
+        assert f"error goes with {row.scaled_by or 'no trait'}; measured within" in out
 
 
 def test_explain_tells_the_sources_errors(capsys):
