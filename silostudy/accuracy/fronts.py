@@ -3,7 +3,7 @@
 Each offers measured_fronts(tell) -> rows of tables/fronts.csv, and trials(tell) -> trials of the shipped rows.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from importlib import import_module
 
 from threadpoolctl import threadpool_limits
@@ -16,17 +16,17 @@ KINDS = ("dem", "pressure", "shell", "seismic", "packing")
 
 
 @threadpool_limits.wrap(limits=1)  # threads of the linear algebra that wait for each other spend CPU time
-def measured_fronts(tell: Callable[[str], None]) -> list[dict]:
+def measured_fronts(tell: Callable[[str], None], kinds: Iterable[str] = KINDS) -> list[dict]:
     """Rows of tables/fronts.csv, measured here and now."""
     about = {name: machine()[name] for name in ("machine", "measured_on")}
-    rows = [row for kind in KINDS for row in _of(kind).measured_fronts(tell)]
+    rows = [row for kind in kinds for row in _of(kind).measured_fronts(tell)]
     return [{name: (row | about)[name] for name in COLUMNS} for row in rows]
 
 
 @threadpool_limits.wrap(limits=1)
-def trials(tell: Callable[[str], None]) -> list[Trial]:
+def trials(tell: Callable[[str], None], kinds: Iterable[str] = KINDS) -> list[Trial]:
     """How the shipped fronts' choices do on scenes that they were not measured on."""
-    return [trial for kind in KINDS for trial in _of(kind).trials(tell)]
+    return [trial for kind in kinds for trial in _of(kind).trials(tell)]
 
 
 def _of(kind: str):

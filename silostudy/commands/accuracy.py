@@ -20,6 +20,7 @@ def add(sub) -> None:
         "fronts", help="measure the fronts that `accuracy:` chooses from, or try its choices on other silos"
     )
     fronts.add_argument("--trial", action="store_true", help="try the choices on silos that the fronts were not measured on")
+    fronts.add_argument("--kind", help="of this kind only; the rows of the others stay as they are shipped")
     fronts.add_argument("--output", type=Path, default=Path("results/accuracy/fronts.csv"), help="CSV file to write")
     fronts.set_defaults(run=run_fronts)
 
@@ -41,18 +42,25 @@ def run(chosen) -> None:
 def run_fronts(chosen) -> None:
     import pandas as pd
 
-    from silostudy.accuracy.fronts import measured_fronts, trials
+    from silostudy.accuracy.fronts import KINDS, measured_fronts, trials
+    from silostudy.errors import unknown
+    from silostudy.tables.read import HERE
+
+    if chosen.kind not in (None, *KINDS):
+        raise unknown("kind", chosen.kind, KINDS)
+    kinds = (chosen.kind,) if chosen.kind else KINDS
 
     def tell(text: str) -> None:
         print(text, flush=True)
 
     if not chosen.trial:
-        rows = pd.DataFrame(measured_fronts(tell))
+        shipped = pd.read_csv(HERE / "fronts.csv", comment="#", keep_default_na=False)
+        rows = pd.concat([shipped[~shipped["kind"].isin(kinds)], pd.DataFrame(measured_fronts(tell, kinds))])
         with replacing(chosen.output) as temporary:
             temporary.write_text(HEAD + rows.to_csv(index=False), encoding="utf-8")
         print(f"{len(rows)} settings -> {chosen.output}")
         return
-    found = pd.DataFrame([{**vars(trial), "met": trial.met} for trial in trials(tell)])
+    found = pd.DataFrame([{**vars(trial), "met": trial.met} for trial in trials(tell, kinds)])
     found["cost_ratio"] = found["cost"] / found["cheapest"]
     with replacing(chosen.output) as temporary:
         found.to_csv(temporary, index=False, float_format="%.4g")
