@@ -57,6 +57,7 @@ def _measured(raw: dict) -> Measured:
 
 
 TEXT = ("kind", "quantity", "settings", "scaled_by", "within", "machine", "measured_on")
+TRAITS: dict[str, str] = {raw["trait"]: raw["title"] for raw in rows(HERE / "traits.csv", text=("trait",))}
 FRONTS = [_measured(raw) for raw in rows(HERE / "fronts.csv", text=TEXT)]
 
 
@@ -123,14 +124,29 @@ def cheapest(kind: str, asked: Mapping[str, float], scenes: Sequence[Traits]) ->
     each = [(by, worst(by, scenes)) for by in _rows(kind, asked).values()]
     measured = [(by, errors) for by, errors in each if errors is not None]
     if not measured:
-        ranges = {name: span for by, _ in each for all_of in by.values() for row in all_of for name, span in row.within.items()}
-        raise BadInput("accuracy", dict(asked), f"was measured on no such scene, only within {ranges}")
+        rows = [row for by, _ in each for all_of in by.values() for row in all_of]
+        raise BadInput("accuracy", dict(asked), f"was measured on no such scene: {_outside(rows, scenes)}")
     reached = [(by, errors) for by, errors in measured if all(errors[name] <= asked[name] for name in asked)]
     if not reached:
         least = {name: float(f"{min(errors[name] for _, errors in measured):.3g}") for name in asked}
         raise BadInput("accuracy", dict(asked), f"no measured setting reaches it; the least errors are {least}")
     by, errors = min(reached, key=lambda one: max(row.cost for all_of in one[0].values() for row in all_of))
     return next(iter(by.values()))[0], errors
+
+
+def _outside(rows: Sequence[Measured], scenes: Sequence[Traits]) -> str:
+    """Which traits of the scenes lie outside all ranges, and what they are."""
+    ranges: dict[str, dict[tuple[float, float], None]] = {}  # in the order of the rows
+    for row in rows:
+        for name, span in row.within.items():
+            ranges.setdefault(name, {})[span] = None
+    told = []
+    for name, spans in ranges.items():
+        beyond = [one[name] for one in scenes if not any(low <= one[name] <= high for low, high in spans)]
+        if beyond:
+            measured = " or ".join(f"{low:g} to {high:g}" for low, high in spans)
+            told.append(f"{name} {beyond[0]:.3g} (measured {measured}; {TRAITS[name]})")
+    return ", ".join(told)
 
 
 def worst(by: Mapping[str, list[Measured]], scenes: Sequence[Traits]) -> dict[str, float] | None:

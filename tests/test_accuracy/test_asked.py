@@ -42,6 +42,8 @@ def fronts(monkeypatch):
         *(row("drift", {"march.step": 1 / n}, 2 / n, n, order=(1, 1)) for n in (10, 20)),
     ]
     monkeypatch.setattr("silostudy.tables.fronts.FRONTS", found)
+    told = {name: f"what {name} is" for each in found for name in each.within}
+    monkeypatch.setattr("silostudy.tables.fronts.TRAITS", told)
 
 
 SMOOTH = {"bend": 1.0, "kink": 0.0, "heap": 0.0, "order": 0.0}
@@ -70,10 +72,10 @@ def test_the_cheapest_that_reaches_it_in_every_scene_is_chosen(fronts, asked, sc
 @pytest.mark.parametrize(
     ("asked", "scene", "message"),
     [
-        ({"force": 0.02}, {"heap": 1.0}, r"measured on no such scene, only within .*'heap': \(0, 0\)"),
+        ({"force": 0.02}, {"heap": 1.0}, r"measured on no such scene: heap 1 \(measured 0 to 0; what heap is\)"),
         ({"force": 0.02}, {"bend": 9.0}, "measured on no such scene"),
         ({"force": 1e-3}, {}, r"no measured setting reaches it; the least errors are \{'force': 0.00391\}"),
-        ({"drift": 0.1}, {"order": 0.5}, "measured on no such scene"),
+        ({"drift": 0.1}, {"order": 0.5}, r"no such scene: order 0.5 \(measured 0 to 0 or 1 to 1;"),
     ],
 )
 def test_scenes_and_errors_beyond_what_was_measured_are_refused(fronts, asked, scene, message):
@@ -136,10 +138,13 @@ def test_a_scene_gets_integrator_and_step(tmp_path):
                 ({"packing": {"kind": "loose", "count": 40}}, "packing.kind rows alone, not loose"),
                 ({"walls": DEM_SCENE["walls"]}, "walls.tangential spring-slider-total alone, not spring-slider"),
                 ({"gravity_m_s2": (1.0, -9.81)}, "gravity straight down"),
-                ({"packing": SCENE["packing"] | {"gap_m": 4e-4}}, "measured on no such scene, only within .*'fall'"),
+                (
+                    {"packing": SCENE["packing"] | {"gap_m": 4e-4}},
+                    "measured on no such scene: fall .* times the root of the layers",
+                ),
                 (
                     {"discs": SCENE["discs"] | {"sliding_friction": 0.7}},
-                    "measured on no such scene, only within .*'disc_friction'",
+                    r"measured on no such scene: disc_friction 0.7 \(measured 0.3 to 0.6",
                 ),
             )
         ),

@@ -26,12 +26,16 @@ def test_every_row_of_every_table_has_a_source(path):
     text |= {"test", "material", "steel", "collapse", "shape", "ring"}
     text |= {"problem", "group", "setting", "quantities", "reference_kind", "reference", "compare"}
     text |= set(fronts.TEXT)
-    text |= {"record", "package", "file", "claim", "variable", "measure"}
+    text |= {"record", "package", "file", "claim", "variable", "measure", "trait"}
     found = rows(path, text=text)
     assert found
     for row in found:
         assert cite(row["source"])
         assert row["locator"]
+
+
+def test_every_trait_of_a_front_is_told_and_no_other():
+    assert set(fronts.TRAITS) == {name for row in fronts.FRONTS for name in row.within}
 
 
 def test_units_are_converted_once():
