@@ -143,5 +143,5 @@ def _draw(rows, output) -> None:
         f"{about['machine']}, {about['measured_on']}",
         fontsize=9,
     )
-    axis.legend()
+    axis.legend(loc="lower left")
     save(figure, rows, output.with_suffix(""))
