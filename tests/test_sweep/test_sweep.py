@@ -164,7 +164,9 @@ def test_the_cube_says_what_accuracy_its_scenes_asked_for(tmp_path, calls, monke
     """Also where an axis sweeps it, and whatever the pieces in which the scenes are read."""
     axis = {"axis": "asked", "values": {"accuracy.wall_force": [0.1, 0.2]}}
     scene = content()["scene"] | {"march": {"limit_s": 2.0}, "accuracy": {"wall_force": 0.2}}
-    path, folder, cube = save(tmp_path, scene=scene, axes=[axis]), tmp_path / "parts", tmp_path / "scenes.nc"
+    scene |= {body: scene[body] | {"tangential": "spring-slider-total"} for body in ("discs", "walls")}
+    path = save(tmp_path, scene=scene, axes=[axis], frictions=(0.176, 0.35))
+    folder, cube = tmp_path / "parts", tmp_path / "scenes.nc"
     compute(path, folder)
     told = []
     for piece in (1000, 5):
