@@ -6,7 +6,7 @@ KEY = "accuracy"
 def explanation() -> list[str]:
     """The lines that explain the key `accuracy`."""
     from silostudy.config.kinds import KINDS, study_model
-    from silostudy.tables.fronts import TRAITS, quantities, rows_for
+    from silostudy.tables.fronts import ASKED, TRAITS, quantities, rows_for
 
     lines = [
         "Accuracy in place of settings: `accuracy: {QUANTITY: largest relative error}` in a study or a discrete-element scene",
@@ -18,9 +18,9 @@ def explanation() -> list[str]:
             continue
         for quantity in quantities(kind):
             rows = [row for row in rows_for(kind) if row.quantity == quantity]
-            lines.append(
-                f"  {kind}, {quantity}: sets {_keys(rows[0].settings)}; measured on {rows[0].machine}, {rows[0].measured_on}"
-            )
+            about = f"sets {_keys(rows[0].settings)}; measured on {rows[0].machine}, {rows[0].measured_on}"
+            lines.append(f"  {kind}, {quantity}: {ASKED[rows[0].kind, quantity]}")
+            lines.append(f"    {about}")
             lines += [f"    {text}" for text in dict.fromkeys(map(_traits, rows))]
     return [*lines, "Numbers of a scene that errors hang on:", *(f"  {name}: {title}" for name, title in TRAITS.items())]
 

@@ -57,6 +57,9 @@ def _measured(raw: dict) -> Measured:
 
 
 TEXT = ("kind", "quantity", "settings", "scaled_by", "within", "machine", "measured_on")
+ASKED: dict[tuple[str, str], str] = {
+    (raw["kind"], raw["quantity"]): raw["title"] for raw in rows(HERE / "asked.csv", text=("kind", "quantity"))
+}
 TRAITS: dict[str, str] = {raw["trait"]: raw["title"] for raw in rows(HERE / "traits.csv", text=("trait",))}
 FRONTS = [_measured(raw) for raw in rows(HERE / "fronts.csv", text=TEXT)]
 

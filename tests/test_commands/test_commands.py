@@ -9,7 +9,7 @@ import yaml
 from silostudy.__main__ import main
 from silostudy.cube.io import read
 from silostudy.pressure import PRESSURE
-from silostudy.tables.fronts import FRONTS
+from silostudy.tables.fronts import ASKED, FRONTS
 from tests.conftest import ROOT
 
 WHEAT = str(ROOT / "config/studies/wheat-silo.yaml")
@@ -51,11 +51,12 @@ def test_explain_names_its_symbols(capsys):
 
 def test_explain_accuracy_names_every_kind(capsys):
     out = said(capsys, "explain", "accuracy")
-    assert "seismic, effective_mass_coefficient: sets identification.refinement" in out
-    assert "shell, wall_force: sets relative_depth" in out  # a shell study is a pressure study too
+    assert "seismic, effective_mass_coefficient: coefficient found" in out
+    assert "sets identification.refinement" in out
+    assert "shell, wall_force: friction force of the whole wall" in out  # a shell study is a pressure study too
     assert "buckling: may not ask: none of its settings decides a numerical error" in out
     for row in FRONTS:
-        assert f"{row.kind}, {row.quantity}: sets" in out
+        assert f"{row.kind}, {row.quantity}: {ASKED[row.kind, row.quantity]}" in out
         assert f"error goes with {row.scaled_by or 'no trait'}; measured within" in out
 
 

@@ -34,8 +34,9 @@ def test_every_row_of_every_table_has_a_source(path):
         assert row["locator"]
 
 
-def test_every_trait_of_a_front_is_told_and_no_other():
+def test_traits_and_quantities_of_fronts_are_told_and_no_others():
     assert set(fronts.TRAITS) == {name for row in fronts.FRONTS for name in row.within}
+    assert set(fronts.ASKED) == {(row.kind, row.quantity) for row in fronts.FRONTS}
 
 
 def test_units_are_converted_once():
