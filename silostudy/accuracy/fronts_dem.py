@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from silostudy.accuracy.silo import wall_force
+from silostudy.accuracy.silo import DENSITY, RADIUS, wall_force
 from silostudy.accuracy.trial import Trial, front_row, kept
 from silostudy.config.dem import MEASURED_LAWS, DemScene
 from silostudy.dem.engine import Engine, Explosion
@@ -29,7 +29,7 @@ ASKED = (0.03, 0.3)  # errors asked for lie between
 SPAN = {"damping_ratio": (0.5, 1.0), "wall_stiffness_ratio": (1.0, 2.0), "stiffness_ratio": (0.2, 0.5),
         "disc_friction": (0.3, 0.6), "wall_friction": (0.1, 0.4)}  # fmt: skip
 GAPS = (1e-5, 8e-5)  # of discs of RADIUS
-RADIUS, DENSITY, STIFFNESS, PITCH = 0.01, 2650.0, 9.462726e6, 38.0 / 17.0  # Kiyama & Fujimura (1983), Table 2 and Fig. 8
+STIFFNESS, PITCH = 9.462726e6, 38.0 / 17.0  # Kiyama & Fujimura (1983), Table 2 and Fig. 8
 SOURCE = "kiyama_fujimura_1983"
 
 Setting = tuple[str, float]  # integrator, factor of the step

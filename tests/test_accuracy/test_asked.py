@@ -2,6 +2,7 @@
 
 import copy
 import json
+from math import pi, sqrt
 
 import numpy as np
 import pytest
@@ -105,6 +106,14 @@ def test_pressure_cube_records_what_was_chosen(asking):
     assert cube.attrs["accuracy_measured"]
     asking.pop("accuracy")
     assert "accuracy_asked" not in pressure_cube(expanded(asking | {"relative_depth": [0.5, 1.0]})).attrs
+
+
+def test_the_fall_of_a_scene():
+    """Gap over the overlap under one disc's weight, times the root of ten layers."""
+    overlap = 2650 * pi * 0.01**2 * 9.81 / SCENE["discs"]["normal_stiffness_N_m2"]
+    traits = validated(DemScene, copy.deepcopy(SCENE), "asked.yaml").traits
+    assert traits["fall"] == pytest.approx(4e-5 / overlap * sqrt(10), rel=1e-12)
+    assert traits["damping_ratio"] == pytest.approx(3977 / (2 * sqrt(2650 * pi * 0.01**2 * 9.46e6)), rel=1e-12)
 
 
 def test_a_scene_gets_integrator_and_step(tmp_path):
