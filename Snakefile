@@ -1,16 +1,17 @@
 """From studies to cubes to figures: `uv run snakemake --cores 2`, or `snakemake -n` to see what would be done."""
 
+import sys
 from functools import cache
 from pathlib import Path
 
 from silostudy.config.load import load_project, read_study
-from silostudy.config.study import SweepStudy
 from silostudy.errors import BadInput
 from silostudy.files import alone, check_writable, end_future, remove_damaged
-from silostudy.figures import OUTPUTS, files_of
 from silostudy.scene.expand import expand_file
-from silostudy.scene.plan import make_plan
-from silostudy.stamp import STAGES, stamp
+from silostudy.sweep.plan import make_plan
+from silostudy.tables.outputs import OUTPUTS, files_of
+from silostudy.stages import FILE_KINDS, KINDS, STAGES
+from silostudy.stamp import stamp
 
 PROJECT = Path(config.get("project", "config/config.yaml"))
 RESULTS = config.get("results", "results")
@@ -23,14 +24,21 @@ def expansion(name):
     return expand_file(STUDIES[name])
 
 
+def borrowed(model):
+    """(section, study, stage) of each cube that a study takes from another one."""
+    rows = [STAGES[stage].borrows for stage in model.stages]
+    asked = [(section, getattr(model, section), stage) for row in rows for section, stage in row.items()]
+    return [(section, given.study, stage) for section, given, stage in asked if given]
+
+
 try:  # every mistake of every study is told before any job starts
     STUDIES, SCENES = load_project(PROJECT)
     MODELS = {name: read_study(path) for name, path in STUDIES.items()}
-    SWEEPS = [name for name, model in MODELS.items() if isinstance(model, SweepStudy)]
+    SWEEPS = [name for name, model in MODELS.items() if KINDS[model.kind].parts]
     for name, model in MODELS.items():
-        asked = getattr(model, "earthquake", None)
-        if asked and asked.study not in STUDIES:
-            raise BadInput("earthquake.study", asked.study, f"must be named in {PROJECT} too", name)
+        for section, other, _ in borrowed(model):
+            if other not in STUDIES:
+                raise BadInput(f"{section}.study", other, f"must be named in {PROJECT} too", name)
     if workflow.is_main_process:  # and not in the jobs that it starts elsewhere
         check_writable(Path(RESULTS))
         end_future(Path(RESULTS))
@@ -79,56 +87,63 @@ rule all:
         [f"{RESULTS}/dem/{name}.nc" for name in SCENES],
 
 
+def code_of(stage=None):
+    """Function of the wildcards that gives the hash of the sources behind a stage of a study, or behind its cases alone."""
+    return lambda wildcards: KINDS[MODELS[wildcards.study].kind].stamp(stage)
+
+
+def command(words):
+    """A shell command that runs `silostudy` by this Python into the log, whose last line is shown where it fails."""
+    return "{params.python:q} -m silostudy " + words + " > {log:q} 2>&1 || (tail -n 1 {log:q} >&2; false)"
+
+
 rule cases:
     input:
         study_files,
     output:
         RESULTS + "/{study}/cases.csv",
     params:
-        code=stamp(*STAGES["cases"]),
+        code=code_of(),
+        python=sys.executable,
     log:
         RESULTS + "/{study}/logs/cases.log",
     shell:
-        "python -m silostudy cases {input[0]} {output} > {log} 2>&1"
+        command("cases {input[0]:q} {output:q}")
 
 
-for stage in ("pressure", "uncertainty", "buckling", "seismic", "grains", "profile", "stability"):
+def taken(stage):
+    """Function of the wildcards that gives the cubes which a stage takes from the study itself and from others."""
 
-    rule:
-        name:
-            stage
-        input:
-            study_files,
-        output:
-            f"{RESULTS}/{{study}}/{stage}.nc",
-        params:
-            code=stamp(*STAGES[stage]),
-            stage=stage,
-        log:
-            f"{RESULTS}/{{study}}/logs/{stage}.log",
-        shell:
-            "python -m silostudy {params.stage} {input[0]} {output} > {log} 2>&1"
+    def cubes(wildcards):
+        others = [f"{RESULTS}/{study}/{other}.nc" for _, study, other in borrowed(MODELS[wildcards.study])]
+        return [f"{RESULTS}/{wildcards.study}/{other}.nc" for other in stage.reads], others if stage.borrows else []
+
+    return cubes
 
 
-def earthquake_of(wildcards):
-    """The seismic cube of the study that a shell study names; none where it names none."""
-    asked = MODELS[wildcards.study].earthquake
-    return f"{RESULTS}/{asked.study}/seismic.nc" if asked else []
+for stage in STAGES.values():
+    if stage.compute:
 
-
-rule shell:
-    input:
-        study_files,
-        pressure=RESULTS + "/{study}/pressure.nc",
-        earthquake=earthquake_of,
-    output:
-        RESULTS + "/{study}/shell.nc",
-    params:
-        code=stamp(*STAGES["shell"]),
-    log:
-        RESULTS + "/{study}/logs/shell.log",
-    shell:
-        "python -m silostudy shell {input[0]} {input.pressure} {output} {input.earthquake} > {log} 2>&1"
+        rule:
+            name:
+                stage.key
+            input:
+                study_files,
+                reads=lambda wildcards, stage=stage: taken(stage)(wildcards)[0],
+                borrows=lambda wildcards, stage=stage: taken(stage)(wildcards)[1],
+            output:
+                f"{RESULTS}/{{study}}/{stage.key}.nc",
+            params:
+                code=code_of(stage),
+                python=sys.executable,
+                stage=stage.key,
+            threads: workflow.cores if stage.alone else stage.threads
+            log:
+                f"{RESULTS}/{{study}}/logs/{stage.key}.log",
+            benchmark:
+                f"{RESULTS}/{{study}}/cost/{stage.key}.tsv"
+            shell:
+                command("{params.stage} {input[0]:q} {input.reads:q} {output:q} {input.borrows:q}")
 
 
 rule dem:
@@ -137,30 +152,16 @@ rule dem:
     output:
         RESULTS + "/dem/{scene}.nc",
     params:
-        code=stamp(*STAGES["dem"]),
+        code=FILE_KINDS["dem"].stamp(STAGES["dem"]),
+        python=sys.executable,
     log:
         RESULTS + "/dem/logs/{scene}.log",
     shell:
-        "python -m silostudy dem {input} {output} > {log} 2>&1"
-
-
-rule accuracy:
-    input:
-        study_files,
-    output:
-        RESULTS + "/{study}/accuracy.nc",
-    params:
-        code=stamp(*STAGES["accuracy"]),
-    threads: workflow.cores  # alone, as far as the pipeline goes: what it measures is time
-    log:
-        RESULTS + "/{study}/logs/accuracy.log",
-    shell:
-        "python -m silostudy accuracy {input[0]} {output} > {log} 2>&1"
+        command("dem {input[0]:q} {output:q}")
 
 
 include: "silostudy/rules/draw.smk"
 include: "silostudy/rules/sweep.smk"
-include: "silostudy/rules/packing.smk"
 
 
 rule gallery:

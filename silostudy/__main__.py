@@ -6,21 +6,21 @@ from collections.abc import Sequence
 
 from silostudy import __version__
 from silostudy.commands import (
-    accuracy,
     bench,
     cite,
     compare,
-    cubes,
     dem,
+    drawing,
     explain,
+    fronts,
     listing,
-    shells,
     stages,
+    studies,
     sweeps,
 )
 from silostudy.errors import BadInput
 
-ROOMS = (listing, explain, compare, cite, stages, sweeps, cubes, shells, dem, accuracy, bench)
+ROOMS = (listing, explain, compare, cite, studies, stages, drawing, sweeps, dem, fronts, bench)
 
 
 def parser() -> argparse.ArgumentParser:

@@ -8,16 +8,22 @@ from silostudy.errors import BadInput, unknown
 
 
 @dataclass(frozen=True, kw_only=True)
-class Row:
-    """One member of a family: its key, a title for people, and the source that defines it."""
+class Entry:
+    """One member of a family: its key, and a title for people."""
 
     key: str
     title: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class Row(Entry):
+    """A member of a family that a source defines."""
+
     source: str  # a key of tables/references.bib
     locator: str  # chapter, equation, table or figure in that source
 
 
-R = TypeVar("R", bound=Row)
+R = TypeVar("R", bound=Entry)
 
 
 class Family(Mapping[str, R], Generic[R]):

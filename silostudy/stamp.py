@@ -10,31 +10,8 @@ from pathlib import Path
 
 PACKAGE = Path(__file__).parent
 TABLES = "tables"  # the room of the tables that code in any room may name
-CHECKED = {PACKAGE / "figures/__init__.py"}  # which pictures there are is checked by every study and changes no number
-
-
-def _stage(name: str, kind: str, builder: str) -> tuple[str, ...]:
-    return (f"compute/{name}", "scene/expand", f"scene/{builder}", f"config/{kind}")
-
-
-# stage -> files or rooms at which its work begins
-STAGES = {
-    "cases": ("scene/expand",),
-    "pressure": _stage("pressure", "pressure", "build"),
-    "uncertainty": _stage("uncertainty", "pressure", "build"),
-    "buckling": _stage("buckling", "buckling", "shell"),
-    "shell": _stage("shell", "shell", "shell"),
-    "seismic": _stage("seismic", "seismic", "seismic"),
-    "dem": ("compute/dem", "compute/dem_cube", "compute/paraview"),
-    "grains": _stage("grains", "grains", "grains"),
-    "packing": _stage("packing", "packing", "packing"),
-    "motion": _stage("motion", "packing", "packing"),
-    "profile": _stage("profile", "stability", "stability"),
-    "stability": _stage("stability", "stability", "stability"),
-    "accuracy": (*_stage("accuracy", "accuracy", "accuracy"), "accuracy"),
-    "scenes": _stage("scenes", "scenes", "scenes"),
-    "draw": ("figures",),
-}
+# which outputs and kinds of study there are, and how sources are watched, changes no number
+CHECKED = {PACKAGE / "tables/outputs.py", PACKAGE / "stamp.py", *(PACKAGE / "stages").glob("*.py")}
 
 
 def stamp(*places: str) -> str:

@@ -5,7 +5,7 @@ from math import isfinite
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from silostudy.commands.stages import cautions
+from silostudy.commands.about import cautions
 from silostudy.errors import BadInput
 
 if TYPE_CHECKING:

@@ -5,16 +5,16 @@ KEY = "accuracy"
 
 def explanation() -> list[str]:
     """The lines that explain the key `accuracy`."""
-    from silostudy.config.kinds import KINDS, study_model
+    from silostudy.stages import FILE_KINDS
     from silostudy.tables.fronts import ASKED, TRAITS, quantities, rows_for
 
     lines = [
         "Accuracy in place of settings: `accuracy: {QUANTITY: largest relative error}` in a study or a discrete-element scene",
         "  the cheapest measured settings (`silostudy list accuracies`) that keep it in every case are taken, and recorded",
     ]
-    for kind in ("dem", *KINDS):
-        if kind != "dem" and "accuracy" not in study_model(kind).model_fields:
-            lines.append(f"  {kind}: may not ask: {study_model(kind).unasked}")
+    for kind, row in FILE_KINDS.items():
+        if "accuracy" not in row.study.model_fields:
+            lines.append(f"  {kind}: may not ask: {row.study.unasked}")
             continue
         for quantity in quantities(kind):
             rows = [row for row in rows_for(kind) if row.quantity == quantity]

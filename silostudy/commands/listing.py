@@ -5,7 +5,7 @@ from pathlib import Path
 
 def add(sub) -> None:
     command = sub.add_parser(
-        "list", help="list methods, rules, solids, walls, records, studies, outputs, problems or accuracies"
+        "list", help="list kinds of study, methods, rules, solids, walls, records, studies, outputs, problems or accuracies"
     )
     command.add_argument("what", choices=LISTS)
     command.add_argument("--studies", type=Path, default=Path("config/studies"), help="folder of study files")
@@ -15,6 +15,15 @@ def add(sub) -> None:
 def run(chosen) -> None:
     for cells in LISTS[chosen.what](chosen):
         print("  ".join(cells))
+
+
+def _kinds(chosen):
+    from silostudy.stages import FILE_KINDS
+
+    for kind in FILE_KINDS.values():
+        yield f"{kind.key:10}", kind.title
+        for stage in kind.stages:
+            yield "", f"{stage.key:10}", stage.title + (f" (with the section {stage.section})" if stage.section else "")
 
 
 def _methods(chosen):
@@ -74,7 +83,7 @@ def _studies(chosen):
 
 
 def _outputs(chosen):
-    from silostudy.figures import OUTPUTS
+    from silostudy.tables.outputs import OUTPUTS
 
     for row in OUTPUTS.values():
         wants = "one silo" if row.single_case else f"axes {', '.join(row.axes) or 'any'}"
@@ -97,6 +106,7 @@ def _accuracies(chosen):
 
 
 LISTS = {
+    "kinds": _kinds,
     "methods": _methods,
     "buckling": _buckling,
     "mass-rules": _mass_rules,

@@ -29,7 +29,7 @@ def add(sub) -> None:
 def run_part(chosen) -> None:
     import time
 
-    from silostudy.compute.parts import compute_part
+    from silostudy.sweep.part import compute_part
 
     start = time.perf_counter()
     count = compute_part(chosen.study, chosen.part, chosen.folder, lambda text: print(text, file=sys.stderr, flush=True))
@@ -37,7 +37,7 @@ def run_part(chosen) -> None:
 
 
 def run_merge(chosen) -> None:
-    from silostudy.compute.merge import merge
+    from silostudy.sweep.merge import merge
 
     cases, lost = merge(chosen.study, chosen.folder, chosen.output)
     print(f"{chosen.study.stem}: {cases} case(s), {lost} failed -> {chosen.output}")
@@ -58,7 +58,7 @@ def run_verdict(chosen) -> None:
 
 def run_retry(chosen) -> None:
     from silostudy.errors import BadInput
-    from silostudy.journal import ENDING, forget_failed
+    from silostudy.sweep.journal import ENDING, forget_failed
 
     journals = sorted((chosen.folder / "parts").glob(f"*{ENDING}"))
     if not journals:

@@ -8,8 +8,8 @@ from silostudy.buckling import BUCKLING, RIVALS
 from silostudy.config.fields import described
 from silostudy.config.steel import Cylinder, Making
 from silostudy.config.study import BaseStudy, distinct
-from silostudy.figures import OUTPUTS
 from silostudy.tables.miller1977 import TESTS
+from silostudy.tables.outputs import OUTPUTS
 
 RuleKey: TypeAlias = Literal[tuple(BUCKLING)]  # type: ignore[valid-type]
 RivalKey: TypeAlias = Literal[tuple(RIVALS)]  # type: ignore[valid-type]

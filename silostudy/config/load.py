@@ -7,9 +7,9 @@ import yaml
 from pydantic import BaseModel, ValidationError
 
 from silostudy.config.fields import Strict, described
-from silostudy.config.kinds import KINDS, study_model
 from silostudy.config.study import BaseStudy
 from silostudy.errors import BadInput, unknown
+from silostudy.stages import KINDS
 from silostudy.tables.units import SUFFIXES
 
 M = TypeVar("M", bound=BaseModel)
@@ -108,7 +108,7 @@ def study_of(content: dict[str, Any], where: str, traits: Any = None) -> BaseStu
     """
     if content.get("kind") not in KINDS:
         raise unknown("kind", content.get("kind"), KINDS, where)
-    return validated(study_model(content["kind"]), content, where, traits)
+    return validated(KINDS[content["kind"]].study, content, where, traits)
 
 
 def read_study(path: Path) -> BaseStudy:

@@ -80,8 +80,3 @@ class PackingStudy(Asked, BaseStudy):
     stopped_s: float = described("time without a disc passing after which the flow has stopped", "s", gt=0, default=0.2)
     rest_limit_s: float = described("longest time for a packing to come to rest", "s", gt=0, default=2.5)
     detailed: tuple[Detail, ...] = described("runs that are kept frame by frame, for figures and animations", "", default=())
-
-    @property
-    def stages(self) -> tuple[str, ...]:
-        """The ensembles; and the motion of single runs where some are to be kept in detail."""
-        return ("packing", "motion") if self.detailed else ("packing",)

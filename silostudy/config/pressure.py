@@ -9,9 +9,9 @@ from silostudy.config.asked import Asked
 from silostudy.config.fields import Numbers, Range, Strict, described, expand
 from silostudy.config.scene import SceneConfig
 from silostudy.config.study import BaseStudy, distinct
-from silostudy.figures import OUTPUTS
 from silostudy.pressure import PRESSURE
 from silostudy.pressure.family import PHASES, USUAL_PHASES
+from silostudy.tables.outputs import OUTPUTS
 
 MethodKey: TypeAlias = Literal[tuple(PRESSURE)]  # type: ignore[valid-type]
 PhaseKey: TypeAlias = Literal[PHASES]  # type: ignore[valid-type]
@@ -116,11 +116,6 @@ class PressureStudy(Asked, BaseStudy):
         if self.uncertainty is not None and self.sweep:
             raise ValueError("uncertainty needs a study without sweep")
         return self
-
-    @property
-    def stages(self) -> tuple[str, ...]:
-        """The pressure cube, and the sampled one where uncertainty is asked for."""
-        return ("pressure", "uncertainty") if self.uncertainty is not None else ("pressure",)
 
     @property
     def method_keys(self) -> tuple[str, ...]:

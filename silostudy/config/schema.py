@@ -7,12 +7,12 @@ from typing import Any
 
 from pydantic import TypeAdapter
 
-from silostudy.config.kinds import KINDS, study_model
+from silostudy.stages import FILE_KINDS
 
 
 def study_schema() -> str:
     """JSON schema (draft 2020-12) of a study file of any kind, as text."""
-    union: Any = reduce(or_, map(study_model, KINDS))
+    union: Any = reduce(or_, (kind.study for kind in FILE_KINDS.values()))
     adapter: TypeAdapter = TypeAdapter(union)
     schema = {"$schema": "https://json-schema.org/draft/2020-12/schema", **adapter.json_schema()}
     return json.dumps(schema, indent=1) + "\n"

@@ -7,7 +7,7 @@ from pydantic import field_validator, model_validator
 from silostudy.config.asked import Asked
 from silostudy.config.fields import Numbers, Range, Strict, described, expand
 from silostudy.config.study import BaseStudy
-from silostudy.figures import OUTPUTS
+from silostudy.tables.outputs import OUTPUTS
 from silostudy.tables.records import RECORDS
 
 RecordKey: TypeAlias = Literal[tuple(RECORDS)]  # type: ignore[valid-type]

@@ -9,7 +9,7 @@ from silostudy.config.fields import Strict, described
 from silostudy.config.pressure import PressureStudy
 from silostudy.config.scene import CircularSilo, SceneConfig
 from silostudy.config.steel import SiloWall
-from silostudy.figures import OUTPUTS
+from silostudy.tables.outputs import OUTPUTS
 
 
 class SteelSilo(SceneConfig):
@@ -45,8 +45,3 @@ class ShellStudy(PressureStudy, RuleChoice):
             if "earthquake" in OUTPUTS[key].demands and self.earthquake is None:
                 raise ValueError(f"output {key} needs the section earthquake")
         return self
-
-    @property
-    def stages(self) -> tuple[str, ...]:
-        """The pressures first, then the shell under them."""
-        return (*super().stages, "shell")

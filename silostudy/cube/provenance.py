@@ -5,7 +5,7 @@ from collections.abc import Iterable
 from importlib.metadata import version
 
 from silostudy import __version__
-from silostudy.stamp import STAGES, stamp
+from silostudy.stages import FILE_KINDS, STAGES
 from silostudy.tables.references import cite
 
 PACKAGES = ("numpy", "scipy", "xarray", "netCDF4", "numba")
@@ -22,6 +22,6 @@ def provenance(title: str, study: str, sources: Iterable[str], stage: str) -> di
         "references": "\n".join(cite(key) for key in dict.fromkeys(sources)),
         "study": study,
         "study_hash": hashlib.sha256(study.encode()).hexdigest()[:12],
-        "source_stamp": stamp(*STAGES[stage]),
+        "source_stamp": next(kind for kind in FILE_KINDS.values() if STAGES[stage] in kind.stages).stamp(STAGES[stage]),
         "package_versions": ", ".join(f"{package} {version(package)}" for package in PACKAGES),
     }

@@ -1,9 +1,9 @@
 # Figures and tables: one job draws all of a study that come from one cube, since a process takes longer to start than to draw.
 
-from silostudy.figures import captions, files_of
 from silostudy.stamp import PACKAGE
+from silostudy.tables.outputs import captions, files_of
 
-CAPTIONS = captions(Path(RESULTS, "captions", stamp("figures/__init__"))) if workflow.is_main_process else {}
+CAPTIONS = captions(Path(RESULTS, "captions", stamp("tables/outputs"))) if workflow.is_main_process else {}
 
 
 def shown(name, key):
@@ -36,7 +36,8 @@ for study in STUDIES:
                     code=stamp("figures/style", *(f"figures/{key}" for key in keys)),
                     folder=f"{RESULTS}/{study}",
                     drawings=keys,
+                    python=sys.executable,
                 log:
                     f"{RESULTS}/{study}/logs/draw-{stage}.log",
                 shell:
-                    "python -m silostudy redraw {params.folder} {params.drawings} > {log} 2>&1"
+                    command("redraw {params.folder:q} {params.drawings:q}")

@@ -2,7 +2,7 @@
 
 import hashlib
 
-from silostudy.scene.plan import DONE, read_plan
+from silostudy.sweep.plan import DONE, read_plan
 
 
 localrules:
@@ -34,10 +34,11 @@ rule part:
     params:
         study=lambda wildcards: STUDIES[wildcards.study],
         folder=RESULTS + "/{study}/parts",
+        python=sys.executable,
     log:
         RESULTS + "/{study}/logs/{part}.log",
     shell:
-        "python -m silostudy part {params.study} {params.folder} {wildcards.part} 2>&1 | tee -a {log}"
+        "{params.python:q} -m silostudy part {params.study:q} {params.folder:q} {wildcards.part} 2>&1 | tee -a {log:q}"
 
 
 rule merge:
@@ -47,14 +48,15 @@ rule merge:
         RESULTS + "/{study}/{sweep}.nc",
         RESULTS + "/{study}/{sweep}-failed.csv",
     params:
-        code=lambda wildcards: stamp("compute/merge", f"compute/{wildcards.sweep}"),
+        code=lambda wildcards: stamp("sweep/merge", *KINDS[wildcards.sweep].places(STAGES[wildcards.sweep])),
         study=lambda wildcards: STUDIES[wildcards.study],
         contents=contents,
         folder=RESULTS + "/{study}/parts",
+        python=sys.executable,
     log:
         RESULTS + "/{study}/logs/{sweep}.log",
     shell:
-        "python -m silostudy merge {params.study} {params.folder} {output[0]} > {log} 2>&1"
+        command("merge {params.study:q} {params.folder:q} {output[0]:q}")
 
 
 rule verdict:
@@ -63,5 +65,7 @@ rule verdict:
         RESULTS + "/{study}/{sweep}-failed.csv",
     output:
         touch(RESULTS + "/{study}/parts/{sweep}-verdict"),
+    params:
+        python=sys.executable,
     shell:
-        "python -m silostudy verdict {input}"
+        "{params.python:q} -m silostudy verdict {input:q}"

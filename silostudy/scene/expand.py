@@ -6,12 +6,13 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from math import prod
 from pathlib import Path
+from pkgutil import resolve_name
 from typing import Any
 
 from silostudy.config.fields import Strict
 from silostudy.config.load import read_yaml, study_of, validated
 from silostudy.errors import BadInput
-from silostudy.scene.kinds import builder, traits_of
+from silostudy.stages import KINDS
 
 
 @dataclass(frozen=True)
@@ -46,7 +47,7 @@ def expand_file(path: Path, positions: Sequence[int] | None = None) -> Expansion
 def expand(content: dict[str, Any], name: str, where: str, folder: Path, positions: Sequence[int] | None = None) -> Expansion:
     """The cases of a study's content; `where` names it in errors, and files it names are looked for in `folder`."""
     study: Any = study_of(content, where)
-    build = builder(study.kind)(study, folder, where)
+    build = KINDS[study.kind].scene_builder(study, folder, where)
     cases, axes = [], [axis.settings() for axis in study.sweep]
     shape = tuple(map(len, axes))
     for position in range(prod(shape)) if positions is None else positions:
@@ -54,7 +55,7 @@ def expand(content: dict[str, Any], name: str, where: str, folder: Path, positio
         config = validated(type(study.scene), _applied(content["scene"], settings, where), f"{where} (scene)")
         cases.append(Case(_identity(config), settings, build(config, settings)))
     if getattr(study, "accuracy", None):  # now that the scenes tell what their errors hang on
-        traits = traits_of(study.kind)(study, [case.scene for case in cases])
+        traits = resolve_name(KINDS[study.kind].traits)(study, [case.scene for case in cases])
         study = study_of(content, where, traits)
     return Expansion(study, name, shape, tuple(cases))
 

@@ -5,8 +5,8 @@ import copy
 import numpy as np
 import pytest
 
+from silostudy.accuracy.profile import profile_cube
 from silostudy.accuracy.silo_step import at_rest, error_of, filled, profile
-from silostudy.compute.profile import profile_cube
 from silostudy.errors import BadInput
 from silostudy.figures.profile_over_step import draw
 from tests.conftest import expanded

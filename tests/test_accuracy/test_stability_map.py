@@ -7,8 +7,8 @@ import pandas as pd
 import pytest
 
 from silostudy.accuracy.peers import available
+from silostudy.accuracy.stability import stability_cube
 from silostudy.accuracy.stability_map import largest_step, peer_step, settled
-from silostudy.compute.stability import stability_cube
 from silostudy.errors import BadInput
 from silostudy.figures.stability_map import draw
 from tests.conftest import expanded

@@ -4,10 +4,12 @@ import numpy as np
 import pandas as pd
 import pytest
 
+from silostudy.accuracy import cube as accuracy
+from silostudy.accuracy import optional_parts
+from silostudy.accuracy import price_table as prices
+from silostudy.accuracy.cube import accuracy_cube, points_of
 from silostudy.accuracy.front import kept
 from silostudy.accuracy.measure import Rung
-from silostudy.compute import accuracy, optional_parts, prices
-from silostudy.compute.accuracy import accuracy_cube, points_of
 from silostudy.cube.io import read, write
 from silostudy.errors import BadInput
 from silostudy.figures import accuracy_earthquake, accuracy_formulas, accuracy_summary, effect_prices, work_precision

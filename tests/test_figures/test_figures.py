@@ -5,8 +5,8 @@ import pandas as pd
 import pytest
 
 from silostudy.compute.pressure import pressure_cube
-from silostudy.figures import OUTPUTS, fig_4_2_11, governing_method, overpressure_over_slenderness, table_4_2_5
 from silostudy.tables.handbook import TONNE_PER_M2
+from silostudy.tables.outputs import OUTPUTS, fig_4_2_11, governing_method, overpressure_over_slenderness, table_4_2_5
 from tests.conftest import expanded
 
 

@@ -14,7 +14,7 @@ from pathlib import Path
 
 import yaml
 
-from silostudy.journal import sound
+from silostudy.sweep.journal import sound
 from tests.conftest import ROOT
 from tests.test_sweep.sweeps import content
 

@@ -6,9 +6,9 @@ from pathlib import Path
 import numpy as np
 import yaml
 
-from silostudy.compute.parts import compute_part
 from silostudy.scene.expand import expand_file
-from silostudy.scene.plan import make_plan
+from silostudy.sweep.part import compute_part
+from silostudy.sweep.plan import make_plan
 from tests.conftest import ROOT
 
 CONTENT = yaml.safe_load((ROOT / "config/studies/discharge-slit.yaml").read_text())

@@ -5,7 +5,7 @@ import subprocess
 import pytest
 
 from silostudy.cube.io import read
-from silostudy.scene.plan import read_plan
+from silostudy.sweep.plan import read_plan
 from tests.test_sweep.faults import CUBE, Breaker, ask, computed, mounted, project
 
 

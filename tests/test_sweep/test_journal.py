@@ -7,7 +7,7 @@ import sys
 
 import pytest
 
-from silostudy.journal import Journal, failed, forget_failed, line, sound
+from silostudy.sweep.journal import Journal, failed, forget_failed, line, sound
 
 
 @pytest.fixture
@@ -67,7 +67,7 @@ def test_failed_cases_can_be_forgotten(path):
 
 def test_one_writer_at_a_time(path):
     """Another process waits for the journal until its holder is gone, and then sees what the holder wrote."""
-    script = "import sys; from pathlib import Path; from silostudy.journal import Journal\n"
+    script = "import sys; from pathlib import Path; from silostudy.sweep.journal import Journal\n"
     script += f"with Journal(Path({str(path)!r})) as journal: print(len(journal.keys()))"
     with Journal(path) as journal:
         waiting = subprocess.Popen([sys.executable, "-c", script], stdout=subprocess.PIPE, text=True)

@@ -12,12 +12,12 @@ import pandas as pd
 import pytest
 import xarray as xr
 
-from silostudy.compute.merge import merge
 from silostudy.compute.pressure import pressure_cube
 from silostudy.cube.io import write
-from silostudy.journal import line
 from silostudy.scene.expand import expand_file
-from silostudy.scene.plan import make_plan
+from silostudy.sweep.journal import line
+from silostudy.sweep.merge import merge
+from silostudy.sweep.plan import make_plan
 from tests.conftest import ROOT
 from tests.test_sweep.sweeps import compute, save, stand_in
 
@@ -79,13 +79,13 @@ def test_the_guide_of_the_readme_runs_as_it_stands(tmp_path):
 LIMITED = """
 import resource, sys
 from pathlib import Path
-import netCDF4, xarray, silostudy.compute.merge, silostudy.compute.scenes
+import netCDF4, xarray, silostudy.sweep.merge, silostudy.compute.scenes
 room, across = int(sys.argv[4]), int(sys.argv[5])
 silostudy.compute.scenes.coordinates = lambda study: {"body": ("body", [str(k) for k in range(across)])}
 now = int(Path("/proc/self/statm").read_text().split()[0]) * resource.getpagesize()
 resource.setrlimit(resource.RLIMIT_AS, (now + room, now + room))
 path, folder, output = map(Path, sys.argv[1:4])
-print(silostudy.compute.merge.merge(path, folder, output, memory=room / 8))
+print(silostudy.sweep.merge.merge(path, folder, output, memory=room / 8))
 """
 
 

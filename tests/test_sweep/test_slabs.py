@@ -5,7 +5,7 @@ from math import prod
 import numpy as np
 import pytest
 
-from silostudy.cube.slabs import blocks, extents
+from silostudy.sweep.slabs import blocks, extents
 
 
 @pytest.mark.parametrize("shape", [(), (1,), (7,), (3, 5), (4, 1, 6), (5, 3, 2, 4)])

@@ -6,14 +6,14 @@ import numpy as np
 import pytest
 
 from silostudy.__main__ import main
-from silostudy.compute import merge as merging
-from silostudy.compute.merge import merge
-from silostudy.compute.parts import Progress, compute_part
 from silostudy.cube.io import read
 from silostudy.errors import BadInput
-from silostudy.journal import sound
 from silostudy.scene.expand import expand_file
-from silostudy.scene.plan import DONE, case_keys, grouped, make_plan, read_plan
+from silostudy.sweep import merge as merging
+from silostudy.sweep.journal import sound
+from silostudy.sweep.merge import merge
+from silostudy.sweep.part import Progress, compute_part
+from silostudy.sweep.plan import DONE, case_keys, grouped, make_plan, read_plan
 from tests.test_sweep.sweeps import compute, content, save, stand_in
 
 
@@ -47,7 +47,7 @@ def test_parts_of_uneven_cases_take_about_the_same():
 
 def test_one_plan_gives_what_any_other_gives(tmp_path, calls, monkeypatch):
     """Whatever the parts and the memory of the merge, the cube has the same bits."""
-    monkeypatch.setattr("silostudy.cube.slabs.CHUNK", 4)
+    monkeypatch.setattr("silostudy.sweep.slabs.CHUNK", 4)
     cubes = []
     for number, (asked, memory) in enumerate([({}, 1e9), ({"case_s": 60.0}, 1.0), ({"case_s": 30.0, "part_s": 90.0}, 100.0)]):
         path, folder = save(tmp_path, **asked), tmp_path / str(number)
@@ -84,7 +84,7 @@ def test_changed_code_or_scene_gives_other_keys(tmp_path, monkeypatch):
     assert keys(title="another", outputs=[], part_s=10.0) == usual
     scene = content()["scene"]
     assert not keys(scene=scene | {"density_kg_m3": 2651}) & usual
-    monkeypatch.setattr("silostudy.scene.plan.stamp", lambda *places: "0" * 12)
+    monkeypatch.setattr("silostudy.stages.family.stamp", lambda *places: "0" * 12)
     assert not keys() & usual
 
 
@@ -196,7 +196,7 @@ def test_records_that_do_not_agree_are_refused(tmp_path, monkeypatch):
 def test_journals_of_other_code_are_cleared_away(tmp_path, calls, monkeypatch):
     path, folder = save(tmp_path), tmp_path / "parts"
     with monkeypatch.context() as older:
-        older.setattr("silostudy.scene.plan.stamp", lambda *places: "0" * 12)
+        older.setattr("silostudy.stages.family.stamp", lambda *places: "0" * 12)
         compute(path, folder)
     assert compute(path, folder) == 6
     assert len(list(folder.glob("*.jsonl"))) == 2
@@ -205,7 +205,7 @@ def test_journals_of_other_code_are_cleared_away(tmp_path, calls, monkeypatch):
 
 
 def test_progress_counts_all_jobs(tmp_path, calls, monkeypatch):
-    monkeypatch.setattr("silostudy.compute.parts.EVERY", 0.0)
+    monkeypatch.setattr("silostudy.sweep.part.EVERY", 0.0)
     path, folder = save(tmp_path, case_s=60.0, part_s=60.0), tmp_path / "parts"
     first, second, *others = make_plan(expand_file(path), folder, 1)
     heard = []

@@ -8,8 +8,8 @@ import sys
 import pytest
 import yaml
 
-from silostudy.config.kinds import KINDS
-from silostudy.figures import files_of
+from silostudy.stages import KINDS
+from silostudy.tables.outputs import files_of
 from tests.conftest import ROOT
 
 # study -> the rules besides cases and drawing that its kind and sections call for

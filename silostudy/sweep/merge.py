@@ -2,7 +2,6 @@
 
 import json
 from collections.abc import Iterable, Iterator
-from importlib import import_module
 from math import prod
 from pathlib import Path
 from typing import Any
@@ -15,12 +14,12 @@ from silostudy.compute.variables import attributes, flags
 from silostudy.config.asked import promises
 from silostudy.cube.contract import VARIABLES
 from silostudy.cube.provenance import provenance
-from silostudy.cube.slabs import Slab, write_slabs
 from silostudy.errors import BadInput
 from silostudy.files import replacing
-from silostudy.journal import ENDING, failed, sound
 from silostudy.scene.expand import expand_file
-from silostudy.scene.plan import DONE, code_stamp, read_plan
+from silostudy.sweep.journal import ENDING, failed, sound
+from silostudy.sweep.plan import DONE, parts_of, read_plan
+from silostudy.sweep.slabs import Slab, write_slabs
 
 PIECE = 1000  # cases that are expanded at once
 MEMORY = 256e6  # bytes of cases held at once
@@ -65,9 +64,9 @@ def merge(path: Path, folder: Path, output: Path, memory: float = MEMORY) -> tup
     study, records = expansion.study, Records(folder)
     if len(records.keys) != prod(expansion.shape):
         raise BadInput("plan", str(folder), f"has {len(records.keys)} case(s) in place of {prod(expansion.shape)}")
-    stage = import_module(f"silostudy.compute.{study.kind}")
-    coords = {name: (*coordinate, attributes(name)) for name, coordinate in stage.coordinates(study).items()}
-    about = provenance(study.title, study.model_dump_json(exclude_defaults=True), stage.sources(study), study.kind)
+    stage = parts_of(study)
+    coords = {name: (*coordinate, attributes(name)) for name, coordinate in stage.call("coordinates", study).items()}
+    about = provenance(study.title, study.model_dump_json(exclude_defaults=True), stage.call("sources", study), study.kind)
     axes = " ".join(axis.axis for axis in study.sweep)
     about |= {"sweep_axes": axes, **_promise(path, study, len(records.keys))}
     frame = xr.Dataset(coords={**axis_coordinates(study), **coords}, attrs=about)
@@ -83,7 +82,7 @@ def merge(path: Path, folder: Path, output: Path, memory: float = MEMORY) -> tup
         return found
 
     write_slabs(frame, slabs, fill, output, memory=memory)
-    _clear(folder, records.parts, study.kind)
+    _clear(folder, records.parts, stage.stamp)
     _list(lost, output.with_name(f"{output.stem}-failed.csv"))
     return len(records.keys), len(lost)
 
@@ -126,10 +125,10 @@ def _put(columns: dict[str, np.ndarray], place: int, record: dict[str, Any]) -> 
         columns[name][place] = numbers[name]
 
 
-def _clear(folder: Path, parts: list[str], kind: str) -> None:
+def _clear(folder: Path, parts: list[str], code: str) -> None:
     """Removes journals that other code wrote: nothing will ever ask for them."""
     for path in folder.glob(f"*{ENDING}"):
-        if path.stem not in parts and not path.stem.startswith(code_stamp(kind)):
+        if path.stem not in parts and not path.stem.startswith(code):
             path.unlink()
             path.with_suffix(DONE).unlink(missing_ok=True)
 

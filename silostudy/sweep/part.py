@@ -3,16 +3,15 @@
 import sys
 import time
 from collections.abc import Callable
-from importlib import import_module
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from silostudy.errors import BadInput
-from silostudy.journal import ENDING, Journal, sound
 from silostudy.scene.expand import Case, expand_file
-from silostudy.scene.plan import DONE, case_keys, rows_of, sizes
+from silostudy.sweep.journal import ENDING, Journal, sound
+from silostudy.sweep.plan import DONE, case_keys, parts_of, rows_of, sizes
 
 EVERY = 10.0  # s between words on the progress
 
@@ -39,7 +38,7 @@ def record_of(study: Any, case: Case) -> dict[str, Any]:
     """The record of a case: its numbers, or its error.  A full disk or lost memory is no error of the case: it ends the job."""
     start = time.process_time()
     try:
-        numbers = import_module(f"silostudy.compute.{study.kind}").measure(study, case.scene)
+        numbers = parts_of(study).call("measure", study, case.scene)
     except (OSError, MemoryError):
         raise
     except Exception as error:

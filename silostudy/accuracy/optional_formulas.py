@@ -5,8 +5,8 @@ from tempfile import TemporaryDirectory
 
 import yaml
 
+from silostudy.accuracy.optional_parts import Part, Work, ready
 from silostudy.compute.buckling import buckling_cube
-from silostudy.compute.optional_parts import Part, Work, ready
 from silostudy.compute.pressure import pressure_cube
 from silostudy.compute.seismic import seismic_cube
 from silostudy.compute.shell import shell_cube

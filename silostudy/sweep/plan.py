@@ -12,24 +12,26 @@ from pathlib import Path
 
 from silostudy.errors import BadInput
 from silostudy.files import replacing
-from silostudy.journal import ENDING, sound
 from silostudy.scene.expand import Expansion
-from silostudy.scene.kinds import cost_of
-from silostudy.stamp import stamp
+from silostudy.stages import KINDS
+from silostudy.stages.family import Parts
+from silostudy.sweep.journal import ENDING, sound
 
 PLAN, DONE = "plan.csv", ".done"
 Plan = dict[str, list[tuple[int, str]]]  # part -> positions and keys of its cases
 
 
-def code_stamp(kind: str) -> str:
-    """Stamp of what computes one case of this kind."""
-    return stamp(f"compute/{kind}")
+def parts_of(study) -> Parts:
+    """What the kind of a study gives for computing its cases in parts."""
+    parts = KINDS[study.kind].parts
+    assert parts is not None, study.kind
+    return parts
 
 
 def case_keys(expansion: Expansion) -> list[str]:
     """A key for each case: changed code, settings, scene or file of the user gives another key."""
     digests = {file: hashlib.sha256(file.read_bytes()).hexdigest() for file in expansion.files if file.is_file()}
-    about = f"{code_stamp(expansion.study.kind)} {expansion.study.settings}"
+    about = f"{parts_of(expansion.study).stamp} {expansion.study.settings}"
     files = (" ".join(digests.get(file, "missing") for file in getattr(case.scene, "files", ())) for case in expansion.cases)
     texts = (f"{about} {case.id} {more}" for case, more in zip(expansion.cases, files, strict=True))
     return [hashlib.sha256(text.encode()).hexdigest()[:20] for text in texts]
@@ -37,13 +39,14 @@ def case_keys(expansion: Expansion) -> list[str]:
 
 def make_plan(expansion: Expansion, folder: Path, cores: int) -> Plan:
     """The plan of a sweep, written where it changed; marks of parts that lack a case's record are taken away."""
-    study, keys, code = expansion.study, case_keys(expansion), code_stamp(expansion.study.kind)
+    study, keys, parts = expansion.study, case_keys(expansion), parts_of(expansion.study)
+    code = parts.stamp
     held = {key: path.stem for path in sorted(folder.glob(f"{code}-*{ENDING}")) for key, _ in sound(path)}
     before = {key: part for part, rows in read_plan(folder).items() for _, key in rows}
     places = [held.get(key) or before.get(key) for key in keys]
     fresh = [position for position, place in enumerate(places) if place is None]
-    cost = cost_of(study.kind)
-    for group in grouped(fresh, [study.case_s or cost(expansion.cases[position].scene) for position in fresh], study, cores):
+    costs = [study.case_s or parts.call("cost", expansion.cases[position].scene) for position in fresh]
+    for group in grouped(fresh, costs, study, cores):
         name = f"{code}-{hashlib.sha256(' '.join(keys[position] for position in group).encode()).hexdigest()[:8]}"
         for position in group:
             places[position] = name

@@ -1,4 +1,4 @@
-"""`silostudy accuracy`: the stage that measures what accuracy costs."""
+"""`silostudy fronts`: measures the fronts that `accuracy:` chooses from, or tries its choices."""
 
 from pathlib import Path
 
@@ -12,10 +12,6 @@ HEAD = """\
 
 
 def add(sub) -> None:
-    command = sub.add_parser("accuracy", help="measure error against CPU time of an accuracy study's problems")
-    command.add_argument("study", type=Path)
-    command.add_argument("output", type=Path, help="netCDF file to write")
-    command.set_defaults(run=run)
     fronts = sub.add_parser(
         "fronts", help="measure the fronts that `accuracy:` chooses from, or try its choices on other silos"
     )
@@ -23,20 +19,6 @@ def add(sub) -> None:
     fronts.add_argument("--kind", help="of this kind only; the rows of the others stay as they are shipped")
     fronts.add_argument("--output", type=Path, default=Path("results/accuracy/fronts.csv"), help="CSV file to write")
     fronts.set_defaults(run=run_fronts)
-
-
-def run(chosen) -> None:
-    from silostudy.compute.accuracy import accuracy_cube
-    from silostudy.cube.io import write
-    from silostudy.errors import BadInput
-    from silostudy.scene.expand import expand_file
-
-    expansion = expand_file(chosen.study)
-    if expansion.study.kind != "accuracy":
-        raise BadInput("kind", expansion.study.kind, "must be accuracy", str(chosen.study))
-    cube = accuracy_cube(expansion, tell=lambda text: print(text, flush=True))
-    write(cube, chosen.output)
-    print(f"{expansion.name}: {cube.sizes['point']} errors with their cost, on {cube.attrs['machine']} -> {chosen.output}")
 
 
 def run_fronts(chosen) -> None:

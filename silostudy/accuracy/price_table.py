@@ -6,11 +6,11 @@ from math import nan
 
 import numpy as np
 
+from silostudy.accuracy import optional_discs, optional_formulas
 from silostudy.accuracy.instructions import count, missing
+from silostudy.accuracy.optional_parts import part_price
 from silostudy.accuracy.prices import Price, prices, still, without
 from silostudy.accuracy.silo import scene
-from silostudy.compute import optional_discs, optional_formulas
-from silostudy.compute.optional_parts import part_price
 from silostudy.dem.engine import Engine
 from silostudy.dem.model import Contact, Model
 

@@ -7,15 +7,15 @@ from collections.abc import Callable
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
+from silostudy.accuracy.optional_parts import Part, Work, ready
+from silostudy.accuracy.profile import profile_cube
+from silostudy.accuracy.stability import stability_cube
 from silostudy.compute.dem import carry_through, model_of, run_of
 from silostudy.compute.dem_cube import cube_of
 from silostudy.compute.grains import grains_cube
 from silostudy.compute.motion import motion_cube
-from silostudy.compute.optional_parts import Part, Work, ready
 from silostudy.compute.packing import packing_cube
 from silostudy.compute.paraview import export
-from silostudy.compute.profile import profile_cube
-from silostudy.compute.stability import stability_cube
 from silostudy.config.dem import DemScene
 
 CONTACT = {"normal_stiffness_N_m2": 9.462726e6, "damping_ratio": 0.7, "sliding_friction": 0.577}

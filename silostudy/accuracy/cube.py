@@ -7,7 +7,7 @@ import xarray as xr
 
 from silostudy.accuracy.front import kept, on_front
 from silostudy.accuracy.measure import Rung, machine, measure
-from silostudy.compute.prices import price_variables
+from silostudy.accuracy.price_table import price_variables
 from silostudy.compute.variables import attributes
 from silostudy.cube.contract import VARIABLES, check
 from silostudy.cube.provenance import provenance

@@ -3,28 +3,33 @@
 from collections.abc import Iterable
 
 
-def told(expansion, priced: bool) -> list[str]:
-    """Runs, discs, steps and effects of a grains study; `priced`: one filling is settled and timed for the time of it all."""
+def runs(expansion) -> list[str]:
+    """Runs, discs, steps and effects of a grains study."""
     from silostudy.accuracy.prices import without
     from silostudy.compute.grains_model import model_of, run_lengths
 
-    runs = run_lengths(expansion)
+    planned = run_lengths(expansion)
     kinds = {case.scene.config.packing: case.scene.config for case in expansion.cases}
     effects = {name for config in kinds.values() for name in without(model_of(config, expansion.study.seeds[0]))}
-    fillings, shaken = [run for run in runs if not run.shaken], [run for run in runs if run.shaken]
-    work = sum(run.discs * run.steps for run in runs)
-    lines = [
+    fillings, shaken = [run for run in planned if not run.shaken], [run for run in planned if run.shaken]
+    return [
         f"{len(fillings)} filling(s) of {_range(run.discs for run in fillings)} discs, settled in at most "
         f"{_range(run.steps for run in fillings)} steps; equal fillings once",
-        f"{len(shaken)} shaken run(s) of {_range(run.steps for run in shaken)} steps: with the settling at most {work:.2g} "
-        "particle-steps",
+        f"{len(shaken)} shaken run(s) of {_range(run.steps for run in shaken)} steps: with the settling at most "
+        f"{_work(expansion):.2g} particle-steps; `--price` settles and times one filling",
         f"effects compiled in, and no others: {'; '.join(sorted(effects))}",
     ]
-    return [*lines, *_effects(expansion, work)] if priced else [*lines, "`--price` settles and times one filling"]
 
 
-def _effects(expansion, work: int) -> list[str]:
-    """Measured time of the study on one core, and each effect's share of a step."""
+def _work(expansion) -> int:
+    """Particle-steps of the study, at most."""
+    from silostudy.compute.grains_model import run_lengths
+
+    return sum(run.discs * run.steps for run in run_lengths(expansion))
+
+
+def prices_of_effects(expansion) -> list[str]:
+    """Measured time of the study on one core, and each effect's share of a step: one filling is settled and timed."""
     from silostudy.accuracy.prices import prices
     from silostudy.commands.explain import priced
     from silostudy.compute.grains import settled_model
@@ -32,7 +37,8 @@ def _effects(expansion, work: int) -> list[str]:
     model = settled_model(expansion.cases[0].scene, expansion.study.seeds[0], expansion.study.rest_limit_s)
     whole, share = prices(model)
     each = whole / len(model.x)
-    lines = [f"{each * 1e9:.0f} ns a particle-step here and now: at most {each * work:,.0f} s on one core, and the compiling"]
+    seconds = f"{each * _work(expansion):,.0f} s on one core"
+    lines = [f"{each * 1e9:.0f} ns a particle-step here and now: at most {seconds}, and the compiling"]
     return [*lines, *(f"  {name:30}{priced(one)}" for name, one in share.items())]
 
 

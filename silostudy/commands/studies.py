@@ -1,0 +1,62 @@
+"""What a study is before it is computed: `check`, `cases`, and `schema` for editors."""
+
+from pathlib import Path
+from pkgutil import resolve_name
+
+
+def add(sub) -> None:
+    check = sub.add_parser("check", help="validate a study and count its cases, without computing anything")
+    check.add_argument("study", type=Path, help="a study file, or its name in config/studies")
+    check.add_argument("--price", action="store_true", help="of a grains study: settle and time one filling")
+    check.set_defaults(run=run_check)
+
+    cases = sub.add_parser("cases", help="write the table of cases of a study")
+    cases.add_argument("study", type=Path)
+    cases.add_argument("output", type=Path, help="CSV file to write")
+    cases.set_defaults(run=run_cases)
+
+    schema = sub.add_parser("schema", help="write the JSON schema of study files, for editors")
+    schema.add_argument("output", type=Path)
+    schema.set_defaults(run=run_schema)
+
+
+def run_check(chosen) -> None:
+    from silostudy.scene.expand import expand_file
+    from silostudy.stages import KINDS
+
+    path = chosen.study if chosen.study.suffix else Path("config/studies") / f"{chosen.study}.yaml"
+    expansion = expand_file(path)
+    axes = " x ".join(f"{axis.axis} {len(axis.settings())}" for axis in expansion.study.sweep) or "no sweep"
+    print(f"{path}: {expansion.study.title}")
+    print(f"  {len(expansion.cases)} case(s): {axes}")
+    kind = KINDS[expansion.study.kind]
+    for about in (*kind.about, *(kind.timed if chosen.price else ())):
+        for line in resolve_name(about)(expansion):
+            print(f"  {line}")
+
+
+def run_cases(chosen) -> None:
+    import csv
+    import json
+
+    from silostudy.files import replacing
+    from silostudy.scene.expand import expand_file
+
+    expansion = expand_file(chosen.study)
+    keys = list(expansion.cases[0].settings)
+    with replacing(chosen.output) as temporary, temporary.open("w", newline="", encoding="utf-8") as stream:
+        table = csv.writer(stream)
+        table.writerow(["case", *keys])
+        for case in expansion.cases:
+            values = (case.settings[key] for key in keys)
+            table.writerow(
+                [case.id, *(value if isinstance(value, (str, int, float)) else json.dumps(value) for value in values)]
+            )
+
+
+def run_schema(chosen) -> None:
+    from silostudy.config.schema import study_schema
+    from silostudy.files import replacing
+
+    with replacing(chosen.output) as temporary:
+        temporary.write_text(study_schema(), encoding="utf-8")

@@ -1,0 +1,20 @@
+"""Studies of discs in a box that is shaken."""
+
+from silostudy.stages.family import Kind, Stage
+
+KIND = Kind(
+    key="grains",
+    title="effective mass of discs in a shaken box",
+    model="silostudy.config.grains:GrainsStudy",
+    builder="silostudy.scene.grains:grains_builder",
+    stages=(
+        Stage(
+            key="grains",
+            title="contents of a shaken box of discs",
+            compute="silostudy.compute.grains:grains_cube",
+            tells=True,
+        ),
+    ),
+    about=("silostudy.commands.about_grains:runs",),
+    timed=("silostudy.commands.about_grains:prices_of_effects",),
+)

@@ -1,0 +1,23 @@
+"""Sweeps of discrete-element scenes, computed in parts."""
+
+from silostudy.stages.family import Kind, Parts, Stage
+
+KIND = Kind(
+    key="scenes",
+    title="a sweep of discrete-element scenes",
+    model="silostudy.config.scenes:ScenesStudy",
+    builder="silostudy.scene.scenes:scenes_builder",
+    stages=(
+        Stage(
+            key="scenes",
+            title="forces and discharge of each of many scenes",
+            parts=Parts(
+                measure="silostudy.compute.scenes:measure",
+                coordinates="silostudy.compute.scenes:coordinates",
+                sources="silostudy.compute.scenes:sources",
+                cost="silostudy.scene.scenes:cost",
+            ),
+        ),
+    ),
+    about=("silostudy.commands.about:time_of_parts",),
+)

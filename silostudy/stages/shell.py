@@ -1,0 +1,23 @@
+"""Studies of steel silos: the pressures first, then the shell under them."""
+
+from silostudy.stages.family import Kind, Stage
+from silostudy.stages.pressure import KIND as PRESSURE
+
+KIND = Kind(
+    key="shell",
+    title="wall pressures, and the steel wall that carries them",
+    model="silostudy.config.shell:ShellStudy",
+    builder="silostudy.scene.shell:shell_builder",
+    traits="silostudy.scene.shell:shell_traits",
+    stages=(
+        *PRESSURE.stages,
+        Stage(
+            key="shell",
+            title="the steel wall of a silo under its pressures",
+            compute="silostudy.compute.shell:shell_cube",
+            reads=("pressure",),
+            borrows={"earthquake": "seismic"},
+        ),
+    ),
+    about=(*PRESSURE.about, "silostudy.commands.about:earthquake", "silostudy.commands.about:rules"),
+)

@@ -1,0 +1,74 @@
+"""Pictures and tables drawn from a cube: one file each, all of them listed in tables/outputs.csv."""
+
+from dataclasses import dataclass
+from pathlib import Path
+
+from silostudy.catalogue import Family, Row
+from silostudy.files import replacing
+from silostudy.tables.read import HERE, rows
+from silostudy.tables.references import cite
+
+LISTS = ("axes", "methods", "phases", "rules")
+ENDINGS = {"figure": ("png", "svg", "csv"), "table": ("csv",), "animation": ("webp",)}
+
+
+@dataclass(frozen=True, kw_only=True)
+class Output(Row):
+    """A figure or table of a study.
+
+    axes, methods, phases, rules: what it cannot do without; demands: what else the study must hold (see outputs.csv).
+    The module of the same name in this room draws it (loaded only then: drawing needs matplotlib).
+    """
+
+    kind: str  # one of ENDINGS
+    stage: str  # the cube it is drawn from
+    also: tuple[str, ...]  # further cubes that it shows where the study has them
+    axes: tuple[str, ...]
+    methods: tuple[str, ...]
+    phases: tuple[str, ...]
+    rules: tuple[str, ...]
+    demands: frozenset[str]
+
+    @property
+    def single_case(self) -> bool:
+        return "single_case" in self.demands
+
+    @property
+    def only_axes(self) -> bool:
+        return "only_axes" in self.demands
+
+    @property
+    def strakes(self) -> bool:
+        return "strakes" in self.demands
+
+    @property
+    def hopper(self) -> bool:
+        return "hopper" in self.demands
+
+
+def _output(raw: dict) -> Output:
+    cells: dict = {name: raw[name] for name in ("title", "kind", "source", "locator")}
+    cells["stage"], *also = raw["stage"].split()
+    cells |= {name: tuple(raw[name].split()) for name in LISTS}
+    return Output(key=raw["output"], also=tuple(also), demands=frozenset(raw["demands"].split()), **cells)
+
+
+_TEXT = ("output", "kind", "stage", "demands", *LISTS)
+OUTPUTS: Family[Output] = Family("output", map(_output, rows(HERE / "outputs.csv", text=_TEXT)))
+
+
+def files_of(key: str, folder: str) -> list[str]:
+    """Files of an output in the folder of a study's results: a figure as PNG, SVG and the numbers it shows, a table as CSV."""
+    kind = OUTPUTS[key].kind
+    return [f"{folder}/{kind}s/{key}.{ending}" for ending in ENDINGS[kind]]
+
+
+def captions(folder: Path) -> dict[str, str]:
+    """A caption (reStructuredText) of every output, written into a folder unless it is there; their files by key."""
+    made = {key: (folder / f"{key}.rst").absolute() for key in OUTPUTS}
+    for key, row in OUTPUTS.items():
+        if not made[key].exists():
+            with replacing(made[key]) as temporary:
+                text = f"{row.title}.\n\nSource: {cite(row.source)} {row.locator}.\n\nDrawn from the cube {row.stage}.nc.\n"
+                temporary.write_text(text, encoding="utf-8")
+    return {key: str(path) for key, path in made.items()}
