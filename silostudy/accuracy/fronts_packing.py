@@ -50,7 +50,7 @@ class Silo:
     def model(self, seed: int) -> Model:
         """One start."""
         model, _ = scene(self.across, self.rows, gap=GAP, offset=OFFSET, seed=seed)
-        model = replace(model, pair=contact(1.0, self.discs), wall=contact(2.0, self.walls))
+        model = replace(model, pair_contact=contact(1.0, self.discs), wall_contact=contact(2.0, self.walls))
         return replace(model, dt=chosen_step(model))
 
 

@@ -23,8 +23,12 @@ DISCS, OTHERS = "discrete elements", "only effects of discrete elements are coun
 def full_scenes() -> list[tuple[str, Model]]:
     """Scenes that have between them every effect of the engine; friction is priced where nothing is recorded as well."""
     model, _ = scene(ACROSS, LEVELS)
-    rolling = replace(model, pair=_more(model.pair, "rolling"), wall=_more(model.wall, "rolling"))
-    pulling = replace(model, pair=_more(model.pair, "cohesion"), wall=_more(model.wall, "cohesion"))
+    rolling = replace(
+        model, pair_contact=_more(model.pair_contact, "rolling"), wall_contact=_more(model.wall_contact, "rolling")
+    )
+    pulling = replace(
+        model, pair_contact=_more(model.pair_contact, "cohesion"), wall_contact=_more(model.wall_contact, "cohesion")
+    )
     sizes = replace(model, radius=model.radius * (1.0 - 0.002 * (np.arange(len(model.x)) % 2)))
     shaken = replace(model, quake=np.zeros((2, 2)))
     recording = replace(model, watched=True)

@@ -33,10 +33,17 @@ def without(model: Model) -> dict[str, tuple[Model, Model]]:
     """Pairs of models with and without one effect, for the effects that a model has; both of the same places."""
     found = {}
     if model.pieces.turns:
-        found["friction, rotation, history"] = (model, replace(model, pair=_bare(model.pair), wall=_bare(model.wall)))
+        found["friction, rotation, history"] = (
+            model,
+            replace(model, pair_contact=_bare(model.pair_contact), wall_contact=_bare(model.wall_contact)),
+        )
     for law, name in (("rolling", "rolling resistance"), ("cohesion", "cohesion")):
-        if getattr(model.pair.laws, law) != "none":
-            less = replace(model, pair=_less(model.pair, **{law: "none"}), wall=_less(model.wall, **{law: "none"}))
+        if getattr(model.pair_contact.laws, law) != "none":
+            less = replace(
+                model,
+                pair_contact=_less(model.pair_contact, **{law: "none"}),
+                wall_contact=_less(model.wall_contact, **{law: "none"}),
+            )
             found[name] = (model, less)
     if model.unequal:
         equal = np.full(len(model.x), model.radius.mean())

@@ -65,13 +65,13 @@ def softened(model: Model, factor: float) -> Model:
         values = contact.coefficients
         return replace(contact, coefficients={name: values[name] * scale.get(name, 1.0) for name in values})
 
-    return replace(model, pair=soft(model.pair), wall=soft(model.wall))
+    return replace(model, pair_contact=soft(model.pair_contact), wall_contact=soft(model.wall_contact))
 
 
 def with_dashpot(model: Model, normal: str) -> Model:
     """The same discs with another law of the normal force that takes the same coefficients."""
-    pair, wall = (replace(one, laws=replace(one.laws, normal=normal)) for one in (model.pair, model.wall))
-    return replace(model, pair=pair, wall=wall)
+    pair, wall = (replace(one, laws=replace(one.laws, normal=normal)) for one in (model.pair_contact, model.wall_contact))
+    return replace(model, pair_contact=pair, wall_contact=wall)
 
 
 def wall_force(engine: Engine, parts: int) -> np.ndarray:

@@ -23,9 +23,10 @@ def filled(seed: int, step: float, integrator: str, normal: str, tangential: str
     """Kiyama and Fujimura's critically damped discs on the closed floor, each moved at random by up to a third of the gap."""
     model, _ = scene(ACROSS, LEVELS, gap=GAP, offset=GAP / 3.0, seed=seed)
     pair, wall = (
-        replace(one, laws=replace(one.laws, normal=normal, tangential=tangential)) for one in (model.pair, model.wall)
+        replace(one, laws=replace(one.laws, normal=normal, tangential=tangential))
+        for one in (model.pair_contact, model.wall_contact)
     )
-    return replace(model, pair=pair, wall=wall, dt=step, integrator=integrator)
+    return replace(model, pair_contact=pair, wall_contact=wall, dt=step, integrator=integrator)
 
 
 def at_rest(model: Model, time: float) -> np.ndarray | None:
@@ -55,7 +56,7 @@ def peer_at_rest(model: Model, time: float) -> np.ndarray | None:
 def profile(places: np.ndarray, model: Model, parts: int) -> np.ndarray:
     """Normal force (N/m) on both side walls by parts of the fill's height, from the floor up: springs of discs at rest."""
     x, y = places.T
-    stiffness = model.wall.coefficients["normal_stiffness"]
+    stiffness = model.wall_contact.coefficients["normal_stiffness"]
     width, top = model.walls[0].end[0], float(model.y.max()) + RADIUS
     push = stiffness * (np.maximum(RADIUS - x, 0.0) + np.maximum(x - (width - RADIUS), 0.0))
     return np.histogram(y, np.linspace(0.0, top, parts + 1), weights=push)[0]

@@ -60,5 +60,5 @@ def _peer(study, scene: RestingDiscs, rest: Rest) -> float:
 
 def _sources(expansion: Expansion) -> list[str]:
     models = [case.scene.model for case in expansion.cases]
-    rows = [row for model in models for row in (INTEGRATORS[model.integrator], *model.pair.rows)]
+    rows = [row for model in models for row in (INTEGRATORS[model.integrator], *model.pair_contact.rows)]
     return sorted({row.source for row in rows if row.key != "none"})

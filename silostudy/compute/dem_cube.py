@@ -40,7 +40,7 @@ def cube_of(run: Run, scene: DemScene) -> xr.Dataset:
 
 def sources_of(model: Model) -> list[str]:
     """Sources of the laws and the integrator that the model uses."""
-    rows = [INTEGRATORS[model.integrator], *model.pair.rows, *model.wall.rows]
+    rows = [INTEGRATORS[model.integrator], *model.pair_contact.rows, *model.wall_contact.rows]
     return sorted({row.source for row in rows if row.key != "none"})
 
 

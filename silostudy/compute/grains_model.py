@@ -53,7 +53,8 @@ def model_of(config: GrainsScene, seed: int) -> Model:
     grains = config.grains
     model = Model(
         x=x, y=y, radius=radius, density=grains.density_kg_m3, walls=walls, dt=1.0, gravity=(0.0, -GRAVITY), watched=True,
-        pair=_contact(grains, 1.0, grains.sliding_friction), wall=_contact(grains, STIFFER_WALLS, config.wall_friction),
+        pair_contact=_contact(grains, 1.0, grains.sliding_friction),
+        wall_contact=_contact(grains, STIFFER_WALLS, config.wall_friction),
         quake=np.zeros((1, 2)),
     )  # fmt: skip
     return replace(model, dt=chosen_step(model))

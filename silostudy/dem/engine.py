@@ -46,7 +46,7 @@ class Engine:
             raise BadInput("skin", skin, "must be less than the smallest diameter")
         self.model, self.threads, self.skin = model, threads, skin
         self.n = self.most = len(model.x)
-        self.contacts = (model.pair, model.wall)
+        self.contacts = (model.pair_contact, model.wall_contact)
         self.gravity = model.gravity
         self._quake = model.quake if model.quake is not None else np.zeros((1, 2))
         self._limits = (float(model.radius.min()), float(skin))

@@ -110,8 +110,8 @@ def sweep_pass(pieces: Pieces):
     later contacts do not touch them, so one pass through memory is enough.  A disc's forces add up in one order: walls,
     then discs, each by their numbers.
     """
-    pairs_between = pair_pass(pieces.pair, pieces.unequal)
-    walls_between = wall_pass(pieces.wall, pieces.unequal, pieces.watched)
+    pairs_between = pair_pass(pieces.pair_laws, pieces.unequal)
+    walls_between = wall_pass(pieces.wall_laws, pieces.unequal, pieces.watched)
     move = move_pass(pieces.integrator, pieces.unequal, pieces.turns)
     booked, book = pieces.booked, book_pass(pieces)
 

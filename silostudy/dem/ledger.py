@@ -143,8 +143,8 @@ def contact_book(laws, *, unequal, flat):
 
 def book_pass(pieces):
     """Function that books a step, after its forces and before its moves."""
-    of_pairs = contact_book(pieces.pair, unequal=pieces.unequal, flat=False)
-    of_walls = contact_book(pieces.wall, unequal=pieces.unequal, flat=True)
+    of_pairs = contact_book(pieces.pair_laws, unequal=pieces.unequal, flat=False)
+    of_walls = contact_book(pieces.wall_laws, unequal=pieces.unequal, flat=True)
     holds, unequal = INTEGRATORS[pieces.integrator].holds, pieces.unequal
 
     @piece(pieces)

@@ -78,8 +78,8 @@ class Model:
     radius: np.ndarray
     density: float
     walls: tuple[Wall, ...]
-    pair: Contact
-    wall: Contact
+    pair_contact: Contact
+    wall_contact: Contact
     dt: float
     gravity: tuple[float, float] = (0.0, -9.81)
     integrator: str = "17-18"
@@ -115,7 +115,7 @@ class Model:
         names = [wall.name for wall in self.walls]
         if len(set(names)) < len(names):
             raise BadInput("walls", names, "each wall needs a name of its own")
-        if self.unequal and "line-contact" in (self.pair.laws.normal, self.wall.laws.normal):
+        if self.unequal and "line-contact" in (self.pair_contact.laws.normal, self.wall_contact.laws.normal):
             raise BadInput("normal", "line-contact", "the curve is for discs of one size")
 
     @property
@@ -131,8 +131,8 @@ class Model:
     def pieces(self) -> Pieces:
         """What these contents call for."""
         return Pieces(
-            pair=self.pair.laws,
-            wall=self.wall.laws,
+            pair_laws=self.pair_contact.laws,
+            wall_laws=self.wall_contact.laws,
             integrator=self.integrator,
             unequal=self.unequal,
             shaken=self.quake is not None,

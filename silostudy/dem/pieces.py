@@ -44,8 +44,8 @@ class Laws:
 class Pieces:
     """What a scene calls for; everything else is not compiled in."""
 
-    pair: Laws = Laws()
-    wall: Laws = Laws()
+    pair_laws: Laws = Laws()
+    wall_laws: Laws = Laws()
     integrator: str = "17-18"
     unequal: bool = False  # discs of several sizes
     shaken: bool = False  # the box is accelerated
@@ -54,4 +54,4 @@ class Pieces:
 
     @property
     def turns(self) -> bool:
-        return self.pair.turns or self.wall.turns
+        return self.pair_laws.turns or self.wall_laws.turns

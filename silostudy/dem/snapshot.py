@@ -63,7 +63,7 @@ def pair_contacts(engine) -> Contacts:
     for part in engine.parts:
         last = engine.blocks_of(part)
         count = int(part.pairs.begin[last + 1])
-        out = _forces(engine, part, engine.model.pair.laws, part.pairs, count, False, engine.contacts[0].ordered)
+        out = _forces(engine, part, engine.model.pair_contact.laws, part.pairs, count, False, engine.contacts[0].ordered)
         lo, _ = engine.bounds(part.number)
         first, second = (engine.true_number(part, column[:count]) for column in part.pairs[:2])
         touching = ((out[0] != 0.0) | (out[1] != 0.0)) & (first >= lo)
@@ -81,7 +81,7 @@ def wall_contacts(engine) -> Contacts:
     columns = []
     for part in engine.parts:
         count = int(part.near.begin[0])
-        out = _forces(engine, part, engine.model.wall.laws, part.near, count, True, engine.contacts[1].ordered)
+        out = _forces(engine, part, engine.model.wall_contact.laws, part.near, count, True, engine.contacts[1].ordered)
         touching = (out[0] != 0.0) | (out[1] != 0.0)
         columns.append(np.vstack([part.near.first[:count], part.near.second[:count], out[:2]])[:, touching])
     first, second, fx, fy = np.hstack(columns)

@@ -100,7 +100,9 @@ def check_step(model: Model) -> float:
 
 def _implicit(model: Model) -> bool:
     """Whether a law's stiffness or damping depends on the step."""
-    return any({contact.laws.normal, contact.laws.tangential} & IMPLICIT for contact in (model.pair, model.wall))
+    return any(
+        {contact.laws.normal, contact.laws.tangential} & IMPLICIT for contact in (model.pair_contact, model.wall_contact)
+    )
 
 
 def _bounded(integrator: str, total: float, incremental: float, damping: float, dt: float) -> bool:
@@ -129,13 +131,13 @@ def _network(model: Model) -> list[tuple]:
     if not distance.all():
         one = int(np.argmin(distance))
         raise BadInput("x, y", f"discs {i[one]}, {j[one]}", "stand in the same place")
-    found: list[tuple] = [(model.pair, i[near], j[near], *(away[near] / distance[near, None]).T)]
+    found: list[tuple] = [(model.pair_contact, i[near], j[near], *(away[near] / distance[near, None]).T)]
     for wall, (x, y, tx, ty, length, *_) in zip(model.walls, shape_of(model.walls), strict=True):
         along = np.clip((model.x - x) * tx + (model.y - y) * ty, 0.0, length)
         away = place - np.c_[x + along * tx, y + along * ty]
         distance = np.hypot(*away.T)
         disc = np.flatnonzero((distance < (1.0 + NEAR) * model.radius) & (distance > 0.0) & wall.live)
-        found.append((model.wall, disc, None, *(away[disc] / distance[disc, None]).T))
+        found.append((model.wall_contact, disc, None, *(away[disc] / distance[disc, None]).T))
     return found
 
 
@@ -143,7 +145,7 @@ def _extremes(model: Model, network: list[tuple], dt: float) -> Extremes:
     """Extremes of the network and of lone contacts of the lightest disc, at this step."""
     stiff, damp = partial(_stiffness, dt=dt), partial(_damping, dt=dt)
     lightest = np.array([int(np.argmin(model.mass))])
-    lone = [(model.pair, lightest, lightest), (model.wall, lightest, None)]
+    lone = [(model.pair_contact, lightest, lightest), (model.wall_contact, lightest, None)]
     ratios = [
         d.min() / k.min()
         for contact, i, j, *_ in (*network, *lone)

@@ -72,8 +72,8 @@ def model_of(config: StabilityScene) -> Model:
     )
     contact = contact_of(config.discs, config.radius_m, config.density_kg_m3)
     return Model(
-        x=x, y=y, radius=np.full(len(x), config.radius_m), density=config.density_kg_m3, walls=walls, pair=contact,
-        wall=contact, dt=1.0, gravity=(0.0, -GRAVITY), integrator=config.integrator,
+        x=x, y=y, radius=np.full(len(x), config.radius_m), density=config.density_kg_m3, walls=walls, pair_contact=contact,
+        wall_contact=contact, dt=1.0, gravity=(0.0, -GRAVITY), integrator=config.integrator,
     )  # fmt: skip
 
 

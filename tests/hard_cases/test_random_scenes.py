@@ -72,7 +72,7 @@ def scenes(draw, integrator, laws):
     model = free(
         x, y, u=u, v=v, w=w, radius=radius, booked=True, dt=1.0, gravity=(0.0, -9.81 if boxed else 0.0),
         walls=tuple(walls) if boxed else (Wall("far", (-1e3, -1e3), (1e3, -1e3)),),
-        pair=touch, wall=touch, integrator=integrator,
+        pair_contact=touch, wall_contact=touch, integrator=integrator,
     )  # fmt: skip
     return model, draw(st.floats(0.02, 0.25)), boxed
 
@@ -100,7 +100,7 @@ def test_random_scenes_keep_books_momentum_and_distance(integrator, laws, data):
     momentum = mass @ engine.discs.rows[: engine.n, [U, V]]
     swing = mass @ np.abs(engine.discs.rows[: engine.n, [U, V]]) + 1e-9 * mass.sum()
     at_hand = before[[KINETIC, ELASTIC]].sum() + (mass.sum() * 9.81 * SIDE * ACROSS if boxed else 0.0)
-    pull, springs = model.pair.coefficients.get("pull", 0.0), model.pair.ordered[0]
+    pull, springs = model.pair_contact.coefficients.get("pull", 0.0), model.pair_contact.ordered[0]
     at_hand += 3 * len(mass) * pull**2 / (2.0 * STIFFNESS)  # what so many contacts give where they draw discs together
     # a cap on the sum of spring and dashpot stretches the spring against the dashpot: what it holds is no part of the whole
     lost, whole = 0.0, laws.tangential == "spring-slider-total"

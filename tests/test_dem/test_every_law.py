@@ -37,7 +37,7 @@ def contact(laws):
 
 @pytest.mark.parametrize("laws", CHOICES, ids=lambda laws: f"{laws.normal}, {laws.tangential}, {laws.rolling}")
 def test_a_law_settles_and_its_ledger_closes(laws):
-    model = silo(across=5, height=0.12, pair=contact(laws), wall=contact(laws), booked=True, dt=1e-5)
+    model = silo(across=5, height=0.12, pair_contact=contact(laws), wall_contact=contact(laws), booked=True, dt=1e-5)
     engine = Engine(model)
     engine.step_to(1)
     start = balance(engine.ledger.account)

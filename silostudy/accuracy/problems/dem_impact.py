@@ -29,8 +29,8 @@ def prepare(ladder: str, setting: float):
     duration = pi / sqrt(stiffness / reduced * (1.0 - DAMPING_RATIO**2))
     model = Model(
         x=np.array([0.0, 2.0 * RADIUS]), y=np.zeros(2), radius=np.full(2, RADIUS), density=DENSITY,
-        walls=(Wall("far", (-1e3, -1e3), (1e3, -1e3)),), pair=replace(pair, coefficients=pair.coefficients | damping),
-        wall=pair, dt=duration / setting, gravity=(0.0, 0.0), integrator=integrator, u=np.array([SPEED, -SPEED]),
+        walls=(Wall("far", (-1e3, -1e3), (1e3, -1e3)),), pair_contact=replace(pair, coefficients=pair.coefficients | damping),
+        wall_contact=pair, dt=duration / setting, gravity=(0.0, 0.0), integrator=integrator, u=np.array([SPEED, -SPEED]),
     )  # fmt: skip
 
     def run():
