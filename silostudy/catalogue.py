@@ -37,6 +37,10 @@ class Family(Mapping[str, R], Generic[R]):
                 raise BadInput(name, row.key, "this key is already taken by another row")
             self._rows[row.key] = row
 
+    def joined(self, rows: Iterable[R]) -> "Family[R]":
+        """A family of these rows and further ones; this one stays as it is."""
+        return Family(self.name, [*self.values(), *rows])
+
     def __getitem__(self, key: str) -> R:
         if key not in self._rows:
             raise unknown(self.name, key, self._rows)

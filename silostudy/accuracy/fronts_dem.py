@@ -14,7 +14,8 @@ import numpy as np
 
 from silostudy.accuracy.silo import DENSITY, RADIUS, wall_force
 from silostudy.accuracy.trial import Trial, front_row, kept
-from silostudy.config.dem import MEASURED_LAWS, DemScene
+from silostudy.config.dem import DemScene
+from silostudy.contact import MEASURED as MEASURED_LAWS
 from silostudy.dem.engine import Engine, Explosion
 from silostudy.scene.dem_model import model_of, placed
 

@@ -5,6 +5,9 @@ from math import sqrt
 
 import numpy as np
 
+from silostudy.contact.family import NormalLaw
+from silostudy.contact.normal import spring_dashpot
+from silostudy.contact.tangential import spring_slider_total
 from silostudy.dem.engine import Engine
 from silostudy.dem.model import Contact, Model, Wall
 from silostudy.dem.pieces import Laws
@@ -17,7 +20,7 @@ OPEN = ("floor", ("floor_left", "floor_right"))
 LEFT, RIGHT = 1, 2  # numbers of the side walls
 
 
-def contact(factor: float = 1.0, friction: float = 0.577, normal: str = "spring-dashpot") -> Contact:
+def contact(factor: float = 1.0, friction: float = 0.577, normal: NormalLaw = spring_dashpot.ROW) -> Contact:
     """Kiyama & Fujimura (1983), Table 2, with Cundall and Strack's slider; walls have twice the factor."""
     weight = factor * DENSITY * GRAVITY
     coefficients = {
@@ -29,7 +32,7 @@ def contact(factor: float = 1.0, friction: float = 0.577, normal: str = "spring-
         "tangential_damping_root": 0.0,
         "sliding_friction": friction,
     }
-    return Contact(Laws(normal=normal, tangential="spring-slider-total"), coefficients)
+    return Contact(Laws(normal, spring_slider_total.ROW), coefficients)
 
 
 def walls_of(width: float, height: float, slit: float) -> tuple[Wall, ...]:
@@ -58,17 +61,11 @@ def scene(across: int, levels: int, slit_share: float = 0.2, *, gap: float = 4e-
 
 def softened(model: Model, factor: float) -> Model:
     """The same discs with stiffness times `factor` and the damping ratio kept."""
-
-    def soft(contact: Contact) -> Contact:
-        scale = {"normal_stiffness": factor, "tangential_stiffness": factor}
-        scale |= {"normal_damping": sqrt(factor), "tangential_damping": sqrt(factor)}
-        values = contact.coefficients
-        return replace(contact, coefficients={name: values[name] * scale.get(name, 1.0) for name in values})
-
-    return replace(model, pair_contact=soft(model.pair_contact), wall_contact=soft(model.wall_contact))
+    pair, wall = (one.scaled(stiffness=factor, damping=sqrt(factor)) for one in (model.pair_contact, model.wall_contact))
+    return replace(model, pair_contact=pair, wall_contact=wall)
 
 
-def with_dashpot(model: Model, normal: str) -> Model:
+def with_dashpot(model: Model, normal: NormalLaw) -> Model:
     """The same discs with another law of the normal force that takes the same coefficients."""
     pair, wall = (replace(one, laws=replace(one.laws, normal=normal)) for one in (model.pair_contact, model.wall_contact))
     return replace(model, pair_contact=pair, wall_contact=wall)

@@ -11,6 +11,7 @@ import numpy as np
 
 from silostudy.accuracy.peers import Lammps
 from silostudy.accuracy.silo import RADIUS, scene
+from silostudy.contact.family import NormalLaw, TangentialLaw
 from silostudy.dem.engine import Engine, Explosion
 from silostudy.dem.model import Model
 
@@ -19,7 +20,7 @@ REFERENCE_MARCH = "17-18"
 CALM = 1e-4  # m/s: faster discs are not at rest, the step is then too long
 
 
-def filled(seed: int, step: float, integrator: str, normal: str, tangential: str) -> Model:
+def filled(seed: int, step: float, integrator: str, normal: NormalLaw, tangential: TangentialLaw) -> Model:
     """Kiyama and Fujimura's critically damped discs on the closed floor, each moved at random by up to a third of the gap."""
     model, _ = scene(ACROSS, LEVELS, gap=GAP, offset=GAP / 3.0, seed=seed)
     pair, wall = (

@@ -6,6 +6,7 @@ from math import ceil, pi
 import numpy as np
 
 from silostudy.config.grains import Grains, GrainsScene, Shaking
+from silostudy.contact.tangential import spring_slider
 from silostudy.dem.model import Contact, Model, Wall
 from silostudy.dem.pieces import Laws
 from silostudy.dem.stability import chosen_step
@@ -71,7 +72,7 @@ def _contact(grains: Grains, factor: float, friction: float) -> Contact:
         "tangential_damping_root": 0.0,
         "sliding_friction": friction,
     }
-    return Contact(Laws(tangential="spring-slider"), coefficients)
+    return Contact(Laws(tangential=spring_slider.ROW), coefficients)
 
 
 def base_motion(shaking: Shaking, dt: float, cycles: int) -> np.ndarray:

@@ -2,6 +2,7 @@
 
 from math import sqrt
 
+from silostudy.contact.family import Touch
 from silostudy.dem.cache import piece
 from silostudy.dem.pieces import Laws
 
@@ -11,7 +12,7 @@ def force_pass(laws: Laws, *, unequal: bool, flat: bool):
 
     A contact's force depends on nothing but its own numbers: the same bits wherever it stands in the list.
     """
-    normal_law, tangential_law, rolling_law, cohesion_law = laws.functions
+    normal_law, tangential_law, rolling_law, cohesion_law = (row.law for row in laws.rows)
     drags, slides, rolls = laws.drags, laws.slides, laws.rolls
 
     @piece(laws, unequal, flat)
@@ -27,12 +28,13 @@ def force_pass(laws: Laws, *, unequal: bool, flat: bool):
             overlap = a + b - distance
             touching = overlap > 0.0
             depth = overlap if touching else 0.0
-            elastic, push = normal_law(depth, -(du * nx + dv * ny), m, dt, c[0])
+            touch = Touch(m, a if flat else a * b / (a + b), dt)
+            elastic, push = normal_law(depth, -(du * nx + dv * ny), touch, c[0])
             spin = 0.5 * (lanes[4, k] * (a + b) + lanes[5, k] * (a - b)) if unequal else lanes[4, k] * a
             old = stored[k] if slides else 0.0
-            held, drag = tangential_law(old, dv * nx - du * ny - spin, m, dt, elastic, push, c[1])
+            held, drag = tangential_law(old, dv * nx - du * ny - spin, touch, elastic, push, c[1])
             turned = rolled[k] if rolls else 0.0
-            moment = rolling_law(turned, lanes[5, k], dt, elastic, a if flat else a * b / (a + b), c[2])
+            moment = rolling_law(turned, lanes[5, k], touch, elastic, c[2])
             push = push - cohesion_law(c[3]) if touching else 0.0
             drag = drag if touching else 0.0
             moment = moment if touching else 0.0

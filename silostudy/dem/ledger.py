@@ -11,7 +11,7 @@ from typing import NamedTuple
 import numpy as np
 from numba.extending import register_jitable
 
-from silostudy.contact import NORMAL
+from silostudy.contact.family import Touch
 from silostudy.dem.arrays import LANES, aligned
 from silostudy.dem.cache import piece
 from silostudy.dem.integrate import INTEGRATORS
@@ -76,8 +76,9 @@ def keep_histories(contacts, count, stored, rolled):
 
 def contact_book(laws, *, unequal, flat):
     """Function that gives elastic energy, sliding loss, power of elastic and of all forces of the contacts of a list."""
-    normal_law, tangential_law, rolling_law, cohesion_law = laws.functions
-    energy, slides, rolls = NORMAL[laws.normal].energy, laws.slides, laws.rolls
+    normal_law, tangential_law, rolling_law, cohesion_law = (row.law for row in laws.rows)
+    slide_stiffness, roll_stiffness = (row.stiffness for row in laws.rows[1:3])
+    energy, slides, rolls = laws.rows[0].energy, laws.slides, laws.rolls
 
     @piece(laws, unequal, flat)
     def of_spring(force, stiffness):
@@ -114,24 +115,25 @@ def contact_book(laws, *, unequal, flat):
                 spin = 0.5 * (lanes[4, k] * (a + b) + lanes[5, k] * (a - b)) if unequal else lanes[4, k] * a
                 turn = 0.5 * (mean[4, k] * (a + b) + mean[5, k] * (a - b)) if unequal else mean[4, k] * a
                 rate = lanes[3, k] * nx - lanes[2, k] * ny - spin
-                trial = old_stored[at] - c[1][0] * dt * rate if slides else 0.0
-                leaning = old_rolled[at] - c[2][0] * dt * lanes[5, k] if rolls else 0.0
+                along_spring, rolling_spring = slide_stiffness(overlap, c[1]), roll_stiffness(overlap, c[2])
+                trial = old_stored[at] - along_spring * dt * rate if slides else 0.0
+                leaning = old_rolled[at] - rolling_spring * dt * lanes[5, k] if rolls else 0.0
                 if overlap <= 0.0:  # what springs held when the contact opened is lost
-                    slid += of_spring(old_stored[at], c[1][0]) if slides else 0.0
-                    slid += of_spring(old_rolled[at], c[2][0]) if rolls else 0.0
+                    slid += of_spring(old_stored[at], along_spring) if slides else 0.0
+                    slid += of_spring(old_rolled[at], rolling_spring) if rolls else 0.0
                     continue
-                elastic, push = normal_law(overlap, -(lanes[2, k] * nx + lanes[3, k] * ny), m, dt, c[0])
-                held, drag = tangential_law(old_stored[at], rate, m, dt, elastic, push, c[1])
-                arm = a if flat else a * b / (a + b)
-                moment = rolling_law(old_rolled[at], lanes[5, k], dt, elastic, arm, c[2])
+                touch = Touch(m, a if flat else a * b / (a + b), dt)
+                elastic, push = normal_law(overlap, -(lanes[2, k] * nx + lanes[3, k] * ny), touch, c[0])
+                held, drag = tangential_law(old_stored[at], rate, touch, elastic, push, c[1])
+                moment = rolling_law(old_rolled[at], lanes[5, k], touch, elastic, c[2])
                 pull = cohesion_law(c[3])
                 elastic_energy += energy(overlap, c[0]) - pull * overlap
                 if slides:
-                    elastic_energy += of_spring(held, c[1][0])
-                    slid += of_slip(trial, held, c[1][0])
+                    elastic_energy += of_spring(held, along_spring)
+                    slid += of_slip(trial, held, along_spring)
                 if rolls:
-                    elastic_energy += of_spring(moment, c[2][0])
-                    slid += of_slip(leaning, moment, c[2][0])
+                    elastic_energy += of_spring(moment, rolling_spring)
+                    slid += of_slip(leaning, moment, rolling_spring)
                 apart = mean[2, k] * nx + mean[3, k] * ny
                 along = mean[3, k] * nx - mean[2, k] * ny - turn
                 elastic_power += (elastic - pull) * apart + held * along + moment * mean[5, k]

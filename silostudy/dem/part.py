@@ -41,10 +41,7 @@ class Part:
         mass, radius = engine.discs.mass[0], engine.discs.radius[0]
         self.pairs = self._contacts(self.room, model.pair_contact.laws, radius, 0.5 * mass)
         self.near = self._contacts(self.wall_room, model.wall_contact.laws, 0.0, mass)
-        stores = (
-            model.pair_contact.laws.slides or model.pair_contact.laws.rolls,
-            model.wall_contact.laws.slides or model.wall_contact.laws.rolls,
-        )
+        stores = (model.pair_contact.laws.stores, model.wall_contact.laws.stores)
         pair, wall = self.memories
         self.memories = (
             self._grown(pair, self.room if stores[0] else 0),

@@ -228,7 +228,7 @@ def test_jammed_arch_under_rising_load():
 
 def test_overlap_at_rest_by_every_dashpot():
     """A disc on the floor sinks by m g / K, whatever the dashpot and the step: none may hold a share of the weight."""
-    implicit = Laws(normal="spring-dashpot-implicit", tangential="spring-slider-implicit")
+    implicit = Laws.of(normal="spring-dashpot-implicit", tangential="spring-slider-implicit")
     overlap = MASS * 9.81 / (2.0 * STIFFNESS)
     for laws in (SLIDING, implicit):
         for dt in (1e-6, 5e-5):

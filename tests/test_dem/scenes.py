@@ -9,7 +9,7 @@ from silostudy.packing import PACKINGS
 
 DENSITY, GRAVITY = 2650.0, 9.81
 STIFFNESS, DAMPING = 364.0 * DENSITY * GRAVITY, 0.153 * DENSITY * GRAVITY  # Kiyama & Fujimura's Table 2 in SI
-SLIDING = Laws(tangential="spring-slider")
+SLIDING = Laws.of(tangential="spring-slider")
 RADIUS = 0.01
 
 
@@ -20,7 +20,7 @@ def contact(factor=1.0, friction=0.577, damping=DAMPING, laws=SLIDING, **more):
         "normal_damping": factor * damping,
         "normal_damping_root": 0.0,
     }
-    if laws.tangential != "none":
+    if laws.tangential.acts:
         coefficients |= {
             "tangential_stiffness": 0.25 * factor * STIFFNESS,
             "tangential_damping": 0.5 * factor * damping,

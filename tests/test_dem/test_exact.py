@@ -56,7 +56,7 @@ def test_restitution_without_pull(zeta):
 
 @pytest.mark.parametrize("zeta", [0.05, 0.2, 0.5, 0.7, 0.9])
 def test_restitution_with_pull_ends_at_zero_overlap(zeta):
-    laws = Laws(normal="spring-dashpot-tension", tangential="spring-slider")
+    laws = Laws.of(normal="spring-dashpot-tension", tangential="spring-slider")
     assert head_on(zeta, laws) == pytest.approx(exp(-pi * zeta / sqrt(1.0 - zeta**2)), rel=2e-2)
 
 
@@ -68,7 +68,7 @@ def test_gross_slip_of_an_oblique_impact(angle):
     damping = 2.0 * zeta * sqrt(MASS * STIFFNESS)
     model = free(
         [0.0], [1.001 * RADIUS], u=[along], v=[-normal], dt=2e-7, walls=(Wall("floor", (-1.0, 0.0), (1.0, 0.0)),),
-        wall_contact=contact(1.0, mu, damping=damping, laws=Laws(normal="spring-dashpot", tangential="spring-slider-total")),
+        wall_contact=contact(1.0, mu, damping=damping, laws=Laws.of(normal="spring-dashpot", tangential="spring-slider-total")),
     )  # fmt: skip
     engine = Engine(model)
     engine.step_to(40000)
@@ -86,7 +86,7 @@ def test_an_oblique_impact_keeps_the_angular_momentum_about_its_contact(angle):
     model = free(
         [0.0], [1.001 * RADIUS], u=[sin(angle)], v=[-cos(angle)], dt=2e-7,
         walls=(Wall("floor", (-1.0, 0.0), (1.0, 0.0)),),
-        wall_contact=contact(1.0, 0.3, laws=Laws(tangential="spring-slider-total")),
+        wall_contact=contact(1.0, 0.3, laws=Laws.of(tangential="spring-slider-total")),
     )  # fmt: skip
     engine = Engine(model)
     engine.step_to(40000)

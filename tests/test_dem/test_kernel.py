@@ -53,10 +53,10 @@ NEUTRAL = {
     "friction": {"pair_contact": contact(laws=Laws()), "wall_contact": contact(2.0, laws=Laws())},
     "rolling": {
         "pair_contact": contact(
-            laws=Laws(tangential="spring-slider", rolling="spring-slider"), rolling_stiffness=1.0, rolling_friction=0.0
+            laws=Laws.of(tangential="spring-slider", rolling="spring-slider"), rolling_stiffness=1.0, rolling_friction=0.0
         )
     },
-    "cohesion": {"pair_contact": contact(laws=Laws(tangential="spring-slider", cohesion="constant-pull"), pull=0.0)},
+    "cohesion": {"pair_contact": contact(laws=Laws.of(tangential="spring-slider", cohesion="constant-pull"), pull=0.0)},
     "shaking": {"quake": np.zeros((10, 2))},
     "observers": {"watched": False},
 }
@@ -119,7 +119,7 @@ from silostudy.dem.engine import Engine
 from silostudy.dem.pieces import Laws
 from tests.test_dem.scenes import contact, silo
 for tangential in sys.argv[1:]:
-    laws = Laws(tangential=tangential)
+    laws = Laws.of(tangential=tangential)
     engine = Engine(silo(pair_contact=contact(laws=laws), wall_contact=contact(2.0, 0.176, laws=laws)))
     engine.step_to(1000)
     print(tangential, hashlib.sha256(engine.discs.rows.tobytes()).hexdigest(), sum(engine._kernel.stats.cache_hits.values()))
@@ -210,6 +210,6 @@ def test_bad_coefficients():
     with pytest.raises(BadInput, match="sliding_friction = nan"):
         contact(friction=np.nan)
     with pytest.raises(BadInput, match="unknown; known: none, spring-slider"):
-        Contact(Laws(tangential="glue"), {})
+        Contact(Laws.of(tangential="glue"), {})
     with pytest.raises(BadInput, match="length"):
         Wall("floor", (0.0, 0.0), (0.0, 0.0))

@@ -53,7 +53,7 @@ def test_the_ledger_changes_no_bit():
 @pytest.mark.parametrize("slider", ["spring-slider", "spring-slider-total", "spring-slider-implicit"])
 def test_what_the_step_creates_in_a_sliding_impact_vanishes_with_it(slider):
     """A cap on the sum makes the spring's force jump at first touch: what the spring then takes is no error of the step."""
-    touch = contact(friction=0.2, laws=Laws(tangential=slider))
+    touch = contact(friction=0.2, laws=Laws.of(tangential=slider))
     created = []
     for dt in (4e-6, 2e-6, 1e-6):
         engine = Engine(

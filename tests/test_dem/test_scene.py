@@ -161,7 +161,7 @@ REFUSED = {
     "zero radius": ({"radius_m": 0.0}, "radius_m"),
     "negative stiffness": ({"discs__normal_stiffness_N_m2": -1.0}, "normal_stiffness_N_m2"),
     "NaN": ({"density_kg_m3": float("nan")}, "density_kg_m3"),
-    "unknown law": ({"discs__tangential": "glue"}, "'spring-slider'"),
+    "unknown law": ({"discs__tangential": "glue"}, "unknown; known: none, spring-slider"),
     "unknown key": ({"record__colour": "red"}, "unknown key"),
     "no stop": ({"events": [{"when": "rest", "do": "open_slit"}]}, "stop"),
     "two dampings": ({"discs__damping_ratio": 0.5}, "not both"),

@@ -6,6 +6,7 @@ from math import atan2, exp, pi, sqrt
 import numpy as np
 
 from silostudy.accuracy.silo import DENSITY, RADIUS, contact
+from silostudy.contact.normal import spring_dashpot, spring_dashpot_implicit
 from silostudy.dem.engine import Engine
 from silostudy.dem.lanes import U
 from silostudy.dem.model import Model, Wall
@@ -23,7 +24,7 @@ LADDERS = {
 def prepare(ladder: str, setting: float):
     """Two discs that approach over half a radius less than nothing: they touch at once and part after a contact time."""
     integrator, *implicit = ladder.split(", ")
-    pair = contact(normal="spring-dashpot-implicit" if implicit else "spring-dashpot")
+    pair = contact(normal=(spring_dashpot_implicit if implicit else spring_dashpot).ROW)
     reduced, stiffness = 0.5 * DENSITY * pi * RADIUS**2, pair.coefficients["normal_stiffness"]
     damping = {"normal_damping": 2.0 * DAMPING_RATIO * sqrt(reduced * stiffness)}
     duration = pi / sqrt(stiffness / reduced * (1.0 - DAMPING_RATIO**2))
