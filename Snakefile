@@ -7,7 +7,7 @@ from pathlib import Path
 from silostudy.config.load import load_project, read_study
 from silostudy.errors import BadInput
 from silostudy.files import alone, check_writable, end_future, remove_damaged
-from silostudy.scene.expand import expand_file
+from silostudy.choice.expand import expand_file
 from silostudy.sweep.plan import make_plan
 from silostudy.tables.outputs import OUTPUTS, files_of
 from silostudy.stages import FILE_KINDS, KINDS, STAGES

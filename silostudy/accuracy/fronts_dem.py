@@ -14,7 +14,9 @@ import numpy as np
 
 from silostudy.accuracy.silo import DENSITY, RADIUS, wall_force
 from silostudy.accuracy.trial import Trial, front_row, kept
-from silostudy.config.dem import MEASURED_LAWS, DemScene
+from silostudy.choice.choose import choose
+from silostudy.choice.dem import MEASURED_LAWS, scene_traits
+from silostudy.config.dem import DemScene
 from silostudy.dem.engine import Engine, Explosion
 from silostudy.scene.dem_model import model_of, placed
 
@@ -98,7 +100,7 @@ def measured_fronts(tell: Callable[[str], None]) -> list[dict]:
     """Rows of tables/fronts.csv: the error over the trait `fall` that 95 % of all fillings of all silos keep."""
     found: list[tuple[float, Found]] = []
     for number, content in enumerate(silos(0, MEASURED), 1):
-        fall = DemScene.model_validate(content).traits["fall"]
+        fall = scene_traits(DemScene.model_validate(content))["fall"]
         found += [(fall, measured(content, COARSE, FINEST["coarse"], range(FILLINGS)))]
         found += [(fall, measured(content, FINE, FINEST["fine"], range(FINE_FILLINGS)))]
         tell(f"dem: silo {number} of {MEASURED}")
@@ -119,9 +121,10 @@ def trials(tell: Callable[[str], None], count: int = UNSEEN, fillings: int = UNS
     found, random = [], np.random.default_rng(2)
     for number, content in enumerate(silos(1, count), 1):
         asked = float(np.exp(random.uniform(*np.log(ASKED))))
-        march = DemScene.model_validate(content | {"accuracy": {"wall_force": asked}}).march
+        traits = scene_traits(DemScene.model_validate(content))
+        integrator, factor = choose(["dem"], {"wall_force": asked}, [traits]).settings.values()
         one = measured(content, COARSE, FINEST["coarse"], range(fillings))
-        setting = min(one.error, key=lambda each: (each[0] != march.integrator, abs(each[1] - march.step_factor)))
+        setting = min(one.error, key=lambda each: (each[0] != integrator, abs(each[1] - factor)))
         cheapest = min((one.cost[each] for each in one.error if one.kept(each) <= asked), default=np.nan)
         found += [Trial("dem", "wall_force", asked, float(error), one.cost[setting], cheapest) for error in one.error[setting]]
         tell(f"dem: silo {number} of {count}, {sum(trial.met for trial in found)} of {len(found)} met")

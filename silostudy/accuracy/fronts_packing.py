@@ -13,11 +13,11 @@ import numpy as np
 
 from silostudy.accuracy.silo import GRAVITY, RADIUS, contact, scene, wall_force
 from silostudy.accuracy.trial import Trial, front_row
+from silostudy.choice.choose import choose
+from silostudy.choice.packing import friction_scatter
 from silostudy.dem.engine import Engine
 from silostudy.dem.model import Model
 from silostudy.dem.stability import chosen_step
-from silostudy.scene.packing import friction_scatter
-from silostudy.tables.fronts import choose
 
 RUNS = tuple(dict.fromkeys(round(2.0 ** (k / 4)) for k in range(4, 37)))  # 2 ... 512, each 1.19 times the one before
 GAP, OFFSET, REST = 3e-4, 1e-4, 1.0  # m, m, s: a packing study's own starts
@@ -114,7 +114,7 @@ def trials(tell: Callable[[str], None], count: int = UNSEEN) -> list[Trial]:
         runs, cost = shares(silo, range(TRIED))
         least = np.quantile(drawn(np.concatenate([right, runs]), random), SHARE, axis=1)
         for asked in np.exp(np.log(ASKED[0]) + np.log(ASKED[1] / ASKED[0]) * random.random(4)).tolist():
-            chosen = choose("packing", {"rest_side_share": asked}, [silo.traits]).settings["runs"]
+            chosen = choose(["packing"], {"rest_side_share": asked}, [silo.traits]).settings["runs"]
             enough = RUNS[int(np.argmax(least <= asked))]
             means = runs[: TRIED // chosen * chosen].reshape(-1, chosen).mean(axis=1)
             for wrong in np.abs(means / right.mean() - 1.0):

@@ -31,8 +31,8 @@ def add(sub) -> None:
 
 
 def run(chosen: argparse.Namespace) -> None:
+    from silostudy.choice.expand import expand, expand_file
     from silostudy.compute.pressure import pressure_cube
-    from silostudy.scene.expand import expand, expand_file
 
     if chosen.study:
         expansion = expand_file(chosen.study)

@@ -98,7 +98,7 @@ def _problems(chosen):
 
 
 def _accuracies(chosen):
-    from silostudy.tables.fronts import FRONTS
+    from silostudy.choice.fronts import FRONTS
 
     for row in FRONTS:
         by = f"x {row.scaled_by}" if row.scaled_by else ""

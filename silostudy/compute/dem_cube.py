@@ -5,6 +5,7 @@ from typing import Any
 import numpy as np
 import xarray as xr
 
+from silostudy.choice.promise import Choice, promises
 from silostudy.config.dem import DemScene
 from silostudy.cube.contract import VARIABLES, check
 from silostudy.cube.provenance import provenance
@@ -14,8 +15,8 @@ from silostudy.dem.model import Model
 from silostudy.dem.run import Run
 
 
-def cube_of(run: Run, scene: DemScene) -> xr.Dataset:
-    """The cube of everything that a run recorded."""
+def cube_of(run: Run, scene: DemScene, choice: Choice | None = None) -> xr.Dataset:
+    """The cube of everything that a run recorded; choice: that of its settings, where the scene asked for an accuracy."""
     model = run.engine.model
     data = {"disc_radius": np.array(model.radius), "disc_mass": model.mass}
     data |= _windows(run) | _snapshots(run)
@@ -31,7 +32,8 @@ def cube_of(run: Run, scene: DemScene) -> xr.Dataset:
         for name, values in kept.items()
     }
     asked = scene.model_dump_json(exclude_defaults=True)
-    attributes: dict[str, Any] = dict(provenance(scene.title, asked, sources_of(model), "dem")) | scene.promise
+    attributes: dict[str, Any] = dict(provenance(scene.title, asked, sources_of(model), "dem"))
+    attributes |= promises([choice] if choice else [])
     attributes |= {"time_step_s": model.dt, "steps": run.engine.step, "discs_left": run.engine.n}
     if record.explosion is not None:
         attributes["stopped"] = str(record.explosion)

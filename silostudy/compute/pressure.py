@@ -5,6 +5,7 @@ from collections.abc import Mapping
 import numpy as np
 import xarray as xr
 
+from silostudy.choice.expand import Resolved
 from silostudy.compute.axes import axis_coordinates
 from silostudy.compute.evaluate import (
     above_contact,
@@ -23,7 +24,6 @@ from silostudy.config.fields import expand
 from silostudy.cube.contract import check
 from silostudy.cube.provenance import provenance
 from silostudy.pressure.family import IN_SCOPE, NO_PHASE, NO_QUANTITY, OUT_OF_RANGE, QUANTITIES, call
-from silostudy.scene.expand import Expansion
 
 HANDED = ("unit_weight", "internal_friction_angle", "wall_friction", "lateral_pressure_ratio", "poisson_ratio")
 HANDED_IF_KNOWN = (
@@ -37,7 +37,7 @@ HANDED_IF_KNOWN = (
 )
 
 
-def pressure_cube(expansion: Expansion) -> xr.Dataset:
+def pressure_cube(expansion: Resolved) -> xr.Dataset:
     """The cube of a study: each quantity (method, phase, axes..., depth) with a scope flag beside it."""
     labels = method_labels(expansion)
     z = depths_in_metres(expansion)
@@ -55,7 +55,7 @@ def pressure_cube(expansion: Expansion) -> xr.Dataset:
     return _assemble(expansion, labels, z, values, scopes, handed)
 
 
-def depths_in_metres(expansion: Expansion) -> np.ndarray:
+def depths_in_metres(expansion: Resolved) -> np.ndarray:
     """Depth (m) of every value, shape (axes..., depth)."""
     depths = np.array(expansion.study.depths)
     if expansion.study.depth_m is not None:
@@ -89,7 +89,7 @@ def _note(handed: dict[str, np.ndarray], m: int, parameters: Mapping, shape: tup
     handed["wall_friction_capped"][m] = capped.reshape(shape)
 
 
-def _assemble(expansion: Expansion, labels: list[str], z, values, scopes, handed) -> xr.Dataset:
+def _assemble(expansion: Resolved, labels: list[str], z, values, scopes, handed) -> xr.Dataset:
     axes = [axis.axis for axis in expansion.study.sweep]
     by_metres = expansion.study.depth_m is not None
     level = "depth" if by_metres else "relative_depth"
@@ -134,7 +134,7 @@ def _assemble(expansion: Expansion, labels: list[str], z, values, scopes, handed
     sources = [row_of(label).source for label in labels] + [case.scene.solid.source for case in expansion.cases]
     about = {
         **provenance(expansion.study.title, study, sources, "pressure"),
-        **expansion.study.promise,
+        **expansion.promise,
         "sweep_axes": " ".join(axes),
     }
     return check(xr.Dataset(data, coords, about))

@@ -22,6 +22,7 @@ def sources(study: ScenesStudy) -> list[str]:
     from silostudy.contact import COHESION, NORMAL, ROLLING, TANGENTIAL
     from silostudy.dem.integrate import INTEGRATORS
 
+    assert study.scene.march.integrator is not None, "scene.march.integrator is not chosen yet"
     rows: list[Row] = [INTEGRATORS[study.scene.march.integrator]]
     for contact in (study.scene.discs, study.scene.walls or study.scene.discs):
         rows += [NORMAL[contact.normal], TANGENTIAL[contact.tangential], ROLLING[contact.rolling], COHESION[contact.cohesion]]

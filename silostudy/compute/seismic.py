@@ -5,13 +5,13 @@ from collections.abc import Callable
 import numpy as np
 import xarray as xr
 
+from silostudy.choice.expand import Resolved
 from silostudy.compute.axes import axis_coordinates
 from silostudy.compute.identified import identified, labels
 from silostudy.compute.variables import attributes
 from silostudy.config.fields import expand
 from silostudy.cube.contract import VARIABLES, check
 from silostudy.cube.provenance import provenance
-from silostudy.scene.expand import Expansion
 from silostudy.scene.seismic import Shaken
 from silostudy.seismic import identify
 from silostudy.seismic.added_mass import mass_ratio, stiffness_reduction, volume_ratio
@@ -25,7 +25,7 @@ BOUNDS = ("lower", "upper")
 SOURCES = ("sasaki_yoshimura_effective_mass", "nigam_jennings_1969", "en1998_4_2006")
 
 
-def seismic_cube(expansion: Expansion, tell: Callable[[str], None] = lambda text: None) -> xr.Dataset:
+def seismic_cube(expansion: Resolved, tell: Callable[[str], None] = lambda text: None) -> xr.Dataset:
     """The cube of a seismic study; `tell` hears of each case as it is done."""
     study = expansion.study
     found = []
@@ -49,7 +49,7 @@ def seismic_cube(expansion: Expansion, tell: Callable[[str], None] = lambda text
         "sweep_axes": " ".join(axes),
         "assumed": ", ".join(study.assumed),
         "published": study.published or "",
-        **study.promise,
+        **expansion.promise,
     }
     if study.identification:
         own["band_Hz"] = list(study.identification.band_Hz)

@@ -8,6 +8,7 @@ import xarray as xr
 from silostudy.buckling import BUCKLING
 from silostudy.buckling.family import IN_SCOPE, MODES, NO_LOAD, REASONS
 from silostudy.buckling.thickness import required_thickness, with_thickness
+from silostudy.choice.expand import Resolved
 from silostudy.compute.buckling import rule_coordinates
 from silostudy.compute.pressure import row_of
 from silostudy.compute.shell_earthquake import SIDES, beside, earthquake_loads, earthquake_told, of_this_study, sides
@@ -16,10 +17,9 @@ from silostudy.compute.variables import attributes, flags
 from silostudy.cube.contract import check
 from silostudy.cube.provenance import provenance
 from silostudy.errors import BadInput
-from silostudy.scene.expand import Expansion
 
 
-def shell_cube(expansion: Expansion, pressure: xr.Dataset, seismic: xr.Dataset | None = None) -> xr.Dataset:
+def shell_cube(expansion: Resolved, pressure: xr.Dataset, seismic: xr.Dataset | None = None) -> xr.Dataset:
     """The cube of a shell study: loads, required thickness, and with strakes the utilisation over depth.
 
     seismic: the cube of the seismic study that it names, for all of this once more with the earthquake.
@@ -46,7 +46,7 @@ def shell_cube(expansion: Expansion, pressure: xr.Dataset, seismic: xr.Dataset |
         coords["side"] = ("side", list(SIDES), attributes("side"))
         told |= earthquake_told(one)
         sources.append("en1998_4_2006")
-    return check(xr.Dataset(data, coords, {**provenance(study.title, text, sources, "shell"), **told, **study.promise}))
+    return check(xr.Dataset(data, coords, {**provenance(study.title, text, sources, "shell"), **told, **expansion.promise}))
 
 
 def shaken(rules, parameters: Mapping, force, added, safety, thickness, over: tuple[str, ...]) -> dict[str, tuple]:
@@ -86,12 +86,12 @@ def load_variables(pressure: xr.Dataset, force, source, pressures, over: tuple[s
     }
 
 
-def _of_cases(expansion: Expansion, values: list) -> np.ndarray:
+def _of_cases(expansion: Resolved, values: list) -> np.ndarray:
     """One value a case, shape (axes..., 1)."""
     return np.array(values, dtype=float).reshape(*expansion.shape, 1)
 
 
-def wall_parameters(expansion: Expansion, lower: np.ndarray, upper: np.ndarray) -> dict[str, np.ndarray]:
+def wall_parameters(expansion: Resolved, lower: np.ndarray, upper: np.ndarray) -> dict[str, np.ndarray]:
     """The buckling rules' parameters but thickness and shell_radius; `inner_radius` (m) in their place."""
     walls, silos = ([getattr(case.scene, name) for case in expansion.cases] for name in ("shell", "silo"))
     bays = [wall.bay_length or silo.wall_depth for wall, silo in zip(walls, silos, strict=True)]
@@ -115,7 +115,7 @@ def required_thicknesses(rules, parameters: Mapping, force: np.ndarray, safety, 
     }
 
 
-def strakes(expansion: Expansion, pressure: xr.Dataset) -> np.ndarray:
+def strakes(expansion: Resolved, pressure: xr.Dataset) -> np.ndarray:
     """Thickness (m) of the strake at every depth, shape (axes..., depth); an edge belongs to the strake above it."""
     z = depths(pressure).reshape(len(expansion.cases), -1)
     found = []

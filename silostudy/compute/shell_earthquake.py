@@ -8,6 +8,7 @@ if they came at once, at their characteristic values: no combination rule and no
 import numpy as np
 import xarray as xr
 
+from silostudy.choice.expand import resolved
 from silostudy.compute.shell_load import depths
 from silostudy.cube.contract import VARIABLES
 from silostudy.errors import BadInput
@@ -26,7 +27,8 @@ def of_this_study(expansion: Expansion, seismic: xr.Dataset | None) -> xr.Datase
     name = expansion.study.earthquake.study
     if seismic is None:
         raise BadInput("earthquake", name, "needs the seismic cube of that study")
-    if any(case.scene.earthquake != seismic.attrs["study"] for case in expansion.cases):
+    asked = resolved(expansion.cases[0].scene.earthquake, name).study  # the same for all cases
+    if asked.model_dump_json(exclude_defaults=True) != seismic.attrs["study"]:
         raise BadInput("seismic cube", seismic.attrs["title"], f"is of another study than {name}")
     return seismic
 

@@ -11,19 +11,19 @@ import numpy as np
 import xarray as xr
 from scipy.stats import qmc, sobol_indices, uniform
 
+from silostudy.choice.expand import Resolved
 from silostudy.compute.evaluate import functions_of, gather, looks, method_labels, plans, row_of
 from silostudy.compute.pressure import depths_in_metres, evaluate
 from silostudy.compute.variables import attributes
 from silostudy.cube.contract import check
 from silostudy.cube.provenance import provenance
-from silostudy.scene.expand import Expansion
 
 SAMPLED = ("internal_friction_angle", "wall_friction", "lateral_pressure_ratio", "unit_weight")
 SPREAD_OF = {"internal_friction_angle": "a_phi", "wall_friction": "a_mu", "lateral_pressure_ratio": "a_K"}
 QUANTILES = (0.05, 0.5, 0.95)
 
 
-def uncertainty_cube(expansion: Expansion) -> xr.Dataset:
+def uncertainty_cube(expansion: Resolved) -> xr.Dataset:
     """Quantiles of the wall pressure (method, phase, quantile, depth) and Sobol indices of its largest value."""
     labels, phases = method_labels(expansion), expansion.study.phases
     z, asked = depths_in_metres(expansion), expansion.study.uncertainty
@@ -43,7 +43,7 @@ def uncertainty_cube(expansion: Expansion) -> xr.Dataset:
     return _assemble(expansion, labels, quantiles, indices)
 
 
-def _pressure_of(expansion: Expansion, label: str, phase: str, z: np.ndarray) -> Callable:
+def _pressure_of(expansion: Resolved, label: str, phase: str, z: np.ndarray) -> Callable:
     """The wall pressure (Pa), shape (samples, depths), as a function of points (samples, properties) of the unit cube."""
     parameters, base = gather(expansion, label), spreads(expansion)
 
@@ -55,7 +55,7 @@ def _pressure_of(expansion: Expansion, label: str, phase: str, z: np.ndarray) ->
     return pressure
 
 
-def spreads(expansion: Expansion) -> dict[str, float]:
+def spreads(expansion: Resolved) -> dict[str, float]:
     """The scatter of the study's solid: the same for every method."""
     parameters = gather(expansion, "janssen")
     lower = parameters["unit_weight_lower"] / parameters["unit_weight"]
@@ -88,7 +88,7 @@ def _indices(pressure: Callable, whole: np.ndarray, asked) -> np.ndarray:
     return np.array([found.first_order, found.total_order])
 
 
-def _assemble(expansion: Expansion, labels: list[str], quantiles: np.ndarray, indices: np.ndarray) -> xr.Dataset:
+def _assemble(expansion: Resolved, labels: list[str], quantiles: np.ndarray, indices: np.ndarray) -> xr.Dataset:
     by_metres = expansion.study.depth_m is not None
     level = "depth" if by_metres else "relative_depth"
     over = ("method", "phase", "parameter")
@@ -116,5 +116,5 @@ def _assemble(expansion: Expansion, labels: list[str], quantiles: np.ndarray, in
         coords["relative_depth"] = (level, np.array(expansion.study.depths), attributes("relative_depth"))
     study = expansion.study.model_dump_json(exclude_defaults=True)
     sources = [row_of(label).source for label in labels] + [case.scene.solid.source for case in expansion.cases]
-    about = {**provenance(expansion.study.title, study, sources, "uncertainty"), **expansion.study.promise}
+    about = {**provenance(expansion.study.title, study, sources, "uncertainty"), **expansion.promise}
     return check(xr.Dataset(data, coords, {**about, "sweep_axes": ""}))

@@ -45,10 +45,10 @@ def read_yaml(path: Path) -> dict[str, Any]:
     return content
 
 
-def validated(model: type[M], content: Any, where: str, context: Any = None) -> M:
+def validated(model: type[M], content: Any, where: str) -> M:
     """The content as a model; BadInput with one line for each mistake."""
     try:
-        return model.model_validate(content, context=context)
+        return model.model_validate(content)
     except ValidationError as error:
         raise Mistakes([_line(item, content, where) for item in error.errors()]) from None
 
@@ -101,18 +101,15 @@ def _unit_hint(key: str, siblings: Any) -> str:
     return ""
 
 
-def study_of(content: dict[str, Any], where: str, traits: Any = None) -> BaseStudy:
-    """A study from the content of its file; BadInput lists every mistake.
-
-    traits: of its scenes, where they are built: what its errors hang on, for a study that asks for an accuracy.
-    """
+def study_of(content: dict[str, Any], where: str) -> BaseStudy:
+    """A study as asked, from the content of its file; BadInput lists every mistake."""
     if content.get("kind") not in KINDS:
         raise unknown("kind", content.get("kind"), KINDS, where)
-    return validated(KINDS[content["kind"]].study, content, where, traits)
+    return validated(KINDS[content["kind"]].study, content, where)
 
 
 def read_study(path: Path) -> BaseStudy:
-    """The study in a file; BadInput lists every mistake."""
+    """The study in a file, as asked; BadInput lists every mistake."""
     return study_of(read_yaml(path), str(path))
 
 

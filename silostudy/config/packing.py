@@ -69,11 +69,13 @@ class Detail(Strict):
 class PackingStudy(Asked, BaseStudy):
     """Discs at rest and in discharge: ensembles of starts for every case."""
 
-    front: ClassVar[str] = "packing"
+    fronts: ClassVar[tuple[str, ...]] = ("packing",)
 
     kind: Literal["packing"] = described("packing: rows of discs at rest and in discharge", "")
     scene: PackingScene = described("the base scene", "")
-    runs: int = described("runs of each case that start from offsets, beside the ideal start", ge=1, le=1000, default=40)
+    runs: int | None = described(
+        "runs of each case that start from offsets, beside the ideal start; null: for the accuracy", ge=1, le=1000, default=40
+    )
     offset_m: float = described("offset of every disc at those starts, each way, at random", "m", gt=0, default=1e-4)
     offset_gap_m: float = described("gap between neighbours at those starts", "m", gt=0, default=3e-4)
     discharge_s: float = described("time that each discharge is followed", "s", gt=0.5, default=1.2)

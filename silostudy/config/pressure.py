@@ -20,14 +20,14 @@ PhaseKey: TypeAlias = Literal[PHASES]  # type: ignore[valid-type]
 class Uncertainty(Strict):
     """Scatter of the stored solid, sampled: mean times or over the solid's a_phi, a_K, a_mu, and its unit weights."""
 
-    log2_samples: int = described("sample size as a power of two", ge=6, le=16, default=10)
+    log2_samples: int | None = described("sample size as a power of two; null: for the accuracy", ge=6, le=16, default=10)
     seed: int = described("seed of the quasi-random sequence: the same seed gives the same numbers", ge=0, default=1)
 
 
 class PressureStudy(Asked, BaseStudy):
     """Wall pressures of silos by theories and design codes."""
 
-    front: ClassVar[str] = "pressure"
+    fronts: ClassVar[tuple[str, ...]] = ("pressure",)
 
     kind: Literal["pressure"] = described("pressure: wall pressures by theories and design codes", "")
     scene: SceneConfig = described("the base scene", "")
@@ -92,7 +92,9 @@ class PressureStudy(Asked, BaseStudy):
 
     @model_validator(mode="after")
     def _one_depth_axis(self) -> Self:
-        if (self.depth_m is None) == (self.relative_depth is None):
+        if self.decides("relative_depth") and self.depth_m is not None:
+            raise ValueError("give either depth_m or an accuracy that decides relative_depth, and not both")
+        if not self.decides("relative_depth") and (self.depth_m is None) == (self.relative_depth is None):
             raise ValueError("give either depth_m or relative_depth, and not both")
         if self.relative_depth is not None and expand(self.relative_depth)[-1] > 1:
             raise ValueError("relative_depth ends at 1, the transition")
@@ -126,5 +128,5 @@ class PressureStudy(Asked, BaseStudy):
     def depths(self) -> list[float]:
         """The depth axis: metres, or relative depths."""
         given = self.depth_m if self.depth_m is not None else self.relative_depth
-        assert given is not None  # the validator above asks for one of the two
+        assert given is not None, "relative_depth is not chosen yet"  # else the validator above asks for one of the two
         return expand(given)

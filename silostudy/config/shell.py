@@ -31,7 +31,7 @@ class Earthquake(Strict):
 class ShellStudy(PressureStudy, RuleChoice):
     """A pressure study that goes on to the shell."""
 
-    front: ClassVar[str] = "shell"
+    fronts: ClassVar[tuple[str, ...]] = ("shell", "pressure")
 
     kind: Literal["shell"] = described("shell: wall pressures, and the steel wall that carries them", "")  # type: ignore[assignment]
     scene: SteelSilo = described("the base scene", "")

@@ -2,7 +2,6 @@
 
 from dataclasses import dataclass
 from math import pi, radians, sqrt, tan
-from pathlib import Path
 
 import numpy as np
 
@@ -138,10 +137,3 @@ def effects(scene: DemScene) -> tuple[Effect, ...]:
         Effect("events", len(scene.events) > 1, ", ".join(event.do for event in scene.events)),
         Effect("snapshots", bool(record.snapshots_s), f"record.snapshots_s: {len(record.snapshots_s)} times"),
     )
-
-
-def load(path: Path) -> DemScene:
-    """The scene in a YAML file; BadInput lists every mistake."""
-    from silostudy.config.load import read_yaml, validated
-
-    return validated(DemScene, read_yaml(path), str(path))

@@ -1,6 +1,6 @@
 """The scenes of a packing study: a silo, its rows of discs, its slit; walls, contacts and where the discs start."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass
 from math import sqrt
 from pathlib import Path
@@ -48,23 +48,6 @@ def packing_builder(study: PackingStudy, folder: Path, where: str) -> Callable[[
         return SlitScene(config, config.model_dump_json(exclude={"remedy": True, "silo": {"slit_width_m": True}}))
 
     return build_one
-
-
-def packing_traits(study: PackingStudy, scenes: Sequence[SlitScene]) -> list[dict[str, float]]:
-    """Of each scene: what the spread of its runs goes with; how far discs of a row are apart and offset, over the radius."""
-    found = []
-    for one in scenes:
-        discs, count = one.config.discs, len(discs_of(study, one.config, 1)[0])
-        number = friction_scatter(discs.disc_friction, discs.wall_friction, count)
-        offsets = {"offset": study.offset_m / discs.radius_m, "offset_gap": study.offset_gap_m / discs.radius_m}
-        pitch = (one.config.silo.width_m - 2.0 * discs.radius_m) / (one.config.across - 1) / discs.radius_m
-        found.append({"friction_scatter": number, "pitch": pitch, **offsets})
-    return found
-
-
-def friction_scatter(discs: float, walls: float, count: int) -> float:
-    """Root of both frictions' product over the number of discs (1): what friction leaves open, the more the fewer share it."""
-    return sqrt(discs * walls / count)
 
 
 def ideal_gap(across: int) -> float:

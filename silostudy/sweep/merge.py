@@ -9,14 +9,14 @@ from typing import Any
 import numpy as np
 import xarray as xr
 
+from silostudy.choice.expand import expand_file
+from silostudy.choice.promise import promises
 from silostudy.compute.axes import axis_coordinates
 from silostudy.compute.variables import attributes, flags
-from silostudy.config.asked import promises
 from silostudy.cube.contract import VARIABLES
 from silostudy.cube.provenance import provenance
 from silostudy.errors import BadInput
 from silostudy.files import replacing
-from silostudy.scene.expand import expand_file
 from silostudy.sweep.journal import ENDING, failed, sound
 from silostudy.sweep.plan import DONE, parts_of, read_plan
 from silostudy.sweep.slabs import Slab, write_slabs
@@ -68,7 +68,7 @@ def merge(path: Path, folder: Path, output: Path, memory: float = MEMORY) -> tup
     coords = {name: (*coordinate, attributes(name)) for name, coordinate in stage.call("coordinates", study).items()}
     about = provenance(study.title, study.model_dump_json(exclude_defaults=True), stage.call("sources", study), study.kind)
     axes = " ".join(axis.axis for axis in study.sweep)
-    about |= {"sweep_axes": axes, **_promise(path, study, len(records.keys))}
+    about |= {"sweep_axes": axes, **(_promise(path, len(records.keys)) if expansion.asks else {})}
     frame = xr.Dataset(coords={**axis_coordinates(study), **coords}, attrs=about)
     slabs = _slabs(records.pattern(), frame)
     lost: list[tuple[str, str]] = []
@@ -87,12 +87,10 @@ def merge(path: Path, folder: Path, output: Path, memory: float = MEMORY) -> tup
     return len(records.keys), len(lost)
 
 
-def _promise(path: Path, study, count: int) -> dict[str, str]:
+def _promise(path: Path, count: int) -> dict[str, str]:
     """What was asked, chosen and expected of a sweep whose scenes ask for an accuracy; read in bounded pieces."""
-    if getattr(study.scene, "accuracy", None) is None:
-        return {}
     pieces = (range(first, min(first + PIECE, count)) for first in range(0, count, PIECE))
-    return promises(case.scene.config for piece in pieces for case in expand_file(path, piece).cases)
+    return promises(choice for piece in pieces for choice in expand_file(path, piece).choices)
 
 
 def _slabs(pattern: dict[str, tuple[int, ...]], frame: xr.Dataset) -> dict[str, Slab]:

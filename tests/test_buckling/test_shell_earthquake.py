@@ -10,6 +10,7 @@ import pytest
 import yaml
 
 from silostudy.__main__ import main
+from silostudy.choice.expand import expand
 from silostudy.compute.pressure import pressure_cube
 from silostudy.compute.seismic import seismic_cube
 from silostudy.compute.shell import shell_cube
@@ -17,7 +18,6 @@ from silostudy.compute.shell_earthquake import sides
 from silostudy.cube.io import write
 from silostudy.errors import BadInput
 from silostudy.figures import shell_earthquake
-from silostudy.scene.expand import expand
 from silostudy.seismic.demand import axial_wall_force
 from tests.conftest import expanded
 from tests.test_buckling.test_shell import STUDY

@@ -9,13 +9,13 @@ from pathlib import Path
 import pytest
 
 from silostudy.__main__ import main
+from silostudy.choice.expand import expand_file
 from silostudy.compute.buckling import buckling_cube
 from silostudy.compute.pressure import pressure_cube
 from silostudy.compute.shell import shell_cube
 from silostudy.cube.io import read, write
 from silostudy.errors import BadInput
 from silostudy.figures import required_thickness, shell_over_depth, test_over_prediction
-from silostudy.scene.expand import expand_file
 from tests.conftest import ROOT, expanded
 from tests.test_buckling.test_shell import STUDY as SILO
 

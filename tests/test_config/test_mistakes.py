@@ -8,10 +8,10 @@ import pytest
 import yaml
 
 from silostudy.__main__ import main
+from silostudy.choice.expand import expand_file
 from silostudy.config.load import load_project, read_yaml
 from silostudy.config.schema import study_schema
 from silostudy.errors import BadInput
-from silostudy.scene.expand import expand_file
 from tests.conftest import ROOT, SMALL, expanded
 
 SILO = SMALL["scene"]["silo"]

@@ -11,6 +11,7 @@ import pytest
 import yaml
 
 from silostudy.__main__ import main
+from silostudy.choice.dem import load
 from silostudy.compute.dem import carry_through, model_of, run_of
 from silostudy.compute.dem_cube import cube_of
 from silostudy.compute.paraview import export
@@ -21,7 +22,7 @@ from silostudy.dem.engine import Engine
 from silostudy.dem.run import Event, Run
 from silostudy.dem.stability import longest_step
 from silostudy.errors import BadInput
-from silostudy.scene.dem import effects, load
+from silostudy.scene.dem import effects
 from tests.conftest import ROOT
 
 from .scenes import silo
@@ -138,7 +139,7 @@ def test_an_ensemble_gives_the_bits_of_its_members(tmp_path, capsys):
 
 
 def test_the_example_scene_is_valid_and_its_effects_are_listed():
-    scene = load(ROOT / "config/scenes/kiyama-17-18.yaml")
+    scene, _ = load(ROOT / "config/scenes/kiyama-17-18.yaml")
     on = {effect.name: effect.on for effect in effects(scene)}
     assert on["friction, rotation, history"]
     assert on["slit"]
@@ -149,7 +150,7 @@ def test_the_example_scene_is_valid_and_its_effects_are_listed():
 
 def test_the_stability_bound_of_the_paper_s_scene():
     """The paper's step 1e-4 s is beyond the bound of (17), (18) and within that of (17), (19), as it found."""
-    scene = load(ROOT / "config/scenes/kiyama-17-18.yaml")
+    scene, _ = load(ROOT / "config/scenes/kiyama-17-18.yaml")
     model = model_of(scene, ROOT)
     assert 5e-5 < longest_step(model) < 7e-5
     assert 1e-4 < longest_step(replace(model, integrator="17-19")) < 2e-4

@@ -6,6 +6,7 @@ import numpy as np
 import pandas as pd
 import pytest
 
+from silostudy.choice.expand import expand_file
 from silostudy.compute.pressure import pressure_cube
 from silostudy.compute.uncertainty import uncertainty_cube
 from silostudy.figures import (
@@ -18,7 +19,6 @@ from silostudy.figures import (
     sobol_indices,
     uncertainty_bands,
 )
-from silostudy.scene.expand import expand_file
 from silostudy.tables.measured import measured_silos as measured
 from tests.conftest import ROOT, expanded
 

@@ -6,6 +6,7 @@ import numpy as np
 import pandas as pd
 import pytest
 
+from silostudy.choice.expand import expand_file
 from silostudy.compute.arch import find_arch
 from silostudy.compute.motion import motion_cube
 from silostudy.compute.packing import packing_cube
@@ -17,7 +18,6 @@ from silostudy.errors import BadInput
 from silostudy.figures import packing_slit
 from silostudy.figures.packing_against_codes import code_factors
 from silostudy.figures.packing_findings import findings, verdict
-from silostudy.scene.expand import expand_file
 from silostudy.tables.claims import kiyama_1983
 from tests.conftest import ROOT, expanded
 from tests.test_dem.scenes import free

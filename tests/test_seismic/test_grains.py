@@ -2,9 +2,9 @@
 
 import numpy as np
 import pytest
+from silostudy.commands.grains import told
 
 from silostudy.accuracy.prices import Price
-from silostudy.commands.grains import told
 from silostudy.compute.grains import grains_cube
 from silostudy.compute.grains_model import model_of
 from silostudy.seismic.grains import carried_share, equivalent_damping, wall_carried_ring
@@ -112,8 +112,8 @@ def test_what_a_study_will_cost(monkeypatch):
 
 
 def test_studies_are_valid_and_figure_draws(cube, tmp_path):
+    from silostudy.choice.expand import expand_file
     from silostudy.figures import grains_effective_mass
-    from silostudy.scene.expand import expand_file
 
     for path in sorted((ROOT / "config/studies").glob("grains-*.yaml")):
         assert expand_file(path).study.outputs == ("grains_effective_mass",)

@@ -12,9 +12,9 @@ import pandas as pd
 import pytest
 import xarray as xr
 
+from silostudy.choice.expand import expand_file
 from silostudy.compute.pressure import pressure_cube
 from silostudy.cube.io import write
-from silostudy.scene.expand import expand_file
 from silostudy.sweep.journal import line
 from silostudy.sweep.merge import merge
 from silostudy.sweep.plan import make_plan

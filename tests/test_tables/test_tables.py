@@ -5,9 +5,10 @@ from math import atan, pi, tan
 import pytest
 
 from silostudy.buckling import BUCKLING
+from silostudy.choice import fronts
 from silostudy.errors import BadInput
 from silostudy.pressure import PRESSURE
-from silostudy.tables import fronts
+from silostudy.tables.asked import ASKED
 from silostudy.tables.handbook import TONNE_PER_M2, errata, table_4_2_5
 from silostudy.tables.read import HERE, rows
 from silostudy.tables.references import cite
@@ -25,7 +26,7 @@ def test_every_row_of_every_table_has_a_source(path):
     text |= {"erratum", "place", "printed", "right", "evidence", "silo", "plan"}
     text |= {"test", "material", "steel", "collapse", "shape", "ring"}
     text |= {"problem", "group", "setting", "quantities", "reference_kind", "reference", "compare"}
-    text |= set(fronts.TEXT)
+    text |= {*fronts.TEXT, "decides"}
     text |= {"record", "package", "file", "claim", "variable", "measure", "trait"}
     found = rows(path, text=text)
     assert found
@@ -36,7 +37,9 @@ def test_every_row_of_every_table_has_a_source(path):
 
 def test_traits_and_quantities_of_fronts_are_told_and_no_others():
     assert set(fronts.TRAITS) == {name for row in fronts.FRONTS for name in row.within}
-    assert set(fronts.ASKED) == {(row.kind, row.quantity) for row in fronts.FRONTS}
+    assert {(row.front, row.name, row.decides) for row in ASKED} == {
+        (row.kind, row.quantity, row.keys) for row in fronts.FRONTS
+    }
 
 
 def test_units_are_converted_once():

@@ -1,4 +1,4 @@
-"""Numbers of a pressure study's scenes on which the errors of its depth levels and samples hang: see tables/fronts.py."""
+"""Numbers of a pressure study's scenes on which the errors of its depth levels and samples hang: see choice/fronts.py."""
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from math import log
