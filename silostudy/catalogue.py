@@ -43,7 +43,7 @@ class Family(Mapping[str, R], Generic[R]):
         return self._rows[key]
 
     def __contains__(self, key: object) -> bool:
-        return key in self._rows
+        return isinstance(key, str) and key in self._rows
 
     def __iter__(self) -> Iterator[str]:
         return iter(self._rows)

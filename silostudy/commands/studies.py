@@ -23,10 +23,11 @@ def add(sub) -> None:
 def run_check(chosen) -> None:
     from silostudy.choice.expand import expand_file
     from silostudy.config.load import read_yaml
-    from silostudy.stages import KINDS
+    from silostudy.stages import FILE_KINDS, KINDS
 
     path = chosen.study if chosen.study.suffix else Path("config/studies") / f"{chosen.study}.yaml"
-    if read_yaml(path).get("kind") == "dem":
+    said = read_yaml(path).get("kind")
+    if said in FILE_KINDS and said not in KINDS:
         print("\n".join(scene_checked(path)))
         return
     expansion = expand_file(path)

@@ -53,6 +53,7 @@ MISTAKES = {
     "unknown plan": (silo(plan="oval"), "found using 'plan' does not match any of the expected tags: 'circular'"),
     "unknown key": ({"colour": "red"}, "colour = 'red': unknown key"),
     "unknown kind": ({"kind": "presure"}, "kind = 'presure': unknown; known: accuracy, buckling, grains"),
+    "no text as kind": ({"kind": ["pressure"]}, "kind = ['pressure']: unknown; known: accuracy, buckling, grains"),
     "unit missing": (
         scene(silo={"plan": "circular", "diameter": 5.0, "cylinder_depth_m": 18.0}),
         "write diameter_m in place of diameter",
