@@ -10,7 +10,6 @@ from silostudy.choice.expand import expand_file
 from silostudy.compute.pressure import pressure_cube
 from silostudy.compute.uncertainty import uncertainty_cube
 from silostudy.figures import (
-    OUTPUTS,
     comparison_today,
     governing_load_case,
     jenike_charts,
@@ -20,6 +19,7 @@ from silostudy.figures import (
     uncertainty_bands,
 )
 from silostudy.tables.measured import measured_silos as measured
+from silostudy.tables.outputs import OUTPUTS
 from tests.conftest import ROOT, expanded
 
 MODULES = (

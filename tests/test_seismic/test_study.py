@@ -16,7 +16,6 @@ from silostudy.config.load import read_yaml
 from silostudy.cube.io import read, write
 from silostudy.errors import BadInput
 from silostudy.figures import (
-    OUTPUTS,
     sasaki_1991,
     seismic_demand,
     seismic_histories,
@@ -25,6 +24,7 @@ from silostudy.figures import (
     seismic_resonance,
     seismic_spectra,
 )
+from silostudy.tables.outputs import OUTPUTS
 from tests.conftest import ROOT, expanded
 
 SASAKI = ROOT / "config/studies/sasaki-1991.yaml"
