@@ -7,7 +7,7 @@ from math import pi, sqrt
 import numpy as np
 import pytest
 
-from silostudy.compute.dem import model_of
+from silostudy.compute.dem import scene_model
 from silostudy.compute.pressure import pressure_cube
 from silostudy.config.dem import DemScene
 from silostudy.config.load import read_yaml, study_of, validated
@@ -122,7 +122,7 @@ def test_a_scene_gets_integrator_and_step(tmp_path):
     settings = choose("dem", {"wall_force": 0.1}, [scene.traits]).settings
     assert scene.march.integrator == settings["march.integrator"]
     assert scene.march.step_factor == settings["march.step_factor"]
-    model = model_of(scene, tmp_path)
+    model = scene_model(scene, tmp_path)
     assert model.dt == pytest.approx(settings["march.step_factor"] * chosen_step(model))
     assert scene.promise["accuracy_asked"] == "wall_force 0.1"
     assert 0.01 < float(scene.promise["accuracy_expected"].split()[-1]) <= 0.1
