@@ -10,11 +10,11 @@ from silostudy.accuracy import optional_discs, optional_formulas
 from silostudy.accuracy.instructions import count, missing
 from silostudy.accuracy.optional_parts import part_price
 from silostudy.accuracy.prices import Price, prices, still, without
-from silostudy.accuracy.silo import scene
+from silostudy.accuracy.silo import LEVELS, silo_of_rows
 from silostudy.dem.engine import Engine
 from silostudy.dem.model import Contact, Model
+from silostudy.tables.kiyama_1983 import ACTIVE
 
-ACROSS, LEVELS = 18, 20  # the bench's 350 discs
 PARTS = (*optional_discs.PARTS, *optional_formulas.PARTS)
 STEPS = 2000  # whose instructions are counted
 DISCS, OTHERS = "discrete elements", "only effects of discrete elements are counted"
@@ -22,7 +22,7 @@ DISCS, OTHERS = "discrete elements", "only effects of discrete elements are coun
 
 def full_scenes() -> list[tuple[str, Model]]:
     """Scenes that have between them every effect of the engine; friction is priced where nothing is recorded as well."""
-    model, _ = scene(ACROSS, LEVELS)
+    model, _ = silo_of_rows(ACTIVE, LEVELS)
     rolling = replace(model, pair=_more(model.pair, "rolling"), wall=_more(model.wall, "rolling"))
     pulling = replace(model, pair=_more(model.pair, "cohesion"), wall=_more(model.wall, "cohesion"))
     sizes = replace(model, radius=model.radius * (1.0 - 0.002 * (np.arange(len(model.x)) % 2)))

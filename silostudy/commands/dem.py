@@ -25,7 +25,7 @@ def run_ensemble(chosen) -> None:
     from tqdm import tqdm
 
     from silostudy.choice.dem import load
-    from silostudy.compute.dem import carry_through, model_of, run_of
+    from silostudy.compute.dem import carry_through, run_of, scene_model
     from silostudy.compute.dem_cube import cube_of
     from silostudy.cube.io import write
 
@@ -34,7 +34,7 @@ def run_ensemble(chosen) -> None:
 
     def one(seed: int):
         member = scene.model_copy(update={"seed": seed})
-        task = run_of(member, model_of(member, chosen.scene.parent, str(chosen.scene)))
+        task = run_of(member, scene_model(member, chosen.scene.parent, str(chosen.scene)))
         carry_through(task, member, None, lambda step: None)
         return member, task
 
@@ -46,14 +46,14 @@ def run_ensemble(chosen) -> None:
 
 def run_one(chosen) -> None:
     from silostudy.choice.dem import load
-    from silostudy.compute.dem import carry_through, model_of, run_of
+    from silostudy.compute.dem import carry_through, run_of, scene_model
     from silostudy.compute.dem_cube import cube_of
     from silostudy.cube.io import write
     from silostudy.errors import BadInput
 
     scene, choice = load(chosen.scene)
     output = chosen.output or Path("results/dem") / f"{chosen.scene.stem}.nc"
-    model = model_of(scene, chosen.scene.parent, str(chosen.scene))
+    model = scene_model(scene, chosen.scene.parent, str(chosen.scene))
     task = run_of(scene, model, threads=chosen.threads)
     checkpoint = output.with_suffix(".checkpoint") if scene.record.checkpoint_every_s else None
     with progress(task) as tell:

@@ -24,13 +24,13 @@ def scene_explanation(name: str) -> list[str]:
     """Each effect of a discrete-element scene: on or off, why, and its measured share of a step."""
     from silostudy.accuracy.prices import prices
     from silostudy.choice.dem import load
-    from silostudy.compute.dem import model_of
+    from silostudy.compute.dem import scene_model
     from silostudy.dem.stability import longest_step
     from silostudy.scene.dem import effects
 
     path = Path(name)
     scene, _ = load(path)
-    model = model_of(scene, path.parent, name)
+    model = scene_model(scene, path.parent, name)
     whole, share = prices(model)
     lines = [f"{scene.title}: {len(model.x)} discs, {whole / len(model.x) * 1e9:.1f} ns a particle-step"]
     lines.append(

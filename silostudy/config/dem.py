@@ -9,6 +9,7 @@ from silostudy.config.fields import Strict, described
 from silostudy.contact import COHESION, NORMAL, ROLLING, TANGENTIAL
 from silostudy.contact.line import PRINTED_CONSTANTS
 from silostudy.dem.integrate import INTEGRATORS
+from silostudy.tables.constants import ROUNDED_GRAVITY
 
 NormalKey: TypeAlias = Literal[tuple(NORMAL)]  # type: ignore[valid-type]
 TangentialKey: TypeAlias = Literal[tuple(TANGENTIAL)]  # type: ignore[valid-type]
@@ -181,7 +182,7 @@ class DemScene(Asked):
     density_kg_m3: float = described("density of the discs", "kg m-3", gt=0)
     discs: ContactConfig = described("contact between discs", "")
     walls: ContactConfig | None = described("contact of discs and walls; null: as between discs", "", default=None)
-    gravity_m_s2: tuple[float, float] = described("gravity, x and y (up)", "m s-2", default=(0.0, -9.81))
+    gravity_m_s2: tuple[float, float] = described("gravity, x and y (up)", "m s-2", default=(0.0, -ROUNDED_GRAVITY))
     quake: QuakeConfig | None = described("acceleration of the box", "", default=None)
     march: MarchConfig = described("the march in time", "")
     events: tuple[EventConfig, ...] = described("what happens, in order; the last is a stop", "", min_length=1)

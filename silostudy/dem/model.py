@@ -9,7 +9,7 @@ import numpy as np
 from silostudy.contact import COHESION, NORMAL, ROLLING, TANGENTIAL
 from silostudy.dem.integrate import INTEGRATORS
 from silostudy.dem.pieces import Laws, Pieces
-from silostudy.errors import BadInput
+from silostudy.errors import BadInput, unknown
 
 TINY = 1e-200  # kg m: beyond it and its inverse, squares of what the engine computes with leave the range of numbers
 
@@ -81,7 +81,7 @@ class Model:
     pair: Contact
     wall: Contact
     dt: float
-    gravity: tuple[float, float] = (0.0, -9.81)
+    gravity: tuple[float, float]
     integrator: str = "17-18"
     quake: np.ndarray | None = None
     watched: bool = False
@@ -117,6 +117,17 @@ class Model:
             raise BadInput("walls", names, "each wall needs a name of its own")
         if self.unequal and "line-contact" in (self.pair.laws.normal, self.wall.laws.normal):
             raise BadInput("normal", "line-contact", "the curve is for discs of one size")
+
+    def wall_number(self, name: str) -> int:
+        """Number of the wall of a name, as contacts count walls; BadInput for a name that no wall has."""
+        names = [wall.name for wall in self.walls]
+        if name not in names:
+            raise unknown("wall", name, names)
+        return names.index(name)
+
+    def wall_named(self, name: str) -> Wall:
+        """The wall of a name."""
+        return self.walls[self.wall_number(name)]
 
     @property
     def unequal(self) -> bool:

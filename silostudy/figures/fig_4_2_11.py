@@ -9,8 +9,9 @@ from matplotlib.axes import Axes
 from matplotlib.ticker import MaxNLocator
 
 from silostudy.figures.style import PHASE_LINES, look, save, title
+from silostudy.tables.constants import STANDARD_GRAVITY
 
-KPA_PER_T_M2 = 9.80665
+KPA_PER_T_M2 = STANDARD_GRAVITY
 
 
 def draw(cube: xr.Dataset, stem: Path) -> None:

@@ -7,7 +7,7 @@ from silostudy.dem.model import Model
 from silostudy.dem.stability import chosen_step, longest_step
 from silostudy.errors import BadInput
 from silostudy.packing import PACKINGS
-from silostudy.scene.dem import bottom_of, check_start, contact_of, walls_of
+from silostudy.scene.dem import check_start, contact_of, plane_silo_of
 
 
 def placed(scene: DemScene):
@@ -19,13 +19,14 @@ def placed(scene: DemScene):
     else:
         assert packing.kind == "loose"  # a file's discs are read elsewhere
         x, y, radius = PACKINGS["loose"].place(**size, count=packing.count, spread=packing.radius_spread)
-    return x, y + bottom_of(scene.silo), radius
+    return x, y + plane_silo_of(scene.silo).bottom, radius
 
 
-def model_of(scene: DemScene, discs, where: str = "") -> Model:
+def unshaken_scene_model(scene: DemScene, discs, where: str = "") -> Model:
     """The engine's model of a scene without shaking; BadInput for a start or a step that cannot be."""
-    walls, (x, y, radius), integrator = walls_of(scene.silo), discs, scene.march.integrator
+    integrator = scene.march.integrator
     assert integrator is not None, "march.integrator is not chosen yet"
+    walls, (x, y, radius) = plane_silo_of(scene.silo).walls(scene.silo.wall_cells), discs
     check_start(walls, x, y, radius, where)
     contacts = [contact_of(config, scene.radius_m, scene.density_kg_m3) for config in (scene.discs, scene.walls or scene.discs)]
     model = Model(

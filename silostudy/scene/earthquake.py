@@ -9,9 +9,9 @@ from silostudy.config.shell import Earthquake
 from silostudy.errors import BadInput
 from silostudy.scene.expand import Expansion, file_as_asked
 from silostudy.scene.scene import Scene, solid_parameters
+from silostudy.tables.constants import STANDARD_GRAVITY
 
 SAME = {"inner radius": 1e-3, "depth of the contents": 1e-6, "unit weight": 0.01}  # relative; the tube has one thickness
-GRAVITY = 9.80665
 
 
 def read_earthquake(asked: Earthquake, folder: Path, where: str) -> Expansion:
@@ -39,7 +39,7 @@ def check_same_silo(scene: Scene, shaken: SeismicScene, where: str) -> None:
     theirs = (
         tube.mid_wall_radius_m - tube.wall_thickness_mm / 2e3,
         tube.fill_height_m or tube.height_m,
-        shaken.contents.density_kg_m3 * GRAVITY,
+        shaken.contents.density_kg_m3 * STANDARD_GRAVITY,
     )
     for (what, tolerance), own, other in zip(SAME.items(), ours, theirs, strict=True):
         if abs(other / own - 1) > tolerance:

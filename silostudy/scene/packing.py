@@ -12,9 +12,9 @@ from silostudy.dem.model import Contact, Wall
 from silostudy.errors import BadInput
 from silostudy.packing import PACKINGS
 from silostudy.scene.dem import contact_of
+from silostudy.scene.plane_silo import PlaneSilo
+from silostudy.tables.kiyama_1983 import GAPS, WALL_STIFFNESS_RATIO
 
-PRINTED_GAPS = {12: 3e-4, 18: 4e-5}  # m: kiyama_fujimura_1983, note 2, for 11/12 and 17/18
-STIFFER_WALLS = 2.0  # section 4 (2)
 LEAST_ROWS = 5  # with fewer, walls have too few contacts to say anything of the depth
 LAYERS = 10  # of a side wall: the paper's cell grid, 4 cm
 CELLS_IN_LAYER = 4  # each no higher than a radius, so that it never holds two contacts: see packing_builder
@@ -52,7 +52,7 @@ def packing_builder(study: PackingStudy, folder: Path, where: str) -> Callable[[
 
 def ideal_gap(across: int) -> float:
     """Gap (m) of the ideal start: the source's for 12 and 18 discs across, else by equal ratios (assumed)."""
-    (low, wide), (high, narrow) = sorted(PRINTED_GAPS.items())
+    (low, wide), (high, narrow) = sorted(GAPS.items())
     return wide * (narrow / wide) ** ((across - low) / (high - low))
 
 
@@ -74,25 +74,18 @@ def discs_of(study: PackingStudy, config: PackingScene, run: int):
     )  # fmt: skip
 
 
-def walls_of(silo: SlitSilo) -> tuple[Wall, ...]:
-    """Floor, the two halves that replace it, left and right wall, all with cells for their forces."""
-    width, half, top = silo.width_m, silo.slit_width_m / 2.0, silo.height_m
-    cells = LAYERS * CELLS_IN_LAYER
-    return (
-        Wall("floor", (0.0, 0.0), (width, 0.0), cells),
-        Wall("floor_left", (0.0, 0.0), (width / 2.0 - half, 0.0), EDGE_CELLS, live=False),
-        Wall("floor_right", (width / 2.0 + half, 0.0), (width, 0.0), EDGE_CELLS, live=False),
-        Wall("left", (0.0, top), (0.0, 0.0), cells, joined=(False, True)),
-        Wall("right", (width, 0.0), (width, top), cells, joined=(True, False)),
-    )
+def packing_walls(silo: SlitSilo) -> tuple[Wall, ...]:
+    """The silo's walls with cells for their forces."""
+    built = PlaneSilo(silo.width_m, silo.height_m, silo.slit_width_m)
+    return built.walls(LAYERS * CELLS_IN_LAYER, EDGE_CELLS)
 
 
 def contacts_of(config: PackingScene) -> tuple[Contact, Contact]:
-    """Contact between discs, and of discs with walls: stiffness and dashpots twice as large there."""
+    """Contact between discs, and of discs with walls: stiffness and dashpots are larger there by the source's ratio."""
     discs, radius, density = config.discs, config.discs.radius_m, config.discs.density_kg_m3
     between = contact_of(_contact(discs, config, discs.disc_friction), radius, density)
     wall = contact_of(_contact(discs, config, discs.wall_friction), radius, density)
-    stiffer = {name: value * STIFFER_WALLS for name, value in wall.coefficients.items() if name != "sliding_friction"}
+    stiffer = {name: value * WALL_STIFFNESS_RATIO for name, value in wall.coefficients.items() if name != "sliding_friction"}
     return between, Contact(wall.laws, {**wall.coefficients, **stiffer})
 
 

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-GRAVITY = 9.80665
+from silostudy.tables.constants import STANDARD_GRAVITY
 
 
 def wall_pressure(height_above_bottom, *, acceleration, unit_weight, contents_height, diameter, angle=0.0):
@@ -12,7 +12,7 @@ def wall_pressure(height_above_bottom, *, acceleration, unit_weight, contents_he
     from the direction of the motion, diameter (m) inside, unit_weight (N m-3).
     """
     reach = np.minimum(np.minimum(contents_height, diameter / 2), 3 * height_above_bottom)
-    return acceleration / GRAVITY * unit_weight * reach * np.cos(angle)
+    return acceleration / STANDARD_GRAVITY * unit_weight * reach * np.cos(angle)
 
 
 def contents_share(slenderness):

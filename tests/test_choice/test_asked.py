@@ -11,7 +11,7 @@ from silostudy.choice.choose import choose
 from silostudy.choice.dem import load, scene_traits
 from silostudy.choice.fronts import FRONTS, Measured
 from silostudy.choice.pressure import pressure_traits
-from silostudy.compute.dem import model_of
+from silostudy.compute.dem import scene_model
 from silostudy.compute.pressure import pressure_cube
 from silostudy.config.dem import DemScene
 from silostudy.config.load import read_yaml, study_of, validated
@@ -127,7 +127,7 @@ def test_a_scene_gets_integrator_and_step(tmp_path):
     assert choice.settings == settings
     assert scene.march.integrator == settings["march.integrator"]
     assert scene.march.step_factor == settings["march.step_factor"]
-    model = model_of(scene, tmp_path)
+    model = scene_model(scene, tmp_path)
     assert model.dt == pytest.approx(settings["march.step_factor"] * chosen_step(model))
     assert choice.asked == {"wall_force": 0.1}
     assert 0.01 < choice.expected["wall_force"] <= 0.1

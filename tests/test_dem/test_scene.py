@@ -12,7 +12,7 @@ import yaml
 
 from silostudy.__main__ import main
 from silostudy.choice.dem import load
-from silostudy.compute.dem import carry_through, model_of, run_of
+from silostudy.compute.dem import carry_through, run_of, scene_model
 from silostudy.compute.dem_cube import cube_of
 from silostudy.compute.paraview import export
 from silostudy.config.dem import DemScene
@@ -54,7 +54,7 @@ def scene_of(**changes) -> DemScene:
 
 
 def carried(scene, checkpoint=None):
-    run = run_of(scene, model_of(scene, Path()))
+    run = run_of(scene, scene_model(scene, Path()))
     carry_through(run, scene, checkpoint, lambda step: None)
     return run
 
@@ -99,7 +99,7 @@ def test_the_stress_carries_the_weight():
 def test_restart_goes_on_with_the_same_bits(small, tmp_path):
     scene = scene_of(record__checkpoint_every_s=0.03)
     checkpoint = tmp_path / "small.checkpoint"
-    begun = run_of(scene, model_of(scene, Path()))
+    begun = run_of(scene, scene_model(scene, Path()))
     begun.go(until=4800)
     key_of = carried_key(scene)
     checkpoint.write_bytes(pickle.dumps((key_of, begun.checkpoint())))
@@ -144,14 +144,14 @@ def test_the_example_scene_is_valid_and_its_effects_are_listed():
     assert on["friction, rotation, history"]
     assert on["slit"]
     assert not on["rolling resistance"]
-    model = model_of(scene, ROOT)
+    model = scene_model(scene, ROOT)
     assert model.dt < 0.5 * longest_step(model)
 
 
 def test_the_stability_bound_of_the_paper_s_scene():
     """The paper's step 1e-4 s is beyond the bound of (17), (18) and within that of (17), (19), as it found."""
     scene, _ = load(ROOT / "config/scenes/kiyama-17-18.yaml")
-    model = model_of(scene, ROOT)
+    model = scene_model(scene, ROOT)
     assert 5e-5 < longest_step(model) < 7e-5
     assert 1e-4 < longest_step(replace(model, integrator="17-19")) < 2e-4
 
@@ -176,7 +176,7 @@ REFUSED = {
 def test_refusals(case):
     changes, message = REFUSED[case]
     with pytest.raises(BadInput, match=message):
-        model_of(scene_of(**changes), Path(), "small.yaml")
+        scene_model(scene_of(**changes), Path(), "small.yaml")
 
 
 def given(tmp_path, x, y):
@@ -189,9 +189,9 @@ def given(tmp_path, x, y):
 
 def test_starts_that_cannot_be(tmp_path):
     with pytest.raises(BadInput, match=r"discs 0, 1.*overlap"):
-        model_of(given(tmp_path, [0.05, 0.06], [0.05, 0.05]), Path())
+        scene_model(given(tmp_path, [0.05, 0.06], [0.05, 0.05]), Path())
     with pytest.raises(BadInput, match=r"disc 1.*wall left"):
-        model_of(given(tmp_path, [0.05, -0.06], [0.05, 0.05]), Path())
+        scene_model(given(tmp_path, [0.05, -0.06], [0.05, 0.05]), Path())
 
 
 def test_a_cube_is_a_packing(tmp_path):
@@ -200,7 +200,7 @@ def test_a_cube_is_a_packing(tmp_path):
     scene = scene_of(events=stop, record={"snapshots_s": [0.04]})
     write(cube_of(carried(scene), scene), tmp_path / "small.nc")
     again = scene_of(packing={"kind": "given", "file": str(tmp_path / "small.nc")}, events=stop, record={})
-    assert np.array_equal(model_of(again, Path()).x, read(tmp_path / "small.nc")["disc_x"].to_numpy()[-1])
+    assert np.array_equal(scene_model(again, Path()).x, read(tmp_path / "small.nc")["disc_x"].to_numpy()[-1])
 
 
 def test_an_explosion_keeps_what_was_recorded(tmp_path, capsys):

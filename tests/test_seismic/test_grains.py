@@ -6,7 +6,7 @@ from silostudy.commands.grains import told
 
 from silostudy.accuracy.prices import Price
 from silostudy.compute.grains import grains_cube
-from silostudy.compute.grains_model import model_of
+from silostudy.compute.grains_model import shaken_box_model
 from silostudy.seismic.grains import carried_share, equivalent_damping, wall_carried_ring
 from tests.conftest import ROOT, expanded
 
@@ -94,7 +94,7 @@ def test_fillings_differ_and_repeat(cube):
 def test_what_a_study_will_cost(monkeypatch):
     """Two fillings at rest within 2 s, each shaken twice: 8 cycles of 4 Hz and of 200 Hz at the model's own step."""
     expansion = expanded(CONTENT)
-    model = model_of(expansion.cases[0].scene.config, 1)
+    model = shaken_box_model(expansion.cases[0].scene.config, 1)
     discs, longest = len(model.x), round(2.0 / model.dt)
     lines = told(expansion, priced=False)
     assert lines[0] == f"2 filling(s) of {discs} discs, settled in at most {longest:,} steps; equal fillings once"
