@@ -10,12 +10,12 @@ from typing import Any
 import numpy as np
 import xarray as xr
 
-from silostudy.compute.axes import axis_coordinates
-from silostudy.compute.variables import attributes, flags
+from silostudy.compute.axes import axis_coordinates, axis_names
 from silostudy.config.asked import promises
-from silostudy.cube.contract import VARIABLES
-from silostudy.cube.provenance import provenance
+from silostudy.cube.assemble import Sweep, assemble
+from silostudy.cube.contract import variable
 from silostudy.cube.slabs import Slab, write_slabs
+from silostudy.cube.variables import attributes, flags
 from silostudy.errors import BadInput
 from silostudy.files import replacing
 from silostudy.journal import ENDING, failed, sound
@@ -66,11 +66,8 @@ def merge(path: Path, folder: Path, output: Path, memory: float = MEMORY) -> tup
     if len(records.keys) != prod(expansion.shape):
         raise BadInput("plan", str(folder), f"has {len(records.keys)} case(s) in place of {prod(expansion.shape)}")
     stage = import_module(f"silostudy.compute.{study.kind}")
-    coords = {name: (*coordinate, attributes(name)) for name, coordinate in stage.coordinates(study).items()}
-    about = provenance(study.title, study.model_dump_json(exclude_defaults=True), stage.sources(study), study.kind)
-    axes = " ".join(axis.axis for axis in study.sweep)
-    about |= {"sweep_axes": axes, **_promise(path, study, len(records.keys))}
-    frame = xr.Dataset(coords={**axis_coordinates(study), **coords}, attrs=about)
+    sweep, notes = Sweep(axis_names(study), axis_coordinates(study)), _promise(path, study, len(records.keys))
+    frame = assemble(study, study.kind, stage.coordinates(study), sources=stage.sources(study), notes=notes, sweep=sweep)
     slabs = _slabs(records.pattern(), frame)
     lost: list[tuple[str, str]] = []
 
@@ -98,9 +95,9 @@ def _promise(path: Path, study, count: int) -> dict[str, str]:
 
 def _slabs(pattern: dict[str, tuple[int, ...]], frame: xr.Dataset) -> dict[str, Slab]:
     found = {"case": Slab(str, (), attributes("case")), "case_error": Slab(str, (), attributes("case_error"))}
-    found["case_outcome"] = Slab("i1", (), flags(VARIABLES["case_outcome"].long_name, OUTCOMES))
+    found["case_outcome"] = Slab("i1", (), flags(variable("case_outcome").long_name, OUTCOMES))
     for name, shape in pattern.items():
-        dims = VARIABLES[name].dims[1:]
+        dims = variable(name).dims[1:]
         if shape != tuple(frame.sizes[dim] for dim in dims):
             raise BadInput(f"shape of {name}", shape, f"must be that of {dims}")
         found[name] = Slab("f8", dims, attributes(name))

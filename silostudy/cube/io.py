@@ -31,7 +31,8 @@ def _encoding(variable: xr.DataArray, axes: list[str]) -> dict:
 
 
 def _may_be_masked(variable: xr.DataArray) -> bool:
-    return variable.name not in variable.coords  # CF: coordinates must not hold missing values
+    """Whether values may be missing: in data, and in a label that has no value everywhere; CF forbids it in an axis' own."""
+    return variable.name not in variable.coords or (variable.name not in variable.dims and bool(variable.isnull().any()))
 
 
 def read(path: Path) -> xr.Dataset:
