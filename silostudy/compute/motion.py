@@ -14,6 +14,7 @@ from silostudy.errors import BadInput
 from silostudy.scene.expand import Expansion
 
 Frame = dict[str, np.ndarray]
+SIDE_WALLS = ("left", "right")  # in the order of packing_measure.cells_of
 
 
 @dataclass
@@ -92,6 +93,7 @@ def _cube(expansion: Expansion, films: list[Film]) -> xr.Dataset:
     for way, name in enumerate(("normal", "shear")):
         data[f"frame_{name}_force"] = sides[..., way]
     silo = expansion.study.scene.silo
+    data["side_wall"] = np.array(SIDE_WALLS)
     data["side_cell"] = (np.arange(sides.shape[2]) + 0.5) * silo.height_m / sides.shape[2]
     discs = expansion.study.scene.discs
     sizes = {"width_m": silo.width_m, "height_m": silo.height_m, "slit_width_m": silo.slit_width_m}

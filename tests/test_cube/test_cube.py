@@ -1,8 +1,6 @@
-"""The cube: CF-1.11, provenance, atomic writing, and a contract that refuses what it does not know."""
+"""The cube: provenance, atomic writing, and a contract that refuses what it does not know."""
 
-import subprocess
-import sys
-from pathlib import Path
+import re
 
 import numpy as np
 import pytest
@@ -14,7 +12,7 @@ from silostudy.cube.io import read, write
 from silostudy.errors import BadInput
 from silostudy.files import damaged, remove_damaged
 from silostudy.tables.handbook import table_4_2_5
-from tests.conftest import expanded
+from tests.conftest import ROOT, expanded
 
 SWEPT = {
     "sweep": [
@@ -53,15 +51,6 @@ def test_a_sweep_gives_what_its_cases_give_alone(study, swept):  # swept has dro
     for name in ("wall_normal_pressure", "axial_wall_force", "overpressure_factor"):
         np.testing.assert_array_equal(alone[name].values, swept[name].sel(here).values)
     assert str(alone["case"].values) == str(swept["case"].sel(here).values)
-
-
-@pytest.mark.parametrize("which", ["wheat", "swept"])
-def test_cf_1_11(which, request, tmp_path):
-    path = tmp_path / "pressure.nc"
-    write(request.getfixturevalue(which), path)
-    checker = Path(sys.executable).parent / "compliance-checker"
-    done = subprocess.run([checker, "-t", "cf:1.11", "-c", "strict", path], capture_output=True, text=True)
-    assert "All tests passed!" in done.stdout, done.stdout + done.stderr
 
 
 def test_round_trip_and_provenance(wheat, tmp_path):
@@ -127,6 +116,33 @@ def test_contract_refuses_strangers(wheat):
     changed["vertical_pressure"].attrs["units"] = "kPa"
     with pytest.raises(BadInput, match=r"units of vertical_pressure = 'kPa'.*must be Pa"):
         check(changed)
+
+
+def test_contract_keeps_labels_labels_and_numbers_numbers(wheat):
+    with pytest.raises(BadInput, match="role of case = 'data': must be coordinate"):
+        check(wheat.reset_coords("case"))
+    with pytest.raises(BadInput, match="role of unit_weight = 'coordinate': must be data"):
+        check(wheat.set_coords("unit_weight"))
+    with pytest.raises(BadInput, match="dimension = 'phase': has no coordinate that labels it"):
+        check(wheat.drop_vars("phase"))
+
+
+def test_an_axis_named_like_a_variable_is_told(study):
+    study["sweep"] = [{"axis": "wall_friction", "values": {"properties.wall_friction": [0.3, 0.4]}}]
+    with pytest.raises(BadInput, match="axis = 'wall_friction': the pressure cube has a variable of this name"):
+        pressure_cube(expanded(study))
+
+
+def test_provenance_and_check_are_attached_in_one_place():
+    """No other module of the package makes a cube of its own."""
+    makers = {
+        path.relative_to(ROOT).as_posix()
+        for path in (ROOT / "silostudy").rglob("*.py")
+        if re.search(r"\bprovenance\(|check\(xr\.Dataset\(", path.read_text())
+    }
+    assert makers == {"silostudy/cube/assemble.py", "silostudy/cube/provenance.py"}
+    built = [path.name for path in (ROOT / "silostudy/compute").rglob("*.py") if "xr.Dataset(" in path.read_text()]
+    assert built == []
 
 
 def test_reading_what_is_no_cube(tmp_path):
