@@ -4,7 +4,7 @@ from collections.abc import Callable, Mapping
 
 import numpy as np
 
-from silostudy.compute.variables import attributes, flags
+from silostudy.cube.variables import flags
 from silostudy.pressure import PRESSURE
 from silostudy.pressure.family import (
     ABOVE_CONTACT,
@@ -77,16 +77,16 @@ def above_contact(found: tuple, z: np.ndarray, parameters: Mapping) -> tuple:
     return np.where(above, np.nan, value), np.where(above, np.int8(ABOVE_CONTACT), scope)
 
 
-def scope_attributes(name: str) -> dict:
-    """Attributes of the flags that say why values are masked."""
-    return flags(f"why {name} is masked", REASONS)
+def with_reasons(scopes: Mapping[str, np.ndarray]) -> dict[str, tuple]:
+    """The flags of quantities that say why their values are masked, as the cube's variables."""
+    return {f"{name}_scope": (values, flags(f"why {name} is masked", REASONS)) for name, values in scopes.items()}
 
 
-def looks(labels: list[str]) -> dict[str, tuple]:
-    """What figures need to know of a method, so that a figure is a function of the cube alone."""
+def looks(labels: list[str]) -> dict[str, list[str]]:
+    """The method axis with what figures need to know of a method, so that a figure is a function of the cube alone."""
     titles = [row_of(label).title + (" (as printed)" if label.endswith(AS_PRINTED) else "") for label in labels]
-    found = {"title": titles}
+    found = {"": labels, "_title": titles}
     for name in ("number", "colour", "marker"):
-        found[name] = [getattr(row_of(label), name) for label in labels]
-    found["values"] = ["; ".join(f"{q}: {v}" for q, v in row_of(label).values.items()) for label in labels]
-    return {f"method_{name}": ("method", texts, attributes(f"method_{name}")) for name, texts in found.items()}
+        found[f"_{name}"] = [getattr(row_of(label), name) for label in labels]
+    found["_values"] = ["; ".join(f"{q}: {v}" for q, v in row_of(label).values.items()) for label in labels]
+    return {f"pressure_method{name}": texts for name, texts in found.items()}

@@ -7,11 +7,9 @@ from itertools import pairwise
 import numpy as np
 import xarray as xr
 
-from silostudy.compute.axes import axis_coordinates
+from silostudy.compute.axes import stacked, sweep_of
 from silostudy.compute.grains_model import base_motion, shaken_box_model
-from silostudy.compute.variables import attributes
-from silostudy.cube.contract import VARIABLES, check
-from silostudy.cube.provenance import provenance
+from silostudy.cube.assemble import assemble
 from silostudy.dem.checkpoint import checkpoint, restore
 from silostudy.dem.engine import Engine
 from silostudy.dem.lanes import U, V, Y
@@ -42,24 +40,9 @@ def grains_cube(expansion: Expansion, tell: Callable[[str], None] = lambda text:
             each.append(_shaken(study, case.scene, *settled[key]))
         found.append({name: np.array([one[name] for one in each]) for name in each[0]})
         tell(f"case {number + 1} of {len(expansion.cases)}: walls carry {found[-1]['carried_in_phase'][:, 0].mean():.3f}")
-    axes = [axis.axis for axis in study.sweep]
-    data: dict = {}
-    for name in found[0]:
-        values = np.array([one[name] for one in found])
-        data[name] = (
-            (*axes, *VARIABLES[name].dims[1:]),
-            values.reshape((*expansion.shape, *values.shape[1:])),
-            attributes(name),
-        )
-    data["case"] = (axes, np.array([case.id for case in expansion.cases]).reshape(expansion.shape), attributes("case"))
-    coords: dict = {
-        **axis_coordinates(study),
-        "filling": ("filling", np.array(study.seeds), attributes("filling")),
-        "carrier": ("carrier", list(CARRIERS), attributes("carrier")),
-    }
+    data = {**stacked(found, expansion.shape), "filling": np.array(study.seeds), "carrier": list(CARRIERS)}
     sources = [*SOURCES, *({"obspy_sample_knet"} if any(case.scene.shaking.record for case in expansion.cases) else ())]
-    about = provenance(study.title, study.model_dump_json(exclude_defaults=True), sources, "grains")
-    return check(xr.Dataset(data, coords, {**about, "sweep_axes": " ".join(axes)}))
+    return assemble(study, "grains", data, sources=sources, sweep=sweep_of(expansion))
 
 
 def settle(scene: ShakenBox, seed: int, limit: float) -> tuple[Model, dict, bool]:

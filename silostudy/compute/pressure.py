@@ -6,7 +6,7 @@ import numpy as np
 import xarray as xr
 
 from silostudy.choice.expand import Resolved
-from silostudy.compute.axes import axis_coordinates
+from silostudy.compute.axes import sweep_of
 from silostudy.compute.evaluate import (
     above_contact,
     functions_of,
@@ -16,13 +16,10 @@ from silostudy.compute.evaluate import (
     method_labels,
     plans,
     row_of,
-    scope_attributes,
+    with_reasons,
 )
 from silostudy.compute.hopper import hopper_variables, total_variables
-from silostudy.compute.variables import attributes
-from silostudy.config.fields import expand
-from silostudy.cube.contract import check
-from silostudy.cube.provenance import provenance
+from silostudy.cube.assemble import assemble
 from silostudy.pressure.family import IN_SCOPE, NO_PHASE, NO_QUANTITY, OUT_OF_RANGE, QUANTITIES, call
 
 HANDED = ("unit_weight", "internal_friction_angle", "wall_friction", "lateral_pressure_ratio", "poisson_ratio")
@@ -90,51 +87,22 @@ def _note(handed: dict[str, np.ndarray], m: int, parameters: Mapping, shape: tup
 
 
 def _assemble(expansion: Resolved, labels: list[str], z, values, scopes, handed) -> xr.Dataset:
-    axes = [axis.axis for axis in expansion.study.sweep]
-    by_metres = expansion.study.depth_m is not None
-    level = "depth" if by_metres else "relative_depth"
-    dims = ("method", "phase", *axes, level)
-    data: dict = {}
-    for name, value in values.items():
-        data[name] = (dims, value, {**attributes(name), "ancillary_variables": f"{name}_scope"})
-        data[f"{name}_scope"] = (dims, scopes[name], scope_attributes(name))
+    study = expansion.study
+    data: dict = {**values, **with_reasons(scopes), **looks(labels), "phase": list(study.phases)}
     for name, value in handed.items():
-        if name in HANDED_IF_KNOWN and np.isnan(value).all():
-            continue
-        kept = value.astype(np.int8) if name == "wall_friction_capped" else value
-        data[name] = (("method", *axes), kept, attributes(name))
+        if name not in HANDED_IF_KNOWN or not np.isnan(value).all():
+            data[name] = value.astype(np.int8) if name == "wall_friction_capped" else value
     for name in ("hydraulic_radius", "cylinder_depth"):
-        sizes = np.array([getattr(case.scene.silo, name) for case in expansion.cases]).reshape(expansion.shape)
-        data[name] = (axes, sizes, attributes(name))
-    data["case"] = (axes, np.array([case.id for case in expansion.cases]).reshape(expansion.shape), attributes("case"))
-    data |= total_variables(expansion, labels)
-    if expansion.study.hopper_position is not None:
+        data[name] = np.array([getattr(case.scene.silo, name) for case in expansion.cases]).reshape(expansion.shape)
+    data |= depth_coordinates(study, z) | total_variables(expansion, labels)
+    if study.hopper_position is not None:
         data |= hopper_variables(expansion, labels)
-    depth = {"standard_name": "depth", "units": "m", "positive": "down", "axis": "Z"}
-    depth["long_name"] = "depth below the equivalent flat surface of the stored solid"
-    coords: dict = {
-        "method": ("method", labels, attributes("method")),
-        **looks(labels),
-        "phase": ("phase", list(expansion.study.phases), attributes("phase")),
-        **axis_coordinates(expansion.study),
-    }
-    if by_metres:
-        coords["depth"] = ("depth", np.array(expansion.study.depths), depth)
-    else:
-        coords["relative_depth"] = (level, np.array(expansion.study.depths), attributes("relative_depth"))
-        depth.pop("axis")
-        coords["depth"] = ((*axes, level), z, depth)
-    if expansion.study.hopper_position is not None:
-        coords["hopper_position"] = (
-            "hopper_position",
-            expand(expansion.study.hopper_position),
-            attributes("hopper_position"),
-        )
-    study = expansion.study.model_dump_json(exclude_defaults=True)
     sources = [row_of(label).source for label in labels] + [case.scene.solid.source for case in expansion.cases]
-    about = {
-        **provenance(expansion.study.title, study, sources, "pressure"),
-        **expansion.promise,
-        "sweep_axes": " ".join(axes),
-    }
-    return check(xr.Dataset(data, coords, about))
+    return assemble(study, "pressure", data, sources=sources, notes=expansion.promise, sweep=sweep_of(expansion))
+
+
+def depth_coordinates(study, z: np.ndarray) -> dict[str, np.ndarray]:
+    """Depths as the study asks for them: in metres, or relative with what they come to (m) in every case."""
+    if study.depth_m is not None:
+        return {"depth": np.array(study.depths)}
+    return {"depth": z, "relative_depth": np.array(study.depths)}

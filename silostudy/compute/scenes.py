@@ -14,9 +14,9 @@ BODIES = ("walls", "floor")
 Numbers = dict[str, np.ndarray]
 
 
-def coordinates(study: ScenesStudy) -> dict[str, tuple[str, list[str]]]:
+def coordinates(study: ScenesStudy) -> dict[str, list[str]]:
     """The dimensions that a case's numbers have of their own."""
-    return {"body": ("body", list(BODIES))}
+    return {"body": list(BODIES)}
 
 
 def sources(study: ScenesStudy) -> list[str]:

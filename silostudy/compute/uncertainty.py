@@ -13,10 +13,8 @@ from scipy.stats import qmc, sobol_indices, uniform
 
 from silostudy.choice.expand import Resolved
 from silostudy.compute.evaluate import functions_of, gather, looks, method_labels, plans, row_of
-from silostudy.compute.pressure import depths_in_metres, evaluate
-from silostudy.compute.variables import attributes
-from silostudy.cube.contract import check
-from silostudy.cube.provenance import provenance
+from silostudy.compute.pressure import depth_coordinates, depths_in_metres, evaluate
+from silostudy.cube.assemble import assemble
 
 SAMPLED = ("internal_friction_angle", "wall_friction", "lateral_pressure_ratio", "unit_weight")
 SPREAD_OF = {"internal_friction_angle": "a_phi", "wall_friction": "a_mu", "lateral_pressure_ratio": "a_K"}
@@ -89,32 +87,17 @@ def _indices(pressure: Callable, whole: np.ndarray, asked) -> np.ndarray:
 
 
 def _assemble(expansion: Resolved, labels: list[str], quantiles: np.ndarray, indices: np.ndarray) -> xr.Dataset:
-    by_metres = expansion.study.depth_m is not None
-    level = "depth" if by_metres else "relative_depth"
-    over = ("method", "phase", "parameter")
+    study = expansion.study
     data = {
-        "wall_normal_pressure_quantile": (
-            ("method", "phase", "quantile", level),
-            quantiles,
-            attributes("wall_normal_pressure_quantile"),
-        ),
-        "sobol_first": (over, indices[0], attributes("sobol_first")),
-        "sobol_total": (over, indices[1], attributes("sobol_total")),
-        "cylinder_depth": ((), expansion.cases[0].scene.silo.cylinder_depth, attributes("cylinder_depth")),
-    }
-    depth = {"standard_name": "depth", "units": "m", "positive": "down"}
-    depth["long_name"] = "depth below the equivalent flat surface of the stored solid"
-    coords = {
-        "method": ("method", labels, attributes("method")),
+        "wall_normal_pressure_quantile": quantiles,
+        "sobol_first": indices[0],
+        "sobol_total": indices[1],
+        "cylinder_depth": expansion.cases[0].scene.silo.cylinder_depth,
         **looks(labels),
-        "phase": ("phase", list(expansion.study.phases), attributes("phase")),
-        "quantile": ("quantile", list(QUANTILES), attributes("quantile")),
-        "parameter": ("parameter", list(SAMPLED), attributes("parameter")),
-        "depth": (level, depths_in_metres(expansion), depth),
+        "phase": list(study.phases),
+        "quantile": list(QUANTILES),
+        "parameter": list(SAMPLED),
+        **depth_coordinates(study, depths_in_metres(expansion)),
     }
-    if not by_metres:
-        coords["relative_depth"] = (level, np.array(expansion.study.depths), attributes("relative_depth"))
-    study = expansion.study.model_dump_json(exclude_defaults=True)
     sources = [row_of(label).source for label in labels] + [case.scene.solid.source for case in expansion.cases]
-    about = {**provenance(expansion.study.title, study, sources, "uncertainty"), **expansion.promise}
-    return check(xr.Dataset(data, coords, {**about, "sweep_axes": ""}))
+    return assemble(study, "uncertainty", data, sources=sources, notes=expansion.promise)

@@ -9,7 +9,7 @@ import yaml
 from silostudy.__main__ import main
 from silostudy.choice.expand import expand_file
 from silostudy.choice.fronts import FRONTS
-from silostudy.compute.dem import model_of
+from silostudy.compute.dem import scene_model
 from silostudy.config.asked import Asked
 from silostudy.config.dem import DemScene
 from silostudy.config.load import read_study, study_of, validated
@@ -107,7 +107,7 @@ def levels(cube) -> dict:
 def marched(march: dict, step: float) -> dict:
     """The integrator, and the step (s) over the one that the engine would have chosen with it."""
     integrator = march.get("integrator", "17-18")
-    plain = model_of(validated(DemScene, SCENE | {"march": SCENE["march"] | {"integrator": integrator}}, "plain"), Path())
+    plain = scene_model(validated(DemScene, SCENE | {"march": SCENE["march"] | {"integrator": integrator}}, "plain"), Path())
     return {"march.integrator": integrator, "march.step_factor": float(f"{step / chosen_step(plain):.4g}")}
 
 
@@ -161,7 +161,7 @@ def test_a_scene_as_asked_does_not_march():
     scene = validated(DemScene, ASKING["dem"], "asked.yaml")
     assert (scene.march.integrator, scene.march.step_factor) == (None, None)
     with pytest.raises(AssertionError, match=r"march\.integrator is not chosen yet"):
-        model_of(scene, Path())
+        scene_model(scene, Path())
 
 
 @pytest.mark.parametrize(
