@@ -82,9 +82,9 @@ def table(cube: "xr.Dataset") -> list[str]:
     quarters = [abs(depth - share * float(cube["cylinder_depth"])).argmin() for share in (0.25, 0.5, 0.75, 1.0)]
     head = "".join(f"{depth[i]:8.2f}m" for i in quarters)
     lines = [f"wall normal pressure (kPa) at depth {'':9}{head}   largest  at depth  factor  wall carries  balance"]
-    for method in map(str, cube["method"].values):
+    for method in map(str, cube["pressure_method"].values):
         for phase in map(str, cube["phase"].values):
-            one = cube.sel({"method": method, "phase": phase})
+            one = cube.sel(pressure_method=method, phase=phase)
             pressure = one["wall_normal_pressure"].values / 1e3
             if not one["wall_normal_pressure"].isnull().all():
                 name = f"{method}, {phase}"
@@ -115,7 +115,7 @@ def _balance(one: "xr.Dataset") -> str:
     """Weight less vertical pressure and wall friction, over the weight, at the transition."""
     from silostudy.compute.evaluate import row_of
 
-    if str(one["phase"].values) not in row_of(str(one["method"].values)).equilibrium:
+    if str(one["phase"].values) not in row_of(str(one["pressure_method"].values)).equilibrium:
         return "-"
     weight = _unit_weight(one) * float(one["cylinder_depth"])
     carried = float(one["vertical_pressure"][-1]) + float(one["axial_wall_force"][-1]) / float(one["hydraulic_radius"])
@@ -134,9 +134,9 @@ def hopper_table(cube: "xr.Dataset") -> list[str]:
         return []
     names = ("hopper_weight", "transition_force", "hopper_wall_force", "ring_force", "outlet_force")
     lines = [f"hopper (kN){'':33}  contents      load      wall      ring    outlet  balance"]
-    for method in map(str, cube["method"].values):
+    for method in map(str, cube["pressure_method"].values):
         for phase in map(str, cube["phase"].values):
-            one = cube.sel({"method": method, "phase": phase})
+            one = cube.sel(pressure_method=method, phase=phase)
             if isfinite(float(one["hopper_balance"])):
                 forces = "".join(f"{_cell(float(one[name]) / 1e3) if name in one else '-':>10}" for name in names)
                 lines.append(f"{f'{method}, {phase}':44}{forces}{float(one['hopper_balance']):>9.0e}")
@@ -156,9 +156,9 @@ def values_used(cube: "xr.Dataset") -> list[str]:
     from math import degrees
 
     lines = []
-    for method in map(str, cube["method"].values):
-        one = cube.sel({"method": method})
-        if text := str(one["method_values"].values):
+    for method in map(str, cube["pressure_method"].values):
+        one = cube.sel(pressure_method=method)
+        if text := str(one["pressure_method_values"].values):
             mean = f"phi {degrees(float(one['internal_friction_angle'])):.1f} deg"
             for name, label in (("wall_friction", "mu"), ("lateral_pressure_ratio", "K"), ("a_phi", "a_phi"), ("a_K", "a_K")):
                 mean += f", {label} {float(one[name]):.3g}" if name in one else ""

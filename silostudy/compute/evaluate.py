@@ -89,4 +89,7 @@ def looks(labels: list[str]) -> dict[str, tuple]:
     for name in ("number", "colour", "marker"):
         found[name] = [getattr(row_of(label), name) for label in labels]
     found["values"] = ["; ".join(f"{q}: {v}" for q, v in row_of(label).values.items()) for label in labels]
-    return {f"method_{name}": ("method", texts, attributes(f"method_{name}")) for name, texts in found.items()}
+    return {
+        f"pressure_method_{name}": ("pressure_method", texts, attributes(f"pressure_method_{name}"))
+        for name, texts in found.items()
+    }

@@ -55,7 +55,7 @@ def _variables(expansion, labels, names, last_dims, evaluate, *last_shape) -> di
         for p, phase in enumerate(expansion.study.phases):
             for name, (value, scope) in evaluate(row_of(label), phase, parameters).items():
                 values[name][m, p], scopes[name][m, p] = value, scope
-    dims = ("method", "phase", *(axis.axis for axis in expansion.study.sweep), *last_dims)
+    dims = ("pressure_method", "phase", *(axis.axis for axis in expansion.study.sweep), *last_dims)
     data: dict[str, tuple] = {}
     for name in names:
         data[name] = (dims, values[name], {**attributes(name), "ancillary_variables": f"{name}_scope"})

@@ -93,7 +93,7 @@ def _assemble(expansion: Resolved, labels: list[str], z, values, scopes, handed)
     axes = [axis.axis for axis in expansion.study.sweep]
     by_metres = expansion.study.depth_m is not None
     level = "depth" if by_metres else "relative_depth"
-    dims = ("method", "phase", *axes, level)
+    dims = ("pressure_method", "phase", *axes, level)
     data: dict = {}
     for name, value in values.items():
         data[name] = (dims, value, {**attributes(name), "ancillary_variables": f"{name}_scope"})
@@ -102,7 +102,7 @@ def _assemble(expansion: Resolved, labels: list[str], z, values, scopes, handed)
         if name in HANDED_IF_KNOWN and np.isnan(value).all():
             continue
         kept = value.astype(np.int8) if name == "wall_friction_capped" else value
-        data[name] = (("method", *axes), kept, attributes(name))
+        data[name] = (("pressure_method", *axes), kept, attributes(name))
     for name in ("hydraulic_radius", "cylinder_depth"):
         sizes = np.array([getattr(case.scene.silo, name) for case in expansion.cases]).reshape(expansion.shape)
         data[name] = (axes, sizes, attributes(name))
@@ -113,7 +113,7 @@ def _assemble(expansion: Resolved, labels: list[str], z, values, scopes, handed)
     depth = {"standard_name": "depth", "units": "m", "positive": "down", "axis": "Z"}
     depth["long_name"] = "depth below the equivalent flat surface of the stored solid"
     coords: dict = {
-        "method": ("method", labels, attributes("method")),
+        "pressure_method": ("pressure_method", labels, attributes("pressure_method")),
         **looks(labels),
         "phase": ("phase", list(expansion.study.phases), attributes("phase")),
         **axis_coordinates(expansion.study),

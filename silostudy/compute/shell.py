@@ -38,7 +38,7 @@ def shell_cube(expansion: Resolved, pressure: xr.Dataset, seismic: xr.Dataset | 
     data = load_variables(pressure, force, source, pressures, over)
     data |= strengths(rules, parameters, force, safety, thickness, over)
     coords = {**{str(name): value for name, value in pressure.coords.items()}, **rule_coordinates(rules)}
-    sources = [rule.source for rule in rules] + [row_of(str(method)).source for method in pressure["method"].values]
+    sources = [rule.source for rule in rules] + [row_of(str(method)).source for method in pressure["pressure_method"].values]
     told = {"sweep_axes": pressure.attrs["sweep_axes"]}
     if study.earthquake:
         one = of_this_study(expansion, seismic).sel(mass_choice=study.earthquake.mass_choice)

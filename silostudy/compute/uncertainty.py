@@ -91,10 +91,10 @@ def _indices(pressure: Callable, whole: np.ndarray, asked) -> np.ndarray:
 def _assemble(expansion: Resolved, labels: list[str], quantiles: np.ndarray, indices: np.ndarray) -> xr.Dataset:
     by_metres = expansion.study.depth_m is not None
     level = "depth" if by_metres else "relative_depth"
-    over = ("method", "phase", "parameter")
+    over = ("pressure_method", "phase", "parameter")
     data = {
         "wall_normal_pressure_quantile": (
-            ("method", "phase", "quantile", level),
+            ("pressure_method", "phase", "quantile", level),
             quantiles,
             attributes("wall_normal_pressure_quantile"),
         ),
@@ -105,7 +105,7 @@ def _assemble(expansion: Resolved, labels: list[str], quantiles: np.ndarray, ind
     depth = {"standard_name": "depth", "units": "m", "positive": "down"}
     depth["long_name"] = "depth below the equivalent flat surface of the stored solid"
     coords = {
-        "method": ("method", labels, attributes("method")),
+        "pressure_method": ("pressure_method", labels, attributes("pressure_method")),
         **looks(labels),
         "phase": ("phase", list(expansion.study.phases), attributes("phase")),
         "quantile": ("quantile", list(QUANTILES), attributes("quantile")),

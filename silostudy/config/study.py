@@ -10,7 +10,8 @@ from silostudy.stages import called_for
 from silostudy.tables.outputs import OUTPUTS
 
 OutputKey: TypeAlias = Literal[tuple(OUTPUTS)]  # type: ignore[valid-type]
-TAKEN = ("method", "phase", "depth", "relative_depth", "hopper_position", "case", "rule")
+TAKEN = ("pressure_method", "phase", "depth", "relative_depth", "hopper_position", "case", "rule")
+KEYWORDS = ("method", "tolerance", "drop", "indexers")  # of xarray's sel: a dimension of such a name cannot be selected by it
 
 
 class Axis(Strict):
@@ -32,6 +33,8 @@ class Axis(Strict):
     def _free_name(cls, name: str) -> str:
         if name in TAKEN:
             raise ValueError(f"this name is the cube's own; not one of {', '.join(TAKEN)}")
+        if name in KEYWORDS:
+            raise ValueError(f"this name is a keyword of xarray's; not one of {', '.join(KEYWORDS)}")
         return name
 
     @model_validator(mode="after")

@@ -80,7 +80,7 @@ def test_sums_of_both_sides():
 def test_loads_and_utilisation_in_the_cube(cubes):
     """Every second depth of the shell is one of the earthquake's: moment over pi R^2 on top of the static force, exactly."""
     _, pressure, seismic, cube = cubes
-    here, one = {"method": "janssen", "phase": "filling"}, seismic.sel(mass_choice="eighty_percent")
+    here, one = {"pressure_method": "janssen", "phase": "filling"}, seismic.sel(mass_choice="eighty_percent")
     added = one["wall_bending_moment"].values / (np.pi * 4.00375**2)
     force = cube["earthquake_axial_wall_force"].sel(here).isel(depth=slice(None, None, 2))
     static = cube["axial_wall_force"].sel(here).isel(depth=slice(None, None, 2)).values
@@ -90,10 +90,10 @@ def test_loads_and_utilisation_in_the_cube(cubes):
     by_hand = 1.5 * (static[-1] + added[-1]) / 0.009 / float(last["earthquake_wall_buckling_stress"])
     assert float(last["earthquake_utilisation"]) == pytest.approx(by_hand, rel=1e-12)
     assert by_hand > 1.3 * float(last["utilisation"])
-    middle = {"side": "pressed", "depth": 10.0, "method": "janssen"}
+    middle = {"side": "pressed", "depth": 10.0, "pressure_method": "janssen"}
     extra = float(one["seismic_wall_pressure"][50])
     assert float(cube["earthquake_upper_internal_pressure"].sel(middle)) == pytest.approx(
-        float(pressure["wall_normal_pressure"].sel({"method": "janssen", "phase": "filling", "depth": 10.0})) + extra, rel=1e-12
+        float(pressure["wall_normal_pressure"].sel(pressure_method="janssen", phase="filling", depth=10.0)) + extra, rel=1e-12
     )
     assert cube.attrs["earthquake_base_moment_N_m"] == float(one["base_moment"])
     assert "K-NET AKT013" in cube.attrs["earthquake_base_motion"]
@@ -101,7 +101,7 @@ def test_loads_and_utilisation_in_the_cube(cubes):
 
 
 def test_added_pressure_makes_the_foot_yield_sooner_and_a_lifted_wall_lose_its_support(cubes):
-    cube = cubes[3].sel({"method": "janssen", "rule": "en1993_4_1_2007"}).isel(depth=slice(20, 200))
+    cube = cubes[3].sel(pressure_method="janssen", rule="en1993_4_1_2007").isel(depth=slice(20, 200))
     elastic = cube["earthquake_wall_buckling_stress"]
     assert np.all(elastic.sel(side="lifted") <= cube["wall_buckling_stress"])
     assert float((elastic.sel(side="lifted") / cube["wall_buckling_stress"]).min()) < 0.95
@@ -179,7 +179,7 @@ def test_figure_and_commands(cubes, content, shaken, tmp_path, capsys):
     shell_earthquake.draw(cube, tmp_path / "figure")
     assert (tmp_path / "figure.png").stat().st_size > 10_000
     head, *rows = (tmp_path / "figure.csv").read_text().splitlines()
-    assert head == "rule,method,depth,static,pressed,lifted,needed_static_mm,needed_with_earthquake_mm"
+    assert head == "rule,pressure_method,depth,static,pressed,lifted,needed_static_mm,needed_with_earthquake_mm"
     assert len(rows) > 500
     assert main(["check", str(tmp_path / "small.yaml")]) == 0
     said = capsys.readouterr().out

@@ -189,7 +189,7 @@ def test_required_thickness_shows_every_pair(tmp_path, kept):
     cube = drawn_shell("steel-wheat-silo")
     required_thickness.draw(cube, tmp_path / "figure")
     matrix = kept[0].axes[0]
-    assert len(matrix.texts) == cube.sizes["rule"] * cube.sizes["method"]
+    assert len(matrix.texts) == cube.sizes["rule"] * cube.sizes["pressure_method"]
     assert "thickness (mm)" in matrix.get_title()
     assert {panel.get_xlabel() for panel in kept[0].axes[2:]} == {"diameter D (m)", "H/D"}
 

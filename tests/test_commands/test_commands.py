@@ -120,7 +120,7 @@ def test_stages_by_hand(capsys, tmp_path, study):
     cube = read(tmp_path / "pressure.nc")
     assert [case["solid"] for case in cases] == ["wheat_benchmark", "mine"]
     assert [case["case"] for case in cases] == list(cube["case"].values)
-    assert float(cube["unit_weight"].sel({"method": "janssen", "solid": "mine"})) == 7000
+    assert float(cube["unit_weight"].sel(pressure_method="janssen", solid="mine")) == 7000
     assert "handbook" in said(capsys, "cite", tmp_path / "pressure.nc")
     assert "unknown; known: fig_4_2_11" in said(capsys, "draw", "fig_0", tmp_path / "pressure.nc", tmp_path / "f", status=2)
 

@@ -73,6 +73,7 @@ MISTAKES = {
     "no misprint": ({"as_printed": ["janssen"]}, "janssen has no misprint in the source; known: caquot"),
     "axes of one name": (sweep(DIAMETERS, {**DIAMETERS, "values": {"solid": ["wheat"]}}), "axis name diameter is swept twice"),
     "a key on two axes": (sweep(DIAMETERS, {**DIAMETERS, "axis": "width"}), "key silo.diameter_m is swept twice"),
+    "axis named like a keyword": (sweep({**DIAMETERS, "axis": "method"}), "this name is a keyword of xarray's"),
     "axis named like a dimension": (sweep({**DIAMETERS, "axis": "depth"}), "this name is the cube's own"),
     "empty axis": (sweep({"axis": "diameter", "values": {"silo.diameter_m": []}}), "need equally many values (one at least)"),
     "a value twice": (

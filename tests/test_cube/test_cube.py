@@ -34,9 +34,9 @@ def swept(study):
 
 
 def test_dimensions_and_coordinates(wheat, swept):
-    assert wheat["wall_normal_pressure"].dims == ("method", "phase", "depth")
+    assert wheat["wall_normal_pressure"].dims == ("pressure_method", "phase", "depth")
     assert {table.depth for table in table_4_2_5()} <= set(wheat["depth"].values)
-    assert swept["wall_normal_pressure"].dims == ("method", "phase", "slenderness", "size", "solid", "relative_depth")
+    assert swept["wall_normal_pressure"].dims == ("pressure_method", "phase", "slenderness", "size", "solid", "relative_depth")
     assert swept["depth"].dims == ("slenderness", "size", "solid", "relative_depth")
     assert float(swept["depth"].sel(slenderness=2.0, size=1, solid="wheat", relative_depth=1.0)) == pytest.approx(10 + 1 / 3)
     assert list(swept["size_diameter"].values) == [3.0, 5.0]
@@ -134,3 +134,19 @@ def test_reading_what_is_no_cube(tmp_path):
     path.write_bytes(b"CDF\x01 truncated")
     with pytest.raises(BadInput, match="must be a netCDF file"):
         read(path)
+
+
+def test_a_cube_of_an_older_contract_is_told_so(wheat, tmp_path):
+    path = tmp_path / "old.nc"
+    names = {name: str(name).removeprefix("pressure_") for name in wheat.coords if str(name).startswith("pressure_method")}
+    old = wheat.rename(names)
+    del old.attrs["cube_contract"]
+    old.to_netcdf(path)
+    with pytest.raises(BadInput, match=r"contract 1, and not 2: compute it again$"):
+        read(path)
+
+
+def test_methods_are_selected_by_keyword(wheat):
+    one = wheat.sel(pressure_method="janssen", phase="filling")
+    assert one["wall_normal_pressure"].dims == ("depth",)
+    assert str(one["pressure_method_title"].values) == "Janssen"

@@ -33,26 +33,26 @@ def test_published_values(wheat, method):
     assert len(points) >= 13
     for point in points:
         label = method + ("_as_printed" if point["reading"] == "as_printed" else "")
-        here = {"method": label, "phase": point["phase"], "depth": point["depth"]}
+        here = {"pressure_method": label, "phase": point["phase"], "depth": point["depth"]}
         computed = float(wheat["wall_normal_pressure"].sel(here))
         assert computed == pytest.approx(point["wall_normal_pressure"], rel=ROUNDING, abs=0), point["where"]
 
 
 def test_jenike_as_printed_is_within_two_in_ten_thousand(wheat):
     for point in published("jenike_mass_flow"):
-        here = {"method": "jenike_mass_flow_as_printed", "phase": "discharge", "depth": point["depth"]}
+        here = {"pressure_method": "jenike_mass_flow_as_printed", "phase": "discharge", "depth": point["depth"]}
         assert float(wheat["wall_normal_pressure"].sel(here)) == pytest.approx(point["wall_normal_pressure"], rel=2e-4, abs=0)
 
 
 def test_jenike_corrected_peaks_at_4_357(wheat):
-    column = wheat["wall_normal_pressure"].sel({"method": "jenike_mass_flow", "phase": "discharge"}) / TONNE_PER_M2
+    column = wheat["wall_normal_pressure"].sel(pressure_method="jenike_mass_flow", phase="discharge") / TONNE_PER_M2
     recomputed = {3.5: 2.563, 5.5: 3.272, 12.5: 4.357, 18.0: 3.172}  # independently recomputed with R = D/4
     for depth, value in recomputed.items():
         assert float(column.sel(depth=depth)) == pytest.approx(value, abs=5e-4)
 
 
 def test_caquot_misprint_is_the_only_value_off(wheat):
-    here = {"method": "caquot", "phase": "discharge", "depth": 3.5}
+    here = {"pressure_method": "caquot", "phase": "discharge", "depth": 3.5}
     assert float(wheat["wall_normal_pressure"].sel(here)) / TONNE_PER_M2 == pytest.approx(2.353, rel=ROUNDING, abs=0)
 
 
