@@ -51,7 +51,7 @@ def explanation(key: str) -> list[str]:
     from silostudy.pressure.family import PARAMETERS
     from silostudy.seismic.rules import MASS_RULES
     from silostudy.tables.handbook import errata
-    from silostudy.tables.references import cite
+    from silostudy.tables.references import with_locator
 
     if key == explain_seismic.EARTHQUAKE:
         return explain_seismic.earthquake()
@@ -75,11 +75,11 @@ def explanation(key: str) -> list[str]:
         lines.append(f"  {phase:9} gives for the silo {', '.join(quantities)}")
     lines += [f"  {quantity} with {values}" for quantity, values in row.values.items()]
     lines.append("  symbols   z depth below the equivalent surface (m)")
-    lines += [f"            {symbol}: {name} ({unit})" for name, (unit, symbol) in PARAMETERS.items() if name in row.needs]
+    lines += [f"            {symbol}: {name} ({unit})" for name, (unit, symbol, _) in PARAMETERS.items() if name in row.needs]
     if row.equilibrium:
         lines.append(f"  weight = vertical pressure + wall friction, to rounding, in {' and '.join(row.equilibrium)}")
     lines += [f"  not computed: {what}" for what in row.not_computed]
-    lines.append(f"  source    {row.source}, {row.locator}: {cite(row.source)}")
+    lines.append(f"  source    {with_locator(row.source, row.locator)}")
     for erratum in (erratum for erratum in errata() if erratum.method == key):
         lines.append(f"  error of the source, {erratum.place}: printed {erratum.printed}; right: {erratum.right}")
         lines.append(f"            known because {erratum.evidence}")

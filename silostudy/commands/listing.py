@@ -72,14 +72,14 @@ def _walls(chosen):
 
 
 def _studies(chosen):
-    from silostudy.config.load import read_yaml, study_of
+    from silostudy.config.load import read_study
     from silostudy.errors import BadInput
 
     files = sorted(chosen.studies.glob("*.yaml"))
     if not files:
         raise BadInput("studies", str(chosen.studies), "holds no study files (*.yaml)")
     for file in files:
-        yield f"{file.stem:18}", study_of(read_yaml(file), str(file)).title
+        yield f"{file.stem:18}", read_study(file).title
 
 
 def _outputs(chosen):

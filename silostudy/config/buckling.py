@@ -1,18 +1,20 @@
 """A buckling study: the strength of shells by theories and design codes, of any cylinder or of Miller's test cylinders."""
 
-from typing import Annotated, Any, Literal, Self, TypeAlias
+from typing import Annotated, Any, ClassVar, Literal, Self, TypeAlias
 
 from pydantic import Discriminator, Tag, field_validator, model_validator
 
 from silostudy.buckling import BUCKLING, RIVALS
+from silostudy.catalogue import Family
 from silostudy.config.fields import described
+from silostudy.config.own import OwnMethods, key_of
 from silostudy.config.steel import Cylinder, Making
 from silostudy.config.study import BaseStudy, distinct
 from silostudy.tables.miller1977 import TESTS
 from silostudy.tables.outputs import OUTPUTS
 
-RuleKey: TypeAlias = Literal[tuple(BUCKLING)]  # type: ignore[valid-type]
-RivalKey: TypeAlias = Literal[tuple(RIVALS)]  # type: ignore[valid-type]
+RuleKey: TypeAlias = key_of(BUCKLING)  # type: ignore[valid-type]
+RivalKey: TypeAlias = key_of(RIVALS)  # type: ignore[valid-type]
 TestKey: TypeAlias = Literal[tuple(TESTS)]  # type: ignore[valid-type]
 
 
@@ -30,8 +32,10 @@ def _which(content: Any) -> str:
 Shell = Annotated[Annotated[TestCylinder, Tag("a test")] | Annotated[Cylinder, Tag("a cylinder")], Discriminator(_which)]
 
 
-class RuleChoice(BaseStudy):
+class RuleChoice(OwnMethods, BaseStudy):
     """What every study with buckling rules shares."""
+
+    joins: ClassVar[tuple[Family, ...]] = (BUCKLING, RIVALS)
 
     rules: tuple[RuleKey, ...] | Literal["all"] = described("buckling rules (`silostudy list buckling`), or all", "")
 
@@ -53,7 +57,7 @@ class RuleChoice(BaseStudy):
     @property
     def rule_keys(self) -> tuple[str, ...]:
         """The rules asked for, in order."""
-        return tuple(BUCKLING) if self.rules == "all" else self.rules
+        return tuple(self.family(BUCKLING)) if self.rules == "all" else self.rules
 
 
 class BucklingStudy(RuleChoice):
@@ -73,4 +77,4 @@ class BucklingStudy(RuleChoice):
     @property
     def rival_keys(self) -> tuple[str, ...]:
         """The rival readings asked for, in order."""
-        return tuple(RIVALS) if self.rivals == "all" else self.rivals
+        return tuple(self.family(RIVALS)) if self.rivals == "all" else self.rivals
