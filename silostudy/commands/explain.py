@@ -1,6 +1,12 @@
 """`silostudy explain KEY`: formula, symbols, source, range of a method or rule, and its source's errors; or a DEM scene."""
 
 from pathlib import Path
+from typing import TYPE_CHECKING
+
+from silostudy.commands.families import add_methods_from, families
+
+if TYPE_CHECKING:
+    from silostudy.config.own_rows import Families
 
 
 def add(sub) -> None:
@@ -12,12 +18,13 @@ def add(sub) -> None:
         "or a scene file (*.yaml)"
     )
     command.add_argument("method", help=what)
+    add_methods_from(command)
     command.set_defaults(run=run)
 
 
 def run(chosen) -> None:
-    lines = scene_explanation if chosen.method.endswith((".yaml", ".yml")) else explanation
-    print("\n".join(lines(chosen.method)))
+    scene = chosen.method.endswith((".yaml", ".yml"))
+    print("\n".join(scene_explanation(chosen.method) if scene else explanation(chosen.method, families(chosen))))
 
 
 def scene_explanation(name: str) -> list[str]:
@@ -42,7 +49,7 @@ def scene_explanation(name: str) -> list[str]:
     return lines
 
 
-def explanation(key: str) -> list[str]:
+def explanation(key: str, known: "Families") -> list[str]:
     """The lines that explain a pressure method, a buckling rule or an effective mass rule; BadInput lists the known ones."""
     from silostudy.buckling import BUCKLING, RIVALS
     from silostudy.commands import explain_accuracy, explain_buckling, explain_seismic
@@ -59,12 +66,12 @@ def explanation(key: str) -> list[str]:
         return explain_accuracy.explanation()
     if key in MASS_RULES:
         return explain_seismic.explanation(MASS_RULES[key])
-    rules = {**BUCKLING, **RIVALS}
+    rules, methods = {**known[BUCKLING.name], **known[RIVALS.name]}, known[PRESSURE.name]
     if key in rules:
         return explain_buckling.explanation(rules[key])
-    if key not in PRESSURE:
-        raise unknown("method or rule", key, [*PRESSURE, *rules, *MASS_RULES, explain_seismic.EARTHQUAKE, explain_accuracy.KEY])
-    row = PRESSURE[key]
+    if key not in methods:
+        raise unknown("method or rule", key, [*methods, *rules, *MASS_RULES, explain_seismic.EARTHQUAKE, explain_accuracy.KEY])
+    row = methods[key]
     lines = [f"{row.title} ({row.key})", f"  formula   {row.formula}", f"  range     {row.validity}"]
     lines.append(f"  plans     {', '.join(sorted(row.plans))}")
     for phase, quantities in row.phases.items():

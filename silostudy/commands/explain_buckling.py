@@ -16,7 +16,7 @@ def explanation(row) -> list[str]:
     for erratum in (erratum for erratum in errata() if erratum.method == row.key):
         lines.append(f"  error of the source, {erratum.place}: printed {erratum.printed}; right: {erratum.right}")
         lines.append(f"            known because {erratum.evidence}")
-    rivals = [key for key in RIVALS if key.startswith(f"{row.key}_")]
+    rivals = [rival.key for rival in RIVALS.values() if rival.rival_of == row.key]
     if rivals:
         lines.append(f"  other readings, for comparison (`rivals` of a buckling study): {', '.join(rivals)}")
     return lines

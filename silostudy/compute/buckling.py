@@ -23,7 +23,8 @@ OF_TEST = ("lower_buckling_stress", "upper_buckling_stress", "scale", "material"
 def buckling_cube(expansion: Expansion) -> xr.Dataset:
     """The cube of a buckling study: each quantity (rule, axes...) with mode and scope flags beside it."""
     study = expansion.study
-    rules = [BUCKLING[key] for key in study.rule_keys] + [RIVALS[key] for key in study.rival_keys]
+    rules = [study.family(BUCKLING)[key] for key in study.rule_keys]
+    rules += [study.family(RIVALS)[key] for key in study.rival_keys]
     parameters = {name: _gathered(expansion, name) for name in PARAMETERS}
     found = [evaluate(rule, parameters) for rule in rules]
     axes = [axis.axis for axis in study.sweep]
@@ -38,7 +39,8 @@ def buckling_cube(expansion: Expansion) -> xr.Dataset:
     coords = {**rule_coordinates(rules), **axis_coordinates(study)}
     text = study.model_dump_json(exclude_defaults=True)
     sources = [rule.source for rule in rules]
-    return check(xr.Dataset(data, coords, {**provenance(study.title, text, sources, "buckling"), "sweep_axes": " ".join(axes)}))
+    told = {"sweep_axes": " ".join(axes), "rival_readings": " ".join(study.rival_keys), **study.own_methods}
+    return check(xr.Dataset(data, coords, {**provenance(study.title, text, sources, "buckling"), **told}))
 
 
 def rule_coordinates(rules: list[BucklingRule]) -> dict[str, tuple]:

@@ -4,7 +4,7 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from silostudy.compute.evaluate import gather, masked, plans, row_of, scope_attributes
+from silostudy.compute.evaluate import AskedMethod, gather, masked, plans, scope_attributes
 from silostudy.compute.variables import attributes
 from silostudy.config.fields import expand
 from silostudy.pressure import hopper_shape, mass_flow
@@ -25,14 +25,13 @@ from silostudy.scene.expand import Expansion
 BALANCE = ("hopper_weight", "hopper_wall_force", "hopper_balance")
 
 
-def total_variables(expansion: Expansion, labels: list[str]) -> dict[str, tuple]:
+def total_variables(expansion: Expansion, methods: list[AskedMethod]) -> dict[str, tuple]:
     """Every total that a method of the study gives, each (method, phase, axes...), with its scope flags."""
-    rows = [row_of(label) for label in labels]
-    offered = [name for name in TOTALS if any(name in total for row in rows for total in row.totals.values())]
-    return _variables(expansion, labels, offered, (), lambda row, phase, parameters: _totals(row, phase, offered, parameters))
+    offered = [name for name in TOTALS if any(name in total for method in methods for total in method.row.totals.values())]
+    return _variables(expansion, methods, offered, (), lambda row, phase, parameters: _totals(row, phase, offered, parameters))
 
 
-def hopper_variables(expansion: Expansion, labels: list[str]) -> dict[str, tuple]:
+def hopper_variables(expansion: Expansion, methods: list[AskedMethod]) -> dict[str, tuple]:
     """Pressures on the hopper wall (method, phase, axes..., hopper_position), the balance, and the hopper's shape."""
     places = np.array(expand(expansion.study.hopper_position))
 
@@ -40,20 +39,20 @@ def hopper_variables(expansion: Expansion, labels: list[str]) -> dict[str, tuple
         top, bottom = heights(parameters)
         return _of_wall(row, phase, top - places * (top - bottom), parameters)
 
-    wall = _variables(expansion, labels, HOPPER_QUANTITIES, ("hopper_position",), on_wall, places.size)
-    balance = _variables(expansion, labels, BALANCE, (), balanced)
-    return {**wall, **balance, **_shape(expansion)}
+    wall = _variables(expansion, methods, HOPPER_QUANTITIES, ("hopper_position",), on_wall, places.size)
+    balance = _variables(expansion, methods, BALANCE, (), balanced)
+    return {**wall, **balance, **_shape(expansion, methods)}
 
 
-def _variables(expansion, labels, names, last_dims, evaluate, *last_shape) -> dict[str, tuple]:
+def _variables(expansion, methods, names, last_dims, evaluate, *last_shape) -> dict[str, tuple]:
     """xarray variables of the named quantities, filled by evaluate(row, phase, parameters) -> name -> (value, scope)."""
-    shape = (len(labels), len(expansion.study.phases), *expansion.shape, *last_shape)
+    shape = (len(methods), len(expansion.study.phases), *expansion.shape, *last_shape)
     values = {name: np.full(shape, np.nan) for name in names}
     scopes = {name: np.full(shape, NO_PHASE, dtype=np.int8) for name in names}
-    for m, label in enumerate(labels):
-        parameters = gather(expansion, label) | {"plan": plans(expansion)}
+    for m, method in enumerate(methods):
+        parameters = gather(expansion, method) | {"plan": plans(expansion)}
         for p, phase in enumerate(expansion.study.phases):
-            for name, (value, scope) in evaluate(row_of(label), phase, parameters).items():
+            for name, (value, scope) in evaluate(method.row, phase, parameters).items():
                 values[name][m, p], scopes[name][m, p] = value, scope
     dims = ("pressure_method", "phase", *(axis.axis for axis in expansion.study.sweep), *last_dims)
     data: dict[str, tuple] = {}
@@ -131,10 +130,10 @@ def _wall_force(row: PressureMethod, phase: str, parameters: Mapping) -> np.ndar
     return hopper_wall_force(pressures, (bottom, middle), parameters) + hopper_wall_force(pressures, (middle, top), parameters)
 
 
-def _shape(expansion: Expansion) -> dict[str, tuple]:
+def _shape(expansion: Expansion, methods: list[AskedMethod]) -> dict[str, tuple]:
     """The hopper's dimensions and its flow pattern by the mass-flow limit, (axes...)."""
     dims = tuple(axis.axis for axis in expansion.study.sweep)
-    parameters = gather(expansion, expansion.study.method_keys[0])
+    parameters = gather(expansion, methods[0])
     friction = parameters["effective_friction_angle"], parameters["hopper_wall_friction"]
     pattern = mass_flow.flow_pattern(parameters["hopper_half_angle"], *friction, parameters["slot"])
     found = {

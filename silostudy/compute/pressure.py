@@ -8,15 +8,15 @@ import xarray as xr
 from silostudy.choice.expand import Resolved
 from silostudy.compute.axes import axis_coordinates
 from silostudy.compute.evaluate import (
+    AskedMethod,
     above_contact,
-    functions_of,
     gather,
-    looks,
     masked,
-    method_labels,
+    method_coordinates,
+    methods_of,
     plans,
-    row_of,
     scope_attributes,
+    sources_of,
 )
 from silostudy.compute.hopper import hopper_variables, total_variables
 from silostudy.compute.variables import attributes
@@ -39,20 +39,20 @@ HANDED_IF_KNOWN = (
 
 def pressure_cube(expansion: Resolved) -> xr.Dataset:
     """The cube of a study: each quantity (method, phase, axes..., depth) with a scope flag beside it."""
-    labels = method_labels(expansion)
+    methods = methods_of(expansion)
     z = depths_in_metres(expansion)
-    shape = (len(labels), len(expansion.study.phases), *z.shape)
+    shape = (len(methods), len(expansion.study.phases), *z.shape)
     values = {name: np.full(shape, np.nan) for name in (*QUANTITIES, "overpressure_factor")}
     scopes = {name: np.full(shape, NO_PHASE, dtype=np.int8) for name in values}
     handed = {name: np.full(shape[:1] + shape[2:-1], np.nan) for name in (*HANDED, *HANDED_IF_KNOWN, "wall_friction_capped")}
-    for m, label in enumerate(labels):
-        parameters = gather(expansion, label)
+    for m, method in enumerate(methods):
+        parameters = gather(expansion, method)
         _note(handed, m, parameters, shape[2:-1])
         for p, phase in enumerate(expansion.study.phases):
-            found = evaluate(label, phase, z, parameters, plans(expansion))
+            found = evaluate(method, phase, z, parameters, plans(expansion))
             for name, (value, scope) in found.items():
                 values[name][m, p], scopes[name][m, p] = value, scope
-    return _assemble(expansion, labels, z, values, scopes, handed)
+    return _assemble(expansion, methods, z, values, scopes, handed)
 
 
 def depths_in_metres(expansion: Resolved) -> np.ndarray:
@@ -64,9 +64,9 @@ def depths_in_metres(expansion: Resolved) -> np.ndarray:
     return heights[..., None] * depths
 
 
-def evaluate(label: str, phase: str, z: np.ndarray, parameters: Mapping, plan: np.ndarray) -> dict[str, tuple]:
+def evaluate(method: AskedMethod, phase: str, z: np.ndarray, parameters: Mapping, plan: np.ndarray) -> dict[str, tuple]:
     """quantity -> (values, scope flags) of one method in one phase; empty where the method does not cover the phase."""
-    row, functions = row_of(label), functions_of(label, phase)
+    row, functions = method.row, method.functions(phase)
     if not functions:
         return {}
     found = {}
@@ -89,7 +89,7 @@ def _note(handed: dict[str, np.ndarray], m: int, parameters: Mapping, shape: tup
     handed["wall_friction_capped"][m] = capped.reshape(shape)
 
 
-def _assemble(expansion: Resolved, labels: list[str], z, values, scopes, handed) -> xr.Dataset:
+def _assemble(expansion: Resolved, methods: list[AskedMethod], z, values, scopes, handed) -> xr.Dataset:
     axes = [axis.axis for axis in expansion.study.sweep]
     by_metres = expansion.study.depth_m is not None
     level = "depth" if by_metres else "relative_depth"
@@ -107,14 +107,13 @@ def _assemble(expansion: Resolved, labels: list[str], z, values, scopes, handed)
         sizes = np.array([getattr(case.scene.silo, name) for case in expansion.cases]).reshape(expansion.shape)
         data[name] = (axes, sizes, attributes(name))
     data["case"] = (axes, np.array([case.id for case in expansion.cases]).reshape(expansion.shape), attributes("case"))
-    data |= total_variables(expansion, labels)
+    data |= total_variables(expansion, methods)
     if expansion.study.hopper_position is not None:
-        data |= hopper_variables(expansion, labels)
+        data |= hopper_variables(expansion, methods)
     depth = {"standard_name": "depth", "units": "m", "positive": "down", "axis": "Z"}
     depth["long_name"] = "depth below the equivalent flat surface of the stored solid"
     coords: dict = {
-        "pressure_method": ("pressure_method", labels, attributes("pressure_method")),
-        **looks(labels),
+        **method_coordinates(methods),
         "phase": ("phase", list(expansion.study.phases), attributes("phase")),
         **axis_coordinates(expansion.study),
     }
@@ -131,10 +130,10 @@ def _assemble(expansion: Resolved, labels: list[str], z, values, scopes, handed)
             attributes("hopper_position"),
         )
     study = expansion.study.model_dump_json(exclude_defaults=True)
-    sources = [row_of(label).source for label in labels] + [case.scene.solid.source for case in expansion.cases]
     about = {
-        **provenance(expansion.study.title, study, sources, "pressure"),
+        **provenance(expansion.study.title, study, sources_of(expansion), "pressure"),
         **expansion.promise,
+        **expansion.study.own_methods,
         "sweep_axes": " ".join(axes),
     }
     return check(xr.Dataset(data, coords, about))

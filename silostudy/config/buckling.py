@@ -7,14 +7,14 @@ from pydantic import Discriminator, Tag, field_validator, model_validator
 from silostudy.buckling import BUCKLING, RIVALS
 from silostudy.catalogue import Family
 from silostudy.config.fields import described
-from silostudy.config.own import OwnMethods, key_of
+from silostudy.config.own import OwnMethods, keys_of
 from silostudy.config.steel import Cylinder, Making
 from silostudy.config.study import BaseStudy, distinct
 from silostudy.tables.miller1977 import TESTS
 from silostudy.tables.outputs import OUTPUTS
 
-RuleKey: TypeAlias = key_of(BUCKLING)  # type: ignore[valid-type]
-RivalKey: TypeAlias = key_of(RIVALS)  # type: ignore[valid-type]
+RuleKeys: TypeAlias = keys_of(BUCKLING)  # type: ignore[valid-type]
+RivalKeys: TypeAlias = keys_of(RIVALS)  # type: ignore[valid-type]
 TestKey: TypeAlias = Literal[tuple(TESTS)]  # type: ignore[valid-type]
 
 
@@ -37,7 +37,7 @@ class RuleChoice(OwnMethods, BaseStudy):
 
     joins: ClassVar[tuple[Family, ...]] = (BUCKLING, RIVALS)
 
-    rules: tuple[RuleKey, ...] | Literal["all"] = described("buckling rules (`silostudy list buckling`), or all", "")
+    rules: RuleKeys = described("buckling rules (`silostudy list buckling`), or all", "")
 
     @field_validator("rules")
     @classmethod
@@ -65,7 +65,7 @@ class BucklingStudy(RuleChoice):
 
     kind: Literal["buckling"] = described("buckling: strength of shells by theories and design codes", "")
     scene: Shell = described("the base shell", "")
-    rivals: tuple[RivalKey, ...] | Literal["all"] = described(
+    rivals: RivalKeys = described(
         "readings of a source that its own data speak against, to be shown beside the rules", "", default=()
     )
 

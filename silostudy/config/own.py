@@ -1,8 +1,8 @@
 """A study may name a Python file of the user's own, whose rows join the families for that study alone."""
 
-from typing import Annotated, Any, ClassVar, Self, TypeVar
+from typing import Annotated, Any, ClassVar, Literal, Self, TypeVar
 
-from pydantic import AfterValidator, PrivateAttr, ValidationInfo, WithJsonSchema, model_validator
+from pydantic import AfterValidator, Discriminator, PrivateAttr, Tag, ValidationInfo, WithJsonSchema, model_validator
 
 from silostudy.catalogue import Family, Row
 from silostudy.config.fields import Strict, described
@@ -37,6 +37,12 @@ class OwnMethods(Strict):
         """A family of the package with the rows of the user's own."""
         return self._families.get(shipped.name, shipped)
 
+    @property
+    def own_methods(self) -> dict[str, str]:
+        """Attributes for a cube: name and hash of the file whose rows joined; empty where none did."""
+        origins = {row.origin for family in self._families.values() for row in family.values() if row.origin}
+        return {"own_methods": ", ".join(origins)} if origins else {}
+
 
 def families_of(info: ValidationInfo) -> Families:
     """The families with the user's rows that a content is validated with."""
@@ -54,3 +60,13 @@ def key_of(family: Family) -> Any:
 
     schema = {"anyOf": [{"enum": list(family), "type": "string"}, {"type": "string"}]}
     return Annotated[str, AfterValidator(known), WithJsonSchema(schema)]
+
+
+def keys_of(family: Family) -> Any:
+    """Type of several keys of a family, or the word all."""
+    several = Annotated[tuple[key_of(family), ...], Tag("keys")]  # type: ignore[misc, valid-type]
+    return Annotated[several | Annotated[Literal["all"], Tag("all")], Discriminator(_which)]
+
+
+def _which(value: Any) -> str:
+    return "all" if isinstance(value, str) else "keys"

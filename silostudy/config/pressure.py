@@ -8,7 +8,7 @@ from pydantic import Field, ValidationInfo, field_validator, model_validator
 from silostudy.catalogue import Family
 from silostudy.config.asked import Asked
 from silostudy.config.fields import Numbers, Range, Strict, described, expand
-from silostudy.config.own import OwnMethods, families_of, key_of
+from silostudy.config.own import OwnMethods, families_of, key_of, keys_of
 from silostudy.config.scene import SceneConfig
 from silostudy.config.study import BaseStudy, distinct
 from silostudy.pressure import PRESSURE
@@ -16,6 +16,7 @@ from silostudy.pressure.family import PHASES, USUAL_PHASES
 from silostudy.tables.outputs import OUTPUTS
 
 MethodKey: TypeAlias = key_of(PRESSURE)  # type: ignore[valid-type]
+MethodKeys: TypeAlias = keys_of(PRESSURE)  # type: ignore[valid-type]
 PhaseKey: TypeAlias = Literal[PHASES]  # type: ignore[valid-type]
 
 
@@ -37,7 +38,7 @@ class PressureStudy(Asked, OwnMethods, BaseStudy):
     materials: str | None = described(
         "CSV file with further solids, relative to the study file, in the columns of the solids table", "", default=None
     )
-    methods: tuple[MethodKey, ...] | Literal["all"] = described("pressure methods, or all", "")
+    methods: MethodKeys = described("pressure methods, or all", "")
     as_printed: tuple[MethodKey, ...] = described(
         "methods to give a second time with the source's misprints left in", "", default=()
     )

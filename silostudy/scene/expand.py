@@ -12,8 +12,8 @@ from pathlib import Path
 from typing import Any
 
 from silostudy.config.fields import Strict
-from silostudy.config.own import OwnMethods
 from silostudy.config.load import read_yaml, study_of, validated
+from silostudy.config.own import OwnMethods
 from silostudy.errors import BadInput
 from silostudy.stages import KINDS
 
