@@ -21,16 +21,20 @@ Families = dict[str, Family]  # by the name of the family
 
 def joined(families: Iterable[Family], path: Path, where: str = "") -> Families:
     """The families with the rows of a user's file; BadInput names file, row and what is wrong with it."""
-    found = {family.name: family for family in families}
-    rows = own_rows(path, where)
-    for family in families:
-        mine = [row for row in rows if family.takes(row)]
-        if taken := [row.key for row in mine if row.key in family]:
-            raise _refused(path, f"row {taken[0]}: this key is already taken by another {family.name}", where)
-        found[family.name] = family.joined(mine)
-    if not any(row.key in family for row in rows for family in found.values()):
+    rows, shipped = own_rows(path, where), {family.name: family for family in families}
+    found = {name: family.joined(_joining(family, rows, path, where)) for name, family in shipped.items()}
+    if all(len(found[name]) == len(family) for name, family in shipped.items()):
         raise _refused(path, f"holds no {' and no '.join(found)}", where)
     return found
+
+
+def _joining(family: Family, rows: Iterable[Row], path: Path, where: str) -> list[Row]:
+    mine, taken = [row for row in rows if family.takes(row)], set(family)
+    for row in mine:
+        if row.key in taken:
+            raise _refused(path, f"row {row.key}: this key is already taken by another {family.name}", where)
+        taken.add(row.key)
+    return mine
 
 
 def own_rows(path: Path, where: str = "") -> tuple[Row, ...]:
@@ -87,10 +91,10 @@ def _sound(row: object, path: Path, content: bytes, where: str) -> Row:
     if not isinstance(row, Row):
         raise _refused(path, f"ROWS holds {row!r:.60}: must be rows of a family", where)
     try:
-        faults = list(row.faults())
+        fault = next(row.faults(), None)
     except Exception as error:  # a field of a kind that no check expects
-        faults = [_one_line(error)]
-    if faults:
-        raise _refused(path, f"row {row.key}: {faults[0]}", where)
+        fault = _one_line(error)
+    if fault:
+        raise _refused(path, f"row {row.key}: {fault}", where)
     source = own_source(row.source, path, f"{where}: methods_from = {path.name!r}: row {row.key}".removeprefix(": "))
     return replace(row, source=source, origin=f"{path.name} {_digest(content)}")
