@@ -33,7 +33,7 @@ def with_settings(asking: A, settings: dict[str, Any], where: str) -> A:
     content = asking.model_dump(exclude_unset=True, exclude={"accuracy"})
     for key, value in settings.items():
         put(content, key, value)
-    families = asking.families if isinstance(asking, OwnMethods) else {}
+    families = asking.families if isinstance(asking, OwnMethods) else None
     return validated(type(asking), content, where, families).model_copy(update={"accuracy": asking.accuracy})
 
 

@@ -58,7 +58,7 @@ def file_as_asked(path: Path, positions: Sequence[int] | None = None) -> Expansi
 def as_asked(content: dict[str, Any], name: str, where: str, folder: Path, positions: Sequence[int] | None = None) -> Expansion:
     """The cases of a study's content; `where` names it in errors, and files it names are looked for in `folder`."""
     study: Any = study_of(content, where, folder)
-    families = study.families if isinstance(study, OwnMethods) else {}
+    families = study.families if isinstance(study, OwnMethods) else None
     build = KINDS[study.kind].scene_builder(study, folder, where)
     cases, axes = [], [axis.settings() for axis in study.sweep]
     shape = tuple(map(len, axes))

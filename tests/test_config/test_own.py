@@ -5,11 +5,11 @@ import re
 import pytest
 import yaml
 
+from silostudy.choice.expand import expand_file
 from silostudy.config.load import read_study
 from silostudy.config.schema import study_schema
 from silostudy.errors import BadInput
 from silostudy.pressure import PRESSURE
-from silostudy.scene.expand import expand_file
 from silostudy.tables.references import cite
 from tests.own import BOTH, RULE, THEORY
 
