@@ -68,9 +68,8 @@ wildcard_constraints:
 
 
 def study_files(wildcards):
-    """The study file and the user's own files that it names."""
-    path, materials = STUDIES[wildcards.study], getattr(MODELS[wildcards.study], "materials", None)
-    return [path, *([path.parent / materials] if materials else []), *expansion(wildcards.study).files]
+    """The study file and the user's own files that it and its scenes name."""
+    return [STUDIES[wildcards.study], *expansion(wildcards.study).files]
 
 
 def wanted(name):

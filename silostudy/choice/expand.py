@@ -37,7 +37,7 @@ def expand(content: dict[str, Any], name: str, where: str, folder: Path, positio
 
 def resolved(expansion: Expansion, where: str) -> Resolved:
     """The expansion with its settings chosen; BadInput where no measured settings reach what is asked."""
-    whole = Resolved(expansion.study, expansion.name, expansion.shape, expansion.cases)
+    whole = Resolved(expansion.study, expansion.name, expansion.shape, expansion.cases, expansion.named)
     if not expansion.asks:
         return whole
     study, cases, choices = import_module("silostudy.choice.settle").settled_study(expansion, where)

@@ -9,6 +9,7 @@ from silostudy.choice.choose import choose
 from silostudy.choice.promise import Choice
 from silostudy.config.asked import Asked, put
 from silostudy.config.load import validated
+from silostudy.config.own import OwnMethods
 from silostudy.errors import BadInput
 from silostudy.scene.expand import Case, Expansion, identity
 from silostudy.stages import FILE_KINDS
@@ -32,7 +33,8 @@ def with_settings(asking: A, settings: dict[str, Any], where: str) -> A:
     content = asking.model_dump(exclude_unset=True, exclude={"accuracy"})
     for key, value in settings.items():
         put(content, key, value)
-    return validated(type(asking), content, where).model_copy(update={"accuracy": asking.accuracy})
+    families = asking.families if isinstance(asking, OwnMethods) else None
+    return validated(type(asking), content, where, families).model_copy(update={"accuracy": asking.accuracy})
 
 
 def settled_case(case: Case, where: str) -> tuple[Case, Choice | None]:

@@ -22,7 +22,8 @@ OF_TEST = ("lower_buckling_stress", "upper_buckling_stress", "scale", "material"
 def buckling_cube(expansion: Expansion) -> xr.Dataset:
     """The cube of a buckling study: each quantity (rule, axes...) with mode and scope flags beside it."""
     study = expansion.study
-    rules = [BUCKLING[key] for key in study.rule_keys] + [RIVALS[key] for key in study.rival_keys]
+    rules = [study.family(BUCKLING)[key] for key in study.rule_keys]
+    rules += [study.family(RIVALS)[key] for key in study.rival_keys]
     parameters = {name: _gathered(expansion, name) for name in PARAMETERS}
     found = [evaluate(rule, parameters) for rule in rules]
     data: dict = {name: np.array([one[name] for one in found]) for name in QUANTITIES}
@@ -30,7 +31,9 @@ def buckling_cube(expansion: Expansion) -> xr.Dataset:
     data |= {name: parameters[name] for name in SHOWN} | rule_coordinates(rules)
     if all(case.scene.test for case in expansion.cases):
         data |= _measured(expansion) | charts()
-    return assemble(study, "buckling", data, sources=[rule.source for rule in rules], sweep=sweep_of(expansion))
+    notes = {"rival_readings": " ".join(study.rival_keys), **study.own_methods}
+    sources = [rule.source for rule in rules]
+    return assemble(study, "buckling", data, sources=sources, notes=notes, sweep=sweep_of(expansion))
 
 
 def rule_coordinates(rules: list[BucklingRule]) -> dict[str, list[str]]:

@@ -8,14 +8,14 @@ import xarray as xr
 from silostudy.choice.expand import Resolved
 from silostudy.compute.axes import sweep_of
 from silostudy.compute.evaluate import (
+    AskedMethod,
     above_contact,
-    functions_of,
     gather,
-    looks,
     masked,
-    method_labels,
+    method_coordinates,
+    methods_of,
     plans,
-    row_of,
+    sources_of,
     with_reasons,
 )
 from silostudy.compute.hopper import hopper_variables, total_variables
@@ -36,20 +36,20 @@ HANDED_IF_KNOWN = (
 
 def pressure_cube(expansion: Resolved) -> xr.Dataset:
     """The cube of a study: each quantity (method, phase, axes..., depth) with a scope flag beside it."""
-    labels = method_labels(expansion)
+    methods = methods_of(expansion)
     z = depths_in_metres(expansion)
-    shape = (len(labels), len(expansion.study.phases), *z.shape)
+    shape = (len(methods), len(expansion.study.phases), *z.shape)
     values = {name: np.full(shape, np.nan) for name in (*QUANTITIES, "overpressure_factor")}
     scopes = {name: np.full(shape, NO_PHASE, dtype=np.int8) for name in values}
     handed = {name: np.full(shape[:1] + shape[2:-1], np.nan) for name in (*HANDED, *HANDED_IF_KNOWN, "wall_friction_capped")}
-    for m, label in enumerate(labels):
-        parameters = gather(expansion, label)
+    for m, method in enumerate(methods):
+        parameters = gather(expansion, method)
         _note(handed, m, parameters, shape[2:-1])
         for p, phase in enumerate(expansion.study.phases):
-            found = evaluate(label, phase, z, parameters, plans(expansion))
+            found = evaluate(method, phase, z, parameters, plans(expansion))
             for name, (value, scope) in found.items():
                 values[name][m, p], scopes[name][m, p] = value, scope
-    return _assemble(expansion, labels, z, values, scopes, handed)
+    return _assemble(expansion, methods, z, values, scopes, handed)
 
 
 def depths_in_metres(expansion: Resolved) -> np.ndarray:
@@ -61,9 +61,9 @@ def depths_in_metres(expansion: Resolved) -> np.ndarray:
     return heights[..., None] * depths
 
 
-def evaluate(label: str, phase: str, z: np.ndarray, parameters: Mapping, plan: np.ndarray) -> dict[str, tuple]:
+def evaluate(method: AskedMethod, phase: str, z: np.ndarray, parameters: Mapping, plan: np.ndarray) -> dict[str, tuple]:
     """quantity -> (values, scope flags) of one method in one phase; empty where the method does not cover the phase."""
-    row, functions = row_of(label), functions_of(label, phase)
+    row, functions = method.row, method.functions(phase)
     if not functions:
         return {}
     found = {}
@@ -86,19 +86,19 @@ def _note(handed: dict[str, np.ndarray], m: int, parameters: Mapping, shape: tup
     handed["wall_friction_capped"][m] = capped.reshape(shape)
 
 
-def _assemble(expansion: Resolved, labels: list[str], z, values, scopes, handed) -> xr.Dataset:
+def _assemble(expansion: Resolved, methods: list[AskedMethod], z, values, scopes, handed) -> xr.Dataset:
     study = expansion.study
-    data: dict = {**values, **with_reasons(scopes), **looks(labels), "phase": list(study.phases)}
+    data: dict = {**values, **with_reasons(scopes), **method_coordinates(methods), "phase": list(study.phases)}
     for name, value in handed.items():
         if name not in HANDED_IF_KNOWN or not np.isnan(value).all():
             data[name] = value.astype(np.int8) if name == "wall_friction_capped" else value
     for name in ("hydraulic_radius", "cylinder_depth"):
         data[name] = np.array([getattr(case.scene.silo, name) for case in expansion.cases]).reshape(expansion.shape)
-    data |= depth_coordinates(study, z) | total_variables(expansion, labels)
+    data |= depth_coordinates(study, z) | total_variables(expansion, methods)
     if study.hopper_position is not None:
-        data |= hopper_variables(expansion, labels)
-    sources = [row_of(label).source for label in labels] + [case.scene.solid.source for case in expansion.cases]
-    return assemble(study, "pressure", data, sources=sources, notes=expansion.promise, sweep=sweep_of(expansion))
+        data |= hopper_variables(expansion, methods)
+    notes = {**expansion.promise, **study.own_methods}
+    return assemble(study, "pressure", data, sources=sources_of(expansion), notes=notes, sweep=sweep_of(expansion))
 
 
 def depth_coordinates(study, z: np.ndarray) -> dict[str, np.ndarray]:

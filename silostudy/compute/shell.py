@@ -11,7 +11,7 @@ from silostudy.buckling.thickness import required_thickness, with_thickness
 from silostudy.choice.expand import Resolved
 from silostudy.compute.axes import sweep_of
 from silostudy.compute.buckling import rule_coordinates
-from silostudy.compute.pressure import row_of
+from silostudy.compute.evaluate import methods_of
 from silostudy.compute.shell_earthquake import SIDES, beside, earthquake_loads, earthquake_told, of_this_study, sides
 from silostudy.compute.shell_load import SOURCES, axial_wall_force, carried_share, depths, internal_pressures
 from silostudy.cube.assemble import assemble
@@ -27,7 +27,7 @@ def shell_cube(expansion: Resolved, pressure: xr.Dataset, seismic: xr.Dataset | 
     study = expansion.study
     if pressure.attrs["study"] != study.model_dump_json(exclude_defaults=True):
         raise BadInput("pressure cube", pressure.attrs["title"], f"is of another study than {expansion.name}")
-    rules = [BUCKLING[key] for key in study.rule_keys]
+    rules = [study.family(BUCKLING)[key] for key in study.rule_keys]
     force, source = axial_wall_force(pressure)
     pressures = internal_pressures(pressure)
     parameters = wall_parameters(expansion, *pressures)
@@ -37,8 +37,8 @@ def shell_cube(expansion: Resolved, pressure: xr.Dataset, seismic: xr.Dataset | 
     data |= strengths(rules, parameters, force, safety, thickness)
     sweep = sweep_of(expansion)
     data |= {str(name): pressure[name].values for name in pressure.coords.keys() - sweep.coordinates.keys()}
-    sources = [rule.source for rule in rules] + [row_of(str(method)).source for method in pressure["pressure_method"].values]
-    notes: dict = dict(expansion.promise)
+    sources = [rule.source for rule in rules] + [method.row.source for method in methods_of(expansion)]
+    notes: dict = {**expansion.promise, **study.own_methods}
     if study.earthquake:
         one = of_this_study(expansion, seismic).sel(mass_choice=study.earthquake.mass_choice)
         data |= shaken(rules, parameters, force, earthquake_loads(pressure, one), safety, thickness)

@@ -3,17 +3,20 @@
 from itertools import pairwise
 from typing import ClassVar, Literal, Self, TypeAlias
 
-from pydantic import Field, field_validator, model_validator
+from pydantic import Field, ValidationInfo, field_validator, model_validator
 
+from silostudy.catalogue import Family
 from silostudy.config.asked import Asked
 from silostudy.config.fields import Numbers, Range, Strict, described, expand
+from silostudy.config.own import OwnMethods, families_of, key_of, keys_of
 from silostudy.config.scene import SceneConfig
 from silostudy.config.study import BaseStudy, distinct
 from silostudy.pressure import PRESSURE
 from silostudy.pressure.family import PHASES, USUAL_PHASES
 from silostudy.tables.outputs import OUTPUTS
 
-MethodKey: TypeAlias = Literal[tuple(PRESSURE)]  # type: ignore[valid-type]
+MethodKey: TypeAlias = key_of(PRESSURE)  # type: ignore[valid-type]
+MethodKeys: TypeAlias = keys_of(PRESSURE)  # type: ignore[valid-type]
 PhaseKey: TypeAlias = Literal[PHASES]  # type: ignore[valid-type]
 
 
@@ -24,17 +27,18 @@ class Uncertainty(Strict):
     seed: int = described("seed of the quasi-random sequence: the same seed gives the same numbers", ge=0, default=1)
 
 
-class PressureStudy(Asked, BaseStudy):
+class PressureStudy(Asked, OwnMethods, BaseStudy):
     """Wall pressures of silos by theories and design codes."""
 
     fronts: ClassVar[tuple[str, ...]] = ("pressure",)
+    joins: ClassVar[tuple[Family, ...]] = (PRESSURE,)
 
     kind: Literal["pressure"] = described("pressure: wall pressures by theories and design codes", "")
     scene: SceneConfig = described("the base scene", "")
     materials: str | None = described(
         "CSV file with further solids, relative to the study file, in the columns of the solids table", "", default=None
     )
-    methods: tuple[MethodKey, ...] | Literal["all"] = described("pressure methods, or all", "")
+    methods: MethodKeys = described("pressure methods, or all", "")
     as_printed: tuple[MethodKey, ...] = described(
         "methods to give a second time with the source's misprints left in", "", default=()
     )
@@ -65,10 +69,11 @@ class PressureStudy(Asked, BaseStudy):
 
     @field_validator("as_printed")
     @classmethod
-    def _has_misprint(cls, keys):
+    def _has_misprint(cls, keys, info: ValidationInfo):
+        methods = families_of(info).get(PRESSURE.name, PRESSURE)
         for key in keys:
-            if not PRESSURE[key].has_misprint:
-                known = ", ".join(k for k, row in PRESSURE.items() if row.has_misprint)
+            if not methods[key].has_misprint:
+                known = ", ".join(k for k, row in methods.items() if row.has_misprint)
                 raise ValueError(f"{key} has no misprint in the source; known: {known}")
         return keys
 
@@ -122,7 +127,7 @@ class PressureStudy(Asked, BaseStudy):
     @property
     def method_keys(self) -> tuple[str, ...]:
         """The methods asked for, in order."""
-        return tuple(PRESSURE) if self.methods == "all" else self.methods
+        return tuple(self.family(PRESSURE)) if self.methods == "all" else self.methods
 
     @property
     def depths(self) -> list[float]:

@@ -3,7 +3,7 @@
 from pathlib import Path
 
 from silostudy.config.fields import expand
-from silostudy.config.load import read_yaml, study_of
+from silostudy.config.load import read_study
 from silostudy.config.seismic import SeismicScene, SeismicStudy
 from silostudy.config.shell import Earthquake
 from silostudy.errors import BadInput
@@ -20,7 +20,7 @@ def read_earthquake(asked: Earthquake, folder: Path, where: str) -> Expansion:
     if not path.is_file():
         known = sorted(file.stem for file in folder.glob("*.yaml"))
         raise BadInput("earthquake.study", asked.study, f"unknown; known: {', '.join(known)}", where)
-    study = study_of(read_yaml(path), str(path))
+    study = read_study(path)
     if not isinstance(study, SeismicStudy) or study.sweep:
         raise BadInput("earthquake.study", asked.study, "must be a seismic study without sweep", where)
     if asked.mass_choice == "identified" and study.identification is None:

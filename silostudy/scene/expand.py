@@ -13,6 +13,7 @@ from typing import Any
 
 from silostudy.config.fields import Strict
 from silostudy.config.load import read_yaml, study_of, validated
+from silostudy.config.own import OwnMethods
 from silostudy.errors import BadInput
 from silostudy.stages import KINDS
 
@@ -34,11 +35,13 @@ class Expansion:
     name: str
     shape: tuple[int, ...]
     cases: tuple[Case, ...]
+    named: tuple[Path, ...] = ()  # files of the user's own that the study itself names
 
     @property
     def files(self) -> tuple[Path, ...]:
-        """The user's own files that the scenes were made from."""
-        return tuple(dict.fromkeys(file for case in self.cases for file in getattr(case.scene, "files", ())))
+        """The user's own files that study and scenes were made from."""
+        of_scenes = (file for case in self.cases for file in getattr(case.scene, "files", ()))
+        return tuple(dict.fromkeys((*self.named, *of_scenes)))
 
     @property
     def asks(self) -> bool:
@@ -54,15 +57,16 @@ def file_as_asked(path: Path, positions: Sequence[int] | None = None) -> Expansi
 
 def as_asked(content: dict[str, Any], name: str, where: str, folder: Path, positions: Sequence[int] | None = None) -> Expansion:
     """The cases of a study's content; `where` names it in errors, and files it names are looked for in `folder`."""
-    study: Any = study_of(content, where)
+    study: Any = study_of(content, where, folder)
+    families = study.families if isinstance(study, OwnMethods) else None
     build = KINDS[study.kind].scene_builder(study, folder, where)
     cases, axes = [], [axis.settings() for axis in study.sweep]
     shape = tuple(map(len, axes))
     for position in range(prod(shape)) if positions is None else positions:
         settings = _settings_at(axes, position, where)
-        config = validated(type(study.scene), _applied(content["scene"], settings, where), f"{where} (scene)")
+        config = validated(type(study.scene), _applied(content["scene"], settings, where), f"{where} (scene)", families)
         cases.append(Case(identity(config), settings, build(config, settings)))
-    return Expansion(study, name, shape, tuple(cases))
+    return Expansion(study, name, shape, tuple(cases), study.named_files(folder))
 
 
 def _settings_at(axes: list[list[dict[str, Any]]], position: int, where: str) -> dict[str, Any]:

@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from silostudy.seismic.family import MassRule
 from silostudy.tables.constants import STANDARD_GRAVITY
 
 
@@ -22,3 +23,16 @@ def contents_share(slenderness):
     """
     height_over_radius = 2 * np.asarray(slenderness, dtype=float)
     return np.where(height_over_radius <= 1, 5 / 6 * height_over_radius, 1 - 1 / (6 * height_over_radius))
+
+
+ROW = MassRule(
+    key="en1998_4",
+    rank=50,
+    title="EN 1998-4, additional pressure on a circular wall",
+    source="en1998_4_2006",
+    locator="additional dynamic pressure, circular silo with a flat bottom",
+    function=contents_share,
+    formula="dp = (a/g) gamma min(min(h_b, d_c/2), 3x) cos(theta); summed: 5h/(6R) for h <= R, 1 - R/(6h) above",
+    needs=("height over diameter (1)",),
+    validity="circular, flat bottom, rigid; one acceleration over the height for the summed share",
+)

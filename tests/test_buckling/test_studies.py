@@ -58,7 +58,7 @@ MISTAKES = {
     ),
     "unknown quality": (cylinder(quality="D"), "scene.quality = 'D': must be 'A', 'B' or 'C'"),
     "unknown end factor": (cylinder(end_factor=2), "scene.end_factor = 2: must be 6, 3 or 1"),
-    "unknown rule": ({**CYLINDER, "rules": ["miler"]}, "rules.0 = 'miler': must be 'miller1977', 'classical'"),
+    "unknown rule": ({**CYLINDER, "rules": ["miler"]}, "rules.0 = 'miler': unknown; known: miller1977, classical"),
     "no rule": ({**CYLINDER, "rules": []}, "a study needs a rule; known: miller1977"),
     "unknown test": ({**CYLINDER, "scene": {"test": "99", "quality": "B"}}, "scene.test = '99': must be '1', '1.1'"),
     "sizes beside a test": (

@@ -49,7 +49,7 @@ MISTAKES = {
     ),
     "unknown solid": (scene(solid="sand"), "scene.solid = 'sand': unknown; known: cement, cement_clinker, maize, wheat"),
     "unknown wall": (scene(wall="glass"), "scene.wall = 'glass': must be 'grooved_concrete', 'as_cast_concrete'"),
-    "unknown method": ({"methods": ["jansen"]}, "methods.0 = 'jansen': must be 'janssen', 'reimbert'"),
+    "unknown method": ({"methods": ["jansen"]}, "methods.0 = 'jansen': unknown; known: janssen, reimbert"),
     "unknown plan": (silo(plan="oval"), "found using 'plan' does not match any of the expected tags: 'circular'"),
     "unknown key": ({"colour": "red"}, "colour = 'red': unknown key"),
     "unknown kind": ({"kind": "presure"}, "kind = 'presure': unknown; known: accuracy, buckling, grains"),
