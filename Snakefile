@@ -7,7 +7,7 @@ from pathlib import Path
 from silostudy.config.load import load_project, read_study
 from silostudy.errors import BadInput
 from silostudy.files import alone, check_writable, end_future, remove_damaged
-from silostudy.scene.expand import expand_file
+from silostudy.choice.expand import expand_file
 from silostudy.sweep.plan import make_plan
 from silostudy.tables.outputs import OUTPUTS, files_of
 from silostudy.stages import FILE_KINDS, KINDS, STAGES
@@ -68,9 +68,8 @@ wildcard_constraints:
 
 
 def study_files(wildcards):
-    """The study file and the user's own files that it names."""
-    path, materials = STUDIES[wildcards.study], getattr(MODELS[wildcards.study], "materials", None)
-    return [path, *([path.parent / materials] if materials else []), *expansion(wildcards.study).files]
+    """The study file and the user's own files that it and its scenes name."""
+    return [STUDIES[wildcards.study], *expansion(wildcards.study).files]
 
 
 def wanted(name):

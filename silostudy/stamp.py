@@ -48,6 +48,8 @@ def _named(path: Path) -> set[Path]:
         return found
     for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
         if isinstance(node, ast.ImportFrom) and node.module:
+            if node.module == "silostudy.catalogue" and "members" in {alias.name for alias in node.names}:
+                found |= {*path.parent.glob("*.py"), *path.parent.glob("*/__init__.py")}  # it imports its whole folder
             found |= _modules(node.module).union(*(_modules(f"{node.module}.{alias.name}") for alias in node.names))
         elif isinstance(node, ast.Import):
             found = found.union(*(_modules(alias.name) for alias in node.names))

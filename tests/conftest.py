@@ -7,8 +7,9 @@ from pathlib import Path
 import matplotlib.pyplot as plt
 import pytest
 
+from silostudy.choice.expand import expand, expand_file
 from silostudy.compute.pressure import pressure_cube
-from silostudy.scene.expand import Expansion, expand, expand_file
+from silostudy.scene.expand import Expansion
 
 ROOT = Path(__file__).parents[1]
 SMALL = {

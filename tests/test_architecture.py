@@ -14,7 +14,7 @@ from silostudy.stamp import CHECKED, sources, stamp
 from tests.conftest import ROOT
 
 PACKAGE = ROOT / "silostudy"
-BASE = {"catalogue", "errors", "files", "stages", "stamp", "__init__"}
+BASE = {"catalogue", "soundness", "errors", "files", "stages", "stamp", "__init__"}
 # room -> the rooms it may import, besides the base
 MAY_IMPORT = {
     "stages": set(),
@@ -29,10 +29,12 @@ MAY_IMPORT = {
     "config": {"tables", "pressure", "buckling", "contact", "dem"},
     "scene": {"config", "tables", "pressure", "seismic", "contact", "packing", "dem"},
     "cube": {"tables"},
-    "compute": {"scene", "config", "tables", "pressure", "buckling", "seismic", "cube", "contact", "packing", "dem"},
-    "sweep": {"compute", "scene", "config", "cube"},
+    "choice": {"scene", "config", "tables", "pressure", "seismic"},
+    "compute": {"choice", "scene", "config", "tables", "pressure", "buckling", "seismic", "cube", "contact", "packing", "dem"},
+    "sweep": {"compute", "choice", "scene", "config", "cube"},
     "accuracy": {
         "compute",
+        "choice",
         "scene",
         "config",
         "tables",
@@ -53,6 +55,7 @@ HEAVY_FREE = {
     "stages",
     "config",
     "scene",
+    "choice",
 }  # quick to import: no xarray, no matplotlib
 STAGES_OF_KINDS = [(kind, stage) for kind in FILE_KINDS for stage in FILE_KINDS[kind].stages]
 
@@ -114,7 +117,7 @@ LOADED = """
 import sys
 from importlib import import_module
 from pathlib import Path
-from silostudy.scene.expand import expand_file
+from silostudy.choice.expand import expand_file
 for name in sys.argv[2:]:
     import_module("silostudy." + name.replace("/", "."))
 if sys.argv[1]:
@@ -143,7 +146,7 @@ def test_stamp_of_a_stage_covers_all_that_it_loads(kind, stage):
     study, rooms = str(shipped(kind)) if kind in KINDS else "", places(kind, stage)
     done = subprocess.run([sys.executable, "-c", LOADED, study, *rooms], cwd=ROOT, capture_output=True, text=True, check=True)
     loaded = {Path(line) for line in done.stdout.split()}
-    behind = set(sources(*rooms, "scene/expand", "tables/outputs")) | CHECKED
+    behind = set(sources(*rooms, "choice/expand", "tables/outputs")) | CHECKED
     assert len(loaded) > 10
     assert loaded <= behind, sorted(str(path.relative_to(PACKAGE)) for path in loaded - behind)
 
@@ -162,6 +165,19 @@ def test_a_stamp_covers_nothing_else():
     assert not rooms["dem"] & {"pressure", "buckling", "seismic"}
     assert not rooms["grains"] & {"pressure", "buckling"}
     assert not rooms["pressure"] & {"dem", "contact", "packing", "buckling", "seismic"}
+
+
+def test_measured_fronts_rerun_only_what_may_ask_for_an_accuracy():
+    for kind, stage in STAGES_OF_KINDS:
+        hangs = PACKAGE / "tables/fronts.csv" in sources(*places(kind, stage))
+        assert hangs == bool(FILE_KINDS[kind].traits), f"{kind}, {stage.key}"
+
+
+def test_what_is_computed_comes_with_its_settings_chosen():
+    """A study as asked, its cases or not, stays within the rooms that make it."""
+    for path in PACKAGE.rglob("*.py"):
+        asked = {"silostudy.scene.expand.as_asked", "silostudy.scene.expand.file_as_asked"} & imports(path)
+        assert not asked or room_of(path) in {"scene", "choice"}, f"{path.relative_to(PACKAGE)} imports {asked}"
 
 
 def test_stamp_sees_a_change(tmp_path, monkeypatch):

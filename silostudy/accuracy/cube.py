@@ -8,9 +8,7 @@ import xarray as xr
 from silostudy.accuracy.front import kept, on_front
 from silostudy.accuracy.measure import Rung, machine, measure
 from silostudy.accuracy.price_table import price_variables
-from silostudy.compute.variables import attributes
-from silostudy.cube.contract import VARIABLES, check
-from silostudy.cube.provenance import provenance
+from silostudy.cube.assemble import assemble
 from silostudy.scene.expand import Expansion
 from silostudy.tables.problems import PROBLEMS
 
@@ -29,10 +27,9 @@ def accuracy_cube(expansion: Expansion, tell: Callable[[str], None] = lambda tex
     data["problem"] = np.array(study.problem_keys)
     if asked.prices:
         data |= price_variables(asked.repeats, tell)
-    variables = {name: (VARIABLES[name].dims, values, attributes(name)) for name, values in data.items()}
-    about = provenance(study.title, study.model_dump_json(exclude_defaults=True), [row.source for row in rows], "accuracy")
-    own = {"sweep_axes": "", "repeats": asked.repeats, "members": asked.members}
-    return check(xr.Dataset(variables, attrs={**about, **machine(), **own}))
+    sources = [row.source for row in rows]
+    notes = {**machine(), "repeats": asked.repeats, "members": asked.members}
+    return assemble(study, "accuracy", data, sources=sources, notes=notes)
 
 
 def points_of(rungs: list[Rung]) -> list[dict]:

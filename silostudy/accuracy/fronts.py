@@ -10,7 +10,7 @@ from threadpoolctl import threadpool_limits
 
 from silostudy.accuracy.measure import machine
 from silostudy.accuracy.trial import Trial
-from silostudy.tables.fronts import COLUMNS
+from silostudy.choice.fronts import COLUMNS
 
 KINDS = ("dem", "pressure", "shell", "seismic", "packing")
 

@@ -12,12 +12,15 @@ from typing import Any
 
 import numpy as np
 
-from silostudy.accuracy.silo import DENSITY, RADIUS, wall_force
+from silostudy.accuracy.silo import wall_force
 from silostudy.accuracy.trial import Trial, front_row, kept
+from silostudy.choice.choose import choose
+from silostudy.choice.dem import scene_traits
 from silostudy.config.dem import DemScene
 from silostudy.contact import MEASURED as MEASURED_LAWS
 from silostudy.dem.engine import Engine, Explosion
-from silostudy.scene.dem_model import model_of, placed
+from silostudy.scene.dem_model import placed, unshaken_scene_model
+from silostudy.tables.kiyama_1983 import DENSITY, NORMAL_STIFFNESS, RADIUS, width_as_steep
 
 STEPS = tuple(2.0 ** (-k / 2) for k in range(9))  # factors of the step that the engine chooses
 COARSE = {"velocity-verlet": STEPS[:7], "17-18": STEPS[::2], "17-19": STEPS[:7:2]}
@@ -30,7 +33,6 @@ ASKED = (0.03, 0.3)  # errors asked for lie between
 SPAN = {"damping_ratio": (0.5, 1.0), "wall_stiffness_ratio": (1.0, 2.0), "stiffness_ratio": (0.2, 0.5),
         "disc_friction": (0.3, 0.6), "wall_friction": (0.1, 0.4)}  # fmt: skip
 GAPS = (1e-5, 8e-5)  # of discs of RADIUS
-STIFFNESS, PITCH = 9.462726e6, 38.0 / 17.0  # Kiyama & Fujimura (1983), Table 2 and Fig. 8
 SOURCE = "kiyama_fujimura_1983"
 
 Setting = tuple[str, float]  # integrator, factor of the step
@@ -58,11 +60,11 @@ def silos(seed: int, count: int) -> Iterator[dict[str, Any]]:
         shared: dict[str, Any] = {**MEASURED_LAWS} | {name: own[name] for name in ("damping_ratio", "stiffness_ratio")}
         yield {
             "kind": "dem", "title": "a silo to measure accuracy on", "radius_m": RADIUS, "density_kg_m3": DENSITY,
-            "silo": {"width_m": (2.0 + (across - 1) * PITCH) * RADIUS, "height_m": 2.0 * layers * RADIUS + 0.1},
+            "silo": {"width_m": width_as_steep(across), "height_m": 2.0 * layers * RADIUS + 0.1},
             "packing": {"kind": "rows", "across": across, "fill_height_m": 2.0 * layers * RADIUS, "gap_m": gap,
                         "offset_m": gap * float(random.choice([0.3, 0.1, 0.01]))},
-            "discs": shared | {"normal_stiffness_N_m2": STIFFNESS, "sliding_friction": own["disc_friction"]},
-            "walls": shared | {"normal_stiffness_N_m2": STIFFNESS * own["wall_stiffness_ratio"],
+            "discs": shared | {"normal_stiffness_N_m2": NORMAL_STIFFNESS, "sliding_friction": own["disc_friction"]},
+            "walls": shared | {"normal_stiffness_N_m2": NORMAL_STIFFNESS * own["wall_stiffness_ratio"],
                                "sliding_friction": own["wall_friction"]},
             "march": {"limit_s": REST}, "events": [{"when": "time", "value": REST, "do": "stop"}],
         }  # fmt: skip
@@ -85,7 +87,7 @@ def forces(content: dict[str, Any], setting: Setting, seed: int) -> tuple[np.nda
     """Force (N/m) on the parts of both walls of a filling at rest, and CPU seconds; infinite where the discs run away."""
     march = content["march"] | {"integrator": setting[0], "step_factor": setting[1]}
     scene = DemScene.model_validate(content | {"march": march, "seed": seed})
-    engine = Engine(model_of(scene, placed(scene)))
+    engine = Engine(unshaken_scene_model(scene, placed(scene)))
     start = time.process_time()
     try:
         engine.step_to(round(REST / engine.model.dt))
@@ -99,7 +101,7 @@ def measured_fronts(tell: Callable[[str], None]) -> list[dict]:
     """Rows of tables/fronts.csv: the error over the trait `fall` that 95 % of all fillings of all silos keep."""
     found: list[tuple[float, Found]] = []
     for number, content in enumerate(silos(0, MEASURED), 1):
-        fall = DemScene.model_validate(content).traits["fall"]
+        fall = scene_traits(DemScene.model_validate(content))["fall"]
         found += [(fall, measured(content, COARSE, FINEST["coarse"], range(FILLINGS)))]
         found += [(fall, measured(content, FINE, FINEST["fine"], range(FINE_FILLINGS)))]
         tell(f"dem: silo {number} of {MEASURED}")
@@ -120,9 +122,10 @@ def trials(tell: Callable[[str], None], count: int = UNSEEN, fillings: int = UNS
     found, random = [], np.random.default_rng(2)
     for number, content in enumerate(silos(1, count), 1):
         asked = float(np.exp(random.uniform(*np.log(ASKED))))
-        march = DemScene.model_validate(content | {"accuracy": {"wall_force": asked}}).march
+        traits = scene_traits(DemScene.model_validate(content))
+        integrator, factor = choose(["dem"], {"wall_force": asked}, [traits]).settings.values()
         one = measured(content, COARSE, FINEST["coarse"], range(fillings))
-        setting = min(one.error, key=lambda each: (each[0] != march.integrator, abs(each[1] - march.step_factor)))
+        setting = min(one.error, key=lambda each: (each[0] != integrator, abs(each[1] - factor)))
         cheapest = min((one.cost[each] for each in one.error if one.kept(each) <= asked), default=np.nan)
         found += [Trial("dem", "wall_force", asked, float(error), one.cost[setting], cheapest) for error in one.error[setting]]
         tell(f"dem: silo {number} of {count}, {sum(trial.met for trial in found)} of {len(found)} met")

@@ -10,10 +10,11 @@ import numpy as np
 from scipy.integrate import quad
 
 from silostudy.accuracy.trial import Trial, cpu_seconds, front_row
+from silostudy.choice.expand import expand
+from silostudy.choice.pressure import LEVELS, parameters_of_scenes
 from silostudy.pressure import PRESSURE
 from silostudy.pressure.family import call
-from silostudy.scene.expand import Expansion, expand
-from silostudy.scene.traits import LEVELS, parameters_of_scenes
+from silostudy.scene.expand import Expansion
 from silostudy.tables.solids import SOLIDS
 from silostudy.tables.walls import WALLS
 

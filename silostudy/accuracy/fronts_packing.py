@@ -11,17 +11,19 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from silostudy.accuracy.silo import GRAVITY, RADIUS, contact, scene, wall_force
+from silostudy.accuracy.silo import contact_of_discs, contact_with_walls, silo_of_rows, wall_force
 from silostudy.accuracy.trial import Trial, front_row
+from silostudy.choice.choose import choose
+from silostudy.choice.packing import friction_scatter
 from silostudy.dem.engine import Engine
 from silostudy.dem.model import Model
 from silostudy.dem.stability import chosen_step
-from silostudy.scene.packing import friction_scatter
-from silostudy.tables.fronts import choose
+from silostudy.tables.constants import ROUNDED_GRAVITY
+from silostudy.tables.kiyama_1983 import ACTIVE, GAPS, PASSIVE, RADIUS, pitch
 
 RUNS = tuple(dict.fromkeys(round(2.0 ** (k / 4)) for k in range(4, 37)))  # 2 ... 512, each 1.19 times the one before
-GAP, OFFSET, REST = 3e-4, 1e-4, 1.0  # m, m, s: a packing study's own starts
-PITCH = 38.0 / 17.0  # of the discs in a row over their radius: 17/18 of the source
+GAP, OFFSET, REST = GAPS[PASSIVE], 1e-4, 1.0  # m, m, s: a packing study's own starts
+PITCH = pitch(ACTIVE)
 MEASURED, SPREAD, DRAWN = 20, 48, 4000  # silos, runs of each, means drawn of them
 UNSEEN, AGAINST, TRIED = 8, 192, 128  # other silos, runs behind their right value, runs in the means that are tried
 SHARE, ASKED = 0.95, (0.012, 0.06)
@@ -49,8 +51,8 @@ class Silo:
 
     def model(self, seed: int) -> Model:
         """One start."""
-        model, _ = scene(self.across, self.rows, gap=GAP, offset=OFFSET, seed=seed)
-        model = replace(model, pair_contact=contact(1.0, self.discs), wall_contact=contact(2.0, self.walls))
+        model, _ = silo_of_rows(self.across, self.rows, gap=GAP, offset=OFFSET, seed=seed)
+        model = replace(model, pair_contact=contact_of_discs(self.discs), wall_contact=contact_with_walls(self.walls))
         return replace(model, dt=chosen_step(model))
 
 
@@ -69,7 +71,7 @@ def shares(silo: Silo, seeds) -> tuple[np.ndarray, float]:
     for seed in seeds:
         engine = Engine(silo.model(seed))
         engine.step_to(round(REST / engine.model.dt))
-        found.append(0.5 * wall_force(engine, 1).sum() / (engine.mass.sum() * GRAVITY))
+        found.append(0.5 * wall_force(engine, 1).sum() / (engine.mass.sum() * ROUNDED_GRAVITY))
     return np.array(found), (time.process_time() - start) / len(found)
 
 
@@ -114,7 +116,7 @@ def trials(tell: Callable[[str], None], count: int = UNSEEN) -> list[Trial]:
         runs, cost = shares(silo, range(TRIED))
         least = np.quantile(drawn(np.concatenate([right, runs]), random), SHARE, axis=1)
         for asked in np.exp(np.log(ASKED[0]) + np.log(ASKED[1] / ASKED[0]) * random.random(4)).tolist():
-            chosen = choose("packing", {"rest_side_share": asked}, [silo.traits]).settings["runs"]
+            chosen = choose(["packing"], {"rest_side_share": asked}, [silo.traits]).settings["runs"]
             enough = RUNS[int(np.argmax(least <= asked))]
             means = runs[: TRIED // chosen * chosen].reshape(-1, chosen).mean(axis=1)
             for wrong in np.abs(means / right.mean() - 1.0):

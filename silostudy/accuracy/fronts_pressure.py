@@ -11,8 +11,8 @@ from scipy.optimize import minimize_scalar
 from silostudy.accuracy import fronts_samples
 from silostudy.accuracy.fronts_levels import FINE, Curve, Quantity, expansion_of, rows_of, spoken, studies, trials_of
 from silostudy.accuracy.trial import Trial
+from silostudy.choice.pressure import integral_number, kink_number, peak_number
 from silostudy.scene.expand import Expansion
-from silostudy.scene.traits import integral_number, kink_number, peak_number
 
 MEASURED, UNSEEN = 60, 100  # silos with every method; studies of up to four methods
 

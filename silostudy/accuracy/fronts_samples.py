@@ -11,10 +11,10 @@ from scipy.optimize import brentq
 from scipy.stats import qmc
 
 from silostudy.accuracy.trial import Trial, cpu_seconds, front_row
+from silostudy.choice.choose import choose
+from silostudy.choice.pressure import spread_number
 from silostudy.pressure import janssen
 from silostudy.pressure.family import call
-from silostudy.scene.traits import spread_number
-from silostudy.tables.fronts import choose
 
 POWERS = tuple(range(6, 17))
 MEASURED, UNSEEN, SEEDS, SHARE = 30, 40, 20, 0.95  # solids, other solids, sequences for each; share of them that must meet it
@@ -121,7 +121,7 @@ def trials(tell: Callable[[str], None], count: int = UNSEEN) -> list[Trial]:
     spent = costs(next(iter(solids(0, 1, 1.5))))
     for solid in solids(1, count, 1.4):
         asked = float(np.exp(random.uniform(*np.log(ASKED))))
-        power = choose("pressure", {"pressure_quantile": asked}, [{"scatter": solid.scatter}]).settings[
+        power = choose(["pressure"], {"pressure_quantile": asked}, [{"scatter": solid.scatter}]).settings[
             "uncertainty.log2_samples"
         ]
         wrong = errors(solid, 2000)

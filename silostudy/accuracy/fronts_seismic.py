@@ -10,14 +10,14 @@ from functools import partial
 import numpy as np
 
 from silostudy.accuracy.trial import Trial, cpu_seconds, front_row
-from silostudy.scene.seismic import valley_number
+from silostudy.choice.choose import choose
+from silostudy.choice.seismic import valley_number
 from silostudy.seismic import identify
 from silostudy.seismic.beam import Tube
 from silostudy.seismic.demand import demand
 from silostudy.seismic.likeness import amplitude_error
 from silostudy.seismic.readers import read_known
 from silostudy.seismic.records import Record, compressed, without_baseline
-from silostudy.tables.fronts import choose
 
 REFINEMENTS = (1, 2, 3, 4, 6, 8, 12, 16, 24, 48)  # all divide the last
 LEVELS = (3, 4, 5, 6, 7, 9, 11, 13, 16, 17, 21, 25, 31, 41, 49, 61, 81, 121, 161, 241)  # one less divides the finest less one
@@ -169,7 +169,7 @@ def coefficient_trials(shaking: Shaking, random: np.random.Generator) -> list[Tr
     """One for each truth."""
     name = "effective_mass_coefficient"
     asked = float(np.exp(random.uniform(*np.log(ASKED[name]))))
-    chosen = choose("seismic", {name: asked}, [{"valley_number": shaking.number}]).settings["identification.refinement"]
+    chosen = choose(["seismic"], {name: asked}, [{"valley_number": shaking.number}]).settings["identification.refinement"]
     wrong, spent = coefficient_errors(shaking), coefficient_costs(shaking)
     k, enough = REFINEMENTS.index(chosen), int(np.argmax(np.quantile(wrong, SHARE, axis=1) <= asked))
     return [Trial("seismic", name, asked, one, spent[k], spent[enough], chosen, REFINEMENTS[enough]) for one in wrong[k]]
@@ -179,7 +179,7 @@ def moment_trial(shaking: Shaking, random: np.random.Generator) -> Trial:
     """The moment read between the levels chosen."""
     name = "wall_bending_moment"
     asked = float(np.exp(random.uniform(*np.log(ASKED[name]))))
-    chosen = choose("seismic", {name: asked}).settings["relative_depth"]["count"]
+    chosen = choose(["seismic"], {name: asked}).settings["relative_depth"]["count"]
     wrong, spent = moment_errors(shaking), moment_costs(shaking)
     k, enough = LEVELS.index(chosen), int(np.argmax(wrong <= asked))
     return Trial("seismic", name, asked, wrong[k], spent[k], spent[enough], chosen, LEVELS[enough])

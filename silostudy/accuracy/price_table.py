@@ -10,13 +10,13 @@ from silostudy.accuracy import optional_discs, optional_formulas
 from silostudy.accuracy.instructions import count, missing
 from silostudy.accuracy.optional_parts import part_price
 from silostudy.accuracy.prices import Price, prices, still, without
-from silostudy.accuracy.silo import scene
+from silostudy.accuracy.silo import LEVELS, silo_of_rows
 from silostudy.contact.cohesion import constant_pull
 from silostudy.contact.rolling import spring_slider
 from silostudy.dem.engine import Engine
 from silostudy.dem.model import Contact, Model
+from silostudy.tables.kiyama_1983 import ACTIVE
 
-ACROSS, LEVELS = 18, 20  # the bench's 350 discs
 PARTS = (*optional_discs.PARTS, *optional_formulas.PARTS)
 STEPS = 2000  # whose instructions are counted
 DISCS, OTHERS = "discrete elements", "only effects of discrete elements are counted"
@@ -24,7 +24,7 @@ DISCS, OTHERS = "discrete elements", "only effects of discrete elements are coun
 
 def full_scenes() -> list[tuple[str, Model]]:
     """Scenes that have between them every effect of the engine; friction is priced where nothing is recorded as well."""
-    model, _ = scene(ACROSS, LEVELS)
+    model, _ = silo_of_rows(ACTIVE, LEVELS)
     rolling = replace(model, pair_contact=_rolling(model.pair_contact), wall_contact=_rolling(model.wall_contact))
     pulling = replace(model, pair_contact=_pulling(model.pair_contact), wall_contact=_pulling(model.wall_contact))
     sizes = replace(model, radius=model.radius * (1.0 - 0.002 * (np.arange(len(model.x)) % 2)))

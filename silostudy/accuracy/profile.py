@@ -7,12 +7,10 @@ import xarray as xr
 
 from silostudy.accuracy.peers import available
 from silostudy.accuracy.silo_step import REFERENCE_MARCH, at_rest, error_of, filled, peer_at_rest, profile
-from silostudy.compute.variables import attributes
 from silostudy.contact.family import NormalLaw, TangentialLaw
 from silostudy.contact.normal import spring_dashpot
 from silostudy.contact.tangential import spring_slider, spring_slider_total
-from silostudy.cube.contract import check
-from silostudy.cube.provenance import provenance
+from silostudy.cube.assemble import assemble
 from silostudy.errors import BadInput
 from silostudy.scene.expand import Expansion
 
@@ -41,23 +39,16 @@ def profile_cube(expansion: Expansion, tell: Callable[[str], None] = lambda text
                 error[i, k], noise[i, k] = error_of(found, reference)
             tell(f"{marcher}, {step * 1e3:g} ms: {error[i, k]:.3g} +- {noise[i, k]:.2g}")
     data = {
-        "profile_error": (("marcher", "march_step"), error),
-        "profile_noise": (("marcher", "march_step"), noise),
-        "silo_push": (("marcher", "march_step", "wall_part"), push),
-        "reference_push": (
-            ("marcher", "wall_part"),
-            np.array([references.get(one, references[""]).mean(axis=0) for one in marchers]),
-        ),
+        "profile_error": error,
+        "profile_noise": noise,
+        "silo_push": push,
+        "reference_push": np.array([references.get(one, references[""]).mean(axis=0) for one in marchers]),
+        "marcher": marchers,
+        "march_step": steps,
+        "wall_part": np.arange(silo.parts),
     }
-    coords = {
-        "marcher": ("marcher", marchers),
-        "march_step": ("march_step", steps),
-        "wall_part": ("wall_part", np.arange(silo.parts)),
-    }
-    variables = {key: (dims, values, attributes(key)) for key, (dims, values) in (data | coords).items()}
-    about = provenance(study.title, study.model_dump_json(exclude_defaults=True), ["kiyama_fujimura_1983"], "profile")
-    about |= {"reference_step_s": silo.reference_step_ms * 1e-3, "fillings": silo.fillings}
-    return check(xr.Dataset({key: variables[key] for key in data}, {key: variables[key] for key in coords}, about))
+    notes = {"reference_step_s": silo.reference_step_ms * 1e-3, "fillings": silo.fillings}
+    return assemble(study, "profile", data, sources=["kiyama_fujimura_1983"], notes=notes)
 
 
 def name(config) -> str:

@@ -9,54 +9,67 @@ from silostudy.contact.family import NormalLaw
 from silostudy.contact.normal import spring_dashpot
 from silostudy.contact.tangential import spring_slider_total
 from silostudy.dem.engine import Engine
-from silostudy.dem.model import Contact, Model, Wall
+from silostudy.dem.model import Contact, Model
 from silostudy.dem.pieces import Laws
 from silostudy.dem.snapshot import wall_contacts
 from silostudy.packing import PACKINGS
+from silostudy.scene.plane_silo import FLOOR, HALVES, SIDES, PlaneSilo
+from silostudy.tables.constants import ROUNDED_GRAVITY
+from silostudy.tables.kiyama_1983 import (
+    ACTIVE,
+    DENSITY,
+    DISC_FRICTION,
+    GAPS,
+    NORMAL_DAMPING,
+    NORMAL_STIFFNESS,
+    RADIUS,
+    STIFFNESS_RATIO,
+    WALL_FRICTION,
+    WALL_STIFFNESS_RATIO,
+    width_as_steep,
+)
 
-RADIUS, DENSITY, GRAVITY = 0.01, 2650.0, 9.81
+LEVELS = 20  # rows of 18 and 17 discs in turn: about as many discs as in the source
 STEP = 2.5e-5  # s, half of the bound of the packing at rest
-OPEN = ("floor", ("floor_left", "floor_right"))
-LEFT, RIGHT = 1, 2  # numbers of the side walls
+OPEN = (FLOOR, HALVES)
+DOWN = (0.0, -ROUNDED_GRAVITY)  # m s-2
 
 
-def contact(factor: float = 1.0, friction: float = 0.577, normal: NormalLaw = spring_dashpot.ROW) -> Contact:
-    """Kiyama & Fujimura (1983), Table 2, with Cundall and Strack's slider; walls have twice the factor."""
-    weight = factor * DENSITY * GRAVITY
+def contact_of_discs(
+    friction: float = DISC_FRICTION, *, normal: NormalLaw = spring_dashpot.ROW, factor: float = 1.0
+) -> Contact:
+    """Contact between the source's discs, with Cundall and Strack's slider; stiffness and dashpots times `factor`."""
     coefficients = {
-        "normal_stiffness": 364 * weight,
-        "normal_damping": 0.153 * weight,
+        "normal_stiffness": factor * NORMAL_STIFFNESS,
+        "normal_damping": factor * NORMAL_DAMPING,
         "normal_damping_root": 0.0,
-        "tangential_stiffness": 91 * weight,
-        "tangential_damping": 0.0765 * weight,
+        "tangential_stiffness": factor * STIFFNESS_RATIO * NORMAL_STIFFNESS,
+        "tangential_damping": factor * sqrt(STIFFNESS_RATIO) * NORMAL_DAMPING,
         "tangential_damping_root": 0.0,
         "sliding_friction": friction,
     }
     return Contact(Laws(normal, spring_slider_total.ROW), coefficients)
 
 
-def walls_of(width: float, height: float, slit: float) -> tuple[Wall, ...]:
-    """Floor, sides, and the halves of the floor beside the slit, which wait for it to open."""
-    left, right = 0.5 * (width - slit), 0.5 * (width + slit)
-    return (
-        Wall("floor", (0.0, 0.0), (width, 0.0)),
-        Wall("left", (0.0, height), (0.0, 0.0)),
-        Wall("right", (width, 0.0), (width, height)),
-        Wall("floor_left", (0.0, 0.0), (left, 0.0), live=False),
-        Wall("floor_right", (right, 0.0), (width, 0.0), live=False),
-    )
+def contact_with_walls(friction: float = WALL_FRICTION) -> Contact:
+    """Contact of the source's discs with its walls, which are stiffer."""
+    return contact_of_discs(friction, factor=WALL_STIFFNESS_RATIO)
 
 
-def scene(across: int, levels: int, slit_share: float = 0.2, *, gap: float = 4e-5, offset: float = 0.0, seed: int = 0):
-    """A model of `levels` rows of `across` and one less discs, each moved at random by `offset` (m); and its slit (m)."""
-    width = (2.0 + (across - 1) * 38.0 / 17.0) * RADIUS
+def silo_of_rows(
+    across: int, levels: int, slit_share: float = 0.2, *, gap: float = GAPS[ACTIVE], offset: float = 0.0, seed: int = 0
+) -> tuple[Model, float]:
+    """A model of `levels` rows of `across` and one less discs, each moved at random by `offset` (m); and its slit (m).
+
+    The discs of a row stand as far apart as those of 17/18.
+    """
+    width = width_as_steep(across)
     rise = sqrt((2.0 * RADIUS + gap) ** 2 - ((width - 2.0 * (RADIUS + gap)) / (across - 1) / 2.0) ** 2)
     fill = 2.0 * RADIUS + (levels - 0.5) * rise
     rows = {"width": width, "height": fill, "radius": RADIUS, "across": across, "gap": gap, "offset": offset, "seed": seed}
     x, y, radii = PACKINGS["rows"].place(**rows)
-    slit = slit_share * width
-    walls = walls_of(width, float(y.max()) + 0.1, slit)
-    return Model(x, y, radii, DENSITY, walls, contact(), contact(2.0, 0.176), STEP), slit
+    silo = PlaneSilo(width, float(y.max()) + 0.1, slit_share * width)
+    return Model(x, y, radii, DENSITY, silo.walls(), contact_of_discs(), contact_with_walls(), STEP, DOWN), silo.slit
 
 
 def softened(model: Model, factor: float) -> Model:
@@ -77,5 +90,5 @@ def wall_force(engine: Engine, parts: int) -> np.ndarray:
     height = engine.model.y.max() + engine.model.radius.max()
     edges = np.linspace(0.0, height, parts + 1)
     edges[-1] = np.inf
-    sides = [touching.second == number for number in (LEFT, RIGHT)]
+    sides = [touching.second == engine.model.wall_number(name) for name in SIDES]
     return np.array([np.histogram(touching.y[side], edges, weights=np.abs(touching.fx[side]))[0] for side in sides])

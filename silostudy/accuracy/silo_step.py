@@ -10,19 +10,20 @@ from dataclasses import replace
 import numpy as np
 
 from silostudy.accuracy.peers import Lammps
-from silostudy.accuracy.silo import RADIUS, scene
+from silostudy.accuracy.silo import LEVELS, silo_of_rows
 from silostudy.contact.family import NormalLaw, TangentialLaw
 from silostudy.dem.engine import Engine, Explosion
 from silostudy.dem.model import Model
+from silostudy.scene.plane_silo import inner_width
+from silostudy.tables.kiyama_1983 import ACTIVE, GAPS, RADIUS
 
-ACROSS, LEVELS, GAP = 18, 20, 4e-5  # kiyama_fujimura_1983's 17/18 packing, gap in m
 REFERENCE_MARCH = "17-18"
 CALM = 1e-4  # m/s: faster discs are not at rest, the step is then too long
 
 
 def filled(seed: int, step: float, integrator: str, normal: NormalLaw, tangential: TangentialLaw) -> Model:
     """Kiyama and Fujimura's critically damped discs on the closed floor, each moved at random by up to a third of the gap."""
-    model, _ = scene(ACROSS, LEVELS, gap=GAP, offset=GAP / 3.0, seed=seed)
+    model, _ = silo_of_rows(ACTIVE, LEVELS, offset=GAPS[ACTIVE] / 3.0, seed=seed)
     pair, wall = (
         replace(one, laws=replace(one.laws, normal=normal, tangential=tangential))
         for one in (model.pair_contact, model.wall_contact)
@@ -58,7 +59,7 @@ def profile(places: np.ndarray, model: Model, parts: int) -> np.ndarray:
     """Normal force (N/m) on both side walls by parts of the fill's height, from the floor up: springs of discs at rest."""
     x, y = places.T
     stiffness = model.wall_contact.coefficients["normal_stiffness"]
-    width, top = model.walls[0].end[0], float(model.y.max()) + RADIUS
+    width, top = inner_width(model), float(model.y.max()) + RADIUS
     push = stiffness * (np.maximum(RADIUS - x, 0.0) + np.maximum(x - (width - RADIUS), 0.0))
     return np.histogram(y, np.linspace(0.0, top, parts + 1), weights=push)[0]
 

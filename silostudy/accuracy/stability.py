@@ -7,10 +7,8 @@ import xarray as xr
 
 from silostudy.accuracy.peers import available
 from silostudy.accuracy.stability_map import Rest, contact_number, kick_of, our_step, peer_step, settled
-from silostudy.compute.axes import axis_coordinates
-from silostudy.compute.variables import attributes
-from silostudy.cube.contract import check
-from silostudy.cube.provenance import provenance
+from silostudy.compute.axes import stacked, sweep_of
+from silostudy.cube.assemble import assemble
 from silostudy.dem.integrate import INTEGRATORS
 from silostudy.scene.expand import Expansion
 from silostudy.scene.stability import RestingDiscs
@@ -31,14 +29,9 @@ def stability_cube(expansion: Expansion, tell: Callable[[str], None] = lambda te
             peers[at_rest] = np.nan if missing else _peer(study, scene, rests[same])
         found.append(_found(study, scene, rests[same]) | {"peer_step": peers[at_rest]})
         tell(f"case {number + 1} of {len(expansion.cases)}: {found[-1]['stable_step']:.3g} s")
-    axes = [axis.axis for axis in study.sweep]
-    data: dict = {
-        name: (axes, np.array([one[name] for one in found]).reshape(expansion.shape), attributes(name)) for name in found[0]
-    }
-    data["case"] = (axes, np.array([case.id for case in expansion.cases]).reshape(expansion.shape), attributes("case"))
-    about = provenance(study.title, study.model_dump_json(exclude_defaults=True), _sources(expansion), "stability")
-    about |= {"peer": "LAMMPS" if not missing else "", "sweep_axes": " ".join(axes)}
-    return check(xr.Dataset(data, axis_coordinates(study), about))
+    notes = {"peer": "LAMMPS" if not missing else ""}
+    data = stacked(found, expansion.shape)
+    return assemble(study, "stability", data, sources=_sources(expansion), notes=notes, sweep=sweep_of(expansion))
 
 
 def _same(scene: RestingDiscs, *more: str) -> str:

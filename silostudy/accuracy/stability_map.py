@@ -16,6 +16,7 @@ from silostudy.dem.engine import Engine, Explosion
 from silostudy.dem.lanes import U, V, W
 from silostudy.dem.model import Contact, Model
 from silostudy.dem.stability import SAFETY, longest_step
+from silostudy.scene.plane_silo import inner_width
 
 SETTLING = 100_000  # steps in which discs that all but rest come to rest
 KICK = 1e-5  # m/s: far below what opens a contact
@@ -115,7 +116,7 @@ def contact_number(places: np.ndarray, model: Model) -> float:
     """Mean number of contacts (1) of a disc: with discs and with walls."""
     away = np.hypot(*(places[:, None] - places[None]).transpose(2, 0, 1))
     with_discs = (away < 2.0 * model.radius[0]).sum() - len(places)
-    x, y, radius, width = *places.T, model.radius[0], model.walls[0].end[0]
+    x, y, radius, width = *places.T, model.radius[0], inner_width(model)
     return float((with_discs + (y < radius).sum() + (x < radius).sum() + (x > width - radius).sum()) / len(places))
 
 

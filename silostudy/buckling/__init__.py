@@ -1,19 +1,19 @@
-"""Buckling strength of cylindrical shells under axial compression: one file a member, all of them listed here."""
+"""Buckling strength of cylindrical shells under axial compression: one file a member, with its rows."""
 
-from silostudy.buckling import (
-    classical,
-    en1993_1_6_2007,
-    en1993_1_6_2025,
-    en1993_4_1,
-    miller1977,
-    miller1977_rivals,
-    nasa_sp8007,
-)
 from silostudy.buckling.family import BucklingRule
-from silostudy.catalogue import Family
+from silostudy.catalogue import Family, Row, members
 
-MEMBERS = (miller1977, classical, nasa_sp8007, en1993_1_6_2007, en1993_1_6_2025, en1993_4_1)
 
-BUCKLING: Family[BucklingRule] = Family("buckling rule", [row for member in MEMBERS for row in member.ROWS])
+def _is_rule(row: Row) -> bool:
+    return isinstance(row, BucklingRule) and not row.rival_of
+
+
+def _is_rival(row: Row) -> bool:
+    return isinstance(row, BucklingRule) and bool(row.rival_of)
+
+
+_ROWS = members(__name__, BucklingRule)
+
+BUCKLING: Family[BucklingRule] = Family("buckling rule", filter(_is_rule, _ROWS), takes=_is_rule)
 # readings of a source that its own tests speak against, computed on request beside the rules
-RIVALS: Family[BucklingRule] = Family("rival reading", miller1977_rivals.ROWS)
+RIVALS: Family[BucklingRule] = Family("rival reading", filter(_is_rival, _ROWS), takes=_is_rival)

@@ -32,18 +32,17 @@ def strength(*, youngs_modulus, shell_poisson_ratio, yield_stress, shell_radius,
     return capped_at_yield(elastic, yield_stress)
 
 
-ROWS = (
-    BucklingRule(
-        key="classical",
-        title="classical, perfect shell",
-        source="classical_buckling",
-        locator="textbook result",
-        strength=strength,
-        limits=((NO_RINGS, with_rings), (SUCTION, under_suction)),
-        formula="sigma_cl = E t / (R sqrt(3 (1 - nu^2))), at most the yield stress",
-        validity="perfect elastic cylinder of medium length without rings; no measure of a real shell's strength",
-        colour="#999999",
-        marker="_",
-        line="dotted",
-    ),
+ROW = BucklingRule(
+    key="classical",
+    rank=20,
+    title="classical, perfect shell",
+    source="classical_buckling",
+    locator="textbook result",
+    strength=strength,
+    limits=((NO_RINGS, with_rings), (SUCTION, under_suction)),
+    formula="sigma_cl = E t / (R sqrt(3 (1 - nu^2))), at most the yield stress",
+    validity="perfect elastic cylinder of medium length without rings; no measure of a real shell's strength",
+    colour="#999999",
+    marker="_",
+    line="dotted",
 )

@@ -82,20 +82,19 @@ def strength_by(imperfection_factor, capacity):
     return strength
 
 
-ROWS = (
-    BucklingRule(
-        key="en1993_1_6_2007",
-        title="EN 1993-1-6:2007",
-        source="en1993_1_6_2007",
-        locator="annex D and section 8.5, axial compression",
-        strength=strength_by(imperfection_factor, capacity),
-        limits=((SUCTION, under_suction),),
-        formula="sigma_Rcr = 0.605 E C_x t / r; alpha = 0.62 / (1 + 1.91 delta^1.44), delta = sqrt(r/t) / Q; "
-        "lambda = sqrt(f_y / sigma_Rcr); chi = 1 to 0.2, straight to lambda_p = sqrt(alpha / 0.4), then alpha / lambda^2",
-        validity="second-hand transcription, checked against two open programs, printed standard not seen; rings are taken as "
-        "boundaries of a bay, buckling together with them is not covered; internal pressure is left out; suction is masked",
-        colour="#0072B2",
-        marker="s",
-        line="dashed",
-    ),
+ROW = BucklingRule(
+    key="en1993_1_6_2007",
+    rank=40,
+    title="EN 1993-1-6:2007",
+    source="en1993_1_6_2007",
+    locator="annex D and section 8.5, axial compression",
+    strength=strength_by(imperfection_factor, capacity),
+    limits=((SUCTION, under_suction),),
+    formula="sigma_Rcr = 0.605 E C_x t / r; alpha = 0.62 / (1 + 1.91 delta^1.44), delta = sqrt(r/t) / Q; "
+    "lambda = sqrt(f_y / sigma_Rcr); chi = 1 to 0.2, straight to lambda_p = sqrt(alpha / 0.4), then alpha / lambda^2",
+    validity="second-hand transcription, checked against two open programs, printed standard not seen; rings are taken as "
+    "boundaries of a bay, buckling together with them is not covered; internal pressure is left out; suction is masked",
+    colour="#0072B2",
+    marker="s",
+    line="dashed",
 )

@@ -42,21 +42,20 @@ def capacity(slenderness, alpha, delta):
     return np.where(slenderness >= plastic_limit, alpha / slenderness**2, inelastic)
 
 
-ROWS = (
-    BucklingRule(
-        key="en1993_1_6_2025",
-        title="EN 1993-1-6:2025",
-        source="en1993_1_6_2025",
-        locator="axial compression",
-        strength=strength_by(imperfection_factor, capacity),
-        limits=((SUCTION, under_suction),),
-        formula="sigma_Rcr and delta as in 2007; alpha = 0.83 / (1 + 2.2 delta^0.75), beta = 1 - 0.75 / (1 + 1.1 delta); "
-        "chi = 1.1 - lambda to 0.1, 1 - beta ((lambda - 0.1) / (lambda_p - 0.1))^eta to lambda_p = sqrt(alpha / (1 - beta)), "
-        "then alpha / lambda^2; eta straight from 1.35 - 0.10 delta to 1 / (0.45 + 0.72 delta)",
-        validity="second-hand transcription, printed standard not seen; rings are taken as boundaries of a bay, buckling "
-        "together with them is not covered; internal pressure is left out; suction is masked",
-        colour="#D55E00",
-        marker="D",
-        line="solid",
-    ),
+ROW = BucklingRule(
+    key="en1993_1_6_2025",
+    rank=50,
+    title="EN 1993-1-6:2025",
+    source="en1993_1_6_2025",
+    locator="axial compression",
+    strength=strength_by(imperfection_factor, capacity),
+    limits=((SUCTION, under_suction),),
+    formula="sigma_Rcr and delta as in 2007; alpha = 0.83 / (1 + 2.2 delta^0.75), beta = 1 - 0.75 / (1 + 1.1 delta); "
+    "chi = 1.1 - lambda to 0.1, 1 - beta ((lambda - 0.1) / (lambda_p - 0.1))^eta to lambda_p = sqrt(alpha / (1 - beta)), "
+    "then alpha / lambda^2; eta straight from 1.35 - 0.10 delta to 1 / (0.45 + 0.72 delta)",
+    validity="second-hand transcription, printed standard not seen; rings are taken as boundaries of a bay, buckling "
+    "together with them is not covered; internal pressure is left out; suction is masked",
+    colour="#D55E00",
+    marker="D",
+    line="solid",
 )

@@ -69,7 +69,7 @@ def strength(edition: ModuleType) -> Callable[..., Strength]:
         mode = np.where(foot < helped, ELEPHANTS_FOOT, found.mode)
         return Strength(found.elastic_local, found.elastic_general, found.elastic, found.strength, mode)
 
-    pressurised.__doc__ = f"Strength (Pa) with internal pressure. Source: en1993_4_1 on {edition.ROWS[0].title}, second-hand."
+    pressurised.__doc__ = f"Strength (Pa) with internal pressure. Source: en1993_4_1 on {edition.ROW.title}, second-hand."
     return pressurised
 
 
@@ -81,6 +81,7 @@ def hoop_yields(*, upper_internal_pressure, shell_radius, thickness, yield_stres
 def _row(edition: ModuleType, year: str, **looks) -> BucklingRule:
     return BucklingRule(
         key=f"en1993_4_1_{year}",
+        rank=60,
         title=f"EN 1993-4-1 on 1-6:{year}",
         source="en1993_4_1",
         locator="axial compression with internal pressure",

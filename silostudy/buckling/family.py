@@ -1,6 +1,6 @@
 """What a buckling rule is: one row with a function from the shell to its strength under axial compression."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from inspect import signature
 
@@ -8,22 +8,23 @@ import numpy as np
 
 from silostudy.catalogue import Row
 from silostudy.errors import BadInput
+from silostudy.soundness import faults_of_function, faults_of_look, faults_of_trial
 
-# Every parameter a rule may ask for: (unit, symbol and meaning).
+# Every parameter a rule may ask for: (unit, symbol and meaning, a usual value).
 PARAMETERS = {
-    "youngs_modulus": ("Pa", "E"),
-    "shell_poisson_ratio": ("1", "nu"),
-    "yield_stress": ("Pa", "sigma_y, f_y"),
-    "shell_radius": ("m", "R, r, of the middle surface"),
-    "thickness": ("m", "t"),
-    "bay_length": ("m", "L, ring spacing, or the whole length without rings"),
-    "ring_area": ("m2", "A_r, 0 without rings"),
-    "fabricated": ("1", "kind of shell, 1 fabricated from plates, 0 manufactured as a tube"),
-    "safe_constants": ("1", "choice, 1 constants in place of the formulas for fabricated shells, 0 formulas"),
-    "fabrication_quality": ("1", "Q, 40, 25, 16 for classes A, B, C"),
-    "end_factor": ("1", "C_xb, 6, 3 or 1"),
-    "lower_internal_pressure": ("Pa", "p_s, smallest guaranteed, which steadies the wall"),
-    "upper_internal_pressure": ("Pa", "p_g, largest, with which the foot of the wall yields"),
+    "youngs_modulus": ("Pa", "E", 210000000000.0),
+    "shell_poisson_ratio": ("1", "nu", 0.3),
+    "yield_stress": ("Pa", "sigma_y, f_y", 235000000.0),
+    "shell_radius": ("m", "R, r, of the middle surface", 5.0),
+    "thickness": ("m", "t", 0.01),
+    "bay_length": ("m", "L, ring spacing, or the whole length without rings", 2.0),
+    "ring_area": ("m2", "A_r, 0 without rings", 0.0),
+    "fabricated": ("1", "kind of shell, 1 fabricated from plates, 0 manufactured as a tube", 1.0),
+    "safe_constants": ("1", "choice, 1 constants in place of the formulas for fabricated shells, 0 formulas", 0.0),
+    "fabrication_quality": ("1", "Q, 40, 25, 16 for classes A, B, C", 25.0),
+    "end_factor": ("1", "C_xb, 6, 3 or 1", 1.0),
+    "lower_internal_pressure": ("Pa", "p_s, smallest guaranteed, which steadies the wall", 20000.0),
+    "upper_internal_pressure": ("Pa", "p_g, largest, with which the foot of the wall yields", 40000.0),
 }
 POSITIVE = ("youngs_modulus", "yield_stress", "shell_radius", "thickness", "bay_length", "fabrication_quality", "end_factor")
 MODES = (
@@ -77,6 +78,7 @@ class BucklingRule(Row):
     """A theory, a researcher's formula or a design code.
 
     strength: function(*, parameters) -> Strength; limits: (reason, function(*, parameters) -> True outside the rule's scope).
+    rival_of: the rule whose source the row reads otherwise than it is meant; empty for a rule in its own right.
     pressurised: the rule counts the internal pressure; the others leave out its help and do not see its harm.
     """
 
@@ -88,12 +90,28 @@ class BucklingRule(Row):
     marker: str
     line: str  # a name of matplotlib
     pressurised: bool = False
+    rival_of: str = ""
 
     @property
     def needs(self) -> frozenset[str]:
         """Names of all parameters that its functions ask for."""
         functions = [self.strength, *(limit for _, limit in self.limits)]
         return frozenset(name for function in functions for name in signature(function).parameters)
+
+    def faults(self) -> Iterator[str]:
+        """What is wrong with the row, in words."""
+        yield from super().faults()
+        yield from faults_of_look(self)
+        faults = list(faults_of_function("strength", self.strength, "Pa", self.needs, PARAMETERS))
+        for reason, limit in self.limits:
+            if reason not in range(1, len(REASONS)):
+                faults.append(f"limits: {limit.__name__} masks for reason {reason!r}, not one of 1 to {len(REASONS) - 1}")
+        yield from faults or faults_of_trial("strength", lambda: evaluate(self, _usual()))
+
+
+def _usual() -> dict[str, np.ndarray]:
+    """Two usual shells at once."""
+    return {name: np.full(2, value) for name, (_, _, value) in PARAMETERS.items()}
 
 
 def call(function: Callable, available: Mapping):

@@ -143,17 +143,16 @@ FORMULA = (
     "C_3 = min(0.4, (2 - 5 C) A_r/(L t) + C); sigma_cr / sigma_y = x to x = sigma_ec / sigma_y = 0.55, "
     "0.45 + 0.18 x to 1.6, 1.31 / (1.15 + 1/x) to 6.2, then 1"
 )
-ROWS = (
-    rule(
-        Reading(),
-        key="miller1977",
-        title="Miller (1977)",
-        locator="eqs. (1) to (15)",
-        formula=FORMULA,
-        validity="tests of R/t 242 to 504 (manufactured); manufactured shells to R/t = 2329, where C reaches 0; rings of "
-        "A_r/(L t) below 0.06 are masked; internal pressure is left out; suction is masked",
-        colour="#882255",
-        marker="o",
-        line="-",
-    ),
+ROW = rule(
+    Reading(),
+    key="miller1977",
+    rank=10,
+    title="Miller (1977)",
+    locator="eqs. (1) to (15)",
+    formula=FORMULA,
+    validity="tests of R/t 242 to 504 (manufactured); manufactured shells to R/t = 2329, where C reaches 0; rings of "
+    "A_r/(L t) below 0.06 are masked; internal pressure is left out; suction is masked",
+    colour="#882255",
+    marker="o",
+    line="-",
 )

@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from silostudy.buckling import miller1977
 from silostudy.buckling.miller1977 import FORMULA, Reading, inelastic_ratio, rule
 
 
@@ -26,7 +27,8 @@ def inelastic_ratio_plain_6_2(elastic_ratio):
 def _rival(key: str, title: str, locator: str, what: str, reading: Reading):
     return rule(
         reading,
-        key=f"miller1977_{key}",
+        key=f"{miller1977.ROW.key}_{key}",
+        rival_of=miller1977.ROW.key,
         title=title,
         locator=locator,
         formula=f"{FORMULA}; but {what}",

@@ -37,18 +37,17 @@ def too_thin(*, shell_radius, thickness):
     return shell_radius / thickness >= GREATEST_SLENDERNESS
 
 
-ROWS = (
-    BucklingRule(
-        key="nasa_sp8007",
-        title="NASA SP-8007",
-        source="nasa_sp8007",
-        locator="axial compression, isotropic cylinder",
-        strength=strength,
-        limits=((NO_RINGS, with_rings), (OUT_OF_RANGE, too_thin), (SUCTION, under_suction)),
-        formula="sigma = gamma E t / (R sqrt(3 (1 - nu^2))), gamma = 1 - 0.901 (1 - exp(-sqrt(R/t) / 16)), at most yield",
-        validity="R/t below 1500, no rings, elastic (yielding only as a cap); second-hand transcription",
-        colour="#009E73",
-        marker="^",
-        line="dashdot",
-    ),
+ROW = BucklingRule(
+    key="nasa_sp8007",
+    rank=30,
+    title="NASA SP-8007",
+    source="nasa_sp8007",
+    locator="axial compression, isotropic cylinder",
+    strength=strength,
+    limits=((NO_RINGS, with_rings), (OUT_OF_RANGE, too_thin), (SUCTION, under_suction)),
+    formula="sigma = gamma E t / (R sqrt(3 (1 - nu^2))), gamma = 1 - 0.901 (1 - exp(-sqrt(R/t) / 16)), at most yield",
+    validity="R/t below 1500, no rings, elastic (yielding only as a cap); second-hand transcription",
+    colour="#009E73",
+    marker="^",
+    line="dashdot",
 )

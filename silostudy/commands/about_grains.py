@@ -6,11 +6,11 @@ from collections.abc import Iterable
 def runs(expansion) -> list[str]:
     """Runs, discs, steps and effects of a grains study."""
     from silostudy.accuracy.prices import without
-    from silostudy.compute.grains_model import model_of, run_lengths
+    from silostudy.compute.grains_model import run_lengths, shaken_box_model
 
     planned = run_lengths(expansion)
     kinds = {case.scene.config.packing: case.scene.config for case in expansion.cases}
-    effects = {name for config in kinds.values() for name in without(model_of(config, expansion.study.seeds[0]))}
+    effects = {name for config in kinds.values() for name in without(shaken_box_model(config, expansion.study.seeds[0]))}
     fillings, shaken = [run for run in planned if not run.shaken], [run for run in planned if run.shaken]
     return [
         f"{len(fillings)} filling(s) of {_range(run.discs for run in fillings)} discs, settled in at most "

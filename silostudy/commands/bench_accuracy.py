@@ -12,12 +12,14 @@ from functools import partial
 import numpy as np
 
 from silostudy.accuracy.front import cheapest, kept
-from silostudy.accuracy.silo import scene
+from silostudy.accuracy.silo import LEVELS, silo_of_rows
 from silostudy.dem.engine import Engine, Explosion
 from silostudy.dem.model import Model
+from silostudy.scene.plane_silo import inner_width
+from silostudy.tables.kiyama_1983 import ACTIVE
 
-ACROSS, LEVELS, PARTS, REST = 18, 20, 6, 0.4  # the bench's 350 discs; parts of a wall; s to rest
-GAP, OFFSET, FILLINGS = 4e-5, 4e-6, 6  # m; every disc starts up to the offset elsewhere
+PARTS, REST = 6, 0.4  # parts of a wall; s to rest
+OFFSET, FILLINGS = 4e-6, 6  # m; every disc starts up to the offset elsewhere
 STEPS = tuple(float(f"{1e-4 * 2.0 ** (-k / 2):.3g}") for k in range(11))  # s
 FINEST, ASKED = 1e-6, (0.2, 0.1, 0.05, 0.02)
 INTEGRATORS = ("17-18", "17-19", "velocity-verlet")
@@ -54,7 +56,7 @@ def _ours(integrator: str, model: Model, dt: float) -> tuple[np.ndarray, float]:
 def _lammps(model: Model, dt: float) -> tuple[np.ndarray, float]:
     from silostudy.accuracy.peers import Lammps
 
-    peer = Lammps(replace(model, dt=dt), np.c_[model.x, model.y], slit=0.2 * model.walls[0].end[0])
+    peer = Lammps(replace(model, dt=dt), np.c_[model.x, model.y], slit=0.2 * inner_width(model))
     start = time.process_time()
     peer.step(round(REST / dt))
     spent = time.process_time() - start
@@ -67,7 +69,7 @@ def _wall_force(model: Model, places: np.ndarray) -> np.ndarray:
     """Normal force (N/m) at rest on each part of both walls, from the overlaps: (2, parts); NaN where discs are lost."""
     if len(places) < len(model.x) or not np.isfinite(places).all():
         return np.full((2, PARTS), np.nan)
-    width, radius = model.walls[0].end[0], model.radius[0]
+    width, radius = inner_width(model), model.radius[0]
     edges = np.linspace(0.0, float(model.y.max()) + radius, PARTS + 1)
     edges[0], edges[-1] = -np.inf, np.inf
     stiffness = model.wall_contact.coefficients["normal_stiffness"]
@@ -84,7 +86,7 @@ def _in_turn(codes: dict[str, Callable]) -> list[dict]:
     spent: dict[tuple, list[float]] = {(code, dt): [] for dt in STEPS for code in codes}
     errors: dict[tuple, list[float]] = {rung: [] for rung in spent}
     for seed in range(FILLINGS):
-        model, _ = scene(ACROSS, LEVELS, gap=GAP, offset=OFFSET, seed=seed)
+        model, _ = silo_of_rows(ACTIVE, LEVELS, offset=OFFSET, seed=seed)
         reference = {"velocity-verlet": codes["velocity-verlet"](model, FINEST)[0]}
         if "LAMMPS" in codes:
             reference["LAMMPS"] = codes["LAMMPS"](model, FINEST)[0]
@@ -139,7 +141,7 @@ def _draw(rows, output) -> None:
     axis.set(xscale="log", yscale="log", xlabel="CPU time (s)", ylabel="error of the wall forces over the largest of them")
     about = machine()
     axis.set_title(
-        f"{ACROSS * LEVELS - LEVELS // 2} discs brought to rest, {FILLINGS} fillings, one core\n"
+        f"{ACTIVE * LEVELS - LEVELS // 2} discs brought to rest, {FILLINGS} fillings, one core\n"
         f"{about['machine']}, {about['measured_on']}",
         fontsize=9,
     )

@@ -6,11 +6,12 @@ import sys
 import time
 from typing import Any
 
-from silostudy.accuracy.silo import OPEN, scene
+from silostudy.accuracy.silo import LEVELS, OPEN, silo_of_rows
+from silostudy.tables.kiyama_1983 import ACTIVE
 
 REPEATS = 7  # turns of each code; the best counts, since whatever else runs on the machine only adds
 # discs across, rows, steps that settle, steps a turn
-SIZES = {"350": (18, 20, 40000, 5000), "10 thousand": (100, 101, 20000, 600), "100 thousand": (316, 317, 3000, 60)}
+SIZES = {"350": (ACTIVE, LEVELS, 40000, 5000), "10 thousand": (100, 101, 20000, 600), "100 thousand": (316, 317, 3000, 60)}
 LARGE = (1000, 1001, 100, 10)
 BATCH, BATCH_STEPS = 60, 20000  # discharges of 350 discs: a twentieth of a thousand or so, over 0.5 s
 BATCH_OF_PEER = 3
@@ -58,7 +59,7 @@ class Ours:
 def compare(name: str, with_peer: bool) -> list[dict]:
     """Both codes, settled and discharging, in turn."""
     across, levels, settle, steps = SIZES[name]
-    model, slit = scene(across, levels)
+    model, slit = silo_of_rows(across, levels)
     ours = Ours(model)
     ours.step(settle)
     codes: dict[str, Any] = {"silostudy": ours}
@@ -105,7 +106,7 @@ def row(code, discs, phase, steps, seconds, rate, ratio=float("nan")) -> dict:
 def threads() -> list[dict]:
     """One large scene on one thread and on two, in turn; the ratio is to one thread."""
     across, levels, _, steps = SIZES["100 thousand"]
-    model, _ = scene(across, levels)
+    model, _ = silo_of_rows(across, levels)
     codes = {"silostudy, 2 threads": Ours(model, threads=2), "silostudy, 1 thread": Ours(model)}
     for code in codes.values():
         code.step(500)
@@ -114,7 +115,7 @@ def threads() -> list[dict]:
 
 def large(rows: list[dict]) -> list[dict]:
     """A million discs; the ratio is their cost a particle-step over that of ten thousand, measured in turn."""
-    small, great = (Ours(scene(*size[:2])[0]) for size in (SIZES["10 thousand"], LARGE))
+    small, great = (Ours(silo_of_rows(*size[:2])[0]) for size in (SIZES["10 thousand"], LARGE))
     small.step(2000)
     great.step(LARGE[2])
     times: list[list[float]] = [[], []]
@@ -144,7 +145,7 @@ def batch(with_peer: bool) -> list[dict]:
 
     from silostudy.dem.checkpoint import checkpoint, restore
 
-    model, slit = scene(18, 20)
+    model, slit = silo_of_rows(ACTIVE, LEVELS)
     ours = Ours(model)
     ours.step(SIZES["350"][2])
     settled = checkpoint(ours.engine)
@@ -198,7 +199,7 @@ def batch(with_peer: bool) -> list[dict]:
 
 def memory() -> list[dict]:
     """Bytes a disc of all arrays of the engine, at a hundred thousand discs."""
-    model, _ = scene(*SIZES["100 thousand"][:2])
+    model, _ = silo_of_rows(*SIZES["100 thousand"][:2])
     ours = Ours(model)
     ours.step(10)
     return [
@@ -208,7 +209,7 @@ def memory() -> list[dict]:
 
 def start_up() -> list[dict]:
     """Seconds of a whole process that runs a short scene with kernels compiled before."""
-    code = "from silostudy.commands.bench_dem import Ours, scene; Ours(scene(5, 5)[0]).step(10)"
+    code = "from silostudy.commands.bench_dem import Ours, silo_of_rows; Ours(silo_of_rows(5, 5)[0]).step(10)"
     seconds = []
     for _ in range(REPEATS + 1):
         start = time.perf_counter()

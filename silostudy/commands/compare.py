@@ -1,11 +1,13 @@
 """`silostudy compare`: one silo, from flags or a study file, by every method: a table in the terminal and a figure."""
 
 import argparse
+from collections.abc import Collection, Mapping
 from math import isfinite
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from silostudy.commands.about import cautions
+from silostudy.commands.families import add_methods_from
 from silostudy.errors import BadInput
 
 if TYPE_CHECKING:
@@ -27,13 +29,17 @@ def add(sub) -> None:
     command.add_argument("--effective-friction-angle", type=float, metavar="DEG", help="Jenike's delta, for flow in hoppers")
     command.add_argument("--methods", nargs="+", default="all", help="see `silostudy list methods`")
     command.add_argument("--figure", type=Path, metavar="STEM", help="also draw STEM.png, STEM.svg and STEM.csv")
+    add_methods_from(command)
     command.set_defaults(run=run)
 
 
 def run(chosen: argparse.Namespace) -> None:
+    from silostudy.choice.expand import expand, expand_file
+    from silostudy.compute.evaluate import methods_of
     from silostudy.compute.pressure import pressure_cube
-    from silostudy.scene.expand import expand, expand_file
 
+    if chosen.study and chosen.methods_from:
+        raise BadInput("--methods-from", str(chosen.methods_from), f"write `methods_from` into {chosen.study}")
     if chosen.study:
         expansion = expand_file(chosen.study)
         if expansion.study.kind != "pressure" or expansion.shape:
@@ -41,7 +47,8 @@ def run(chosen: argparse.Namespace) -> None:
     else:
         expansion = expand(_study(chosen), "compare", "compare", Path())
     cube = pressure_cube(expansion)
-    print("\n".join([*table(cube), *hopper_table(cube), *values_used(cube), *cautions(expansion)]))
+    balanced = {method.label: method.row.equilibrium for method in methods_of(expansion)}
+    print("\n".join([*table(cube, balanced), *hopper_table(cube), *values_used(cube), *cautions(expansion)]))
     if chosen.figure:
         from silostudy.figures.comparison_today import draw
 
@@ -68,23 +75,27 @@ def _study(chosen: argparse.Namespace) -> dict[str, Any]:
         "kind": "pressure",
         "title": f"{chosen.solid} in a silo of {chosen.diameter:g} m by {chosen.depth:g} m",
         "scene": {"silo": silo, "solid": chosen.solid, "wall": chosen.wall, "properties": own},
+        "methods_from": chosen.methods_from and str(chosen.methods_from),
         "methods": methods,
         "relative_depth": {"start": 0.0, "stop": 1.0, "count": 289},
         "hopper_position": None if chosen.hopper_half_angle is None else {"start": 0.0, "stop": 1.0, "count": 41},
     }
 
 
-def table(cube: "xr.Dataset") -> list[str]:
-    """Wall pressure (kPa) at the quarters of the depth, its maximum, and what the wall carries, a line for each curve."""
+def table(cube: "xr.Dataset", balanced: Mapping[str, Collection[str]]) -> list[str]:
+    """Wall pressure (kPa) at the quarters of the depth, its maximum, and what the wall carries, a line for each curve.
+
+    balanced: method -> its phases that are single states of equilibrium.
+    """
     from numpy import nanargmax
 
     depth = cube["depth"].values
     quarters = [abs(depth - share * float(cube["cylinder_depth"])).argmin() for share in (0.25, 0.5, 0.75, 1.0)]
     head = "".join(f"{depth[i]:8.2f}m" for i in quarters)
     lines = [f"wall normal pressure (kPa) at depth {'':9}{head}   largest  at depth  factor  wall carries  balance"]
-    for method in map(str, cube["method"].values):
+    for method in map(str, cube["pressure_method"].values):
         for phase in map(str, cube["phase"].values):
-            one = cube.sel({"method": method, "phase": phase})
+            one = cube.sel(pressure_method=method, phase=phase)
             pressure = one["wall_normal_pressure"].values / 1e3
             if not one["wall_normal_pressure"].isnull().all():
                 name = f"{method}, {phase}"
@@ -93,7 +104,7 @@ def table(cube: "xr.Dataset") -> list[str]:
                 factor = float(one["overpressure_factor"][peak])
                 lines.append(
                     f"{name:44}{values}{pressure[peak]:10.2f}{depth[peak]:9.2f}m{factor:8.2f}"
-                    f"{_carried(one):>14}{_balance(one):>9}"
+                    f"{_carried(one):>14}{_balance(one) if phase in balanced[method] else '-':>9}"
                 )
     masked = "'-': no single state of equilibrium, or not covered by the method's source (scope variables of a cube; "
     masked += "`silostudy explain METHOD`)"
@@ -113,10 +124,6 @@ def _carried(one: "xr.Dataset") -> str:
 
 def _balance(one: "xr.Dataset") -> str:
     """Weight less vertical pressure and wall friction, over the weight, at the transition."""
-    from silostudy.compute.evaluate import row_of
-
-    if str(one["phase"].values) not in row_of(str(one["method"].values)).equilibrium:
-        return "-"
     weight = _unit_weight(one) * float(one["cylinder_depth"])
     carried = float(one["vertical_pressure"][-1]) + float(one["axial_wall_force"][-1]) / float(one["hydraulic_radius"])
     return f"{1 - carried / weight:.0e}" if isfinite(carried) else "-"
@@ -134,9 +141,9 @@ def hopper_table(cube: "xr.Dataset") -> list[str]:
         return []
     names = ("hopper_weight", "transition_force", "hopper_wall_force", "ring_force", "outlet_force")
     lines = [f"hopper (kN){'':33}  contents      load      wall      ring    outlet  balance"]
-    for method in map(str, cube["method"].values):
+    for method in map(str, cube["pressure_method"].values):
         for phase in map(str, cube["phase"].values):
-            one = cube.sel({"method": method, "phase": phase})
+            one = cube.sel(pressure_method=method, phase=phase)
             if isfinite(float(one["hopper_balance"])):
                 forces = "".join(f"{_cell(float(one[name]) / 1e3) if name in one else '-':>10}" for name in names)
                 lines.append(f"{f'{method}, {phase}':44}{forces}{float(one['hopper_balance']):>9.0e}")
@@ -156,9 +163,9 @@ def values_used(cube: "xr.Dataset") -> list[str]:
     from math import degrees
 
     lines = []
-    for method in map(str, cube["method"].values):
-        one = cube.sel({"method": method})
-        if text := str(one["method_values"].values):
+    for method in map(str, cube["pressure_method"].values):
+        one = cube.sel(pressure_method=method)
+        if text := str(one["pressure_method_values"].values):
             mean = f"phi {degrees(float(one['internal_friction_angle'])):.1f} deg"
             for name, label in (("wall_friction", "mu"), ("lateral_pressure_ratio", "K"), ("a_phi", "a_phi"), ("a_K", "a_K")):
                 mean += f", {label} {float(one[name]):.3g}" if name in one else ""

@@ -24,41 +24,41 @@ def run_ensemble(chosen) -> None:
 
     from tqdm import tqdm
 
-    from silostudy.compute.dem import carry_through, model_of, run_of
+    from silostudy.choice.dem import load
+    from silostudy.compute.dem import carry_through, run_of, scene_model
     from silostudy.compute.dem_cube import cube_of
     from silostudy.cube.io import write
-    from silostudy.scene.dem import load
 
-    scene = load(chosen.scene)
+    scene, choice = load(chosen.scene)
     output = chosen.output or Path("results/dem") / f"{chosen.scene.stem}.nc"
 
     def one(seed: int):
         member = scene.model_copy(update={"seed": seed})
-        task = run_of(member, model_of(member, chosen.scene.parent, str(chosen.scene)))
+        task = run_of(member, scene_model(member, chosen.scene.parent, str(chosen.scene)))
         carry_through(task, member, None, lambda step: None)
         return member, task
 
     with ThreadPoolExecutor(os.cpu_count()) as pool:
         for member, task in tqdm(pool.map(one, range(chosen.seeds)), total=chosen.seeds, unit=" scenes", file=sys.stderr):
-            write(cube_of(task, member), output.with_name(f"{output.stem}-{member.seed}.nc"))
+            write(cube_of(task, member, choice), output.with_name(f"{output.stem}-{member.seed}.nc"))
     print(f"{scene.title}: {chosen.seeds} scenes -> {output.with_name(output.stem)}-*.nc")
 
 
 def run_one(chosen) -> None:
-    from silostudy.compute.dem import carry_through, model_of, run_of
+    from silostudy.choice.dem import load
+    from silostudy.compute.dem import carry_through, run_of, scene_model
     from silostudy.compute.dem_cube import cube_of
     from silostudy.cube.io import write
     from silostudy.errors import BadInput
-    from silostudy.scene.dem import load
 
-    scene = load(chosen.scene)
+    scene, choice = load(chosen.scene)
     output = chosen.output or Path("results/dem") / f"{chosen.scene.stem}.nc"
-    model = model_of(scene, chosen.scene.parent, str(chosen.scene))
+    model = scene_model(scene, chosen.scene.parent, str(chosen.scene))
     task = run_of(scene, model, threads=chosen.threads)
     checkpoint = output.with_suffix(".checkpoint") if scene.record.checkpoint_every_s else None
     with progress(task) as tell:
         carry_through(task, scene, checkpoint, tell)
-    write(cube_of(task, scene), output)
+    write(cube_of(task, scene, choice), output)
     if scene.record.paraview:
         from silostudy.compute.paraview import export
 

@@ -1,6 +1,12 @@
 """`silostudy explain KEY`: formula, symbols, source, range of a method or rule, and its source's errors; or a DEM scene."""
 
 from pathlib import Path
+from typing import TYPE_CHECKING
+
+from silostudy.commands.families import add_methods_from, families
+
+if TYPE_CHECKING:
+    from silostudy.config.own_rows import Families
 
 
 def add(sub) -> None:
@@ -12,24 +18,26 @@ def add(sub) -> None:
         "or a scene file (*.yaml)"
     )
     command.add_argument("method", help=what)
+    add_methods_from(command)
     command.set_defaults(run=run)
 
 
 def run(chosen) -> None:
-    lines = scene_explanation if chosen.method.endswith((".yaml", ".yml")) else explanation
-    print("\n".join(lines(chosen.method)))
+    scene = chosen.method.endswith((".yaml", ".yml"))
+    print("\n".join(scene_explanation(chosen.method) if scene else explanation(chosen.method, families(chosen))))
 
 
 def scene_explanation(name: str) -> list[str]:
     """Each effect of a discrete-element scene: on or off, why, and its measured share of a step."""
     from silostudy.accuracy.prices import prices
-    from silostudy.compute.dem import model_of
+    from silostudy.choice.dem import load
+    from silostudy.compute.dem import scene_model
     from silostudy.dem.stability import longest_step
-    from silostudy.scene.dem import effects, load
+    from silostudy.scene.dem import effects
 
     path = Path(name)
-    scene = load(path)
-    model = model_of(scene, path.parent, name)
+    scene, _ = load(path)
+    model = scene_model(scene, path.parent, name)
     whole, share = prices(model)
     lines = [f"{scene.title}: {len(model.x)} discs, {whole / len(model.x) * 1e9:.1f} ns a particle-step"]
     lines.append(
@@ -41,7 +49,7 @@ def scene_explanation(name: str) -> list[str]:
     return lines
 
 
-def explanation(key: str) -> list[str]:
+def explanation(key: str, known: "Families") -> list[str]:
     """The lines that explain a pressure method, a buckling rule or an effective mass rule; BadInput lists the known ones."""
     from silostudy.buckling import BUCKLING, RIVALS
     from silostudy.commands import explain_accuracy, explain_buckling, explain_seismic
@@ -50,7 +58,7 @@ def explanation(key: str) -> list[str]:
     from silostudy.pressure.family import PARAMETERS
     from silostudy.seismic.rules import MASS_RULES
     from silostudy.tables.handbook import errata
-    from silostudy.tables.references import cite
+    from silostudy.tables.references import with_locator
 
     if key == explain_seismic.EARTHQUAKE:
         return explain_seismic.earthquake()
@@ -58,12 +66,12 @@ def explanation(key: str) -> list[str]:
         return explain_accuracy.explanation()
     if key in MASS_RULES:
         return explain_seismic.explanation(MASS_RULES[key])
-    rules = {**BUCKLING, **RIVALS}
+    rules, methods = {**known[BUCKLING.name], **known[RIVALS.name]}, known[PRESSURE.name]
     if key in rules:
         return explain_buckling.explanation(rules[key])
-    if key not in PRESSURE:
-        raise unknown("method or rule", key, [*PRESSURE, *rules, *MASS_RULES, explain_seismic.EARTHQUAKE, explain_accuracy.KEY])
-    row = PRESSURE[key]
+    if key not in methods:
+        raise unknown("method or rule", key, [*methods, *rules, *MASS_RULES, explain_seismic.EARTHQUAKE, explain_accuracy.KEY])
+    row = methods[key]
     lines = [f"{row.title} ({row.key})", f"  formula   {row.formula}", f"  range     {row.validity}"]
     lines.append(f"  plans     {', '.join(sorted(row.plans))}")
     for phase, quantities in row.phases.items():
@@ -74,11 +82,11 @@ def explanation(key: str) -> list[str]:
         lines.append(f"  {phase:9} gives for the silo {', '.join(quantities)}")
     lines += [f"  {quantity} with {values}" for quantity, values in row.values.items()]
     lines.append("  symbols   z depth below the equivalent surface (m)")
-    lines += [f"            {symbol}: {name} ({unit})" for name, (unit, symbol) in PARAMETERS.items() if name in row.needs]
+    lines += [f"            {symbol}: {name} ({unit})" for name, (unit, symbol, _) in PARAMETERS.items() if name in row.needs]
     if row.equilibrium:
         lines.append(f"  weight = vertical pressure + wall friction, to rounding, in {' and '.join(row.equilibrium)}")
     lines += [f"  not computed: {what}" for what in row.not_computed]
-    lines.append(f"  source    {row.source}, {row.locator}: {cite(row.source)}")
+    lines.append(f"  source    {with_locator(row.source, row.locator)}")
     for erratum in (erratum for erratum in errata() if erratum.method == key):
         lines.append(f"  error of the source, {erratum.place}: printed {erratum.printed}; right: {erratum.right}")
         lines.append(f"            known because {erratum.evidence}")

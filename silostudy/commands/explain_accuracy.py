@@ -5,8 +5,9 @@ KEY = "accuracy"
 
 def explanation() -> list[str]:
     """The lines that explain the key `accuracy`."""
+    from silostudy.choice.fronts import TRAITS, rows_for
     from silostudy.stages import FILE_KINDS
-    from silostudy.tables.fronts import ASKED, TRAITS, quantities, rows_for
+    from silostudy.tables.asked import quantities
 
     lines = [
         "Accuracy in place of settings: `accuracy: {QUANTITY: largest relative error}` in a study or a discrete-element scene",
@@ -16,19 +17,12 @@ def explanation() -> list[str]:
         if "accuracy" not in row.study.model_fields:
             lines.append(f"  {kind}: may not ask: {row.study.unasked}")
             continue
-        for quantity in quantities(kind):
-            rows = [row for row in rows_for(kind) if row.quantity == quantity]
-            about = f"sets {_keys(rows[0].settings)}; measured on {rows[0].machine}, {rows[0].measured_on}"
-            lines.append(f"  {kind}, {quantity}: {ASKED[rows[0].kind, quantity]}")
-            lines.append(f"    {about}")
+        for name, quantity in quantities(row.study.fronts).items():
+            rows = rows_for(row.study.fronts, [name])
+            lines.append(f"  {kind}, {name}: {quantity.title}")
+            lines.append(f"    sets {', '.join(quantity.decides)}; measured on {rows[0].machine}, {rows[0].measured_on}")
             lines += [f"    {text}" for text in dict.fromkeys(map(_traits, rows))]
     return [*lines, "Numbers of a scene that errors hang on:", *(f"  {name}: {title}" for name, title in TRAITS.items())]
-
-
-def _keys(settings: str) -> str:
-    import json
-
-    return ", ".join(json.loads(settings))
 
 
 def _traits(row) -> str:

@@ -6,17 +6,17 @@ def explanation(row) -> list[str]:
     from silostudy.buckling import RIVALS
     from silostudy.buckling.family import PARAMETERS, REASONS
     from silostudy.tables.handbook import errata
-    from silostudy.tables.references import cite
+    from silostudy.tables.references import with_locator
 
     lines = [f"{row.title} ({row.key})", f"  formula   {row.formula}", f"  range     {row.validity}"]
     lines.append(f"  masks     {', '.join(REASONS[reason] for reason, _ in row.limits)}")
     lines.append("  symbols")
-    lines += [f"            {symbol}: {name} ({unit})" for name, (unit, symbol) in PARAMETERS.items() if name in row.needs]
-    lines.append(f"  source    {row.source}, {row.locator}: {cite(row.source)}")
+    lines += [f"            {symbol}: {name} ({unit})" for name, (unit, symbol, _) in PARAMETERS.items() if name in row.needs]
+    lines.append(f"  source    {with_locator(row.source, row.locator)}")
     for erratum in (erratum for erratum in errata() if erratum.method == row.key):
         lines.append(f"  error of the source, {erratum.place}: printed {erratum.printed}; right: {erratum.right}")
         lines.append(f"            known because {erratum.evidence}")
-    rivals = [key for key in RIVALS if key.startswith(f"{row.key}_")]
+    rivals = [rival.key for rival in RIVALS.values() if rival.rival_of == row.key]
     if rivals:
         lines.append(f"  other readings, for comparison (`rivals` of a buckling study): {', '.join(rivals)}")
     return lines

@@ -5,7 +5,7 @@ EARTHQUAKE = "earthquake"
 
 def explanation(row) -> list[str]:
     """The lines that explain an effective mass rule."""
-    from silostudy.tables.references import cite
+    from silostudy.tables.references import with_locator
 
     return [
         f"{row.title} ({row.key})",
@@ -13,7 +13,7 @@ def explanation(row) -> list[str]:
         f"  range     {row.validity}",
         "  gives     effective mass coefficient: share of the contents' mass that moves with the wall (1)",
         f"  needs     {', '.join(row.needs) or 'nothing'}",
-        f"  source    {row.source}, {row.locator}: {cite(row.source)}",
+        f"  source    {with_locator(row.source, row.locator)}",
     ]
 
 
@@ -21,7 +21,7 @@ def earthquake() -> list[str]:
     """The lines that explain the load case that a shell study's section `earthquake` adds."""
     from silostudy.compute.shell_earthquake import UNCHECKED
     from silostudy.seismic.rules import MASS_RULES
-    from silostudy.tables.references import cite
+    from silostudy.tables.references import with_locator
 
     row = MASS_RULES["en1998_4"]
     return [
@@ -33,5 +33,5 @@ def earthquake() -> list[str]:
         "  symbols   M bending moment of the tube (N m), R mid-wall radius (m), gamma unit weight (N m-3), h_b depth (m),",
         "            d_c inner diameter (m), a (m s-2): peaks over time, added to every phase as if they came at once",
         f"  not done  {UNCHECKED}",
-        f"  source    {row.source}, {row.locator}: {cite(row.source)}",
+        f"  source    {with_locator(row.source, row.locator)}",
     ]

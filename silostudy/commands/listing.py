@@ -2,6 +2,8 @@
 
 from pathlib import Path
 
+from silostudy.commands.families import add_methods_from, families
+
 
 def add(sub) -> None:
     command = sub.add_parser(
@@ -9,6 +11,7 @@ def add(sub) -> None:
     )
     command.add_argument("what", choices=LISTS)
     command.add_argument("--studies", type=Path, default=Path("config/studies"), help="folder of study files")
+    add_methods_from(command)
     command.set_defaults(run=run)
 
 
@@ -29,14 +32,15 @@ def _kinds(chosen):
 def _methods(chosen):
     from silostudy.pressure import PRESSURE
 
-    for row in PRESSURE.values():
+    for row in families(chosen)[PRESSURE.name].values():
         yield f"{row.key:22}", f"{row.title:32}", f"{', '.join(row.phases):20}", f"{row.source}, {row.locator}"
 
 
 def _buckling(chosen):
     from silostudy.buckling import BUCKLING, RIVALS
 
-    for row in (*BUCKLING.values(), *RIVALS.values()):
+    known = families(chosen)
+    for row in (*known[BUCKLING.name].values(), *known[RIVALS.name].values()):
         yield f"{row.key:28}", f"{row.title:26}", f"{row.source}, {row.locator}"
 
 
@@ -72,14 +76,14 @@ def _walls(chosen):
 
 
 def _studies(chosen):
-    from silostudy.config.load import read_yaml, study_of
+    from silostudy.config.load import read_study
     from silostudy.errors import BadInput
 
     files = sorted(chosen.studies.glob("*.yaml"))
     if not files:
         raise BadInput("studies", str(chosen.studies), "holds no study files (*.yaml)")
     for file in files:
-        yield f"{file.stem:18}", study_of(read_yaml(file), str(file)).title
+        yield f"{file.stem:18}", read_study(file).title
 
 
 def _outputs(chosen):
@@ -98,7 +102,7 @@ def _problems(chosen):
 
 
 def _accuracies(chosen):
-    from silostudy.tables.fronts import FRONTS
+    from silostudy.choice.fronts import FRONTS
 
     for row in FRONTS:
         by = f"x {row.scaled_by}" if row.scaled_by else ""

@@ -21,9 +21,9 @@ def add(sub) -> None:
 def run(chosen) -> None:
     import time
 
+    from silostudy.choice.expand import expand_file
     from silostudy.cube.io import read, write
     from silostudy.errors import BadInput
-    from silostudy.scene.expand import expand_file
 
     stage, expansion = chosen.stage, expand_file(chosen.study)
     if stage.key not in expansion.study.stages:

@@ -5,8 +5,8 @@ from pkgutil import resolve_name
 
 
 def add(sub) -> None:
-    check = sub.add_parser("check", help="validate a study and count its cases, without computing anything")
-    check.add_argument("study", type=Path, help="a study file, or its name in config/studies")
+    check = sub.add_parser("check", help="validate a study or a scene and count its cases, without computing anything")
+    check.add_argument("study", type=Path, help="a study file, or its name in config/studies; or a scene file")
     check.add_argument("--price", action="store_true", help="of a grains study: settle and time one filling")
     check.set_defaults(run=run_check)
 
@@ -21,10 +21,15 @@ def add(sub) -> None:
 
 
 def run_check(chosen) -> None:
-    from silostudy.scene.expand import expand_file
-    from silostudy.stages import KINDS
+    from silostudy.choice.expand import expand_file
+    from silostudy.config.load import read_yaml
+    from silostudy.stages import FILE_KINDS, KINDS
 
     path = chosen.study if chosen.study.suffix else Path("config/studies") / f"{chosen.study}.yaml"
+    said = read_yaml(path).get("kind")
+    if said in FILE_KINDS and said not in KINDS:
+        print("\n".join(scene_checked(path)))
+        return
     expansion = expand_file(path)
     axes = " x ".join(f"{axis.axis} {len(axis.settings())}" for axis in expansion.study.sweep) or "no sweep"
     print(f"{path}: {expansion.study.title}")
@@ -33,14 +38,30 @@ def run_check(chosen) -> None:
     for about in (*kind.about, *(kind.timed if chosen.price else ())):
         for line in resolve_name(about)(expansion):
             print(f"  {line}")
+    for line in chosen_for(expansion.promise):
+        print(f"  {line}")
+
+
+def scene_checked(path: Path) -> list[str]:
+    """What is said of a discrete-element scene."""
+    from silostudy.choice.dem import load
+    from silostudy.choice.promise import promises
+
+    scene, choice = load(path)
+    return [f"{path}: {scene.title}", *(f"  {line}" for line in chosen_for(promises([choice] if choice else [])))]
+
+
+def chosen_for(promise: dict[str, str]) -> list[str]:
+    """The settings chosen for an accuracy and the error expected of them, in the words of the cube's attributes."""
+    return [f"{name.replace('_', ' ')}: {text}" for name, text in promise.items()]
 
 
 def run_cases(chosen) -> None:
     import csv
     import json
 
+    from silostudy.choice.expand import expand_file
     from silostudy.files import replacing
-    from silostudy.scene.expand import expand_file
 
     expansion = expand_file(chosen.study)
     keys = list(expansion.cases[0].settings)

@@ -8,6 +8,7 @@ from scipy.sparse.csgraph import shortest_path
 
 from silostudy.dem.engine import Engine
 from silostudy.dem.snapshot import pair_contacts, wall_contacts
+from silostudy.scene.plane_silo import HALVES
 
 
 @dataclass(frozen=True)
@@ -22,9 +23,8 @@ class Arch:
 
 def find_arch(engine: Engine) -> Arch | None:
     """The chain of fewest discs in touch with one another from the left half of the floor to the right; None without one."""
-    names = [wall.name for wall in engine.model.walls]
     pairs, walls = pair_contacts(engine), wall_contacts(engine)
-    left, right = (walls.first[walls.second == names.index(name)] for name in ("floor_left", "floor_right"))
+    left, right = (walls.first[walls.second == engine.model.wall_number(name)] for name in HALVES)
     n = engine.most
     first = np.concatenate([pairs.first, np.full(len(left), n), right])
     second = np.concatenate([pairs.second, left, np.full(len(right), n + 1)])

@@ -1,11 +1,38 @@
-"""Coordinates of the sweep axes: SI numbers with their unit, or keys as text."""
+"""What the sweep makes of a cube: its axes as SI numbers with their unit or keys as text, and the cases' numbers in one."""
 
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
 
 from silostudy.config.study import Axis, BaseStudy
+from silostudy.cube.assemble import Sweep
+from silostudy.scene.expand import Expansion
 from silostudy.tables.units import split_unit
+
+
+def sweep_of(expansion: Expansion) -> Sweep:
+    """The axes of a study and the ids of its cases."""
+    cases = np.array([case.id for case in expansion.cases]).reshape(expansion.shape)
+    return Sweep(axis_names(expansion.study), axis_coordinates(expansion.study), cases)
+
+
+def stacked(found: Sequence[Mapping[str, Any]], shape: tuple[int, ...]) -> dict[str, np.ndarray]:
+    """The cases' numbers in one array a name, shape (axes..., own dimensions); shorter histories are filled up with NaN."""
+    return {name: _in_one([np.asarray(one[name]) for one in found], shape) for name in found[0]}
+
+
+def _in_one(arrays: list[np.ndarray], shape: tuple[int, ...]) -> np.ndarray:
+    longest = tuple(np.max([array.shape for array in arrays], axis=0).astype(int))
+    if any(array.shape != longest for array in arrays):
+        gaps = [[(0, most - size) for most, size in zip(longest, array.shape, strict=True)] for array in arrays]
+        arrays = [np.pad(array, gap, constant_values=np.nan) for array, gap in zip(arrays, gaps, strict=True)]
+    return np.array(arrays).reshape((*shape, *longest))
+
+
+def axis_names(study: BaseStudy) -> tuple[str, ...]:
+    """Names of the sweep axes, which are dimensions of the cube."""
+    return tuple(axis.axis for axis in study.sweep)
 
 
 def axis_coordinates(study: BaseStudy) -> dict[str, tuple]:

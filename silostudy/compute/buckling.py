@@ -5,11 +5,10 @@ import xarray as xr
 
 from silostudy.buckling import BUCKLING, RIVALS
 from silostudy.buckling.family import MODES, PARAMETERS, QUANTITIES, REASONS, BucklingRule, evaluate
-from silostudy.compute.axes import axis_coordinates
+from silostudy.compute.axes import sweep_of
 from silostudy.compute.miller_charts import charts
-from silostudy.compute.variables import attributes, flags
-from silostudy.cube.contract import check
-from silostudy.cube.provenance import provenance
+from silostudy.cube.assemble import assemble
+from silostudy.cube.variables import flags
 from silostudy.scene.expand import Expansion
 
 SHOWN = ("yield_stress", "youngs_modulus", "shell_radius", "thickness", "bay_length", "ring_area")
@@ -23,41 +22,31 @@ OF_TEST = ("lower_buckling_stress", "upper_buckling_stress", "scale", "material"
 def buckling_cube(expansion: Expansion) -> xr.Dataset:
     """The cube of a buckling study: each quantity (rule, axes...) with mode and scope flags beside it."""
     study = expansion.study
-    rules = [BUCKLING[key] for key in study.rule_keys] + [RIVALS[key] for key in study.rival_keys]
+    rules = [study.family(BUCKLING)[key] for key in study.rule_keys]
+    rules += [study.family(RIVALS)[key] for key in study.rival_keys]
     parameters = {name: _gathered(expansion, name) for name in PARAMETERS}
     found = [evaluate(rule, parameters) for rule in rules]
-    axes = [axis.axis for axis in study.sweep]
-    dims = ("rule", *axes)
-    data: dict = {name: (dims, np.array([one[name] for one in found]), attributes(name)) for name in QUANTITIES}
-    for name, long_name, meanings in FLAGS:
-        data[name] = (dims, np.array([one[name] for one in found]), flags(long_name, meanings))
-    data |= {name: (axes, parameters[name], attributes(name)) for name in SHOWN}
-    data["case"] = (axes, np.array([case.id for case in expansion.cases]).reshape(expansion.shape), attributes("case"))
+    data: dict = {name: np.array([one[name] for one in found]) for name in QUANTITIES}
+    data |= {name: (np.array([one[name] for one in found]), flags(told, meanings)) for name, told, meanings in FLAGS}
+    data |= {name: parameters[name] for name in SHOWN} | rule_coordinates(rules)
     if all(case.scene.test for case in expansion.cases):
-        data |= _measured(expansion, axes) | charts()
-    coords = {**rule_coordinates(rules), **axis_coordinates(study)}
-    text = study.model_dump_json(exclude_defaults=True)
+        data |= _measured(expansion) | charts()
+    notes = {"rival_readings": " ".join(study.rival_keys), **study.own_methods}
     sources = [rule.source for rule in rules]
-    return check(xr.Dataset(data, coords, {**provenance(study.title, text, sources, "buckling"), "sweep_axes": " ".join(axes)}))
+    return assemble(study, "buckling", data, sources=sources, notes=notes, sweep=sweep_of(expansion))
 
 
-def rule_coordinates(rules: list[BucklingRule]) -> dict[str, tuple]:
+def rule_coordinates(rules: list[BucklingRule]) -> dict[str, list[str]]:
     """The rule axis with what figures need to know of a rule, so that a figure is a function of the cube alone."""
-    coords: dict[str, tuple] = {"rule": ("rule", [rule.key for rule in rules], attributes("rule"))}
-    for name in ("title", "colour", "marker", "line"):
-        texts = [getattr(rule, name) for rule in rules]
-        coords[f"rule_{name}"] = ("rule", texts, attributes(f"rule_{name}"))
-    return coords
+    looks = {f"rule_{name}": [getattr(rule, name) for rule in rules] for name in ("title", "colour", "marker", "line")}
+    return {"rule": [rule.key for rule in rules], **looks}
 
 
 def _gathered(expansion: Expansion, name: str) -> np.ndarray:
     return np.array([float(getattr(case.scene, name)) for case in expansion.cases]).reshape(expansion.shape)
 
 
-def _measured(expansion: Expansion, axes: list[str]) -> dict[str, tuple]:
+def _measured(expansion: Expansion) -> dict[str, np.ndarray]:
     """What the tests of the study measured, and what tells them apart."""
     values = {name: [getattr(case.scene.test, name) for case in expansion.cases] for name in OF_TEST}
-    return {
-        f"test_{name}": (axes, np.array(column).reshape(expansion.shape), attributes(f"test_{name}"))
-        for name, column in values.items()
-    }
+    return {f"test_{name}": np.array(column).reshape(expansion.shape) for name, column in values.items()}

@@ -15,14 +15,13 @@ from silostudy.dem.run import Run
 from silostudy.errors import BadInput
 from silostudy.packing import PACKINGS
 from silostudy.scene.dem import events_of
-from silostudy.scene.dem_model import model_of as still_model
-from silostudy.scene.dem_model import placed
+from silostudy.scene.dem_model import placed, unshaken_scene_model
 
 
-def model_of(scene: DemScene, folder: Path, where: str = "") -> Model:
+def scene_model(scene: DemScene, folder: Path, where: str = "") -> Model:
     """The engine's model of a scene; BadInput for a start or a step that cannot be."""
     discs = _given(scene.packing.file, folder) if scene.packing.kind == "given" else placed(scene)
-    model = still_model(scene, discs, where)
+    model = unshaken_scene_model(scene, discs, where)
     return model if scene.quake is None else replace(model, quake=_quake(scene, folder, model.dt))
 
 

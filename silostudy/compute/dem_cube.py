@@ -1,41 +1,41 @@
 """The cube of everything that the run of a discrete-element scene recorded."""
 
-from typing import Any
-
 import numpy as np
 import xarray as xr
 
+from silostudy.choice.promise import Choice, promises
 from silostudy.config.dem import DemScene
-from silostudy.cube.contract import VARIABLES, check
-from silostudy.cube.provenance import provenance
+from silostudy.cube.assemble import assemble
 from silostudy.dem.integrate import INTEGRATORS
 from silostudy.dem.ledger import ENTRIES
 from silostudy.dem.model import Model
 from silostudy.dem.run import Run
 
+WAYS = ("x", "y")  # components of the stress
 
-def cube_of(run: Run, scene: DemScene) -> xr.Dataset:
-    """The cube of everything that a run recorded."""
+
+def cube_of(run: Run, scene: DemScene, choice: Choice | None = None) -> xr.Dataset:
+    """The cube of everything that a run recorded; choice: that of its settings, where the scene asked for an accuracy."""
     model = run.engine.model
-    data = {"disc_radius": np.array(model.radius), "disc_mass": model.mass}
+    data = {"disc": np.arange(len(model.x)), "disc_radius": np.array(model.radius), "disc_mass": model.mass}
     data |= _windows(run) | _snapshots(run)
     record = run.recording
-    data |= {"discharge_time": np.array(record.discharge_time), "discharged_mass": np.array(record.discharged)}
+    last = np.flatnonzero(np.diff(record.discharge_time, append=np.inf))  # those that leave at one instant count together
+    data |= {"discharge_time": np.array(record.discharge_time)[last], "discharged_mass": np.array(record.discharged)[last]}
     data |= {
         "event_time": np.array([time for time, _, _ in record.happened], float),
         "event_action": np.array([f"{trigger}: {action}" for _, trigger, action in record.happened], dtype=str),
     }
     kept = {name: values for name, values in data.items() if values.size}
-    variables = {
-        name: (VARIABLES[name].dims, values, {"units": VARIABLES[name].units, "long_name": VARIABLES[name].long_name})
-        for name, values in kept.items()
+    notes = {
+        **promises([choice] if choice else []),
+        "time_step_s": model.dt,
+        "steps": run.engine.step,
+        "discs_left": run.engine.n,
     }
-    asked = scene.model_dump_json(exclude_defaults=True)
-    attributes: dict[str, Any] = dict(provenance(scene.title, asked, sources_of(model), "dem")) | scene.promise
-    attributes |= {"time_step_s": model.dt, "steps": run.engine.step, "discs_left": run.engine.n}
     if record.explosion is not None:
-        attributes["stopped"] = str(record.explosion)
-    return check(xr.Dataset(variables, attrs=attributes))
+        notes["stopped"] = str(record.explosion)
+    return assemble(scene, "dem", kept, sources=sources_of(model), notes=notes)
 
 
 def sources_of(model: Model) -> list[str]:
@@ -70,7 +70,8 @@ def _cells(model: Model) -> dict[str, np.ndarray]:
         places.append(start + middle[:, None] * (end - start))
         lengths += [0.0, *[float(np.hypot(*(end - start))) / wall.cells] * wall.cells, 0.0]
     x, y = np.vstack(places).T
-    return {"wall_name": np.array(names), "wall_cell_x": x, "wall_cell_y": y, "wall_cell_length": np.array(lengths)}
+    data = {"wall_name": np.array(names), "wall_cell_x": x, "wall_cell_y": y, "wall_cell_length": np.array(lengths)}
+    return data | {"wall_cell": np.arange(len(names))}
 
 
 def _snapshots(run: Run) -> dict[str, np.ndarray]:
@@ -83,7 +84,7 @@ def _snapshots(run: Run) -> dict[str, np.ndarray]:
     contacts = [(k, on, row) for k, s in enumerate(found) for on, name in enumerate(("pairs", "walls")) for row in s[name]]
     table = np.array([row for _, _, row in contacts]).reshape(-1, 6)
     data = {f"disc_{name}": motion[:, :, k] for k, name in enumerate(("x", "y", "u", "v", "spin"))}
-    data |= {"snapshot_time": np.array([float(snapshot["time"]) for snapshot in found])}
+    data |= {"snapshot": np.arange(len(found)), "snapshot_time": np.array([float(snapshot["time"]) for snapshot in found])}
     data |= {"contact_snapshot": np.array([k for k, _, _ in contacts], np.int32)}
     data |= {"contact_on_wall": np.array([on for _, on, _ in contacts], np.int8)}
     for k, name in enumerate(("first", "second")):
@@ -93,4 +94,5 @@ def _snapshots(run: Run) -> dict[str, np.ndarray]:
     if run.stress_edges is not None:
         across, up = (0.5 * (edges[1:] + edges[:-1]) for edges in run.stress_edges)
         data |= {"stress": np.array([snapshot["stress"] for snapshot in found]), "cell_x": across, "cell_y": up}
+        data |= {"way": np.array(WAYS), "of": np.array(WAYS)}
     return data

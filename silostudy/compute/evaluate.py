@@ -1,10 +1,11 @@
 """What every part of the pressure stage shares: labels, parameters, and values with the reason where they are masked."""
 
 from collections.abc import Callable, Mapping
+from dataclasses import dataclass
 
 import numpy as np
 
-from silostudy.compute.variables import attributes, flags
+from silostudy.cube.variables import flags
 from silostudy.pressure import PRESSURE
 from silostudy.pressure.family import (
     ABOVE_CONTACT,
@@ -24,29 +25,44 @@ from silostudy.scene.scene import geometry_parameters, solid_parameters
 AS_PRINTED = "_as_printed"
 
 
-def method_labels(expansion: Expansion) -> list[str]:
-    """Names on the cube's method axis: the methods asked for, then those asked for as printed."""
-    return [*expansion.study.method_keys, *(key + AS_PRINTED for key in expansion.study.as_printed)]
+@dataclass(frozen=True)
+class AskedMethod:
+    """A method as a study asks for it: its row, and whether the source's misprints are left in."""
+
+    row: PressureMethod
+    as_printed: bool = False
+
+    @property
+    def label(self) -> str:
+        """Name on the cube's axis of methods."""
+        return self.row.key + AS_PRINTED * self.as_printed
+
+    @property
+    def title(self) -> str:
+        """Name for people."""
+        return self.row.title + " (as printed)" * self.as_printed
+
+    def functions(self, phase: str) -> Mapping[str, Callable]:
+        """quantity -> function in a phase; empty where the method does not cover it."""
+        misprinted = self.as_printed and self.row.as_printed
+        return (self.row.as_printed if misprinted else self.row.phases).get(phase, {})
 
 
-def row_of(label: str) -> PressureMethod:
-    """The catalogue row behind a name on the method axis."""
-    return PRESSURE[label.removesuffix(AS_PRINTED)]
+def methods_of(expansion: Expansion) -> list[AskedMethod]:
+    """The methods that a study asks for, then those that it asks for as printed."""
+    study, rows = expansion.study, expansion.study.family(PRESSURE)
+    return [*(AskedMethod(rows[key]) for key in study.method_keys), *(AskedMethod(rows[key], True) for key in study.as_printed)]
 
 
-def functions_of(label: str, phase: str) -> Mapping[str, Callable]:
-    """quantity -> function of a method (or of its misprinted twin) in a phase; empty where it does not cover it."""
-    row = row_of(label)
-    if label.endswith(AS_PRINTED) and row.as_printed:
-        return row.as_printed.get(phase, {})
-    return row.phases.get(phase, {})
+def sources_of(expansion: Expansion) -> list[str]:
+    """References of the methods and of the stored solids."""
+    return [method.row.source for method in methods_of(expansion)] + [case.scene.solid.source for case in expansion.cases]
 
 
-def gather(expansion: Expansion, label: str) -> dict[str, np.ndarray]:
+def gather(expansion: Expansion, method: AskedMethod) -> dict[str, np.ndarray]:
     """Every parameter a method may ask for, in SI, shape (axes..., 1)."""
-    as_printed = label.endswith(AS_PRINTED)
-    key = row_of(label).table_key or row_of(label).key
-    each = [{**geometry_parameters(case.scene), **solid_parameters(case.scene, key, as_printed)} for case in expansion.cases]
+    key, printed = method.row.table_key or method.row.key, method.as_printed
+    each = [{**geometry_parameters(case.scene), **solid_parameters(case.scene, key, printed)} for case in expansion.cases]
     return {name: np.array([one[name] for one in each]).reshape(*expansion.shape, 1) for name in each[0]}
 
 
@@ -77,16 +93,15 @@ def above_contact(found: tuple, z: np.ndarray, parameters: Mapping) -> tuple:
     return np.where(above, np.nan, value), np.where(above, np.int8(ABOVE_CONTACT), scope)
 
 
-def scope_attributes(name: str) -> dict:
-    """Attributes of the flags that say why values are masked."""
-    return flags(f"why {name} is masked", REASONS)
+def with_reasons(scopes: Mapping[str, np.ndarray]) -> dict[str, tuple]:
+    """The flags of quantities that say why their values are masked, as the cube's variables."""
+    return {f"{name}_scope": (values, flags(f"why {name} is masked", REASONS)) for name, values in scopes.items()}
 
 
-def looks(labels: list[str]) -> dict[str, tuple]:
-    """What figures need to know of a method, so that a figure is a function of the cube alone."""
-    titles = [row_of(label).title + (" (as printed)" if label.endswith(AS_PRINTED) else "") for label in labels]
-    found = {"title": titles}
+def method_coordinates(methods: list[AskedMethod]) -> dict[str, list[str]]:
+    """The axis of methods with what figures need to know of them, so that a figure is a function of the cube alone."""
+    found = {"": [method.label for method in methods], "_title": [method.title for method in methods]}
     for name in ("number", "colour", "marker"):
-        found[name] = [getattr(row_of(label), name) for label in labels]
-    found["values"] = ["; ".join(f"{q}: {v}" for q, v in row_of(label).values.items()) for label in labels]
-    return {f"method_{name}": ("method", texts, attributes(f"method_{name}")) for name, texts in found.items()}
+        found[f"_{name}"] = [getattr(method.row, name) for method in methods]
+    found["_values"] = ["; ".join(f"{q}: {v}" for q, v in method.row.values.items()) for method in methods]
+    return {f"pressure_method{name}": texts for name, texts in found.items()}

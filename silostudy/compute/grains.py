@@ -7,21 +7,22 @@ from itertools import pairwise
 import numpy as np
 import xarray as xr
 
-from silostudy.compute.axes import axis_coordinates
-from silostudy.compute.grains_model import GRAVITY, base_motion, model_of
-from silostudy.compute.variables import attributes
-from silostudy.cube.contract import VARIABLES, check
-from silostudy.cube.provenance import provenance
+from silostudy.compute.axes import stacked, sweep_of
+from silostudy.compute.grains_model import base_motion, shaken_box_model
+from silostudy.cube.assemble import assemble
 from silostudy.dem.checkpoint import checkpoint, restore
 from silostudy.dem.engine import Engine
 from silostudy.dem.lanes import U, V, Y
 from silostudy.dem.model import Model
 from silostudy.dem.run import Event, Run
 from silostudy.dem.stability import check_step
+from silostudy.dem.walls import sums_by_wall
 from silostudy.scene.expand import Expansion
 from silostudy.scene.grains import ShakenBox
+from silostudy.scene.plane_silo import FLOOR, SIDES
 from silostudy.seismic.en1998_4 import contents_share
 from silostudy.seismic.grains import carried_share, equivalent_damping, wall_carried_ring
+from silostudy.tables.constants import STANDARD_GRAVITY
 
 CARRIERS = ("walls", "floor", "all")
 SOURCES = ("kiyama_fujimura_1983", "sasaki_yoshimura_effective_mass", "en1998_4_2006", "silvestri_ring")
@@ -39,24 +40,9 @@ def grains_cube(expansion: Expansion, tell: Callable[[str], None] = lambda text:
             each.append(_shaken(study, case.scene, *settled[key]))
         found.append({name: np.array([one[name] for one in each]) for name in each[0]})
         tell(f"case {number + 1} of {len(expansion.cases)}: walls carry {found[-1]['carried_in_phase'][:, 0].mean():.3f}")
-    axes = [axis.axis for axis in study.sweep]
-    data: dict = {}
-    for name in found[0]:
-        values = np.array([one[name] for one in found])
-        data[name] = (
-            (*axes, *VARIABLES[name].dims[1:]),
-            values.reshape((*expansion.shape, *values.shape[1:])),
-            attributes(name),
-        )
-    data["case"] = (axes, np.array([case.id for case in expansion.cases]).reshape(expansion.shape), attributes("case"))
-    coords: dict = {
-        **axis_coordinates(study),
-        "filling": ("filling", np.array(study.seeds), attributes("filling")),
-        "carrier": ("carrier", list(CARRIERS), attributes("carrier")),
-    }
+    data = {**stacked(found, expansion.shape), "filling": np.array(study.seeds), "carrier": list(CARRIERS)}
     sources = [*SOURCES, *({"obspy_sample_knet"} if any(case.scene.shaking.record for case in expansion.cases) else ())]
-    about = provenance(study.title, study.model_dump_json(exclude_defaults=True), sources, "grains")
-    return check(xr.Dataset(data, coords, {**about, "sweep_axes": " ".join(axes)}))
+    return assemble(study, "grains", data, sources=sources, sweep=sweep_of(expansion))
 
 
 def settle(scene: ShakenBox, seed: int, limit: float) -> tuple[Model, dict, bool]:
@@ -64,7 +50,7 @@ def settle(scene: ShakenBox, seed: int, limit: float) -> tuple[Model, dict, bool
 
     Rest is the engine's, a mean motion of rounding size; random fillings ring on far below what the shaking moves.
     """
-    model = model_of(scene.config, seed)
+    model = shaken_box_model(scene.config, seed)
     run = Run(Engine(model), (Event("rest", 0.0, "stop"),), limit=limit)
     done = run.go()
     if done.explosion is not None:
@@ -104,7 +90,7 @@ def _shaken(study, scene: ShakenBox, model: Model, saved: dict, rested: bool) ->
         "carried_in_phase": share.real,
         "carried_out_of_phase": -share.imag,
         "contents_damping": float(equivalent_damping(share[2])),
-        "ring_share": wall_carried_ring(normal, weight=mass * GRAVITY, wall_friction=scene.config.wall_friction),
+        "ring_share": wall_carried_ring(normal, weight=mass * STANDARD_GRAVITY, wall_friction=scene.config.wall_friction),
         "grains_code_share": contents_share(depth / width),
         "settled_slenderness": depth / width,
         "momentum_error": float(np.abs(forces[2] - inertia).max() / np.abs(mass * acceleration).max()),
@@ -120,11 +106,11 @@ def record(engine: Engine, edges: np.ndarray) -> tuple[np.ndarray, np.ndarray, f
     Each force is the mean of every step of its window; the static normal force of both walls is that of the first window.
     """
     forces, momentum = [], [float((engine.mass * engine.column(U)).sum())]
-    starts = np.cumsum([0, *(wall.cells + 2 for wall in engine.model.walls)])[:-1]
     for low, high in pairwise(edges):
         engine.clear_window()
         engine.step_to(int(high))
-        floor, left, right = np.add.reduceat(engine.record.window[:, :, 0], starts, axis=0) / (high - low)
+        sums = sums_by_wall(engine.model, engine.record.window[:, :, 0])
+        floor, left, right = (sums[name] / (high - low) for name in (FLOOR, *SIDES))
         forces.append((left[0] - right[0], floor[1], left[0] - right[0] + floor[1], left[0] + right[0]))
         momentum.append(float((engine.mass * engine.column(U)).sum()))
     columns = np.array(forces).T

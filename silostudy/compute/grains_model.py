@@ -7,16 +7,16 @@ import numpy as np
 
 from silostudy.config.grains import Grains, GrainsScene, Shaking
 from silostudy.contact.tangential import spring_slider
-from silostudy.dem.model import Contact, Model, Wall
+from silostudy.dem.model import Contact, Model
 from silostudy.dem.pieces import Laws
 from silostudy.dem.stability import chosen_step
 from silostudy.scene.expand import Expansion
 from silostudy.scene.grains import discs_of
+from silostudy.scene.plane_silo import PlaneSilo
 from silostudy.seismic.readers import read_known
 from silostudy.seismic.records import compressed, scaled, without_baseline
-
-GRAVITY = 9.80665
-STIFFER_WALLS = 2.0
+from silostudy.tables.constants import STANDARD_GRAVITY
+from silostudy.tables.kiyama_1983 import WALL_STIFFNESS_RATIO
 
 
 @dataclass(frozen=True)
@@ -35,28 +35,23 @@ def run_lengths(expansion: Expansion) -> list[RunLength]:
         for seed in study.seeds:
             key = case.scene.filling, seed
             if key not in models:
-                models[key] = model_of(case.scene.config, seed)
+                models[key] = shaken_box_model(case.scene.config, seed)
                 runs.append(RunLength(len(models[key].x), ceil(study.rest_limit_s / models[key].dt), shaken=False))
             steps = len(base_motion(case.scene.shaking, models[key].dt, study.cycles + study.waited_cycles))
             runs.append(RunLength(len(models[key].x), steps, shaken=True))
     return runs
 
 
-def model_of(config: GrainsScene, seed: int) -> Model:
+def shaken_box_model(config: GrainsScene, seed: int) -> Model:
     """The model at its start, at a stable step; its box may be shaken."""
     x, y, radius = discs_of(config, seed)
     width, top = config.box.width_m, 2.0 * max(float(y.max()), config.box.slenderness * config.box.width_m)
-    walls = (
-        Wall("floor", (0.0, 0.0), (width, 0.0)),
-        Wall("left", (0.0, top), (0.0, 0.0), joined=(False, True)),
-        Wall("right", (width, 0.0), (width, top), joined=(True, False)),
-    )
     grains = config.grains
     model = Model(
-        x=x, y=y, radius=radius, density=grains.density_kg_m3, walls=walls, dt=1.0, gravity=(0.0, -GRAVITY), watched=True,
+        x=x, y=y, radius=radius, density=grains.density_kg_m3, walls=PlaneSilo(width, top).walls(), dt=1.0,
+        gravity=(0.0, -STANDARD_GRAVITY), watched=True, quake=np.zeros((1, 2)),
         pair_contact=_contact(grains, 1.0, grains.sliding_friction),
-        wall_contact=_contact(grains, STIFFER_WALLS, config.wall_friction),
-        quake=np.zeros((1, 2)),
+        wall_contact=_contact(grains, WALL_STIFFNESS_RATIO, config.wall_friction),
     )  # fmt: skip
     return replace(model, dt=chosen_step(model))
 

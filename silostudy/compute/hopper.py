@@ -4,9 +4,9 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from silostudy.compute.evaluate import gather, masked, plans, row_of, scope_attributes
-from silostudy.compute.variables import attributes
+from silostudy.compute.evaluate import AskedMethod, gather, masked, plans, with_reasons
 from silostudy.config.fields import expand
+from silostudy.cube.variables import attributes
 from silostudy.pressure import hopper_shape, mass_flow
 from silostudy.pressure.family import (
     HOPPER_QUANTITIES,
@@ -25,14 +25,13 @@ from silostudy.scene.expand import Expansion
 BALANCE = ("hopper_weight", "hopper_wall_force", "hopper_balance")
 
 
-def total_variables(expansion: Expansion, labels: list[str]) -> dict[str, tuple]:
+def total_variables(expansion: Expansion, methods: list[AskedMethod]) -> dict:
     """Every total that a method of the study gives, each (method, phase, axes...), with its scope flags."""
-    rows = [row_of(label) for label in labels]
-    offered = [name for name in TOTALS if any(name in total for row in rows for total in row.totals.values())]
-    return _variables(expansion, labels, offered, (), lambda row, phase, parameters: _totals(row, phase, offered, parameters))
+    offered = [name for name in TOTALS if any(name in total for method in methods for total in method.row.totals.values())]
+    return _variables(expansion, methods, offered, lambda row, phase, parameters: _totals(row, phase, offered, parameters))
 
 
-def hopper_variables(expansion: Expansion, labels: list[str]) -> dict[str, tuple]:
+def hopper_variables(expansion: Expansion, methods: list[AskedMethod]) -> dict:
     """Pressures on the hopper wall (method, phase, axes..., hopper_position), the balance, and the hopper's shape."""
     places = np.array(expand(expansion.study.hopper_position))
 
@@ -40,27 +39,22 @@ def hopper_variables(expansion: Expansion, labels: list[str]) -> dict[str, tuple
         top, bottom = heights(parameters)
         return _of_wall(row, phase, top - places * (top - bottom), parameters)
 
-    wall = _variables(expansion, labels, HOPPER_QUANTITIES, ("hopper_position",), on_wall, places.size)
-    balance = _variables(expansion, labels, BALANCE, (), balanced)
-    return {**wall, **balance, **_shape(expansion)}
+    wall = _variables(expansion, methods, HOPPER_QUANTITIES, on_wall, places.size)
+    balance = _variables(expansion, methods, BALANCE, balanced)
+    return {**wall, **balance, **_shape(expansion, methods), "hopper_position": places}
 
 
-def _variables(expansion, labels, names, last_dims, evaluate, *last_shape) -> dict[str, tuple]:
-    """xarray variables of the named quantities, filled by evaluate(row, phase, parameters) -> name -> (value, scope)."""
-    shape = (len(labels), len(expansion.study.phases), *expansion.shape, *last_shape)
+def _variables(expansion, methods, names, evaluate, *last_shape) -> dict:
+    """The named quantities with their scope flags, filled by evaluate(row, phase, parameters) -> name -> (value, scope)."""
+    shape = (len(methods), len(expansion.study.phases), *expansion.shape, *last_shape)
     values = {name: np.full(shape, np.nan) for name in names}
     scopes = {name: np.full(shape, NO_PHASE, dtype=np.int8) for name in names}
-    for m, label in enumerate(labels):
-        parameters = gather(expansion, label) | {"plan": plans(expansion)}
+    for m, method in enumerate(methods):
+        parameters = gather(expansion, method) | {"plan": plans(expansion)}
         for p, phase in enumerate(expansion.study.phases):
-            for name, (value, scope) in evaluate(row_of(label), phase, parameters).items():
+            for name, (value, scope) in evaluate(method.row, phase, parameters).items():
                 values[name][m, p], scopes[name][m, p] = value, scope
-    dims = ("method", "phase", *(axis.axis for axis in expansion.study.sweep), *last_dims)
-    data: dict[str, tuple] = {}
-    for name in names:
-        data[name] = (dims, values[name], {**attributes(name), "ancillary_variables": f"{name}_scope"})
-        data[f"{name}_scope"] = (dims, scopes[name], scope_attributes(name))
-    return data
+    return values | with_reasons(scopes)
 
 
 def heights(parameters: Mapping) -> tuple[np.ndarray, np.ndarray]:
@@ -131,10 +125,9 @@ def _wall_force(row: PressureMethod, phase: str, parameters: Mapping) -> np.ndar
     return hopper_wall_force(pressures, (bottom, middle), parameters) + hopper_wall_force(pressures, (middle, top), parameters)
 
 
-def _shape(expansion: Expansion) -> dict[str, tuple]:
+def _shape(expansion: Expansion, methods: list[AskedMethod]) -> dict:
     """The hopper's dimensions and its flow pattern by the mass-flow limit, (axes...)."""
-    dims = tuple(axis.axis for axis in expansion.study.sweep)
-    parameters = gather(expansion, expansion.study.method_keys[0])
+    parameters = gather(expansion, methods[0])
     friction = parameters["effective_friction_angle"], parameters["hopper_wall_friction"]
     pattern = mass_flow.flow_pattern(parameters["hopper_half_angle"], *friction, parameters["slot"])
     found = {
@@ -144,7 +137,7 @@ def _shape(expansion: Expansion) -> dict[str, tuple]:
         "perimeter": parameters["perimeter"],
         "mass_flow_limit": mass_flow.limit_angle(*friction),
     }
-    data = {name: (dims, value[..., 0], attributes(name)) for name, value in found.items()}
     flags = np.arange(len(mass_flow.PATTERNS), dtype=np.int8)
     meanings = {"flag_values": flags, "flag_meanings": " ".join(mass_flow.PATTERNS)}
-    return {**data, "flow_pattern": (dims, pattern[..., 0], {**attributes("flow_pattern"), **meanings})}
+    told = {**attributes("flow_pattern"), **meanings}
+    return {**{name: value[..., 0] for name, value in found.items()}, "flow_pattern": (pattern[..., 0], told)}

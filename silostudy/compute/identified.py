@@ -25,6 +25,7 @@ def identified(asked: Identification, scene: Shaken, stiffness_reduction: float,
         damping_mismatch=asked.damping_mismatch,
         frequency_mismatch=asked.empty_frequency_rounding_Hz / scene.empty_frequency,
     )
+    assert asked.refinement is not None, "identification.refinement is not chosen yet"
     bank, measured = identify.bank(question), _measured(scene, question)
     return {
         "measured_origin": _origin(scene),

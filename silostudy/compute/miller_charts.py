@@ -9,7 +9,6 @@ from silostudy.buckling.miller1977 import (
     ring_coefficient,
     short_coefficient,
 )
-from silostudy.compute.variables import attributes
 
 SLENDER = np.geomspace(100, 3000, 60)
 LENGTH = np.geomspace(0.5, 100, 90)
@@ -18,7 +17,7 @@ ELASTIC_RATIO = np.geomspace(0.1, 10, 120)
 MAKING = ("manufactured", "fabricated")
 
 
-def charts() -> dict[str, tuple]:
+def charts() -> dict[str, np.ndarray]:
     """Chart variables and their coordinates: Miller's coefficients over R/t, M, ring area ratio, and his plasticity curve."""
     fabricated = np.array([False, True])[:, None]
     with np.errstate(invalid="ignore"):
@@ -27,16 +26,15 @@ def charts() -> dict[str, tuple]:
         short = np.where(np.isnan(long), np.nan, short_coefficient(SLENDER, fabricated, False))
         local = local_coefficient(LENGTH, long[..., None], short[..., None])
     ring = np.where(np.isnan(long)[..., None], np.nan, ring_coefficient(RING_RATIO, long[..., None]))
-    values = {
-        "chart_long_coefficient": (("chart_making", "chart_slenderness"), long),
-        "chart_short_coefficient": (("chart_making", "chart_slenderness"), short),
-        "chart_local_coefficient": (("chart_making", "chart_slenderness", "chart_relative_length"), local),
-        "chart_ring_coefficient": (("chart_making", "chart_slenderness", "chart_ring_area_ratio"), ring),
-        "chart_strength_ratio": (("chart_elastic_ratio",), inelastic_ratio(ELASTIC_RATIO)),
-        "chart_making": (("chart_making",), np.array(MAKING)),
-        "chart_slenderness": (("chart_slenderness",), SLENDER),
-        "chart_relative_length": (("chart_relative_length",), LENGTH),
-        "chart_ring_area_ratio": (("chart_ring_area_ratio",), RING_RATIO),
-        "chart_elastic_ratio": (("chart_elastic_ratio",), ELASTIC_RATIO),
+    return {
+        "chart_long_coefficient": long,
+        "chart_short_coefficient": short,
+        "chart_local_coefficient": local,
+        "chart_ring_coefficient": ring,
+        "chart_strength_ratio": inelastic_ratio(ELASTIC_RATIO),
+        "chart_making": np.array(MAKING),
+        "chart_slenderness": SLENDER,
+        "chart_relative_length": LENGTH,
+        "chart_ring_area_ratio": RING_RATIO,
+        "chart_elastic_ratio": ELASTIC_RATIO,
     }
-    return {name: (dims, array, attributes(name)) for name, (dims, array) in values.items()}

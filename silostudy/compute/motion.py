@@ -9,13 +9,12 @@ import xarray as xr
 from silostudy.compute.packing import SOURCES
 from silostudy.compute.packing_measure import MEAN, cells_of
 from silostudy.compute.packing_run import SAMPLE, WINDOW, discharge, settle
-from silostudy.compute.variables import attributes
-from silostudy.cube.contract import VARIABLES, check
-from silostudy.cube.provenance import provenance
+from silostudy.cube.assemble import assemble
 from silostudy.errors import BadInput
 from silostudy.scene.expand import Expansion
 
 Frame = dict[str, np.ndarray]
+SIDE_WALLS = ("left", "right")  # in the order of packing_measure.cells_of
 
 
 @dataclass
@@ -80,6 +79,7 @@ def _cube(expansion: Expansion, films: list[Film]) -> xr.Dataset:
     data = {f"disc_{name}": motion[:, :, k] for k, name in enumerate(("x", "y", "u", "v", "spin"))}
     data |= {"snapshot_time": np.array([float(frame["time"]) for _, frame in frames])}
     data |= {"snapshot_film": np.array([k for k, _ in frames], np.int32)}
+    data |= {"disc": np.arange(most), "snapshot": np.arange(len(frames)), "film": np.arange(len(films))}
     data |= {"film_across": np.array([film.across for film in films], np.int32)}
     data |= {"film_run": np.array([film.run for film in films], np.int32)}
     data |= {"film_remedy": np.array([film.remedy for film in films], np.int8)}
@@ -93,10 +93,9 @@ def _cube(expansion: Expansion, films: list[Film]) -> xr.Dataset:
     for way, name in enumerate(("normal", "shear")):
         data[f"frame_{name}_force"] = sides[..., way]
     silo = expansion.study.scene.silo
+    data["side_wall"] = np.array(SIDE_WALLS)
     data["side_cell"] = (np.arange(sides.shape[2]) + 0.5) * silo.height_m / sides.shape[2]
-    variables = {name: (VARIABLES[name].dims, values, attributes(name)) for name, values in data.items()}
-    about = provenance(expansion.study.title, expansion.study.model_dump_json(exclude_defaults=True), SOURCES, "motion")
     discs = expansion.study.scene.discs
     sizes = {"width_m": silo.width_m, "height_m": silo.height_m, "slit_width_m": silo.slit_width_m}
     sizes |= {"radius_m": discs.radius_m, "density_kg_m3": discs.density_kg_m3}
-    return check(xr.Dataset(variables, attrs={**about, **sizes, "sweep_axes": ""}))
+    return assemble(expansion.study, "motion", data, sources=SOURCES, notes=sizes)

@@ -8,19 +8,17 @@ from itertools import chain
 import numpy as np
 import xarray as xr
 
-from silostudy.compute.axes import axis_coordinates
+from silostudy.choice.expand import Resolved
+from silostudy.compute.axes import stacked, sweep_of
 from silostudy.compute.packing_measure import LOOKS, MEASURES, at_rest, in_flow
 from silostudy.compute.packing_run import SAMPLE, WINDOW, discharge, settle
-from silostudy.compute.variables import attributes
-from silostudy.cube.contract import VARIABLES, check
-from silostudy.cube.provenance import provenance
-from silostudy.scene.expand import Expansion
+from silostudy.cube.assemble import assemble
 from silostudy.scene.packing import LAYERS
 
 SOURCES = ("kiyama_fujimura_1983", "silo_handbook")
 
 
-def packing_cube(expansion: Expansion, tell: Callable[[str], None] = lambda text: None) -> xr.Dataset:
+def packing_cube(expansion: Resolved, tell: Callable[[str], None] = lambda text: None) -> xr.Dataset:
     """The cube of a packing study; `tell` hears how far it is.  Equal fillings are settled once, for all their slits."""
     study, groups = expansion.study, _groups(expansion)
     tasks = [(members, run) for members in groups for run in range(study.runs + 1)]
@@ -40,7 +38,7 @@ def packing_cube(expansion: Expansion, tell: Callable[[str], None] = lambda text
     return _cube(expansion, [[runs[run] for run in range(study.runs + 1)] for runs in found])
 
 
-def _groups(expansion: Expansion) -> list[list[int]]:
+def _groups(expansion: Resolved) -> list[list[int]]:
     """Numbers of the cases that share a filling."""
     groups: dict[str, list[int]] = {}
     for number, case in enumerate(expansion.cases):
@@ -48,7 +46,7 @@ def _groups(expansion: Expansion) -> list[list[int]]:
     return list(groups.values())
 
 
-def _of_one_filling(expansion: Expansion, members: list[int], run: int) -> list[tuple[int, dict]]:
+def _of_one_filling(expansion: Resolved, members: list[int], run: int) -> list[tuple[int, dict]]:
     study = expansion.study
     rested = settle(study, expansion.cases[members[0]].scene.config, run)
     found = []
@@ -59,30 +57,18 @@ def _of_one_filling(expansion: Expansion, members: list[int], run: int) -> list[
     return found
 
 
-def _cube(expansion: Expansion, found: list[list[dict]]) -> xr.Dataset:
-    study = expansion.study
-    axes = [axis.axis for axis in study.sweep]
-    data: dict = {}
-    for name in found[0][0]:
-        values = np.array([[one[name] for one in runs] for runs in found])
-        data[name] = (
-            (*axes, *VARIABLES[name].dims[1:]),
-            values.reshape((*expansion.shape, *values.shape[1:])),
-            attributes(name),
-        )
-    data["case"] = (axes, np.array([case.id for case in expansion.cases]).reshape(expansion.shape), attributes("case"))
+def _cube(expansion: Resolved, found: list[list[dict]]) -> xr.Dataset:
+    study, silo = expansion.study, expansion.study.scene.silo
+    runs_in_one = [{name: np.array([one[name] for one in runs]) for name in runs[0]} for runs in found]
     samples = found[0][0]["passed_discs"].size
-    silo, discs = study.scene.silo, study.scene.discs
-    height = silo.height_m / LAYERS
-    coords: dict = {
-        **axis_coordinates(study),
-        "run": ("run", np.arange(study.runs + 1), attributes("run")),
-        "layer": ("layer", (np.arange(LAYERS) + 0.5) * height, attributes("layer")),
-        "sample": ("sample", np.arange(samples) * SAMPLE * WINDOW, attributes("sample")),
-        "interval": ("interval", (np.arange(samples - 1) + 0.5) * SAMPLE * WINDOW, attributes("interval")),
-        "look": ("look", list(LOOKS), attributes("look")),
-        "measure": ("measure", list(MEASURES), attributes("measure")),
+    labels = {
+        "run": np.arange(study.runs + 1),
+        "layer": (np.arange(LAYERS) + 0.5) * (silo.height_m / LAYERS),
+        "sample": np.arange(samples) * SAMPLE * WINDOW,
+        "interval": (np.arange(samples - 1) + 0.5) * SAMPLE * WINDOW,
+        "look": list(LOOKS),
+        "measure": list(MEASURES),
     }
-    about = provenance(study.title, study.model_dump_json(exclude_defaults=True), SOURCES, "packing")
-    settings = {"width_m": silo.width_m, "radius_m": discs.radius_m, "slit_width_m": silo.slit_width_m}
-    return check(xr.Dataset(data, coords, {**about, **settings, "sweep_axes": " ".join(axes), **study.promise}))
+    sizes = {"width_m": silo.width_m, "radius_m": study.scene.discs.radius_m, "slit_width_m": silo.slit_width_m}
+    data = {**stacked(runs_in_one, expansion.shape), **labels}
+    return assemble(study, "packing", data, sources=SOURCES, notes=sizes | expansion.promise, sweep=sweep_of(expansion))

@@ -1,14 +1,16 @@
 """What is read off a run of a packing study: wall forces at rest, their peaks in discharge, flow and displacements."""
 
 from dataclasses import dataclass
-from itertools import pairwise
 
 import numpy as np
 from scipy.optimize import least_squares
 
-from silostudy.compute.packing_run import GRAVITY, SAMPLE, WINDOW, Discharge, Rested
+from silostudy.compute.packing_run import SAMPLE, WINDOW, Discharge, Rested
 from silostudy.config.packing import PackingScene, PackingStudy
+from silostudy.dem.walls import wall_cells
 from silostudy.scene.packing import CELLS_IN_LAYER, LAYERS
+from silostudy.scene.plane_silo import FLOOR, HALVES, SIDES
+from silostudy.tables.constants import STANDARD_GRAVITY
 
 MEASURES = ("layer_peak", "layer_mean", "panel_peak", "panel_mean")
 LOOKS = {"step": 0.0, "1 ms": 1e-3, "5 ms": 5e-3, "10 ms": 0.01, "20 ms": 0.02, "50 ms": 0.05, "100 ms": 0.1}  # s
@@ -29,8 +31,7 @@ class WallCells:
 
 def cells_of(rested: Rested) -> WallCells:
     """Where the forces of each wall stand; end points count with the floor's halves, never with the sides."""
-    starts = np.cumsum([0, *(wall.cells + 2 for wall in rested.model.walls)])
-    floor, half_left, half_right, left, right = (np.arange(a, b) for a, b in pairwise(starts))
+    floor, half_left, half_right, left, right = (wall_cells(rested.model, name) for name in (FLOOR, *HALVES, *SIDES))
     return WallCells(floor, np.concatenate([half_left, half_right]), np.array([left[-2:0:-1], right[1:-1]]))
 
 
@@ -81,7 +82,7 @@ def at_rest(config: PackingScene, rested: Rested) -> dict[str, np.ndarray | floa
     cells, radius = cells_of(rested), config.discs.radius_m
     sides = rested.walls[cells.sides]  # (2, cells, 2)
     height = float(rested.places[:, 1].max()) + radius
-    weight = float(rested.model.mass.sum()) * GRAVITY
+    weight = float(rested.model.mass.sum()) * STANDARD_GRAVITY
     force = sides.mean(axis=0)
     rows = np.flatnonzero(force[:, NORMAL] > 0.0)[::-1]  # contacts from the top one down
     step = config.silo.height_m / force.shape[0]

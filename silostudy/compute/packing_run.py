@@ -15,9 +15,10 @@ from silostudy.dem.lanes import U, V, Y
 from silostudy.dem.model import Model
 from silostudy.dem.run import Event, Run
 from silostudy.dem.stability import SAFETY, longest_step
-from silostudy.scene.packing import contacts_of, discs_of, walls_of
+from silostudy.scene.packing import contacts_of, discs_of, packing_walls
+from silostudy.scene.plane_silo import FLOOR, HALVES
+from silostudy.tables.constants import STANDARD_GRAVITY
 
-GRAVITY = 9.80665
 WINDOW = 1e-3  # s: wall forces of every step are gathered over windows of this length
 SAMPLE = 10  # windows between looks at the discs
 STILL = 1e-3  # m/s: fastest disc of contents at rest; from then on a stopped run is not followed any further
@@ -57,13 +58,14 @@ class Discharge:
     removed: list[tuple[float, int]] = field(default_factory=list)
 
 
-def model_of(study: PackingStudy, config: PackingScene, run: int) -> Model:
+def packing_model(study: PackingStudy, config: PackingScene, run: int) -> Model:
     """The model of a run at its start; a window is a whole number of its steps."""
     x, y, radius = discs_of(study, config, run)
     pair, wall = contacts_of(config)
     model = Model(
-        x=x, y=y, radius=radius, density=config.discs.density_kg_m3, walls=walls_of(config.silo),
-        pair_contact=pair, wall_contact=wall, dt=1.0, gravity=(0.0, -GRAVITY), integrator=config.march.integrator, watched=True,
+        x=x, y=y, radius=radius, density=config.discs.density_kg_m3, walls=packing_walls(config.silo),
+        pair_contact=pair, wall_contact=wall, dt=1.0, gravity=(0.0, -STANDARD_GRAVITY),
+        integrator=config.march.integrator, watched=True,
     )  # fmt: skip
     asked = config.march.step_s or SAFETY * longest_step(model)
     return replace(model, dt=WINDOW / ceil(round(WINDOW / asked, 2)))  # rounded: the last bits of the bound vary
@@ -71,7 +73,7 @@ def model_of(study: PackingStudy, config: PackingScene, run: int) -> Model:
 
 def settle(study: PackingStudy, config: PackingScene, run: int) -> Rested:
     """A run's packing at rest by the paper's criterion, or at the study's limit; an explosion is raised."""
-    model = model_of(study, config, run)
+    model = packing_model(study, config, run)
     task = Run(Engine(model), (Event("rest", 0.0, "stop"),), limit=study.rest_limit_s)
     done = task.go()
     if done.explosion is not None:
@@ -90,14 +92,14 @@ def discharge(
     Where no disc passes for the study's time and an arch spans the slit, the flow has stopped; a case with the remedy
     then loses the highest disc of the arch.  Once all is still the run ends, and its last sample stands for the rest.
     """
-    engine = Engine(replace(rested.model, walls=walls_of(config.silo)))
+    engine = Engine(replace(rested.model, walls=packing_walls(config.silo)))
     restore(engine, rested.saved)
     engine.clear_window()
     window = round(WINDOW / engine.model.dt)
     run = Run(engine, (Event("time", NEVER, "stop"),), limit=NEVER, window=window)
     _list_contacts(engine)
     watch(run)
-    swap_walls(engine, "floor", ("floor_left", "floor_right"))
+    swap_walls(engine, FLOOR, HALVES)
     samples = round(study.discharge_s / WINDOW / SAMPLE)
     quiet = round(study.stopped_s / WINDOW / SAMPLE)
     found = Discharge(np.empty(0), np.zeros(samples + 1), np.full((samples + 1, len(rested.places), 2), np.nan))

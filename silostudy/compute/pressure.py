@@ -5,25 +5,22 @@ from collections.abc import Mapping
 import numpy as np
 import xarray as xr
 
-from silostudy.compute.axes import axis_coordinates
+from silostudy.choice.expand import Resolved
+from silostudy.compute.axes import sweep_of
 from silostudy.compute.evaluate import (
+    AskedMethod,
     above_contact,
-    functions_of,
     gather,
-    looks,
     masked,
-    method_labels,
+    method_coordinates,
+    methods_of,
     plans,
-    row_of,
-    scope_attributes,
+    sources_of,
+    with_reasons,
 )
 from silostudy.compute.hopper import hopper_variables, total_variables
-from silostudy.compute.variables import attributes
-from silostudy.config.fields import expand
-from silostudy.cube.contract import check
-from silostudy.cube.provenance import provenance
+from silostudy.cube.assemble import assemble
 from silostudy.pressure.family import IN_SCOPE, NO_PHASE, NO_QUANTITY, OUT_OF_RANGE, QUANTITIES, call
-from silostudy.scene.expand import Expansion
 
 HANDED = ("unit_weight", "internal_friction_angle", "wall_friction", "lateral_pressure_ratio", "poisson_ratio")
 HANDED_IF_KNOWN = (
@@ -37,25 +34,25 @@ HANDED_IF_KNOWN = (
 )
 
 
-def pressure_cube(expansion: Expansion) -> xr.Dataset:
+def pressure_cube(expansion: Resolved) -> xr.Dataset:
     """The cube of a study: each quantity (method, phase, axes..., depth) with a scope flag beside it."""
-    labels = method_labels(expansion)
+    methods = methods_of(expansion)
     z = depths_in_metres(expansion)
-    shape = (len(labels), len(expansion.study.phases), *z.shape)
+    shape = (len(methods), len(expansion.study.phases), *z.shape)
     values = {name: np.full(shape, np.nan) for name in (*QUANTITIES, "overpressure_factor")}
     scopes = {name: np.full(shape, NO_PHASE, dtype=np.int8) for name in values}
     handed = {name: np.full(shape[:1] + shape[2:-1], np.nan) for name in (*HANDED, *HANDED_IF_KNOWN, "wall_friction_capped")}
-    for m, label in enumerate(labels):
-        parameters = gather(expansion, label)
+    for m, method in enumerate(methods):
+        parameters = gather(expansion, method)
         _note(handed, m, parameters, shape[2:-1])
         for p, phase in enumerate(expansion.study.phases):
-            found = evaluate(label, phase, z, parameters, plans(expansion))
+            found = evaluate(method, phase, z, parameters, plans(expansion))
             for name, (value, scope) in found.items():
                 values[name][m, p], scopes[name][m, p] = value, scope
-    return _assemble(expansion, labels, z, values, scopes, handed)
+    return _assemble(expansion, methods, z, values, scopes, handed)
 
 
-def depths_in_metres(expansion: Expansion) -> np.ndarray:
+def depths_in_metres(expansion: Resolved) -> np.ndarray:
     """Depth (m) of every value, shape (axes..., depth)."""
     depths = np.array(expansion.study.depths)
     if expansion.study.depth_m is not None:
@@ -64,9 +61,9 @@ def depths_in_metres(expansion: Expansion) -> np.ndarray:
     return heights[..., None] * depths
 
 
-def evaluate(label: str, phase: str, z: np.ndarray, parameters: Mapping, plan: np.ndarray) -> dict[str, tuple]:
+def evaluate(method: AskedMethod, phase: str, z: np.ndarray, parameters: Mapping, plan: np.ndarray) -> dict[str, tuple]:
     """quantity -> (values, scope flags) of one method in one phase; empty where the method does not cover the phase."""
-    row, functions = row_of(label), functions_of(label, phase)
+    row, functions = method.row, method.functions(phase)
     if not functions:
         return {}
     found = {}
@@ -89,52 +86,23 @@ def _note(handed: dict[str, np.ndarray], m: int, parameters: Mapping, shape: tup
     handed["wall_friction_capped"][m] = capped.reshape(shape)
 
 
-def _assemble(expansion: Expansion, labels: list[str], z, values, scopes, handed) -> xr.Dataset:
-    axes = [axis.axis for axis in expansion.study.sweep]
-    by_metres = expansion.study.depth_m is not None
-    level = "depth" if by_metres else "relative_depth"
-    dims = ("method", "phase", *axes, level)
-    data: dict = {}
-    for name, value in values.items():
-        data[name] = (dims, value, {**attributes(name), "ancillary_variables": f"{name}_scope"})
-        data[f"{name}_scope"] = (dims, scopes[name], scope_attributes(name))
+def _assemble(expansion: Resolved, methods: list[AskedMethod], z, values, scopes, handed) -> xr.Dataset:
+    study = expansion.study
+    data: dict = {**values, **with_reasons(scopes), **method_coordinates(methods), "phase": list(study.phases)}
     for name, value in handed.items():
-        if name in HANDED_IF_KNOWN and np.isnan(value).all():
-            continue
-        kept = value.astype(np.int8) if name == "wall_friction_capped" else value
-        data[name] = (("method", *axes), kept, attributes(name))
+        if name not in HANDED_IF_KNOWN or not np.isnan(value).all():
+            data[name] = value.astype(np.int8) if name == "wall_friction_capped" else value
     for name in ("hydraulic_radius", "cylinder_depth"):
-        sizes = np.array([getattr(case.scene.silo, name) for case in expansion.cases]).reshape(expansion.shape)
-        data[name] = (axes, sizes, attributes(name))
-    data["case"] = (axes, np.array([case.id for case in expansion.cases]).reshape(expansion.shape), attributes("case"))
-    data |= total_variables(expansion, labels)
-    if expansion.study.hopper_position is not None:
-        data |= hopper_variables(expansion, labels)
-    depth = {"standard_name": "depth", "units": "m", "positive": "down", "axis": "Z"}
-    depth["long_name"] = "depth below the equivalent flat surface of the stored solid"
-    coords: dict = {
-        "method": ("method", labels, attributes("method")),
-        **looks(labels),
-        "phase": ("phase", list(expansion.study.phases), attributes("phase")),
-        **axis_coordinates(expansion.study),
-    }
-    if by_metres:
-        coords["depth"] = ("depth", np.array(expansion.study.depths), depth)
-    else:
-        coords["relative_depth"] = (level, np.array(expansion.study.depths), attributes("relative_depth"))
-        depth.pop("axis")
-        coords["depth"] = ((*axes, level), z, depth)
-    if expansion.study.hopper_position is not None:
-        coords["hopper_position"] = (
-            "hopper_position",
-            expand(expansion.study.hopper_position),
-            attributes("hopper_position"),
-        )
-    study = expansion.study.model_dump_json(exclude_defaults=True)
-    sources = [row_of(label).source for label in labels] + [case.scene.solid.source for case in expansion.cases]
-    about = {
-        **provenance(expansion.study.title, study, sources, "pressure"),
-        **expansion.study.promise,
-        "sweep_axes": " ".join(axes),
-    }
-    return check(xr.Dataset(data, coords, about))
+        data[name] = np.array([getattr(case.scene.silo, name) for case in expansion.cases]).reshape(expansion.shape)
+    data |= depth_coordinates(study, z) | total_variables(expansion, methods)
+    if study.hopper_position is not None:
+        data |= hopper_variables(expansion, methods)
+    notes = {**expansion.promise, **study.own_methods}
+    return assemble(study, "pressure", data, sources=sources_of(expansion), notes=notes, sweep=sweep_of(expansion))
+
+
+def depth_coordinates(study, z: np.ndarray) -> dict[str, np.ndarray]:
+    """Depths as the study asks for them: in metres, or relative with what they come to (m) in every case."""
+    if study.depth_m is not None:
+        return {"depth": np.array(study.depths)}
+    return {"depth": z, "relative_depth": np.array(study.depths)}

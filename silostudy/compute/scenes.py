@@ -2,18 +2,20 @@
 
 import numpy as np
 
-from silostudy.compute.dem import carry_through, model_of, run_of
+from silostudy.compute.dem import carry_through, run_of, scene_model
 from silostudy.config.scenes import ScenesStudy
 from silostudy.dem.run import Run
+from silostudy.dem.walls import sums_by_wall
+from silostudy.scene.plane_silo import FLOOR, HALVES, HOPPER, SIDES
 from silostudy.scene.scenes import SceneCase
 
 BODIES = ("walls", "floor")
 Numbers = dict[str, np.ndarray]
 
 
-def coordinates(study: ScenesStudy) -> dict[str, tuple[str, list[str]]]:
+def coordinates(study: ScenesStudy) -> dict[str, list[str]]:
     """The dimensions that a case's numbers have of their own."""
-    return {"body": ("body", list(BODIES))}
+    return {"body": list(BODIES)}
 
 
 def sources(study: ScenesStudy) -> list[str]:
@@ -21,6 +23,7 @@ def sources(study: ScenesStudy) -> list[str]:
     from silostudy.dem.integrate import INTEGRATORS
 
     scene = study.scene
+    assert scene.march.integrator is not None, "scene.march.integrator is not chosen yet"
     laws = [law for contact in (scene.discs, scene.walls or scene.discs) for law in contact.laws.values()]
     return sorted({INTEGRATORS[scene.march.integrator].source, *(law.source for law in laws if law.acts)})
 
@@ -28,7 +31,7 @@ def sources(study: ScenesStudy) -> list[str]:
 def measure(study: ScenesStudy, case: SceneCase) -> Numbers:
     """The numbers of one case, by the names of the contract; Explosion or BadInput where it cannot be computed."""
     scene = case.config
-    run = run_of(scene, model_of(scene, case.folder))
+    run = run_of(scene, scene_model(scene, case.folder))
     carry_through(run, scene, None, lambda step: None)
     if run.recording.explosion is not None:
         raise run.recording.explosion
@@ -52,14 +55,16 @@ def forces(run: Run, opening: float) -> tuple[np.ndarray, np.ndarray]:
 
     NaN where no forces were recorded, or none before or after.
     """
-    record, walls = run.recording, run.engine.model.walls
-    if not run.engine.model.watched or not record.window:
+    record, model = run.recording, run.engine.model
+    if not model.watched or not record.window:
         return np.full(2, np.nan), np.full(2, np.nan)
-    starts = np.cumsum([0, *(wall.cells + 2 for wall in walls)])[:-1]
-    each = np.add.reduceat(np.array(record.window)[:, :, 0, 0], starts, axis=1)  # (window, wall)
-    below = np.array([wall.name.startswith("floor") for wall in walls])
-    aside = ~below & np.array([wall.name != "lid" for wall in walls])
-    sums = np.column_stack([each[:, aside].sum(axis=1), each[:, below].sum(axis=1)])
+    each = sums_by_wall(model, np.array(record.window)[:, :, 0, 0], axis=1)
+    sums = np.column_stack([_together(each, (*HOPPER, *SIDES)), _together(each, (FLOOR, *HALVES))])
     before = np.searchsorted(record.window_time, opening + 1e-9)
     missing = np.full(2, np.nan)
     return (sums[before - 1] if before else missing), (sums[before:].max(axis=0) if before < len(sums) else missing)
+
+
+def _together(each: dict[str, np.ndarray], names: tuple[str, ...]) -> np.ndarray:
+    """Sum over the walls of these names that the silo has."""
+    return np.sum([each[name] for name in names if name in each], axis=0)

@@ -5,13 +5,12 @@ from collections.abc import Callable
 import numpy as np
 import xarray as xr
 
-from silostudy.compute.axes import axis_coordinates
+from silostudy.choice.expand import Resolved
+from silostudy.compute.axes import stacked, sweep_of
 from silostudy.compute.identified import identified, labels
-from silostudy.compute.variables import attributes
 from silostudy.config.fields import expand
-from silostudy.cube.contract import VARIABLES, check
-from silostudy.cube.provenance import provenance
-from silostudy.scene.expand import Expansion
+from silostudy.cube.assemble import assemble
+from silostudy.cube.variables import attributes
 from silostudy.scene.seismic import Shaken
 from silostudy.seismic import identify
 from silostudy.seismic.added_mass import mass_ratio, stiffness_reduction, volume_ratio
@@ -25,7 +24,7 @@ BOUNDS = ("lower", "upper")
 SOURCES = ("sasaki_yoshimura_effective_mass", "nigam_jennings_1969", "en1998_4_2006")
 
 
-def seismic_cube(expansion: Expansion, tell: Callable[[str], None] = lambda text: None) -> xr.Dataset:
+def seismic_cube(expansion: Resolved, tell: Callable[[str], None] = lambda text: None) -> xr.Dataset:
     """The cube of a seismic study; `tell` hears of each case as it is done."""
     study = expansion.study
     found = []
@@ -33,30 +32,16 @@ def seismic_cube(expansion: Expansion, tell: Callable[[str], None] = lambda text
         found.append(_case(study, case.scene, np.random.default_rng([study.seed, number])))
         shares = ", ".join(f"{share:.3f}" for share in found[-1]["mass_choice_coefficient"])
         tell(f"case {number + 1} of {len(expansion.cases)}: demand for C_eff = {shares}")
-    found = [{"case": np.array(case.id), **one} for case, one in zip(expansion.cases, found, strict=True)]
-    axes = [axis.axis for axis in study.sweep]
-    data = {name: (_dims(name, axes), _stacked([one[name] for one in found], expansion.shape), attributes(name))
-            for name in found[0] if name != "depth"}  # fmt: skip
-    depth = {"standard_name": "depth", "units": "m", "positive": "down", "long_name": "depth below the top of the contents"}
-    coords = {
-        **axis_coordinates(study),
-        **_labels(study),
-        "depth": ((*axes, "relative_depth"), _stacked([one["depth"] for one in found], expansion.shape), depth),
-    }
+    data: dict = stacked(found, expansion.shape) | _labels(study)
+    data["depth"] = data["depth"], {**attributes("depth"), "long_name": "depth below the top of the contents"}
     sources = [*SOURCES, *(case.scene.source for case in expansion.cases if case.scene.source)]
-    about = provenance(study.title, study.model_dump_json(exclude_defaults=True), sources, "seismic")
-    own = {
-        "sweep_axes": " ".join(axes),
-        "assumed": ", ".join(study.assumed),
-        "published": study.published or "",
-        **study.promise,
-    }
+    notes = {"assumed": ", ".join(study.assumed), "published": study.published or "", **expansion.promise}
     if study.identification:
-        own["band_Hz"] = list(study.identification.band_Hz)
-    return check(xr.Dataset(data, coords, {**about, **own}))
+        notes["band_Hz"] = list(study.identification.band_Hz)
+    return assemble(study, "seismic", data, sources=sources, notes=notes, sweep=sweep_of(expansion))
 
 
-def _labels(study) -> dict[str, tuple]:
+def _labels(study) -> dict[str, list]:
     """Coordinates of the cube's own axes."""
     choices = ("identified",) if study.identification else ()
     values = {"relative_depth": expand(study.relative_depth), "mass_choice": [*choices, "eighty_percent", "all_contents"]}
@@ -64,22 +49,7 @@ def _labels(study) -> dict[str, tuple]:
         values |= {"frequency": expand(study.sine.frequency_Hz), "curve": list(CURVES), "bound": list(BOUNDS)}
     if study.identification:
         values |= labels(study.identification)
-    return {name: (name, listed, attributes(name)) for name, listed in values.items()}
-
-
-def _dims(name: str, axes: list[str]) -> tuple[str, ...]:
-    inner = ["relative_depth" if dim == "depth" else dim for dim in VARIABLES[name].dims if dim != "..."]
-    return (*axes, *inner)
-
-
-def _stacked(arrays: list[np.ndarray], shape: tuple[int, ...]) -> np.ndarray:
-    """The cases' arrays in one, shorter histories filled up with NaN."""
-    arrays = [np.asarray(array) for array in arrays]
-    longest = np.max([array.shape for array in arrays], axis=0).astype(int)
-    if any(array.shape != tuple(longest) for array in arrays):
-        gaps = [[(0, most - size) for most, size in zip(longest, array.shape, strict=True)] for array in arrays]
-        arrays = [np.pad(array, gap, constant_values=np.nan) for array, gap in zip(arrays, gaps, strict=True)]
-    return np.array(arrays).reshape((*shape, *longest))
+    return values
 
 
 def _case(study, scene: Shaken, random: np.random.Generator) -> dict[str, np.ndarray]:

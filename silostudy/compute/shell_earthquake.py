@@ -8,8 +8,9 @@ if they came at once, at their characteristic values: no combination rule and no
 import numpy as np
 import xarray as xr
 
+from silostudy.choice.expand import resolved
 from silostudy.compute.shell_load import depths
-from silostudy.cube.contract import VARIABLES
+from silostudy.cube.contract import SCOPE, VARIABLES
 from silostudy.errors import BadInput
 from silostudy.scene.expand import Expansion
 
@@ -26,7 +27,8 @@ def of_this_study(expansion: Expansion, seismic: xr.Dataset | None) -> xr.Datase
     name = expansion.study.earthquake.study
     if seismic is None:
         raise BadInput("earthquake", name, "needs the seismic cube of that study")
-    if any(case.scene.earthquake != seismic.attrs["study"] for case in expansion.cases):
+    asked = resolved(expansion.cases[0].scene.earthquake, name).study  # the same for all cases
+    if asked.model_dump_json(exclude_defaults=True) != seismic.attrs["study"]:
         raise BadInput("seismic cube", seismic.attrs["title"], f"is of another study than {name}")
     return seismic
 
@@ -60,13 +62,17 @@ def sides(force, lower, upper, *, seismic_force, seismic_pressure) -> dict[str, 
     }
 
 
-def beside(found: list[dict[str, tuple]]) -> dict[str, tuple]:
+def beside(found: list[dict]) -> dict:
     """Variables of every side in one, under names of their own: dimension `side` first."""
-    stacked = {}
-    for name, (dims, _, known) in found[0].items():
-        values = np.array([one[name][1] for one in found])
-        if PREFIX + name in VARIABLES:
-            known = {**known, "long_name": VARIABLES[PREFIX + name].long_name}
-        if PREFIX + name.removesuffix("_scope") in VARIABLES:  # the wall's own thickness has no sides
-            stacked[PREFIX + name] = (("side", *dims), values, known)
+    stacked: dict = {}
+    for name in found[0]:
+        own = PREFIX + name
+        if own.removesuffix(SCOPE) not in VARIABLES:  # the wall's own thickness has no sides
+            continue
+        each = [one[name] for one in found]
+        if isinstance(each[0], tuple):
+            told = {**each[0][1], **({"long_name": VARIABLES[own].long_name} if own in VARIABLES else {})}
+            stacked[own] = np.array([values for values, _ in each]), told
+        else:
+            stacked[own] = np.array(each)
     return stacked

@@ -11,55 +11,54 @@ import numpy as np
 import xarray as xr
 from scipy.stats import qmc, sobol_indices, uniform
 
-from silostudy.compute.evaluate import functions_of, gather, looks, method_labels, plans, row_of
-from silostudy.compute.pressure import depths_in_metres, evaluate
-from silostudy.compute.variables import attributes
-from silostudy.cube.contract import check
-from silostudy.cube.provenance import provenance
-from silostudy.scene.expand import Expansion
+from silostudy.choice.expand import Resolved
+from silostudy.compute.evaluate import AskedMethod, gather, method_coordinates, methods_of, plans, sources_of
+from silostudy.compute.pressure import depth_coordinates, depths_in_metres, evaluate
+from silostudy.cube.assemble import assemble
+from silostudy.scene.scene import solid_parameters
 
 SAMPLED = ("internal_friction_angle", "wall_friction", "lateral_pressure_ratio", "unit_weight")
 SPREAD_OF = {"internal_friction_angle": "a_phi", "wall_friction": "a_mu", "lateral_pressure_ratio": "a_K"}
 QUANTILES = (0.05, 0.5, 0.95)
 
 
-def uncertainty_cube(expansion: Expansion) -> xr.Dataset:
+def uncertainty_cube(expansion: Resolved) -> xr.Dataset:
     """Quantiles of the wall pressure (method, phase, quantile, depth) and Sobol indices of its largest value."""
-    labels, phases = method_labels(expansion), expansion.study.phases
+    methods, phases = methods_of(expansion), expansion.study.phases
     z, asked = depths_in_metres(expansion), expansion.study.uncertainty
     points = qmc.Sobol(len(SAMPLED), rng=asked.seed).random_base2(asked.log2_samples)
-    quantiles = np.full((len(labels), len(phases), len(QUANTILES), z.size), np.nan)
-    indices = np.full((2, len(labels), len(phases), len(SAMPLED)), np.nan)
-    for m, label in enumerate(labels):
+    quantiles = np.full((len(methods), len(phases), len(QUANTILES), z.size), np.nan)
+    indices = np.full((2, len(methods), len(phases), len(SAMPLED)), np.nan)
+    for m, method in enumerate(methods):
         for p, phase in enumerate(phases):
-            if not functions_of(label, phase):
+            if not method.functions(phase):
                 continue
-            pressure = _pressure_of(expansion, label, phase, z)
+            pressure = _pressure_of(expansion, method, phase, z)
             sample = pressure(points)
             whole = np.isfinite(sample).all(axis=0)  # a depth that some samples mask has no quantiles
             quantiles[m, p][:, whole] = np.quantile(sample[:, whole], QUANTILES, axis=0)
             if whole.any():
                 indices[:, m, p] = _indices(pressure, whole, asked)
-    return _assemble(expansion, labels, quantiles, indices)
+    return _assemble(expansion, methods, quantiles, indices)
 
 
-def _pressure_of(expansion: Expansion, label: str, phase: str, z: np.ndarray) -> Callable:
+def _pressure_of(expansion: Resolved, method: AskedMethod, phase: str, z: np.ndarray) -> Callable:
     """The wall pressure (Pa), shape (samples, depths), as a function of points (samples, properties) of the unit cube."""
-    parameters, base = gather(expansion, label), spreads(expansion)
+    parameters, base = gather(expansion, method), spreads(expansion)
 
     def pressure(points: np.ndarray) -> np.ndarray:
         changed = scattered(parameters, base, points)
         depths = np.broadcast_to(z, (len(points), z.size))
-        return evaluate(label, phase, depths, changed, plans(expansion))["wall_normal_pressure"][0]
+        return evaluate(method, phase, depths, changed, plans(expansion))["wall_normal_pressure"][0]
 
     return pressure
 
 
-def spreads(expansion: Expansion) -> dict[str, float]:
+def spreads(expansion: Resolved) -> dict[str, float]:
     """The scatter of the study's solid: the same for every method."""
-    parameters = gather(expansion, "janssen")
-    lower = parameters["unit_weight_lower"] / parameters["unit_weight"]
-    return {name: float(parameters[spread][0]) for name, spread in SPREAD_OF.items()} | {"unit_weight": float(lower[0])}
+    values = solid_parameters(expansion.cases[0].scene, "")
+    lightest = values["unit_weight_lower"] / values["unit_weight"]
+    return {name: values[spread] for name, spread in SPREAD_OF.items()} | {"unit_weight": lightest}
 
 
 def scattered(parameters: Mapping, base: Mapping, points: np.ndarray) -> dict[str, np.ndarray]:
@@ -88,33 +87,18 @@ def _indices(pressure: Callable, whole: np.ndarray, asked) -> np.ndarray:
     return np.array([found.first_order, found.total_order])
 
 
-def _assemble(expansion: Expansion, labels: list[str], quantiles: np.ndarray, indices: np.ndarray) -> xr.Dataset:
-    by_metres = expansion.study.depth_m is not None
-    level = "depth" if by_metres else "relative_depth"
-    over = ("method", "phase", "parameter")
+def _assemble(expansion: Resolved, methods: list[AskedMethod], quantiles: np.ndarray, indices: np.ndarray) -> xr.Dataset:
+    study = expansion.study
     data = {
-        "wall_normal_pressure_quantile": (
-            ("method", "phase", "quantile", level),
-            quantiles,
-            attributes("wall_normal_pressure_quantile"),
-        ),
-        "sobol_first": (over, indices[0], attributes("sobol_first")),
-        "sobol_total": (over, indices[1], attributes("sobol_total")),
-        "cylinder_depth": ((), expansion.cases[0].scene.silo.cylinder_depth, attributes("cylinder_depth")),
+        "wall_normal_pressure_quantile": quantiles,
+        "sobol_first": indices[0],
+        "sobol_total": indices[1],
+        "cylinder_depth": expansion.cases[0].scene.silo.cylinder_depth,
+        **method_coordinates(methods),
+        "phase": list(study.phases),
+        "quantile": list(QUANTILES),
+        "parameter": list(SAMPLED),
+        **depth_coordinates(study, depths_in_metres(expansion)),
     }
-    depth = {"standard_name": "depth", "units": "m", "positive": "down"}
-    depth["long_name"] = "depth below the equivalent flat surface of the stored solid"
-    coords = {
-        "method": ("method", labels, attributes("method")),
-        **looks(labels),
-        "phase": ("phase", list(expansion.study.phases), attributes("phase")),
-        "quantile": ("quantile", list(QUANTILES), attributes("quantile")),
-        "parameter": ("parameter", list(SAMPLED), attributes("parameter")),
-        "depth": (level, depths_in_metres(expansion), depth),
-    }
-    if not by_metres:
-        coords["relative_depth"] = (level, np.array(expansion.study.depths), attributes("relative_depth"))
-    study = expansion.study.model_dump_json(exclude_defaults=True)
-    sources = [row_of(label).source for label in labels] + [case.scene.solid.source for case in expansion.cases]
-    about = {**provenance(expansion.study.title, study, sources, "uncertainty"), **expansion.study.promise}
-    return check(xr.Dataset(data, coords, {**about, "sweep_axes": ""}))
+    notes = {**expansion.promise, **study.own_methods}
+    return assemble(study, "uncertainty", data, sources=sources_of(expansion), notes=notes)

@@ -1,93 +1,85 @@
-"""A study may ask for an accuracy in place of settings: the cheapest settings on the measured fronts are put in for it.
+"""A study or scene may ask for an accuracy in place of settings: what that may say.
 
-What an error is in a scene hangs on the scene.  Where its configuration tells, it is asked at once; else the finest settings
-stand in until the scenes are built, and the study is read once more with their traits as the context.
+What is chosen for it hangs on the scenes and is not known here (see choice/): the settings that it decides are None.
 """
 
 import copy
-from collections.abc import Iterable, Mapping
-from typing import Any, ClassVar
+from collections.abc import Iterable
+from typing import Annotated, Any, ClassVar, Self
 
-from pydantic import PrivateAttr, model_validator
+from pydantic import Field, field_validator, model_validator
 
 from silostudy.config.fields import Strict, described
-from silostudy.errors import BadInput
-from silostudy.tables.fronts import Choice, choose, finest
+from silostudy.tables.asked import quantities
 
 
 class Asked(Strict):
-    """What may ask for an accuracy; the settings that are chosen then stand in the model as if they had been given."""
+    """What may ask for an accuracy."""
 
-    front: ClassVar[str]  # kind of the fronts to choose from
+    fronts: ClassVar[tuple[str, ...]]  # the measured fronts whose quantities it may ask for
 
-    accuracy: dict[str, float] | None = described(
+    accuracy: dict[str, Annotated[float, Field(gt=0)]] | None = described(
         "largest relative error by quantity, in place of the settings that decide it: the cheapest measured ones are chosen",
         default=None,
     )
-    _choice: Choice | None = PrivateAttr(default=None)
+    kind: str
 
-    @model_validator(mode="wrap")
+    @model_validator(mode="before")
     @classmethod
-    def _settings_for_accuracy(cls, content: Any, handler, info):
+    def _leave_open(cls, content: Any) -> Any:
+        """The content with None for every setting that the accuracy decides; ValueError where one is given all the same."""
         asked = content.get("accuracy") if isinstance(content, dict) else None
-        if not isinstance(asked, dict) or not all(isinstance(error, (int, float)) for error in asked.values()):
-            return handler(content)  # pydantic says what is wrong with it
-        try:
-            choice = choose(cls.front, asked, info.context) if info.context else finest(cls.front, asked)
-            model = handler(_with(content, choice.settings))
-            if not info.context and model.traits is not None:
-                choice = choose(cls.front, asked, [model.traits])
-                model = handler(_with(content, choice.settings))
-        except BadInput as error:
-            raise ValueError(error.reason) from None
-        model._choice = choice
-        return model
+        if not isinstance(asked, dict):
+            return content
+        content = copy.deepcopy(content)
+        for key in cls._decided(asked):
+            put(content, key, None)
+        return content
 
-    @property
-    def traits(self) -> Mapping[str, float] | None:
-        """What the errors of this scene hang on, by name; None where only the built scenes of a study tell."""
-        return None
+    @field_validator("accuracy")
+    @classmethod
+    def _known(cls, asked):
+        known = quantities(cls.fronts)
+        for name in asked or ():
+            if name not in known:
+                raise ValueError(f"{name} is unknown; known: {', '.join(known)}")
+        return asked
 
-    @property
-    def promise(self) -> dict[str, str]:
-        """Attributes for a cube: what was asked, what was chosen for it, and the error expected; empty where nothing was."""
-        return promises([self])
+    @model_validator(mode="after")
+    def _nothing_else_is_open(self) -> Self:
+        """None stands for a setting that an accuracy decides, and for that alone."""
+        for key in self._decided(quantities(self.fronts)):
+            *parents, last = key.split(".")
+            node: Any = self
+            for name in parents:
+                node = getattr(node, name)
+            if node is None or self.decides(key):
+                continue
+            if getattr(node, last) is None and type(node).model_fields[last].default is not None:
+                raise ValueError(f"{key} must be given: no accuracy that decides it is asked for")
+        return self
 
+    def decides(self, key: str) -> bool:
+        """Whether the accuracy asked for decides a setting."""
+        return key in self._decided(self.accuracy or ())
 
-def promises(scenes: Iterable[Asked]) -> dict[str, str]:
-    """The attributes of many scenes in one cube: everything asked, chosen and measured, and the worst error expected."""
-    each = [(one.accuracy, one._choice) for one in scenes if one.accuracy is not None and one._choice is not None]
-    worst: dict[str, float] = {}
-    for _, choice in each:
-        worst |= {name: max(error, worst.get(name, 0.0)) for name, error in choice.expected.items()}
-    found = {
-        "accuracy_asked": [_listed(asked) for asked, _ in each],
-        "accuracy_settings": [", ".join(f"{key} = {value}" for key, value in choice.settings.items()) for _, choice in each],
-        "accuracy_expected": [_listed(worst)] if each else [],
-        "accuracy_measured": [choice.measured for _, choice in each],
-    }
-    return {name: "; ".join(dict.fromkeys(texts)) for name, texts in found.items() if texts}
-
-
-def _listed(errors: dict[str, float]) -> str:
-    return ", ".join(f"{name} {error:.3g}" for name, error in errors.items())
+    @classmethod
+    def _decided(cls, asked: Iterable[str]) -> list[str]:
+        """Dotted keys of the settings that the known of some quantities decide."""
+        known = quantities(cls.fronts)
+        return list(dict.fromkeys(key for name in asked if name in known for key in known[name].decides))
 
 
-def _with(content: dict[str, Any], settings: dict[str, Any]) -> dict[str, Any]:
-    content = copy.deepcopy(content)
-    for dotted, value in settings.items():
-        _put(content, dotted, value)
-    return content
-
-
-def _put(content: dict[str, Any], dotted: str, value: Any) -> None:
-    """Set a dotted key; ValueError where it is given already."""
+def put(content: dict[str, Any], dotted: str, value: Any) -> None:
+    """Sets a dotted key in a content, its parents too; ValueError where it has a value already."""
     *parents, last = dotted.split(".")
     node = content
     for parent in parents:
         node = node.setdefault(parent, {})
+        if node is None:
+            raise ValueError(f"{parent} is null, but the accuracy asked for decides {dotted}")
         if not isinstance(node, dict):
-            return  # pydantic says what is wrong with it
+            return  # the models say what is wrong with it
     if node.get(last) is not None:
-        raise ValueError(f"give either accuracy or {dotted}, and not both: it would be {value!r}")
+        raise ValueError(f"give either accuracy or {dotted}, and not both: it is chosen for the accuracy")
     node[last] = value

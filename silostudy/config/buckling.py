@@ -1,18 +1,20 @@
 """A buckling study: the strength of shells by theories and design codes, of any cylinder or of Miller's test cylinders."""
 
-from typing import Annotated, Any, Literal, Self, TypeAlias
+from typing import Annotated, Any, ClassVar, Literal, Self, TypeAlias
 
 from pydantic import Discriminator, Tag, field_validator, model_validator
 
 from silostudy.buckling import BUCKLING, RIVALS
+from silostudy.catalogue import Family
 from silostudy.config.fields import described
+from silostudy.config.own import OwnMethods, keys_of
 from silostudy.config.steel import Cylinder, Making
 from silostudy.config.study import BaseStudy, distinct
 from silostudy.tables.miller1977 import TESTS
 from silostudy.tables.outputs import OUTPUTS
 
-RuleKey: TypeAlias = Literal[tuple(BUCKLING)]  # type: ignore[valid-type]
-RivalKey: TypeAlias = Literal[tuple(RIVALS)]  # type: ignore[valid-type]
+RuleKeys: TypeAlias = keys_of(BUCKLING)  # type: ignore[valid-type]
+RivalKeys: TypeAlias = keys_of(RIVALS)  # type: ignore[valid-type]
 TestKey: TypeAlias = Literal[tuple(TESTS)]  # type: ignore[valid-type]
 
 
@@ -30,10 +32,12 @@ def _which(content: Any) -> str:
 Shell = Annotated[Annotated[TestCylinder, Tag("a test")] | Annotated[Cylinder, Tag("a cylinder")], Discriminator(_which)]
 
 
-class RuleChoice(BaseStudy):
+class RuleChoice(OwnMethods, BaseStudy):
     """What every study with buckling rules shares."""
 
-    rules: tuple[RuleKey, ...] | Literal["all"] = described("buckling rules (`silostudy list buckling`), or all", "")
+    joins: ClassVar[tuple[Family, ...]] = (BUCKLING, RIVALS)
+
+    rules: RuleKeys = described("buckling rules (`silostudy list buckling`), or all", "")
 
     @field_validator("rules")
     @classmethod
@@ -53,7 +57,7 @@ class RuleChoice(BaseStudy):
     @property
     def rule_keys(self) -> tuple[str, ...]:
         """The rules asked for, in order."""
-        return tuple(BUCKLING) if self.rules == "all" else self.rules
+        return tuple(self.family(BUCKLING)) if self.rules == "all" else self.rules
 
 
 class BucklingStudy(RuleChoice):
@@ -61,7 +65,7 @@ class BucklingStudy(RuleChoice):
 
     kind: Literal["buckling"] = described("buckling: strength of shells by theories and design codes", "")
     scene: Shell = described("the base shell", "")
-    rivals: tuple[RivalKey, ...] | Literal["all"] = described(
+    rivals: RivalKeys = described(
         "readings of a source that its own data speak against, to be shown beside the rules", "", default=()
     )
 
@@ -73,4 +77,4 @@ class BucklingStudy(RuleChoice):
     @property
     def rival_keys(self) -> tuple[str, ...]:
         """The rival readings asked for, in order."""
-        return tuple(RIVALS) if self.rivals == "all" else self.rivals
+        return tuple(self.family(RIVALS)) if self.rivals == "all" else self.rivals

@@ -1,7 +1,5 @@
 """What a user writes to describe one discrete-element scene, in the user's units."""
 
-from collections.abc import Iterator, Mapping
-from math import pi, sqrt
 from typing import Annotated, ClassVar, Literal, Self, TypeAlias
 
 from pydantic import Field, model_validator
@@ -9,9 +7,8 @@ from pydantic import Field, model_validator
 from silostudy.config.asked import Asked
 from silostudy.config.contact import ContactConfig
 from silostudy.config.fields import Strict, described
-from silostudy.contact import MEASURED
 from silostudy.dem.integrate import INTEGRATORS
-from silostudy.errors import BadInput
+from silostudy.tables.constants import ROUNDED_GRAVITY
 
 IntegratorKey: TypeAlias = Literal[tuple(INTEGRATORS)]  # type: ignore[valid-type]
 
@@ -68,10 +65,12 @@ PackingConfig = Annotated[RowsConfig | LooseConfig | GivenConfig, Field(discrimi
 class MarchConfig(Strict):
     """The march in time."""
 
-    integrator: IntegratorKey = described("how velocities and places follow from forces", "", default="17-18")
+    integrator: IntegratorKey | None = described(
+        "how velocities and places follow from forces; null: for the accuracy", "", default="17-18"
+    )
     step_s: float | None = described("time step; null: from the stability bound", "s", gt=0, default=None)
-    step_factor: float = described(
-        "time step over the one that the engine chooses where step_s is null", gt=0, le=1, default=1.0
+    step_factor: float | None = described(
+        "time step over the one that the engine chooses where step_s is null; null: for the accuracy", gt=0, le=1, default=1.0
     )
     beyond_stability: bool = described("take a step_s beyond the stability bound all the same", "", default=False)
     limit_s: float = described("time at which the run ends at the latest", "s", gt=0)
@@ -124,7 +123,7 @@ class QuakeConfig(Strict):
 class DemScene(Asked):
     """A discrete-element scene."""
 
-    front: ClassVar[str] = "dem"
+    fronts: ClassVar[tuple[str, ...]] = ("dem",)
 
     kind: Literal["dem"] = described("dem: discrete elements", "")
     title: str = described("title of the scene", "")
@@ -134,50 +133,12 @@ class DemScene(Asked):
     density_kg_m3: float = described("density of the discs", "kg m-3", gt=0)
     discs: ContactConfig = described("contact between discs", "")
     walls: ContactConfig | None = described("contact of discs and walls; null: as between discs", "", default=None)
-    gravity_m_s2: tuple[float, float] = described("gravity, x and y (up)", "m s-2", default=(0.0, -9.81))
+    gravity_m_s2: tuple[float, float] = described("gravity, x and y (up)", "m s-2", default=(0.0, -ROUNDED_GRAVITY))
     quake: QuakeConfig | None = described("acceleration of the box", "", default=None)
     march: MarchConfig = described("the march in time", "")
     events: tuple[EventConfig, ...] = described("what happens, in order; the last is a stop", "", min_length=1)
     record: RecordConfig = described("what is recorded", "", default=RecordConfig())
     seed: int = described("seed of the random numbers", ge=0, default=0)
-
-    @property
-    def traits(self) -> Mapping[str, float]:
-        """What the error of the wall forces at rest hangs on (1): the dynamics before rest, and the contacts.
-
-        fall: gap over the overlap that a disc's weight makes, times the root of the layers of discs.
-        BadInput for a scene of a kind that was not measured.
-        """
-        walls = self.walls or self.discs
-        for key, value, measured in self._kinds(walls):
-            if value != measured:
-                raise BadInput("accuracy", self.accuracy, f"was measured with {key} {measured} alone, not {value}")
-        assert isinstance(self.packing, RowsConfig)
-        assert self.discs.normal_stiffness_N_m2 is not None
-        assert walls.normal_stiffness_N_m2 is not None
-        stiffness, mass = self.discs.normal_stiffness_N_m2, self.density_kg_m3 * pi * self.radius_m**2
-        gap = self.packing.gap_m * stiffness / (-self.gravity_m_s2[1] * mass)
-        direct, ratio = self.discs.normal_damping_N_s_m2, self.discs.damping_ratio or 0.0
-        return {
-            "fall": gap * sqrt(0.5 * self.packing.fill_height_m / self.radius_m),
-            "damping_ratio": direct / (2.0 * sqrt(mass * stiffness)) if direct is not None else ratio,
-            "wall_stiffness_ratio": walls.normal_stiffness_N_m2 / stiffness,
-            "stiffness_ratio": self.discs.stiffness_ratio,
-            "disc_friction": self.discs.sliding_friction,
-            "wall_friction": walls.sliding_friction,
-        }
-
-    def _kinds(self, walls: ContactConfig) -> Iterator[tuple[str, object, object]]:
-        """Keys whose values make a scene of the kind that was measured: name, value, the one measured."""
-        across, up = self.gravity_m_s2
-        yield "packing.kind", self.packing.kind, "rows"
-        yield "silo.hopper_half_angle_deg", self.silo.hopper_half_angle_deg, None
-        yield "quake", self.quake, None
-        yield "gravity", "straight down" if across == 0 and up < 0 else self.gravity_m_s2, "straight down"
-        for name, contact in (("discs", self.discs), ("walls", walls)):
-            for family, law in contact.laws.items():
-                yield f"{name}.{family}", law.key, MEASURED[family]
-            yield f"{name}.line_contact", contact.line_contact, None
 
     @model_validator(mode="after")
     def _one_step(self) -> Self:

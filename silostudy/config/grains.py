@@ -6,6 +6,15 @@ from pydantic import Field, model_validator
 
 from silostudy.config.fields import Strict, described
 from silostudy.config.study import BaseStudy
+from silostudy.tables.kiyama_1983 import (
+    DENSITY,
+    DISC_FRICTION,
+    NORMAL_DAMPING,
+    NORMAL_STIFFNESS,
+    RADIUS,
+    SILO_WIDTH,
+    STIFFNESS_RATIO,
+)
 from silostudy.tables.records import RECORDS
 
 RecordKey: TypeAlias = Literal[tuple(RECORDS)]  # type: ignore[valid-type]
@@ -15,20 +24,20 @@ Packing = Literal["rows_17_18", "rows_11_12", "loose"]
 class Box(Strict):
     """A plane box with a flat floor."""
 
-    width_m: float = described("inner width", "m", gt=0, default=0.4)
+    width_m: float = described("inner width", "m", gt=0, default=SILO_WIDTH)
     slenderness: float = described("height of the fill before it settles, over the width", gt=0, le=10)
 
 
 class Grains(Strict):
     """The discs, by default those of Kiyama and Fujimura (1983); walls are twice as stiff."""
 
-    radius_m: float = described("radius", "m", gt=0, default=0.01)
+    radius_m: float = described("radius", "m", gt=0, default=RADIUS)
     radius_spread: float = described("relative half-width of the radii of a loose packing", ge=0, lt=1, default=0.2)
-    density_kg_m3: float = described("density of a disc", "kg m-3", gt=0, default=2650.0)
-    normal_stiffness_N_m2: float = described("normal stiffness per metre thickness", "N m-2", gt=0, default=9.462726e6)
-    normal_damping_N_s_m2: float = described("normal damping per metre thickness", "N s m-2", gt=0, default=3977.4645)
-    stiffness_ratio: float = described("tangential over normal stiffness", gt=0, default=0.25)
-    sliding_friction: float = described("friction between discs", ge=0, default=0.577)
+    density_kg_m3: float = described("density of a disc", "kg m-3", gt=0, default=DENSITY)
+    normal_stiffness_N_m2: float = described("normal stiffness per metre thickness", "N m-2", gt=0, default=NORMAL_STIFFNESS)
+    normal_damping_N_s_m2: float = described("normal damping per metre thickness", "N s m-2", gt=0, default=NORMAL_DAMPING)
+    stiffness_ratio: float = described("tangential over normal stiffness", gt=0, default=STIFFNESS_RATIO)
+    sliding_friction: float = described("friction between discs", ge=0, default=DISC_FRICTION)
 
 
 class Shaking(Strict):

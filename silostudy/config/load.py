@@ -7,6 +7,8 @@ import yaml
 from pydantic import BaseModel, ValidationError
 
 from silostudy.config.fields import Strict, described
+from silostudy.config.own import OwnMethods
+from silostudy.config.own_rows import Families, joined
 from silostudy.config.study import BaseStudy
 from silostudy.errors import BadInput, unknown
 from silostudy.stages import KINDS
@@ -45,10 +47,13 @@ def read_yaml(path: Path) -> dict[str, Any]:
     return content
 
 
-def validated(model: type[M], content: Any, where: str, context: Any = None) -> M:
-    """The content as a model; BadInput with one line for each mistake."""
+def validated(model: type[M], content: Any, where: str, families: Families | None = None) -> M:
+    """The content as a model, its keys of the families given where rows of the user's own joined them.
+
+    BadInput with one line for each mistake.
+    """
     try:
-        return model.model_validate(content, context=context)
+        return model.model_validate(content, context={"families": families or {}})
     except ValidationError as error:
         raise Mistakes([_line(item, content, where) for item in error.errors()]) from None
 
@@ -101,19 +106,25 @@ def _unit_hint(key: str, siblings: Any) -> str:
     return ""
 
 
-def study_of(content: dict[str, Any], where: str, traits: Any = None) -> BaseStudy:
-    """A study from the content of its file; BadInput lists every mistake.
-
-    traits: of its scenes, where they are built: what its errors hang on, for a study that asks for an accuracy.
-    """
+def study_of(content: dict[str, Any], where: str, folder: Path = Path()) -> BaseStudy:
+    """A study as asked, from the content of its file; files that it names are in `folder`.  BadInput lists every mistake."""
     if content.get("kind") not in KINDS:
         raise unknown("kind", content.get("kind"), KINDS, where)
-    return validated(KINDS[content["kind"]].study, content, where, traits)
+    model = KINDS[content["kind"]].study
+    return validated(model, content, where, own_families(model, content, where, folder))
+
+
+def own_families(model: type[BaseModel], content: dict[str, Any], where: str, folder: Path) -> Families:
+    """The families that a content may choose from, where it names a file of the user's own; empty where it does not."""
+    named = content.get("methods_from")
+    if not (issubclass(model, OwnMethods) and isinstance(named, str)):
+        return {}  # pydantic says what is wrong with it
+    return joined(model.joins, folder / named, where)
 
 
 def read_study(path: Path) -> BaseStudy:
-    """The study in a file; BadInput lists every mistake."""
-    return study_of(read_yaml(path), str(path))
+    """The study in a file, as asked; BadInput lists every mistake."""
+    return study_of(read_yaml(path), str(path), path.parent)
 
 
 def load_project(path: Path) -> tuple[dict[str, Path], dict[str, Path]]:

@@ -1,12 +1,47 @@
-"""A study may bring rows of the user's own, which join the families for that study alone."""
+"""A study may name a Python file of the user's own, whose rows join the families for that study alone."""
 
-from typing import Annotated, Any
+from typing import Annotated, Any, ClassVar, Literal, Self, TypeVar
 
-from pydantic import AfterValidator, ValidationInfo, WithJsonSchema
+from pydantic import AfterValidator, Discriminator, PrivateAttr, Tag, ValidationInfo, WithJsonSchema, model_validator
 
-from silostudy.catalogue import Family
+from silostudy.catalogue import Family, Row
+from silostudy.config.fields import Strict, described
+from silostudy.config.own_rows import Families
 
-Families = dict[str, Family]  # by the name of the family
+R = TypeVar("R", bound=Row)
+
+
+class OwnMethods(Strict):
+    """What may name such a file; the rows come with the context of the validation (see `load`)."""
+
+    joins: ClassVar[tuple[Family, ...]]  # families that the rows may join
+
+    methods_from: str | None = described(
+        "Python file with methods of your own, relative to this file (README, Your own method)",
+        "",
+        default=None,
+    )
+    _families: Families = PrivateAttr(default_factory=dict)
+
+    @model_validator(mode="after")
+    def _with_families(self, info: ValidationInfo) -> Self:
+        self._families = families_of(info)
+        return self
+
+    @property
+    def families(self) -> Families:
+        """The families that the user's rows joined, by name; empty where none did."""
+        return self._families
+
+    def family(self, shipped: Family[R]) -> Family[R]:
+        """A family of the package with the rows of the user's own."""
+        return self._families.get(shipped.name, shipped)
+
+    @property
+    def own_methods(self) -> dict[str, str]:
+        """Attributes for a cube: name and hash of the file whose rows joined; empty where none did."""
+        origins = {row.origin for family in self._families.values() for row in family.values() if row.origin}
+        return {"own_methods": ", ".join(origins)} if origins else {}
 
 
 def families_of(info: ValidationInfo) -> Families:
@@ -25,3 +60,13 @@ def key_of(family: Family) -> Any:
 
     schema = {"anyOf": [{"enum": list(family), "type": "string"}, {"type": "string"}]}
     return Annotated[str, AfterValidator(known), WithJsonSchema(schema)]
+
+
+def keys_of(family: Family) -> Any:
+    """Type of several keys of a family, or the word all."""
+    several = Annotated[tuple[key_of(family), ...], Tag("keys")]  # type: ignore[misc, valid-type]
+    return Annotated[several | Annotated[Literal["all"], Tag("all")], Discriminator(_which)]
+
+
+def _which(value: Any) -> str:
+    return "all" if isinstance(value, str) else "keys"

@@ -3,38 +3,42 @@
 from itertools import pairwise
 from typing import ClassVar, Literal, Self, TypeAlias
 
-from pydantic import Field, field_validator, model_validator
+from pydantic import Field, ValidationInfo, field_validator, model_validator
 
+from silostudy.catalogue import Family
 from silostudy.config.asked import Asked
 from silostudy.config.fields import Numbers, Range, Strict, described, expand
+from silostudy.config.own import OwnMethods, families_of, key_of, keys_of
 from silostudy.config.scene import SceneConfig
 from silostudy.config.study import BaseStudy, distinct
 from silostudy.pressure import PRESSURE
 from silostudy.pressure.family import PHASES, USUAL_PHASES
 from silostudy.tables.outputs import OUTPUTS
 
-MethodKey: TypeAlias = Literal[tuple(PRESSURE)]  # type: ignore[valid-type]
+MethodKey: TypeAlias = key_of(PRESSURE)  # type: ignore[valid-type]
+MethodKeys: TypeAlias = keys_of(PRESSURE)  # type: ignore[valid-type]
 PhaseKey: TypeAlias = Literal[PHASES]  # type: ignore[valid-type]
 
 
 class Uncertainty(Strict):
     """Scatter of the stored solid, sampled: mean times or over the solid's a_phi, a_K, a_mu, and its unit weights."""
 
-    log2_samples: int = described("sample size as a power of two", ge=6, le=16, default=10)
+    log2_samples: int | None = described("sample size as a power of two; null: for the accuracy", ge=6, le=16, default=10)
     seed: int = described("seed of the quasi-random sequence: the same seed gives the same numbers", ge=0, default=1)
 
 
-class PressureStudy(Asked, BaseStudy):
+class PressureStudy(Asked, OwnMethods, BaseStudy):
     """Wall pressures of silos by theories and design codes."""
 
-    front: ClassVar[str] = "pressure"
+    fronts: ClassVar[tuple[str, ...]] = ("pressure",)
+    joins: ClassVar[tuple[Family, ...]] = (PRESSURE,)
 
     kind: Literal["pressure"] = described("pressure: wall pressures by theories and design codes", "")
     scene: SceneConfig = described("the base scene", "")
     materials: str | None = described(
         "CSV file with further solids, relative to the study file, in the columns of the solids table", "", default=None
     )
-    methods: tuple[MethodKey, ...] | Literal["all"] = described("pressure methods, or all", "")
+    methods: MethodKeys = described("pressure methods, or all", "")
     as_printed: tuple[MethodKey, ...] = described(
         "methods to give a second time with the source's misprints left in", "", default=()
     )
@@ -65,10 +69,11 @@ class PressureStudy(Asked, BaseStudy):
 
     @field_validator("as_printed")
     @classmethod
-    def _has_misprint(cls, keys):
+    def _has_misprint(cls, keys, info: ValidationInfo):
+        methods = families_of(info).get(PRESSURE.name, PRESSURE)
         for key in keys:
-            if not PRESSURE[key].has_misprint:
-                known = ", ".join(k for k, row in PRESSURE.items() if row.has_misprint)
+            if not methods[key].has_misprint:
+                known = ", ".join(k for k, row in methods.items() if row.has_misprint)
                 raise ValueError(f"{key} has no misprint in the source; known: {known}")
         return keys
 
@@ -92,7 +97,9 @@ class PressureStudy(Asked, BaseStudy):
 
     @model_validator(mode="after")
     def _one_depth_axis(self) -> Self:
-        if (self.depth_m is None) == (self.relative_depth is None):
+        if self.decides("relative_depth") and self.depth_m is not None:
+            raise ValueError("give either depth_m or an accuracy that decides relative_depth, and not both")
+        if not self.decides("relative_depth") and (self.depth_m is None) == (self.relative_depth is None):
             raise ValueError("give either depth_m or relative_depth, and not both")
         if self.relative_depth is not None and expand(self.relative_depth)[-1] > 1:
             raise ValueError("relative_depth ends at 1, the transition")
@@ -120,11 +127,11 @@ class PressureStudy(Asked, BaseStudy):
     @property
     def method_keys(self) -> tuple[str, ...]:
         """The methods asked for, in order."""
-        return tuple(PRESSURE) if self.methods == "all" else self.methods
+        return tuple(self.family(PRESSURE)) if self.methods == "all" else self.methods
 
     @property
     def depths(self) -> list[float]:
         """The depth axis: metres, or relative depths."""
         given = self.depth_m if self.depth_m is not None else self.relative_depth
-        assert given is not None  # the validator above asks for one of the two
+        assert given is not None, "relative_depth is not chosen yet"  # else the validator above asks for one of the two
         return expand(given)

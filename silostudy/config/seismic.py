@@ -144,7 +144,7 @@ class Identification(Strict):
     """How the effective mass coefficient is found from a measured response, and how sure that is."""
 
     coefficients: Range = described("effective mass coefficients to try")
-    refinement: int = described("finer steps in each of theirs", ge=1, le=1000, default=10)
+    refinement: int | None = described("finer steps in each of theirs; null: for the accuracy", ge=1, le=1000, default=10)
     shown_coefficients: Numbers = described("coefficients whose histories and spectra are kept and drawn")
     band_Hz: tuple[float, float] = described("band of the likeness indices", "Hz")
     damping_mismatch: float = described("relative half-width within which the damping ratio is known", ge=0, lt=1)
@@ -172,13 +172,14 @@ class Identification(Strict):
     def fine_coefficients(self) -> list[float]:
         """The coefficients with `refinement` steps in each of theirs."""
         coarse = self.coefficients
+        assert self.refinement is not None, "identification.refinement is not chosen yet"
         return Range(start=coarse.start, stop=coarse.stop, count=(coarse.count - 1) * self.refinement + 1).expand()
 
 
 class SeismicStudy(Asked, BaseStudy):
     """What an earthquake asks of a silo's wall, and where a response was measured the effective mass of the contents."""
 
-    front: ClassVar[str] = "seismic"
+    fronts: ClassVar[tuple[str, ...]] = ("seismic",)
 
     kind: Literal["seismic"] = described("seismic: a silo in an earthquake, and the effective mass of its contents", "")
     scene: SeismicScene = described("the base scene", "")
@@ -191,11 +192,15 @@ class SeismicStudy(Asked, BaseStudy):
         "find the effective mass coefficient from scene.measured; null: only the demand on the wall", "", default=None
     )
     seed: int = described("seed of noise and trials", ge=0, default=0)
-    relative_depth: Range | Numbers = described("depths over the height of the contents, 0 ... 1, for the demand on the wall")
+    relative_depth: Range | Numbers | None = described(
+        "depths over the height of the contents, 0 ... 1, for the demand on the wall; null: for the accuracy"
+    )
 
     @field_validator("relative_depth")
     @classmethod
     def _inside(cls, depths):
+        if depths is None:
+            return None
         listed = expand(depths)
         if listed != sorted(set(listed)) or listed[0] < 0 or listed[-1] > 1:
             raise ValueError("must rise within 0 ... 1, none twice")

@@ -4,6 +4,7 @@ from typing import ClassVar, Literal, Self
 
 from pydantic import model_validator
 
+from silostudy.catalogue import Family
 from silostudy.config.buckling import RuleChoice
 from silostudy.config.fields import Strict, described
 from silostudy.config.pressure import PressureStudy
@@ -31,7 +32,8 @@ class Earthquake(Strict):
 class ShellStudy(PressureStudy, RuleChoice):
     """A pressure study that goes on to the shell."""
 
-    front: ClassVar[str] = "shell"
+    fronts: ClassVar[tuple[str, ...]] = ("shell", "pressure")
+    joins: ClassVar[tuple[Family, ...]] = (*PressureStudy.joins, *RuleChoice.joins)
 
     kind: Literal["shell"] = described("shell: wall pressures, and the steel wall that carries them", "")  # type: ignore[assignment]
     scene: SteelSilo = described("the base scene", "")

@@ -1,6 +1,7 @@
 """What a user writes to ask for a parametric study: axes, and what every kind of study shares."""
 
 from itertools import pairwise
+from pathlib import Path
 from typing import Any, ClassVar, Literal, Self, TypeAlias
 
 from pydantic import field_validator, model_validator
@@ -8,9 +9,11 @@ from pydantic import field_validator, model_validator
 from silostudy.config.fields import Range, Strict, described, expand
 from silostudy.stages import called_for
 from silostudy.tables.outputs import OUTPUTS
+from silostudy.tables.references import beside
 
 OutputKey: TypeAlias = Literal[tuple(OUTPUTS)]  # type: ignore[valid-type]
-TAKEN = ("method", "phase", "depth", "relative_depth", "hopper_position", "case", "rule")
+TAKEN = ("pressure_method", "phase", "depth", "relative_depth", "hopper_position", "case", "rule")
+KEYWORDS = ("method", "tolerance", "drop", "indexers")  # of xarray's sel: a dimension of such a name cannot be selected by it
 
 
 class Axis(Strict):
@@ -32,6 +35,8 @@ class Axis(Strict):
     def _free_name(cls, name: str) -> str:
         if name in TAKEN:
             raise ValueError(f"this name is the cube's own; not one of {', '.join(TAKEN)}")
+        if name in KEYWORDS:
+            raise ValueError(f"this name is a keyword of xarray's; not one of {', '.join(KEYWORDS)}")
         return name
 
     @model_validator(mode="after")
@@ -90,6 +95,11 @@ class BaseStudy(Strict):
     def stages(self) -> tuple[str, ...]:
         """The cubes that the study asks for, in order: results/<study>/<stage>.nc, each by a sub-command of that name."""
         return called_for(self)
+
+    def named_files(self, folder: Path) -> tuple[Path, ...]:
+        """Files of the user's own that the study names, with the references beside them."""
+        names = filter(None, (getattr(self, field, None) for field in ("materials", "methods_from")))
+        return tuple(file for name in names for file in (folder / name, beside(folder / name)) if file.is_file())
 
     @field_validator("outputs")
     @classmethod

@@ -1,6 +1,7 @@
 """One table of every variable a cube may hold (variables.csv), and the check that a dataset keeps to it."""
 
 import csv
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -8,50 +9,78 @@ import xarray as xr
 
 from silostudy.errors import BadInput
 
+SCOPE = "_scope"  # ending of the flags that say why values of a variable are masked
+
 
 @dataclass(frozen=True)
 class Variable:
-    """Name, unit, what it is, and its dimensions; '...' are the sweep axes, 'depth' also a relative depth."""
+    """Name, unit, what it is, its dimensions ('...' are the sweep axes, 'depth' also a relative depth), and its role.
+
+    role: a `coordinate` labels dimensions, `data` are everything else.
+    """
 
     name: str
     units: str
     long_name: str
     dims: tuple[str, ...]
+    role: str
+
+    def dims_in(self, axes: Sequence[str], *, relative: bool) -> tuple[str, ...]:
+        """Its dimensions in a cube of these sweep axes, over relative depths or over depths; of an own dimension only that."""
+        filled: list[str] = []
+        for dim in self.dims:
+            filled += axes if dim == "..." else ["relative_depth" if dim == "depth" and relative else dim]
+        return (self.name,) if self.name in filled else tuple(filled)
 
 
 def _variables() -> dict[str, Variable]:
     with (Path(__file__).parent / "variables.csv").open(encoding="utf-8", newline="") as stream:
         rows = list(csv.DictReader(stream))
-    return {row["name"]: Variable(row["name"], row["units"], row["long_name"], tuple(row["dims"].split())) for row in rows}
+    return {row["name"]: Variable(**{**row, "dims": tuple(row["dims"].split())}) for row in rows}  # type: ignore[arg-type]
 
 
 VARIABLES = _variables()
-# depth is an axis in one study and a field over the axes in another, so its dimensions are free
-DEPTH = Variable("depth", "m", "depth below the equivalent flat surface of the stored solid", ())
+
+
+def variable(name: str) -> Variable:
+    """The row of a variable, or of the one that it is the scope of; BadInput where there is none."""
+    found = VARIABLES.get(name.removesuffix(SCOPE))
+    if found is None:
+        raise BadInput("variable", name, f"not in the cube's contract; known: {', '.join(VARIABLES)}")
+    return found
 
 
 def check(cube: xr.Dataset) -> xr.Dataset:
-    """The cube itself, if every variable is known with its unit and dimensions; BadInput otherwise."""
+    """The cube itself, if every variable has its unit, dimensions and role and every dimension is labelled; else BadInput."""
     axes = cube.attrs.get("sweep_axes", "").split()
     for name in map(str, cube.variables):
-        dims, units = tuple(map(str, cube[name].dims)), cube[name].attrs.get("units", "1")
-        known = DEPTH if name == "depth" else VARIABLES.get(name.removesuffix("_scope"))
-        if known is None or name in axes:
-            if not set(dims) <= set(axes):  # coordinates of the sweep axes carry the study's own names
-                raise BadInput("variable", name, f"not in the cube's contract; known: {', '.join(VARIABLES)}, depth")
-        elif known is not DEPTH and dims != expected_dims(known, cube):
-            raise BadInput(f"dimensions of {name}", dims, f"must be {expected_dims(known, cube)}")
-        elif units != known.units and not name.endswith("_scope"):
-            raise BadInput(f"units of {name}", units, f"must be {known.units}")
+        if not _of_an_axis(cube[name], axes):  # coordinates of the sweep axes carry the study's own names
+            _check_variable(cube, name, axes)
+    for dim in map(str, cube.dims):
+        if not any(_labels(coordinate, dim, axes) for coordinate in cube.coords.values()):
+            raise BadInput("dimension", dim, "has no coordinate that labels it")
     return cube
 
 
-def expected_dims(variable: Variable, cube: xr.Dataset) -> tuple[str, ...]:
-    """The variable's dimensions with '...' replaced by the cube's sweep axes and depth by the cube's kind of depth."""
-    filled: list[str] = []
-    for dim in variable.dims:
-        if dim == "...":
-            filled += cube.attrs.get("sweep_axes", "").split()
-        else:
-            filled.append("relative_depth" if dim == "depth" and "relative_depth" in cube.dims else dim)
-    return tuple(filled)
+def _of_an_axis(one: xr.DataArray, axes: list[str]) -> bool:
+    """Whether a variable is an axis' own coordinate, or one that hangs beside it where several keys change together."""
+    name, along = str(one.name), [str(dim) for dim in one.dims]
+    return name in axes or (len(along) == 1 and along[0] in axes and name.startswith(f"{along[0]}_") and name in one.coords)
+
+
+def _labels(coordinate: xr.DataArray, dim: str, axes: list[str]) -> bool:
+    return coordinate.dims == (dim,) or set(coordinate.dims) - set(axes) == {dim}
+
+
+def _check_variable(cube: xr.Dataset, name: str, axes: list[str]) -> None:
+    known, one = variable(name), cube[name]
+    expected = known.dims_in(axes, relative="relative_depth" in cube.dims)
+    role = "coordinate" if name in cube.coords else "data"
+    if one.dims != expected:
+        raise BadInput(f"dimensions of {name}", one.dims, f"must be {expected}")
+    if name.endswith(SCOPE):
+        return
+    if one.attrs.get("units", "1") != known.units:
+        raise BadInput(f"units of {name}", one.attrs["units"], f"must be {known.units}")
+    if role != known.role:
+        raise BadInput(f"role of {name}", role, f"must be {known.role}")

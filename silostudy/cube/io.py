@@ -6,6 +6,7 @@ import numpy as np
 import xarray as xr
 
 from silostudy.cube.contract import check
+from silostudy.cube.provenance import CONTRACT
 from silostudy.errors import BadInput
 from silostudy.files import replacing
 
@@ -30,15 +31,24 @@ def _encoding(variable: xr.DataArray, axes: list[str]) -> dict:
 
 
 def _may_be_masked(variable: xr.DataArray) -> bool:
-    return variable.name not in variable.coords  # CF: coordinates must not hold missing values
+    """Whether values may be missing: in data, and in a label that has no value everywhere; CF forbids it in an axis' own."""
+    return variable.name not in variable.coords or (variable.name not in variable.dims and bool(variable.isnull().any()))
 
 
 def read(path: Path) -> xr.Dataset:
-    """A checked cube, loaded into memory; BadInput where the file is no cube."""
+    """A checked cube, loaded into memory; BadInput where the file is no cube, or one of another contract."""
     try:
         with xr.open_dataset(path) as cube:
+            _of_this_contract(cube, path)
             return check(cube.load())
     except (OSError, ValueError) as error:
         if isinstance(error, BadInput):
             raise
         raise BadInput("cube", str(path), f"must be a netCDF file of this package ({error})") from None
+
+
+def _of_this_contract(cube: xr.Dataset, path: Path) -> None:
+    maker, contract = str(cube.attrs.get("source", "")), int(cube.attrs.get("cube_contract", 1))
+    if maker.startswith("silostudy") and contract != CONTRACT:
+        told = f"was written by {maker} with names and dimensions of contract {contract}, and not {CONTRACT}"
+        raise BadInput("cube", str(path), f"{told}: compute it again")

@@ -11,13 +11,17 @@ from silostudy.tables.references import cite
 PACKAGES = ("numpy", "scipy", "xarray", "netCDF4", "numba")
 
 
-def provenance(title: str, study: str, sources: Iterable[str], stage: str) -> dict[str, str]:
+CONTRACT = 2  # of names and dimensions in a cube; 1: the dimension of pressure methods was `method`, a keyword of xarray's
+
+
+def provenance(title: str, study: str, sources: Iterable[str], stage: str) -> dict[str, str | int]:
     """Attributes: study (canonical JSON) and its hash, stamp of the stage's sources, package versions, references used."""
     return {
         "Conventions": "CF-1.11",
         "title": title,
         "institution": "unknown (set by whoever publishes the file)",
         "source": f"silostudy {__version__}",
+        "cube_contract": CONTRACT,
         "history": f"computed by silostudy {__version__}",
         "references": "\n".join(cite(key) for key in dict.fromkeys(sources)),
         "study": study,

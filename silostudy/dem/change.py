@@ -32,8 +32,7 @@ def keep_discs(engine: Engine, kept: np.ndarray) -> None:
 
 def swap_walls(engine: Engine, gone: str, come: tuple[str, ...]) -> None:
     """Take a wall away and put others there; contacts that are still in touch with those keep their histories."""
-    names = [wall.name for wall in engine.model.walls]
-    old, new = names.index(gone), [names.index(name) for name in come]
+    old, *new = (engine.model.wall_number(name) for name in (gone, *come))
     pairs, near = engine.take_memories()
     disc, wall = near.key >> SHIFT, near.key & LOW
     for k in np.flatnonzero(wall == old):

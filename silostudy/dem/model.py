@@ -10,7 +10,7 @@ import numpy as np
 from silostudy.contact import Law
 from silostudy.dem.integrate import INTEGRATORS
 from silostudy.dem.pieces import Laws, Pieces
-from silostudy.errors import BadInput
+from silostudy.errors import BadInput, unknown
 
 TINY = 1e-200  # kg m: beyond it and its inverse, squares of what the engine computes with leave the range of numbers
 
@@ -89,7 +89,7 @@ class Model:
     pair_contact: Contact
     wall_contact: Contact
     dt: float
-    gravity: tuple[float, float] = (0.0, -9.81)
+    gravity: tuple[float, float]
     integrator: str = "17-18"
     quake: np.ndarray | None = None
     watched: bool = False
@@ -126,6 +126,17 @@ class Model:
         for law in (self.pair_contact.laws.rows[0], self.wall_contact.laws.rows[0]):
             if self.unequal and law.one_size:
                 raise BadInput("normal", law.key, "the curve is for discs of one size")
+
+    def wall_number(self, name: str) -> int:
+        """Number of the wall of a name, as contacts count walls; BadInput for a name that no wall has."""
+        names = [wall.name for wall in self.walls]
+        if name not in names:
+            raise unknown("wall", name, names)
+        return names.index(name)
+
+    def wall_named(self, name: str) -> Wall:
+        """The wall of a name."""
+        return self.walls[self.wall_number(name)]
 
     @property
     def unequal(self) -> bool:

@@ -112,6 +112,18 @@ def shape_of(walls) -> np.ndarray:
     return np.array(rows, float).reshape(-1, 7)
 
 
+def wall_cells(model, name: str) -> np.ndarray:
+    """Numbers of a wall's recorded cells: its start, its parts, its end."""
+    first, inner = cells_of(model.walls)[model.wall_number(name)]
+    return np.arange(first, first + inner + 2)
+
+
+def sums_by_wall(model, cells: np.ndarray, axis: int = 0) -> dict[str, np.ndarray]:
+    """Sums over each wall of what its cells hold, by the walls' names; `axis`: that of the cells."""
+    sums = np.add.reduceat(cells, cells_of(model.walls)[:, 0], axis=axis)
+    return {wall.name: sums.take(number, axis=axis) for number, wall in enumerate(model.walls)}
+
+
 def cells_of(walls) -> np.ndarray:
     """First cell and number of inner cells of each wall; the two ends have a cell each, before and after the inner ones."""
     inner = np.array([wall.cells for wall in walls], np.int64)

@@ -28,10 +28,10 @@ HATCHES = {"filling": "\\\\\\\\", "switch": "....", "discharge": "////"}
 
 def draw(cube: xr.Dataset, stem: Path, sampled: xr.Dataset | None = None) -> None:
     """Writes the figure and the curves, the bands and the measured points it shows; `sampled`: the uncertainty cube."""
-    static = cube["wall_normal_pressure"].sel({"method": "janssen", "phase": "filling"})
+    static = cube["wall_normal_pressure"].sel(pressure_method="janssen", phase="filling")
     figure, (left, right) = plt.subplots(1, 2, figsize=(12.5, 8.4), sharey=True, width_ratios=(1.3, 1))
     tables = []
-    for method in map(str, cube["method"].values):
+    for method in map(str, cube["pressure_method"].values):
         if not (method.startswith(SETS) and method != LOCAL):
             for phase in _phases(cube, method):
                 tables.append(_curve(cube, method, phase, static))
@@ -57,10 +57,10 @@ def draw(cube: xr.Dataset, stem: Path, sampled: xr.Dataset | None = None) -> Non
 def _phases(cube: xr.Dataset, method: str) -> list[str]:
     """Phases with a curve of their own: Jenike's filling, and all of 1969, are Janssen's."""
     pressure = cube["wall_normal_pressure"]
-    static = pressure.sel({"method": "janssen", "phase": "filling"})
+    static = pressure.sel(pressure_method="janssen", phase="filling")
     shown = []
     for phase in map(str, cube["phase"].values):
-        one = pressure.sel({"method": method, "phase": phase})
+        one = pressure.sel(pressure_method=method, phase=phase)
         same = method != "janssen" and np.allclose(one, static, rtol=1e-12, atol=0)
         if one.notnull().any() and not same:
             shown.append(phase)
@@ -68,16 +68,16 @@ def _phases(cube: xr.Dataset, method: str) -> list[str]:
 
 
 def _curve(cube: xr.Dataset, method: str, phase: str, static: xr.DataArray) -> pd.DataFrame:
-    pressure = cube["wall_normal_pressure"].sel({"method": method, "phase": phase})
+    pressure = cube["wall_normal_pressure"].sel(pressure_method=method, phase=phase)
     ratio = (pressure / static.where(static > 0)).values
     table = {"curve": f"{title(cube, method)}, {phase}", "depth_m": cube["depth"].values}
     table |= {"wall_normal_pressure_kPa": pressure.values / 1e3, "ratio_to_janssen": ratio}
-    table["number"] = str(cube["method_number"].sel({"method": method}).values)
+    table["number"] = str(cube["pressure_method_number"].sel(pressure_method=method).values)
     return pd.DataFrame(table).dropna(subset="wall_normal_pressure_kPa")
 
 
 def _draw_curve(axes: tuple[Axes, Axes], cube: xr.Dataset, table: pd.DataFrame, method: str, phase: str) -> None:
-    number = str(cube["method_number"].sel({"method": method}).values)
+    number = str(cube["pressure_method_number"].sel(pressure_method=method).values)
     style = {**look(cube, method), "linestyle": PHASE_LINES[phase], "linewidth": 2.0, "markersize": 6, "markevery": 18}
     if number or method == "reimbert":  # the handbook's curves: thin, told apart by number and marker
         style |= {"linewidth": 0.9, "markersize": 3.5, "alpha": 0.75}
@@ -112,14 +112,17 @@ def _number_ends(axes: Axes, tables: list[pd.DataFrame]) -> None:
 
 def _band(cube: xr.Dataset, phase: str, static: xr.DataArray) -> pd.DataFrame | None:
     """Least and largest wall pressure over the sets of characteristic values."""
-    sets = [m for m in map(str, cube["method"].values) if m.startswith(SETS) and m != LOCAL]
+    sets = [m for m in map(str, cube["pressure_method"].values) if m.startswith(SETS) and m != LOCAL]
     if not sets:
         return None
-    pressure = cube["wall_normal_pressure"].sel({"method": sets, "phase": phase})
+    pressure = cube["wall_normal_pressure"].sel(pressure_method=sets, phase=phase)
     table = {"curve": f"EN 1991-4, all sets of characteristic values, {phase}", "depth_m": cube["depth"].values}
-    table |= {"wall_normal_pressure_kPa": pressure.min("method").values / 1e3, "upper_kPa": pressure.max("method").values / 1e3}
-    table["ratio_to_janssen"] = (pressure.min("method") / static.where(static > 0)).values
-    table["upper_ratio"] = (pressure.max("method") / static.where(static > 0)).values
+    table |= {
+        "wall_normal_pressure_kPa": pressure.min("pressure_method").values / 1e3,
+        "upper_kPa": pressure.max("pressure_method").values / 1e3,
+    }
+    table["ratio_to_janssen"] = (pressure.min("pressure_method") / static.where(static > 0)).values
+    table["upper_ratio"] = (pressure.max("pressure_method") / static.where(static > 0)).values
     return pd.DataFrame(table).dropna(subset="wall_normal_pressure_kPa")
 
 
@@ -146,7 +149,7 @@ def _scatter(axes: tuple[Axes, Axes], cube: xr.Dataset, sampled: xr.Dataset, sta
     bars = np.linspace(0.45, 0.97, len(methods)) * float(cube["cylinder_depth"])
     tables = []
     for method, bar in zip(methods, bars, strict=True):
-        one = sampled["wall_normal_pressure_quantile"].sel({"method": method})
+        one = sampled["wall_normal_pressure_quantile"].sel(pressure_method=method)
         phase = str(one["phase"][int(one.max(["quantile", one.dims[-1]]).argmax("phase"))].values)
         low, high = (one.sel({"phase": phase}).isel(quantile=place).values for place in (0, -1))
         table = {"curve": f"{title(cube, method)}, {phase}, 5 % to 95 % of the sampled solid", "depth_m": depth}

@@ -5,14 +5,15 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.collections import EllipseCollection, LineCollection
 
-GRAVITY = 9.80665
+from silostudy.tables.constants import STANDARD_GRAVITY
+
 DIAMETER_IS = 50 / np.pi  # disc weights: a line as long as a diameter, as in the source's Fig. 6
 CM = 100.0
 
 
 def disc_weight(cube: xr.Dataset) -> float:
     """Weight of a disc (N/m)."""
-    return float(cube.attrs["density_kg_m3"]) * np.pi * float(cube.attrs["radius_m"]) ** 2 * GRAVITY
+    return float(cube.attrs["density_kg_m3"]) * np.pi * float(cube.attrs["radius_m"]) ** 2 * STANDARD_GRAVITY
 
 
 def films(cube: xr.Dataset, *, moving: bool) -> list[int]:

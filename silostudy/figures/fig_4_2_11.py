@@ -9,8 +9,9 @@ from matplotlib.axes import Axes
 from matplotlib.ticker import MaxNLocator
 
 from silostudy.figures.style import PHASE_LINES, look, save, title
+from silostudy.tables.constants import STANDARD_GRAVITY
 
-KPA_PER_T_M2 = 9.80665
+KPA_PER_T_M2 = STANDARD_GRAVITY
 
 
 def draw(cube: xr.Dataset, stem: Path) -> None:
@@ -35,17 +36,17 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
 
 def _curves(cube: xr.Dataset) -> pd.DataFrame:
     """Long table of every curve drawn: all the methods in the cube, Jenike's also with the source's slip."""
-    static = cube["wall_normal_pressure"].sel({"method": "janssen", "phase": "filling"})
+    static = cube["wall_normal_pressure"].sel(pressure_method="janssen", phase="filling")
     parts = []
-    for method in map(str, cube["method"].values):
+    for method in map(str, cube["pressure_method"].values):
         for phase in _phases_shown(cube, method):
-            pressure = cube["wall_normal_pressure"].sel({"method": method, "phase": phase})
+            pressure = cube["wall_normal_pressure"].sel(pressure_method=method, phase=phase)
             table = pd.DataFrame(
                 {
                     "curve": f"{title(cube, method)}, {phase}",
-                    "method": method,
+                    "pressure_method": method,
                     "phase": phase,
-                    "number": str(cube["method_number"].sel({"method": method}).values),
+                    "number": str(cube["pressure_method_number"].sel(pressure_method=method).values),
                     "depth_m": cube["depth"].values,
                     "wall_normal_pressure_t_m2": pressure.values / 1e3 / KPA_PER_T_M2,
                     "ratio_to_janssen": (pressure / static.where(static > 0)).values,
@@ -59,17 +60,17 @@ def _phases_shown(cube: xr.Dataset, method: str) -> list[str]:
     """Phases in which a method has a curve of its own (Jenike's filling is Janssen's, curve 6)."""
     if method.endswith("_as_printed") and method != "jenike_mass_flow_as_printed":
         return []
-    pressure = cube["wall_normal_pressure"].sel({"method": method})
+    pressure = cube["wall_normal_pressure"].sel(pressure_method=method)
     shown = [str(phase) for phase in cube["phase"].values if pressure.sel({"phase": phase}).notnull().any()]
     return [phase for phase in shown if not (method.startswith("jenike") and phase == "filling")]
 
 
 def _style(cube: xr.Dataset, first: pd.Series) -> dict:
-    printed = first.method.endswith("_as_printed")
+    printed = first.pressure_method.endswith("_as_printed")
     return {
-        **look(cube, first.method),
+        **look(cube, first.pressure_method),
         "linestyle": ":" if printed else PHASE_LINES[first.phase],
-        "linewidth": 2.2 if first.method == "janssen" else 1.3,
+        "linewidth": 2.2 if first.pressure_method == "janssen" else 1.3,
         "markersize": 4.5,
         "markerfacecolor": "none" if first.phase == "filling" or printed else None,
         "markevery": 24,

@@ -21,13 +21,15 @@ CASES = {
 
 def draw(cube: xr.Dataset, stem: Path) -> None:
     """Writes the maps, one a method, and their numbers."""
-    methods = [m for m in map(str, cube["method"].values) if cube["hopper_balance"].sel({"method": m}).notnull().any()]
+    methods = [
+        m for m in map(str, cube["pressure_method"].values) if cube["hopper_balance"].sel(pressure_method=m).notnull().any()
+    ]
     methods = [m for m in methods if set(_phases(cube, m)) == {"filling", "discharge"}]
     figure, axes = plt.subplots(1, len(methods) + 1, figsize=(4.4 * (len(methods) + 1), 5.4), squeeze=False, sharey=True)
     colours = ListedColormap([colour for colour, _ in CASES.values()])
     tables = []
     for panel, method in zip(axes[0], methods, strict=False):
-        case, largest = governing(cube.sel({"method": method}))
+        case, largest = governing(cube.sel(pressure_method=method))
         panel.pcolormesh(
             cube["slenderness"], _angles(cube), case, cmap=colours, norm=BoundaryNorm(np.arange(5) - 0.5, 4), shading="nearest"
         )
@@ -66,7 +68,7 @@ def governing(one: xr.Dataset) -> tuple[xr.DataArray, xr.DataArray]:
 
 
 def _phases(cube: xr.Dataset, method: str) -> list[str]:
-    pressure = cube["hopper_normal_pressure"].sel({"method": method})
+    pressure = cube["hopper_normal_pressure"].sel(pressure_method=method)
     return [p for p in ("filling", "discharge") if pressure.sel({"phase": p}).notnull().any()]
 
 
@@ -84,8 +86,8 @@ def _write(panel, cube: xr.Dataset, here: np.ndarray, short: str) -> None:
 
 def _ring(panel, cube: xr.Dataset, methods: list[str]) -> None:
     """Contours of the ring force in flow over the contents and load of the hopper."""
-    with_ring = [m for m in methods if cube["ring_force"].sel({"method": m, "phase": "discharge"}).notnull().any()]
-    one = cube.sel({"method": with_ring[0], "phase": "discharge"}).transpose("half_angle", "slenderness", ...)
+    with_ring = [m for m in methods if cube["ring_force"].sel(pressure_method=m, phase="discharge").notnull().any()]
+    one = cube.sel(pressure_method=with_ring[0], phase="discharge").transpose("half_angle", "slenderness", ...)
     share = 100 * one["ring_force"] / (one["hopper_weight"] + one["transition_force"])
     lines = panel.contour(
         cube["slenderness"], _angles(cube), share, levels=[1, 10, 20, 30, 40, 50, 60, 70, 80], colors="black", linewidths=1
@@ -96,7 +98,9 @@ def _ring(panel, cube: xr.Dataset, methods: list[str]) -> None:
 
 def _numbers(case: xr.DataArray, largest: xr.DataArray, method: str) -> pd.DataFrame:
     names = list(CASES)
-    table = largest.rename("largest_Pa").drop_vars(["phase", "method"], errors="ignore").to_dataframe().reset_index()
+    table = largest.rename("largest_Pa").drop_vars(["phase", "pressure_method"], errors="ignore").to_dataframe().reset_index()
     table["case"] = [names[int(number)] if number == number else "" for number in case.values.ravel()]
     table["half_angle_deg"] = np.degrees(table["half_angle"])
-    return table.assign(method=method)[["method", "half_angle_deg", "slenderness", "case", "largest_Pa"]].dropna()
+    return table.assign(pressure_method=method)[
+        ["pressure_method", "half_angle_deg", "slenderness", "case", "largest_Pa"]
+    ].dropna()

@@ -27,8 +27,8 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     figure, axes = plt.subplots(
         rows, columns, figsize=(3.1 * columns, 3.1 * rows + 1.2), squeeze=False, sharex=True, sharey=True
     )
-    methods = list(map(str, cube["method"].values))
-    colours = ListedColormap([str(c) for c in cube["method_colour"].values])
+    methods = list(map(str, cube["pressure_method"].values))
+    colours = ListedColormap([str(c) for c in cube["pressure_method_colour"].values])
     norm = BoundaryNorm(np.arange(len(methods) + 1) - 0.5, len(methods))
     for panel, solid in zip(axes.flat, solids, strict=False):
         here = index.sel({"solid": solid}) if solid else index
@@ -53,8 +53,8 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
 def _governing(cube: xr.Dataset) -> tuple[xr.DataArray, xr.DataArray]:
     """(place of the governing method on the method axis or -1, its pressure in Pa), over either phase."""
     pressure = cube["wall_normal_pressure"].max("phase")
-    place = pressure.fillna(-np.inf).argmax("method")
-    largest = pressure.max("method")
+    place = pressure.fillna(-np.inf).argmax("pressure_method")
+    largest = pressure.max("pressure_method")
     return place.where(largest.notnull(), -1), largest
 
 
@@ -82,13 +82,17 @@ def _write_numbers(panel, field: xr.DataArray, cube: xr.Dataset, level: str) -> 
         where = np.argwhere(field.values == place)
         if len(where) >= 0.02 * field.size:
             row, column = where[np.argmin(np.abs((where - where.mean(axis=0)) / field.shape).sum(axis=1))]
-            number = str(cube["method_number"].values[place]) or str(cube["method"].values[place])
+            number = str(cube["pressure_method_number"].values[place]) or str(cube["pressure_method"].values[place])
             panel.text(float(field["slenderness"][column]), float(field[level][row]), number, ha="center", va="center")
 
 
 def _numbers(index: xr.DataArray, largest: xr.DataArray, methods: list[str]) -> pd.DataFrame:
     table = xr.Dataset({"place": index, "wall_normal_pressure_Pa": largest}).to_dataframe().reset_index()
     table = table[table.place >= 0]
-    table["method"] = [methods[int(place)] for place in table.place]
-    keep = [c for c in ("solid", "slenderness", "relative_depth", "depth", "method", "wall_normal_pressure_Pa") if c in table]
+    table["pressure_method"] = [methods[int(place)] for place in table.place]
+    keep = [
+        c
+        for c in ("solid", "slenderness", "relative_depth", "depth", "pressure_method", "wall_normal_pressure_Pa")
+        if c in table
+    ]
     return table[keep]

@@ -9,10 +9,11 @@ import xarray as xr
 
 from silostudy.figures.shaken import COLOURS, LINES
 from silostudy.figures.style import save
+from silostudy.tables.constants import STANDARD_GRAVITY
 
 MARKERS = ("o", "s", "^", "D", "v", "P")
 AXES = {
-    "amplitude": ("amplitude of the base's acceleration (g)", 1 / 9.80665),
+    "amplitude": ("amplitude of the base's acceleration (g)", 1 / STANDARD_GRAVITY),
     "frequency": ("frequency of the sine (Hz)", 1.0),
     "slenderness": ("height before settling over width", 1.0),
 }

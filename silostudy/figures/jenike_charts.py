@@ -14,7 +14,7 @@ MARKERS = "osD^v<>P"
 
 def draw(cube: xr.Dataset, stem: Path) -> None:
     """Writes both charts and their numbers; a line for each wall friction angle."""
-    one = cube.sel({"method": "jenike_1969"}).transpose("half_angle", "hopper_friction", ...)
+    one = cube.sel(pressure_method="jenike_1969").transpose("half_angle", "hopper_friction", ...)
     panels = {
         "i_1": one["unloaded_peak_position"].sel({"phase": "filling"}),
         "q_2": one["radial_force_coefficient"].sel({"phase": "discharge"}),

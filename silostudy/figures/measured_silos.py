@@ -39,12 +39,13 @@ def deviations(here: xr.Dataset, point: Measured) -> pd.DataFrame:
     """Each method's pressure at the measured depth, by how much it is off, and which methods bracket the measurement."""
     rows = []
     depth = here["depth"].values
-    for method in map(str, here["method"].values):
+    for method in map(str, here["pressure_method"].values):
         for phase in map(str, here["phase"].values):
-            pressure = here["wall_normal_pressure"].sel({"method": method, "phase": phase}).values
+            pressure = here["wall_normal_pressure"].sel(pressure_method=method, phase=phase).values
             computed = float(np.interp(point.depth, depth, pressure))
             if np.isfinite(computed):
-                rows.append({"silo": point.silo, "method": method, "phase": phase, "title": f"{title(here, method)}, {phase}",
+                rows.append({"silo": point.silo, "pressure_method": method, "phase": phase,
+                             "title": f"{title(here, method)}, {phase}",
                              "depth_m": point.depth, "measured_kPa": point.wall_normal_pressure / 1e3,
                              "computed_kPa": computed / 1e3, "off": computed / point.wall_normal_pressure - 1})  # fmt: skip
     table = pd.DataFrame(rows).sort_values("off", kind="stable", ignore_index=True)
@@ -55,9 +56,9 @@ def deviations(here: xr.Dataset, point: Measured) -> pd.DataFrame:
 
 
 def _curves(panel, here: xr.Dataset, points: list[Measured]) -> None:
-    for method in map(str, here["method"].values):
+    for method in map(str, here["pressure_method"].values):
         for phase in map(str, here["phase"].values):
-            pressure = here["wall_normal_pressure"].sel({"method": method, "phase": phase})
+            pressure = here["wall_normal_pressure"].sel(pressure_method=method, phase=phase)
             if pressure.notnull().any():
                 style = {
                     **look(here, method),

@@ -26,7 +26,9 @@ def statistics(cube: xr.Dataset) -> pd.DataFrame:
             values = pd.Series(
                 ratio.sel({"rule": rule}).values[[kind in members for kind in groups]], cube_tests(cube, members)
             )
-            rows.append({"rule": rule, "title": name(cube, rule), "rival": is_rival(rule), "group": label, **_summary(values)})
+            rows.append(
+                {"rule": rule, "title": name(cube, rule), "rival": is_rival(cube, rule), "group": label, **_summary(values)}
+            )
     return pd.DataFrame(rows)
 
 

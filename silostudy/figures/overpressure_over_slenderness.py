@@ -27,7 +27,7 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     figure, axes = plt.subplots(1, 2, figsize=(12, 6.2), sharey=True)
     for panel, quantity in zip(axes, panels, strict=True):
         shown = numbers[numbers.quantity == quantity]
-        for place, (method, group) in enumerate(shown.groupby("method", sort=False)):
+        for place, (method, group) in enumerate(shown.groupby("pressure_method", sort=False)):
             style = {**look(cube, method), "markersize": 9 - 0.6 * place}  # so that curves that coincide all show
             label = title(cube, method) if panel is axes[0] else None
             panel.plot(group.slenderness, group["median"], linewidth=1.4, label=label, **style)
@@ -41,7 +41,7 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
 
 
 def _summary(values: xr.DataArray, quantity: str) -> pd.DataFrame:
-    others = [dim for dim in values.dims if dim not in ("method", "slenderness")]
+    others = [dim for dim in values.dims if dim not in ("pressure_method", "slenderness")]
     table = xr.Dataset(
         {
             "median": values.median(others),
@@ -50,7 +50,7 @@ def _summary(values: xr.DataArray, quantity: str) -> pd.DataFrame:
             "cases": values.count(others),
         }
     ).to_dataframe()
-    table = table.reset_index()[["method", "slenderness", "median", "min", "max", "cases"]]
-    order = {str(method): place for place, method in enumerate(values["method"].values)}
-    table = table[table["cases"] > 0].sort_values("method", key=lambda names: names.map(order), kind="stable")
+    table = table.reset_index()[["pressure_method", "slenderness", "median", "min", "max", "cases"]]
+    order = {str(method): place for place, method in enumerate(values["pressure_method"].values)}
+    table = table[table["cases"] > 0].sort_values("pressure_method", key=lambda names: names.map(order), kind="stable")
     return table.assign(quantity=quantity)

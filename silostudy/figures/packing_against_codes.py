@@ -10,9 +10,9 @@ import xarray as xr
 from silostudy.figures import ensembles
 from silostudy.figures.style import save
 from silostudy.tables.handbook import table_4_2_5
+from silostudy.tables.kiyama_1983 import WALL_FRICTION
 
 ACTIVE = (1 - 0.5) / (1 + 0.5)  # Rankine's K for the 30 degrees that the source gives its particles
-WALL_FRICTION = 0.176  # the source's, tan 10 degrees
 SHOWN = (12, 15, 18)
 COLOURS = {12: "#0072b2", 15: "#009e73", 18: "#d55e00"}
 CLOSEST = 1.07  # ratio between the places of neighbouring names of codes

@@ -11,8 +11,8 @@ from scipy.optimize import curve_fit
 
 from silostudy.figures import ensembles
 from silostudy.figures.style import save
+from silostudy.tables.constants import STANDARD_GRAVITY
 
-GRAVITY = 9.80665
 ENOUGH = 5  # runs with a rate, from which on a slit takes part in the fit
 COLOURS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#e69f00", "#000000", "#999999")
 LINES = ("-", "--", ":", "-.")
@@ -26,7 +26,7 @@ def rate(slit, coefficient, edge, *, density: float, diameter: float):
     Source: mankoc_2007 (Beverloo's law), in the plane form that the dimensions ask for.
     """
     free = np.maximum(slit - edge * diameter, 0.0)
-    return coefficient * density * np.sqrt(GRAVITY) * free**1.5
+    return coefficient * density * np.sqrt(STANDARD_GRAVITY) * free**1.5
 
 
 def draw(cube: xr.Dataset, stem: Path) -> None:
@@ -84,7 +84,7 @@ def _line(panels, one: xr.Dataset, name: str, look: dict, number: int) -> pd.Dat
     known = np.isfinite(rates).sum(axis=0)
     median = np.array([np.nanmedian(column) if np.isfinite(column).any() else np.nan for column in rates.T])
     diameter = 2 * float(one.attrs["radius_m"])
-    density = float((one["rest_weight"] / (GRAVITY * one.attrs["width_m"] * one["rest_height"])).mean())
+    density = float((one["rest_weight"] / (STANDARD_GRAVITY * one.attrs["width_m"] * one["rest_height"])).mean())
     coefficient, edge = fit(slit, median, known, density=density, diameter=diameter)
     flow.plot(slit * 100, median, color=look["color"], marker=look["marker"], markersize=4, linestyle="none")
     fine = np.linspace(0.0, slit.max(), 100)

@@ -20,8 +20,8 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     """Writes the figure and its numbers, all for the thickest strake (the largest over depth and phases), in mm."""
     rules.demand(cube, "wall_friction_end", ("mean", "upper"))
     needed = cube["required_thickness"].max("relative_depth" if "relative_depth" in cube.dims else "depth") * 1e3
-    covered = needed.notnull().any([dim for dim in needed.dims if dim != "method"])
-    kept = {"method": np.flatnonzero(covered)}
+    covered = needed.notnull().any([dim for dim in needed.dims if dim != "pressure_method"])
+    kept = {"pressure_method": np.flatnonzero(covered)}
     cube, needed = cube.isel(kept), needed.isel(kept)
     upper = needed.sel(wall_friction_end="upper")
     here = {"diameter": DIAMETER, "slenderness": SLENDERNESS}
@@ -36,7 +36,7 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     fixed = {"diameter": {"slenderness": SLENDERNESS}, "slenderness": {"diameter": DIAMETER}}
     for row, (axis, label) in zip(grid[1:], (("diameter", "diameter D (m)"), ("slenderness", "H/D")), strict=True):
         _curves(row, upper.sel(fixed[axis], method="nearest"), cube, axis, label)
-    spread = float((upper.max("method") / upper.min("method")).median())
+    spread = float((upper.max("pressure_method") / upper.min("pressure_method")).median())
     figure.suptitle(
         f"{cube.attrs['title']}\n* the method's friction would carry more than the contents weigh (wall friction times a "
         f"design pressure)\nlargest over smallest method, median of all silos and rules: {spread:.2f}"
@@ -46,14 +46,17 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
 
 def _matrix(panel: Axes, values: xr.DataArray, cube: xr.Dataset, form: str, heading: str) -> None:
     """A matrix rule by method with its numbers written in."""
-    field = values.transpose("rule", "method")
+    field = values.transpose("rule", "pressure_method")
     panel.imshow(field, cmap="Greys", aspect="auto", vmin=0, vmax=2 * float(np.nanmax(field)))
     heavy = _beyond_weight(cube)
     for (i, j), value in np.ndenumerate(field.values):
         text = "-" if np.isnan(value) else form.format(value + 0.0) + ("*" if heavy[j] else "")
         panel.text(j, i, text, ha="center", va="center", fontsize=9)
     panel.set_xticks(
-        range(field.sizes["method"]), [title(cube, str(m)) for m in field["method"].values], rotation=40, ha="right"
+        range(field.sizes["pressure_method"]),
+        [title(cube, str(m)) for m in field["pressure_method"].values],
+        rotation=40,
+        ha="right",
     )
     panel.set_yticks(range(field.sizes["rule"]), [rules.name(cube, str(r)) for r in field["rule"].values])
     panel.set_title(heading, fontsize=10)
@@ -70,11 +73,11 @@ def _beyond_weight(cube: xr.Dataset) -> list[bool]:
 def _curves(row, needed: xr.DataArray, cube: xr.Dataset, axis: str, label: str) -> None:
     """Left every method by one rule, right every rule by one method, over one axis."""
     left, right = row.subplots(1, 2, sharey=True)
-    for method in map(str, needed["method"].values):
-        values = needed.sel({"method": method, "rule": RULE})
+    for method in map(str, needed["pressure_method"].values):
+        values = needed.sel(pressure_method=method, rule=RULE)
         left.plot(needed[axis], values, linewidth=1.3, markersize=5, label=title(cube, method), **look(cube, method))
     for rule in map(str, needed["rule"].values):
-        values = needed.sel({"method": METHOD, "rule": rule})
+        values = needed.sel(pressure_method=METHOD, rule=rule)
         marker = str(cube.sel({"rule": rule}).rule_marker.values)
         right.plot(needed[axis], values, marker=marker, markersize=5, label=rules.name(cube, rule), **rules.look(cube, rule))
     fixed = f"H/D {float(needed.slenderness):g}" if axis == "diameter" else f"D {float(needed.diameter):g} m"
@@ -85,5 +88,5 @@ def _curves(row, needed: xr.DataArray, cube: xr.Dataset, axis: str, label: str) 
 
 
 def _numbers(needed: xr.DataArray) -> pd.DataFrame:
-    keep = ["rule", "method", "diameter", "slenderness", "wall_friction_end", "required_thickness_mm"]
+    keep = ["rule", "pressure_method", "diameter", "slenderness", "wall_friction_end", "required_thickness_mm"]
     return needed.rename("required_thickness_mm").to_dataframe().reset_index()[keep].dropna()

@@ -26,9 +26,9 @@ def name(cube: xr.Dataset, rule: str) -> str:
     return str(cube.sel({"rule": rule}).rule_title.values)
 
 
-def is_rival(rule: str) -> bool:
+def is_rival(cube: xr.Dataset, rule: str) -> bool:
     """Whether a name on the rule axis is a rival reading of a source rather than a rule."""
-    return rule.startswith("miller1977_")
+    return rule in cube.attrs["rival_readings"].split()
 
 
 def group(cube: xr.Dataset) -> np.ndarray:

@@ -6,6 +6,7 @@ import numpy as np
 import xarray as xr
 from matplotlib.figure import Figure
 
+from silostudy.tables.constants import STANDARD_GRAVITY
 from silostudy.tables.sasaki_1991 import PrintedTest, printed_at
 
 MOST = 3  # cases side by side; more do not fit a page
@@ -27,7 +28,7 @@ def cases(cube: xr.Dataset) -> list[xr.Dataset]:
 def name(one: xr.Dataset) -> str:
     """A case by its shaking: the peak acceleration of the base."""
     peak = float(np.abs(one["base_acceleration"]).max())
-    return f"base peak {peak * 100:.3g} gal ({peak / 9.80665:.2f} g)"
+    return f"base peak {peak * 100:.3g} gal ({peak / STANDARD_GRAVITY:.2f} g)"
 
 
 def kind(one: xr.Dataset) -> str:

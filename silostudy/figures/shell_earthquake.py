@@ -20,11 +20,11 @@ SIDES = {"pressed": "#B2182B", "lifted": "#2166AC"}
 
 def draw(cube: xr.Dataset, stem: Path) -> None:
     """Writes the figure and its numbers; pressures and utilisation are the first method's."""
-    first = str(cube["method"].values[0])
+    first = str(cube["pressure_method"].values[0])
     figure, panels = plt.subplots(1, 3, figsize=(14.5, 8.2), sharey=True, width_ratios=(1, 1, 1.25))
     _forces(panels[0], cube)
-    _pressures(panels[1], cube.sel({"method": first}))
-    _utilisations(panels[2], cube.sel({"method": first}))
+    _pressures(panels[1], cube.sel(pressure_method=first))
+    _utilisations(panels[2], cube.sel(pressure_method=first))
     labels = ("axial wall force (kN/m)", "internal pressure (kPa)", "utilisation, safety factor included")
     for panel, label in zip(panels, labels, strict=True):
         panel.set(xlabel=label, xlim=(0, None))
@@ -32,7 +32,7 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     panels[0].set_title("every method, worst phase, pressed side", fontsize=9)
     panels[1].set_title(f"{title(cube, first)}", fontsize=9)
     panels[2].set_title(f"{title(cube, first)}, worst phase and side", fontsize=9)
-    methods = [Line2D([], [], label=title(cube, key), **look(cube, key)) for key in map(str, cube["method"].values)]
+    methods = [Line2D([], [], label=title(cube, key), **look(cube, key)) for key in map(str, cube["pressure_method"].values)]
     figure.legend(handles=methods, loc="outside lower left", ncols=1, fontsize=8, title="pressure methods")
     figure.legend(handles=_rules(cube, first), loc="outside lower right", ncols=2, fontsize=8, title=NEEDED)
     figure.suptitle(_head(cube), fontsize=10)
@@ -41,8 +41,8 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
 
 def _forces(panel, cube: xr.Dataset) -> None:
     z = cube["depth"].values
-    for method in map(str, cube["method"].values):
-        one, marks = cube.sel({"method": method}), {"markevery": max(1, len(z) // 8), "markersize": 5, **look(cube, method)}
+    for method in map(str, cube["pressure_method"].values):
+        one, marks = cube.sel(pressure_method=method), {"markevery": max(1, len(z) // 8), "markersize": 5, **look(cube, method)}
         panel.plot(one["axial_wall_force"].max("phase") / 1e3, z, **marks, **WITHOUT)
         panel.plot(one["earthquake_axial_wall_force"].sel(side="pressed").max("phase") / 1e3, z, **marks, **WITH)
 
@@ -73,7 +73,7 @@ def _utilisations(panel, one: xr.Dataset) -> None:
 
 def _rules(cube: xr.Dataset, method: str) -> list[Line2D]:
     """Handles for every rule, with the thickness that a wall of one thickness needs without and with the earthquake."""
-    handles, needed = [], _needed(cube.sel({"method": method}))
+    handles, needed = [], _needed(cube.sel(pressure_method=method))
     for rule in map(str, cube["rule"].values):
         one = needed.sel({"rule": rule})
         static, shaken = float(one["static"]) * 1e3, float(one["shaken"]) * 1e3
@@ -106,5 +106,5 @@ def _numbers(cube: xr.Dataset) -> pd.DataFrame:
         shown[side] = cube["earthquake_utilisation"].sel(side=side, drop=True).max("phase")
     needed = _needed(cube) * 1e3
     shown |= {"needed_static_mm": needed["static"], "needed_with_earthquake_mm": needed["shaken"]}
-    table = xr.Dataset(shown).to_dataframe(dim_order=["rule", "method", "depth"]).reset_index()
-    return table[["rule", "method", "depth", *shown]].dropna(subset="static")
+    table = xr.Dataset(shown).to_dataframe(dim_order=["rule", "pressure_method", "depth"]).reset_index()
+    return table[["rule", "pressure_method", "depth", *shown]].dropna(subset="static")

@@ -18,22 +18,22 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     """Writes the figure and its numbers; stress, strength and utilisation are the first method's, at its worst phase."""
     rules.demand(cube, "wall_friction_end", tuple(ENDS))
     level = "relative_depth" if "relative_depth" in cube.dims else "depth"
-    first = str(cube["method"].values[0])
+    first = str(cube["pressure_method"].values[0])
     figure, axes = plt.subplots(1, 4, figsize=(17, 8.4), sharey=True)
     for end, style in ENDS.items():
         here = cube.sel(wall_friction_end=end)
         z = here["depth"].values
-        for method in map(str, cube["method"].values):
-            one = here.sel({"method": method})
+        for method in map(str, cube["pressure_method"].values):
+            one = here.sel(pressure_method=method)
             lines = {"color": look(cube, method)["color"], **style}
             marks = {"marker": look(cube, method)["marker"], "markevery": max(1, len(z) // 8), "markersize": 5}
             axes[0].plot(one["axial_wall_force"].max("phase") / 1e3, z, **lines, **marks)
             axes[1].plot(one["lower_internal_pressure"] / 1e3, z, **lines, **marks)
-        stress = here["axial_wall_stress"].sel({"method": first}).max("phase")
+        stress = here["axial_wall_stress"].sel(pressure_method=first).max("phase")
         axes[2].plot(stress / 1e6, z, color="black", **style)
         for rule in map(str, cube["rule"].values):
-            strength = here["wall_buckling_stress"].sel({"method": first, "rule": rule})
-            used = here["utilisation"].sel({"method": first, "rule": rule}).max("phase")
+            strength = here["wall_buckling_stress"].sel(pressure_method=first, rule=rule)
+            used = here["utilisation"].sel(pressure_method=first, rule=rule).max("phase")
             lines = {"color": rules.look(cube, rule)["color"], **style}
             marks = {
                 "marker": str(cube.sel({"rule": rule}).rule_marker.values),
@@ -52,7 +52,9 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     axes[1].set_title("every method: steadies the wall", fontsize=9)
     axes[2].set_title(f"{title(cube, first)}: stress (black, no marks) and strength", fontsize=9)
     axes[3].set_title(f"{title(cube, first)}, safety factor included", fontsize=9)
-    figure.legend(handles=_legend(cube, "method"), loc="outside lower left", ncols=3, fontsize=8, title="pressure methods")
+    figure.legend(
+        handles=_legend(cube, "pressure_method"), loc="outside lower left", ncols=3, fontsize=8, title="pressure methods"
+    )
     figure.legend(handles=_legend(cube, "rule"), loc="outside lower right", ncols=3, fontsize=8, title="buckling rules")
     figure.suptitle(
         f"{cube.attrs['title']}\ndashed: mean wall friction; full: upper wall friction, the unsafe end for buckling"
@@ -72,7 +74,7 @@ def _write_strakes(panel: Axes, cube: xr.Dataset) -> None:
 def _legend(cube: xr.Dataset, axis: str) -> list[Line2D]:
     """Handles for every method or every rule."""
     names = [str(key) for key in cube[axis].values]
-    if axis == "method":
+    if axis == "pressure_method":
         return [Line2D([], [], label=title(cube, key), **look(cube, key)) for key in names]
     marks = [str(marker) for marker in cube["rule_marker"].values]
     return [
@@ -91,4 +93,4 @@ def _numbers(cube: xr.Dataset, level: str) -> pd.DataFrame:
         "utilisation",
     ]
     table = cube[names].to_dataframe().reset_index().dropna(subset="utilisation")
-    return table[["rule", "method", "phase", "wall_friction_end", level, *names]]
+    return table[["rule", "pressure_method", "phase", "wall_friction_end", level, *names]]

@@ -12,10 +12,10 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     """Writes a row for each rule, method, phase and case that the method covers."""
     level = "relative_depth" if "relative_depth" in cube.dims else "depth"
     axes = cube.attrs["sweep_axes"].split()
-    stacked = cube["utilisation"].stack(row=["rule", "method", "phase", *axes]).dropna("row", how="all")
+    stacked = cube["utilisation"].stack(row=["rule", "pressure_method", "phase", *axes]).dropna("row", how="all")
     rows = []
     for place in stacked["row"].values:
-        keys = dict(zip(("rule", "method", "phase", *axes), place, strict=True))
+        keys = dict(zip(("rule", "pressure_method", "phase", *axes), place, strict=True))
         one = cube.sel(keys)
         rows.append({**keys, **_worst(one.isel({level: int(one["utilisation"].argmax(level))}), one)})
     save_table(pd.DataFrame(rows), stem.with_suffix(".csv"))

@@ -26,7 +26,9 @@ WIDEST = 0.75  # diameters that the largest pressure reaches out
 
 def draw(cube: xr.Dataset, stem: Path) -> None:
     """Writes the figure and the pressures it shows."""
-    methods = [m for m in map(str, cube["method"].values) if cube["hopper_balance"].sel({"method": m}).notnull().any()]
+    methods = [
+        m for m in map(str, cube["pressure_method"].values) if cube["hopper_balance"].sel(pressure_method=m).notnull().any()
+    ]
     phases = [phase for phase in ("filling", "switch", "discharge") if phase in cube["phase"].values]
     given = {(method, phase): state(cube, method, phase) for method in methods for phase in phases}
     states = {where: found for where, found in given.items() if found is not None}
@@ -47,8 +49,8 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
             panel.tick_params(labelbottom=True)
     _frame(panels, cube, largest)
     figure.suptitle(cube.attrs["title"])
-    numbers = pd.concat([t.assign(method=m, phase=p) for (m, p), t in states.items()], ignore_index=True)
-    save(figure, numbers[["method", "phase", "side", "depth_m", "wall_radius_m", "pressure_kPa"]], stem)
+    numbers = pd.concat([t.assign(pressure_method=m, phase=p) for (m, p), t in states.items()], ignore_index=True)
+    save(figure, numbers[["pressure_method", "phase", "side", "depth_m", "wall_radius_m", "pressure_kPa"]], stem)
 
 
 def diameter(cube: xr.Dataset) -> float:
@@ -67,11 +69,11 @@ def wall(cube: xr.Dataset) -> tuple[np.ndarray, np.ndarray]:
 def state(cube: xr.Dataset, method: str, phase: str) -> pd.DataFrame | None:
     """Pressures (kPa) along the whole wall in a load case, both sides; None where the method does not treat it."""
     tables = []
-    if phase == "switch" and cube["switch_force"].sel({"method": method}).isnull().all():
+    if phase == "switch" and cube["switch_force"].sel(pressure_method=method).isnull().all():
         return None
     for side, (_, on_cylinder, on_hopper) in SIDES.items():
-        lower = _hopper(cube[on_hopper].sel({"method": method}), phase)
-        upper = cube[on_cylinder].sel({"method": method, "phase": phase}).values
+        lower = _hopper(cube[on_hopper].sel(pressure_method=method), phase)
+        upper = cube[on_cylinder].sel(pressure_method=method, phase=phase).values
         if np.isnan(upper).all():
             return None
         depth, radius = wall(cube)
@@ -126,7 +128,7 @@ def _pressures(panel: Axes, cube: xr.Dataset, table: pd.DataFrame, largest: floa
 
 def _forces(panel: Axes, cube: xr.Dataset, method: str, phase: str) -> None:
     """Ring force at its place, and the balance of vertical forces on the hopper's contents (kN) in the middle."""
-    one = cube.sel({"method": method, "phase": phase})
+    one = cube.sel(pressure_method=method, phase=phase)
     depth, radius = wall(cube)
     if phase == "switch":
         place = int(np.argmin(np.abs(cube["hopper_position"].values - 0.5)))

@@ -45,7 +45,7 @@ def _numbers(cube: xr.Dataset) -> pd.DataFrame:
     tables = []
     for method in distinct_methods(cube):
         for phase in map(str, cube["phase"].values):
-            one = cube.sel({"method": method, "phase": phase})
+            one = cube.sel(pressure_method=method, phase=phase)
             table = {"curve": f"{title(cube, method)}, {phase}", "parameter": cube["parameter"].values}
             table |= {"first_order": one["sobol_first"].values, "total": one["sobol_total"].values}
             tables.append(pd.DataFrame(table))

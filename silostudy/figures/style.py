@@ -46,12 +46,12 @@ def save_table(numbers: pd.DataFrame, path: Path) -> None:
 
 def look(cube: xr.Dataset, method: str) -> dict:
     """Colour and marker of a method, as line properties."""
-    one = cube.sel({"method": method})
-    return {"color": str(one.method_colour.values), "marker": str(one.method_marker.values)}
+    one = cube.sel(pressure_method=method)
+    return {"color": str(one.pressure_method_colour.values), "marker": str(one.pressure_method_marker.values)}
 
 
 def title(cube: xr.Dataset, method: str) -> str:
     """Number and name of a method for a legend."""
-    one = cube.sel({"method": method})
-    number = str(one.method_number.values)
-    return f"{number}  {one.method_title.values}" if number else str(one.method_title.values)
+    one = cube.sel(pressure_method=method)
+    number = str(one.pressure_method_number.values)
+    return f"{number}  {one.pressure_method_title.values}" if number else str(one.pressure_method_title.values)

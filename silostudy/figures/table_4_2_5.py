@@ -13,7 +13,7 @@ AS_PRINTED = "_as_printed"
 
 def draw(cube: xr.Dataset, stem: Path) -> None:
     """Writes the comparison as CSV: one row for each printed value and each reading of its method in the cube."""
-    labels = [str(label) for label in cube["method"].values]
+    labels = [str(label) for label in cube["pressure_method"].values]
     rows = [
         _row(cube, printed, label)
         for printed in table_4_2_5()
@@ -24,10 +24,10 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
 
 
 def _row(cube: xr.Dataset, printed: Printed, label: str) -> dict:
-    here = {"method": label, "phase": printed.phase, "depth": printed.depth}
+    here = {"pressure_method": label, "phase": printed.phase, "depth": printed.depth}
     computed = float(cube["wall_normal_pressure"].sel(here))
     return {
-        "method": label,
+        "pressure_method": label,
         "phase": printed.phase,
         "depth_m": printed.depth,
         "printed_t_m2": printed.wall_normal_pressure / TONNE_PER_M2,

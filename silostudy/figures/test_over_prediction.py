@@ -32,12 +32,12 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
                 "markerfacecolor": "none",
                 "alpha": 0.8,
             }
-            panel.plot(values, level, color="#D55E00" if is_rival(rule) else "black", **style)
+            panel.plot(values, level, color="#D55E00" if is_rival(cube, rule) else "black", **style)
         panel.text(1.01, place, _note(found, rule), transform=panel.get_yaxis_transform(), va="center", fontsize=8)
-    rivals = sum(map(is_rival, rules))
+    rivals = sum(is_rival(cube, rule) for rule in rules)
     panel.axhline(rivals - 0.5, color="black", linewidth=0.8)
     panel.axvline(1, color="black", linewidth=0.8)
-    labels = [("reading: " if is_rival(rule) else "") + name(cube, rule) for rule in reversed(rules)]
+    labels = [("reading: " if is_rival(cube, rule) else "") + name(cube, rule) for rule in reversed(rules)]
     panel.set(xlabel="measured collapse stress over predicted buckling stress", xscale="log", yticks=range(len(rules)))
     panel.set_yticklabels(labels)
     panel.set_xticks(

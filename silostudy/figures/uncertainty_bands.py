@@ -29,10 +29,10 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     tables = []
     for panel, method in zip(axes.flat, methods, strict=False):
         for phase in map(str, cube["phase"].values):
-            low, middle, high = (quantiles.sel({"method": method, "phase": phase}).isel(quantile=i) for i in range(3))
+            low, middle, high = (quantiles.sel(pressure_method=method, phase=phase).isel(quantile=i) for i in range(3))
             if middle.notnull().any():
                 _band(panel, cube["depth"], (low, middle, high), phase)
-                table = {"method": method, "phase": phase, "depth_m": cube["depth"].values}
+                table = {"pressure_method": method, "phase": phase, "depth_m": cube["depth"].values}
                 table |= {"p05_kPa": low.values, "p50_kPa": middle.values, "p95_kPa": high.values}
                 tables.append(pd.DataFrame(table))
         panel.set_title(title(cube, method), fontsize=8.5)
@@ -54,8 +54,8 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
 def distinct_methods(cube: xr.Dataset) -> list[str]:
     """Methods with quantiles, each curve once: sampled, the rows of one code's sets of characteristic values coincide."""
     kept: dict[bytes, str] = {}
-    for method in map(str, cube["method"].values):
-        quantiles = cube["wall_normal_pressure_quantile"].sel({"method": method})
+    for method in map(str, cube["pressure_method"].values):
+        quantiles = cube["wall_normal_pressure_quantile"].sel(pressure_method=method)
         if quantiles.notnull().any():
             kept.setdefault(quantiles.fillna(-1).values.tobytes(), method)
     return list(kept.values())

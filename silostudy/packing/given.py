@@ -3,6 +3,7 @@
 import numpy as np
 
 from silostudy.errors import BadInput
+from silostudy.packing.family import Packing
 
 
 def place(*, x, y, radius):
@@ -11,3 +12,14 @@ def place(*, x, y, radius):
     if x.shape != y.shape or x.ndim != 1:
         raise BadInput("x", x.shape, f"x and y must be two rows of equal length, y has {y.shape}")
     return x, y, np.broadcast_to(np.asarray(radius, float), x.shape).copy()
+
+
+ROW = Packing(
+    key="given",
+    rank=30,
+    title="Positions from a file",
+    source="kiyama_fujimura_1983",
+    locator="none: the arrangement of an earlier run or another program",
+    place=place,
+    needs=("x", "y", "radius"),
+)

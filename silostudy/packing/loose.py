@@ -3,6 +3,7 @@
 import numpy as np
 
 from silostudy.errors import BadInput
+from silostudy.packing.family import Packing
 
 ROOM = 2.3  # of the largest radius: side of the square that each disc has for itself
 
@@ -25,3 +26,14 @@ def place(*, width, count, radius, spread=0.0, seed=0):
     corner = np.c_[number * width / across, level * side]
     x, y = (corner + radii[:, None] + free * random.uniform(0.0, 1.0, (count, 2))).T
     return x, y, radii
+
+
+ROW = Packing(
+    key="loose",
+    rank=20,
+    title="Random and loose, to be rained in",
+    source="kiyama_fujimura_1983",
+    locator="none: discs of random size and place without contact",
+    place=place,
+    needs=("width", "count", "radius", "spread", "seed"),
+)

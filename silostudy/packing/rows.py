@@ -5,6 +5,7 @@ from math import floor, sqrt
 import numpy as np
 
 from silostudy.errors import BadInput
+from silostudy.packing.family import Packing
 
 
 def place(*, width, height, radius, across, gap, offset=0.0, seed=0):
@@ -32,3 +33,14 @@ def place(*, width, height, radius, across, gap, offset=0.0, seed=0):
     y = radius + gap + level * rise
     moved = offset * np.random.default_rng(seed).uniform(-1.0, 1.0, (2, len(x)))
     return x + moved[0], y + moved[1], np.full(len(x), float(radius))
+
+
+ROW = Packing(
+    key="rows",
+    rank=10,
+    title="Rows of s and s - 1 equal discs in turn",
+    source="kiyama_fujimura_1983",
+    locator="section 5 (1), Fig. 6",
+    place=place,
+    needs=("width", "height", "radius", "across", "gap", "offset", "seed"),
+)

@@ -22,6 +22,7 @@ def overpressure_factor(z, *, internal_friction_angle, diameter, cylinder_depth)
 
 ROW = PressureMethod(
     key="aci313_1977",
+    rank=100,
     title="ACI 313-77",
     source="silo_handbook",
     locator="section 4.2.2 (g)",

@@ -19,6 +19,7 @@ def overpressure_factor(z, *, diameter, cylinder_depth):
 
 ROW = PressureMethod(
     key="aij_container_draft",
+    rank=120,
     title="AIJ container committee (draft)",
     source="silo_handbook",
     locator="section 4.2.2 (h)",

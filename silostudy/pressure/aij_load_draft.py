@@ -17,6 +17,7 @@ def overpressure_factor(z, *, cylinder_depth):
 
 ROW = PressureMethod(
     key="aij_load_draft",
+    rank=110,
     title="AIJ load standard (draft)",
     source="silo_handbook",
     locator="section 4.2.2 (i)",

@@ -62,6 +62,7 @@ def _flow(quantity, factor):
 
 ROW = PressureMethod(
     key="as3774_1996",
+    rank=170,
     title="AS 3774-1996 (second-hand)",
     source="as3774_1996",
     locator="second-hand account (printed standard not seen)",

@@ -72,6 +72,7 @@ def printed_discharge_pressure(z, *, unit_weight, hydraulic_radius, wall_frictio
 
 ROW = PressureMethod(
     key="caquot",
+    rank=30,
     title="Caquot",
     source="silo_handbook",
     locator="section 4.2.2 (c)",

@@ -22,6 +22,7 @@ def design_pressure(z, *, unit_weight, wall_friction, lateral_pressure_ratio, di
 
 ROW = PressureMethod(
     key="deutsch",
+    rank=140,
     title="Deutsch",
     source="silo_handbook",
     locator="section 4.2.2 (j)",

@@ -89,6 +89,7 @@ def _above_relief(name):
 
 ROW = PressureMethod(
     key="din1055_1964",
+    rank=80,
     title="DIN 1055 (1964)",
     source="silo_handbook",
     locator="section 4.2.2 (e)",

@@ -1,16 +1,29 @@
 """What a pressure method is: one row that says which quantity it gives in which phase, from which parameters."""
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from inspect import Parameter, Signature, signature
 
+import numpy as np
+
 from silostudy.catalogue import Row
+from silostudy.soundness import faults_of_function, faults_of_look, faults_of_trial
 
 PHASES = ("filling", "switch", "discharge")
 USUAL_PHASES = ("filling", "discharge")
-QUANTITIES = ("wall_normal_pressure", "wall_friction_traction", "vertical_pressure", "axial_wall_force")
+QUANTITIES = {
+    "wall_normal_pressure": "Pa",
+    "wall_friction_traction": "Pa",
+    "vertical_pressure": "Pa",
+    "axial_wall_force": "N m-1",
+}
 # on the hopper wall, over the height above the hopper's apex
-HOPPER_QUANTITIES = ("hopper_normal_pressure", "hopper_friction_traction", "hopper_vertical_pressure", "switch_force")
+HOPPER_QUANTITIES = {
+    "hopper_normal_pressure": "Pa",
+    "hopper_friction_traction": "Pa",
+    "hopper_vertical_pressure": "Pa",
+    "switch_force": "N",
+}
 # one number for the whole silo
 TOTALS = {
     "transition_force": "N",
@@ -33,36 +46,36 @@ CELLS = ANY_PLAN - SLOT
 CIRCULAR = frozenset({"circular"})
 WITH_HOPPER = CIRCULAR | SLOT  # a cone or a wedge below
 
-# Every parameter a method may ask for: (unit, symbol); the scene room provides them by these names.
+# Every parameter a method may ask for: (unit, symbol, a usual value); the scene room provides them by these names.
 PARAMETERS = {
-    "unit_weight": ("N m-3", "gamma"),
-    "internal_friction_angle": ("rad", "phi"),
-    "wall_friction": ("1", "mu = tan phi_o"),
-    "lateral_pressure_ratio": ("1", "K"),
-    "poisson_ratio": ("1", "nu"),
-    "hydraulic_radius": ("m", "R = A/U"),
-    "diameter": ("m", "D"),
-    "cylinder_depth": ("m", "H"),
-    "outlet_depth": ("m", "total depth"),
-    "top_cone_height": ("m", "h"),
-    "powder": ("1", "grain class"),
-    "i_phi": ("1", "i"),
-    "unit_weight_lower": ("N m-3", "gamma lower"),
-    "effective_friction_angle": ("rad", "delta"),
-    "repose_angle": ("rad", "phi_r"),
-    "a_phi": ("1", "a_phi"),
-    "a_K": ("1", "a_K"),
-    "a_mu": ("1", "a_mu"),
-    "patch_factor": ("1", "C_op"),
-    "length": ("m", "L"),
-    "perimeter": ("m", "U"),
-    "circular": ("1", "plan is a circle"),
-    "slot": ("1", "1 - m"),
-    "hopper_half_angle": ("rad", "theta, beta"),
-    "hopper_wall_friction": ("1", "mu_h = tan phi'"),
-    "outlet_width": ("m", "B"),
-    "eccentricity": ("m", "e"),
-    "channel_half_angle": ("rad", "of the flow channel"),
+    "unit_weight": ("N m-3", "gamma", 8000.0),
+    "internal_friction_angle": ("rad", "phi", 0.52),
+    "wall_friction": ("1", "mu = tan phi_o", 0.4),
+    "lateral_pressure_ratio": ("1", "K", 0.4),
+    "poisson_ratio": ("1", "nu", 0.3),
+    "hydraulic_radius": ("m", "R = A/U", 1.25),
+    "diameter": ("m", "D", 5.0),
+    "cylinder_depth": ("m", "H", 18.0),
+    "outlet_depth": ("m", "total depth", 20.0),
+    "top_cone_height": ("m", "h", 0.0),
+    "powder": ("1", "grain class", 0.0),
+    "i_phi": ("1", "i", 0.548),
+    "unit_weight_lower": ("N m-3", "gamma lower", 7000.0),
+    "effective_friction_angle": ("rad", "delta", 0.8),
+    "repose_angle": ("rad", "phi_r", 0.6),
+    "a_phi": ("1", "a_phi", 1.12),
+    "a_K": ("1", "a_K", 1.11),
+    "a_mu": ("1", "a_mu", 1.16),
+    "patch_factor": ("1", "C_op", 0.5),
+    "length": ("m", "L", 0.0),
+    "perimeter": ("m", "U", 15.708),
+    "circular": ("1", "plan is a circle", 1.0),
+    "slot": ("1", "1 - m", 0.0),
+    "hopper_half_angle": ("rad", "theta, beta", 0.4),
+    "hopper_wall_friction": ("1", "mu_h = tan phi'", 0.3),
+    "outlet_width": ("m", "B", 0.5),
+    "eccentricity": ("m", "e", 0.5),
+    "channel_half_angle": ("rad", "of the flow channel", 0.15),
 }
 
 # Why a value is masked: position = flag value in the cube.
@@ -126,6 +139,54 @@ class PressureMethod(Row):
         tables = (*self.phases.values(), *self.hopper.values(), *self.totals.values())
         functions = [self.static, *(function for quantities in tables for function in quantities.values())]
         return frozenset(name for function in functions for name in parameters_of(function))
+
+    def faults(self) -> Iterator[str]:
+        """What is wrong with the row, in words."""
+        yield from super().faults()
+        yield from faults_of_look(self)
+        yield from _faults_of_names(self)
+        for name, function, unit, place in _functions(self):
+            faults = list(faults_of_function(name, function, unit, parameters_of(function), PARAMETERS))
+            yield from faults or faults_of_trial(name, lambda f=function, at=place: _tried(f, at))  # type: ignore[misc]
+
+
+def _faults_of_names(row: PressureMethod) -> Iterator[str]:
+    for name, given, known in (
+        ("plans", row.plans, PLANS),
+        ("phases", row.phases, PHASES),
+        ("equilibrium", row.equilibrium, row.phases),
+        *((f"phases[{phase!r}]", found, QUANTITIES) for phase, found in row.phases.items()),
+        *((f"hopper[{phase!r}]", found, HOPPER_QUANTITIES) for phase, found in row.hopper.items()),
+        *((f"totals[{phase!r}]", found, TOTALS) for phase, found in row.totals.items()),
+    ):
+        if strange := [one for one in given if one not in known]:
+            yield f"{name}: {', '.join(map(str, strange))} unknown; known: {', '.join(known)}"
+    if not row.plans or not row.phases:
+        yield "plans and phases must not be empty"
+    for phase, found in row.phases.items():
+        if "wall_normal_pressure" not in found:
+            yield f"phases[{phase!r}]: must give wall_normal_pressure"
+
+
+def _functions(row: PressureMethod) -> Iterator[tuple[str, Callable, str, str | None]]:
+    """(name, function, unit, name of its place or none) of every function of a row."""
+    yield "static", row.static, "Pa", "z"
+    for tables, units, place in (
+        (row.phases, QUANTITIES, "z"),
+        (row.hopper, HOPPER_QUANTITIES, "x"),
+        (row.totals, TOTALS, None),
+    ):
+        for phase, found in tables.items():
+            yield from ((f"{name} in {phase}", function, units.get(name, ""), place) for name, function in found.items())
+
+
+def _tried(function: Callable, place: str | None) -> None:
+    """Calls a function on two usual silos at once, at three depths or heights."""
+    usual = {name: np.full((2, 1), value) for name, (_, _, value) in PARAMETERS.items()}
+    where = None if place is None else np.array([[0.5, 1.0, 1.5]] * 2)
+    with np.errstate(all="ignore"):
+        found = call(function, where, usual)
+    np.broadcast_to(np.asarray(found, dtype=float), (2, 1) if where is None else where.shape)
 
 
 def parameters_of(function: Callable) -> tuple[str, ...]:

@@ -106,6 +106,7 @@ STATE = {
 
 ROW = PressureMethod(
     key="janssen",
+    rank=10,
     title="Janssen",
     source="silo_handbook",
     locator="section 4.2.2 (a)",

@@ -146,6 +146,7 @@ SWITCH = {
 
 ROW = PressureMethod(
     key="jenike_1969",
+    rank=60,
     title="Jenike & Johanson 1969",
     source="silo_handbook",
     locator="section 4.5.2",

@@ -37,6 +37,7 @@ GIVEN = (
 
 ROW = PressureMethod(
     key="jenike_funnel_1973",
+    rank=70,
     title="Jenike 1973, funnel-flow rules",
     source="silo_handbook",
     locator="section 4.5.3",

@@ -48,6 +48,7 @@ def envelope_pressure(z, *, unit_weight, hydraulic_radius, wall_friction, latera
 
 ROW = PressureMethod(
     key="jenike_funnel_flow",
+    rank=50,
     title="Jenike, funnel flow",
     source="silo_handbook",
     locator="section 4.2.2 (d)",

@@ -176,6 +176,7 @@ HOPPER = {
 
 ROW = PressureMethod(
     key="jenike_mass_flow",
+    rank=40,
     title="Jenike, mass flow",
     source="silo_handbook",
     locator="section 4.2.2 (d)",

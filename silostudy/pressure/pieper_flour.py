@@ -79,6 +79,7 @@ def _row(key, title, weight, extra, colour, marker) -> PressureMethod:
     totals = {"design_unit_weight": weight, "averaging_height": averaging_height}
     return PressureMethod(
         key=key,
+        rank=150,
         title=title,
         source="silo_handbook",
         locator="section 4.5.1",

@@ -91,6 +91,7 @@ def axial_wall_force(z, *, unit_weight, hydraulic_radius, wall_friction, interna
 
 ROW = PressureMethod(
     key="reimbert",
+    rank=20,
     title="Reimbert",
     source="silo_handbook",
     locator="section 4.2.2 (b)",

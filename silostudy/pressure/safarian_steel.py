@@ -16,6 +16,7 @@ def overpressure_factor(z, *, cylinder_depth):
 
 ROW = PressureMethod(
     key="safarian_steel",
+    rank=130,
     title="Safarian, steel silos",
     source="silo_handbook",
     locator="section 4.2.2 (g)",

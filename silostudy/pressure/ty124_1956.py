@@ -18,6 +18,7 @@ def overpressure_factor(z, *, outlet_depth):
 
 ROW = PressureMethod(
     key="ty124_1956",
+    rank=90,
     title="TY-124-56",
     source="silo_handbook",
     locator="section 4.2.2 (f)",

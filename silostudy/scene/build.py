@@ -12,12 +12,9 @@ from silostudy.config.scene import AnySilo, SceneConfig
 from silostudy.errors import BadInput
 from silostudy.scene.scene import Scene, solid_parameters
 from silostudy.scene.silo import Hopper, Silo
-from silostudy.scene.traits import pressure_traits
-from silostudy.tables.solids import SOLIDS, SolidRow, read_solids
+from silostudy.tables.solids import SOLIDS, SolidRow, own_solids
 from silostudy.tables.units import split_unit
 from silostudy.tables.walls import WALLS
-
-__all__ = ["build", "pressure_builder", "pressure_traits"]
 
 # what a sampled study needs to know of the solid's scatter, and how a user writes it
 SPREADS = {"a_phi": "a_phi", "a_K": "a_K", "a_mu": "a_mu", "unit_weight_lower": "unit_weight_lower_kN_m3"}
@@ -25,7 +22,7 @@ SPREADS = {"a_phi": "a_phi", "a_K": "a_K", "a_mu": "a_mu", "unit_weight_lower": 
 
 def pressure_builder(study: PressureStudy, folder: Path, where: str) -> Callable[[SceneConfig, dict], Scene]:
     """Builds the scenes of a pressure study: with the user's materials, and no depth below the transition."""
-    solids = read_solids(folder / study.materials, SOLIDS) if study.materials else SOLIDS
+    solids = own_solids(folder / study.materials) if study.materials else SOLIDS
 
     def build_one(config: SceneConfig, settings: dict[str, Any]) -> Scene:
         scene = build(config, solids, where)

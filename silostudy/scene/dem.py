@@ -1,8 +1,7 @@
 """From the user's units to a discrete-element scene in SI: walls, discs, contacts, events, and which effects it calls for."""
 
 from dataclasses import dataclass
-from math import radians, tan
-from pathlib import Path
+from math import radians
 
 import numpy as np
 
@@ -13,6 +12,7 @@ from silostudy.dem.model import Contact, Wall
 from silostudy.dem.pieces import Laws
 from silostudy.dem.run import Event
 from silostudy.errors import BadInput
+from silostudy.scene.plane_silo import FLOOR, HALVES, PlaneSilo
 
 DEEPEST = 0.1  # of a radius: overlap that a start may have (a packing at rest has some)
 
@@ -26,33 +26,11 @@ class Effect:
     why: str
 
 
-def bottom_of(silo: BoxConfig) -> float:
-    """Height (m) at which the vertical walls begin, above the slit: that of the hopper."""
-    if silo.hopper_half_angle_deg is None:
-        return 0.0
-    return 0.5 * (silo.width_m - silo.slit_width_m) / tan(radians(silo.hopper_half_angle_deg))
-
-
-def walls_of(silo: BoxConfig) -> tuple[Wall, ...]:
-    """Walls counter-clockwise, the closed bottom first; the halves beside the slit wait for it to open."""
-    width, half, cells = silo.width_m, silo.slit_width_m / 2.0, silo.wall_cells
-    centre, base = width / 2.0, bottom_of(silo)
-    found = []
-    if silo.hopper_half_angle_deg is None:
-        found.append(Wall("floor", (0.0, 0.0), (width, 0.0), cells))
-        if half:
-            found.append(Wall("floor_left", (0.0, 0.0), (centre - half, 0.0), cells, live=False))
-            found.append(Wall("floor_right", (centre + half, 0.0), (width, 0.0), cells, live=False))
-    else:
-        found.append(Wall("floor", (centre - half, 0.0), (centre + half, 0.0), cells, joined=(True, True)))
-        found.append(Wall("hopper_left", (0.0, base), (centre - half, 0.0), cells, joined=(True, False)))
-        found.append(Wall("hopper_right", (centre + half, 0.0), (width, base), cells, joined=(False, True)))
-    top = base + silo.height_m
-    found.append(Wall("left", (0.0, top), (0.0, base), cells, joined=(silo.lid, True)))
-    found.append(Wall("right", (width, base), (width, top), cells, joined=(True, silo.lid)))
-    if silo.lid:
-        found.append(Wall("lid", (width, top), (0.0, top), cells, joined=(True, True)))
-    return tuple(found)
+def plane_silo_of(config: BoxConfig) -> PlaneSilo:
+    """The silo in SI."""
+    angle = config.hopper_half_angle_deg
+    half_angle = None if angle is None else radians(angle)
+    return PlaneSilo(config.width_m, config.height_m, config.slit_width_m, half_angle, config.lid)
 
 
 def contact_of(config: ContactConfig, radius: float, density: float) -> Contact:
@@ -66,7 +44,7 @@ def contact_of(config: ContactConfig, radius: float, density: float) -> Contact:
 
 def events_of(scene: DemScene) -> tuple[Event, ...]:
     """Events in the engine's words."""
-    beside = ("floor_left", "floor_right") if scene.silo.hopper_half_angle_deg is None else ()
+    beside = HALVES if scene.silo.hopper_half_angle_deg is None else ()
     found = []
     for event in scene.events:
         action, what = _action(event, beside)
@@ -82,7 +60,7 @@ def _action(event: EventConfig, beside: tuple[str, ...]) -> tuple[str, tuple]:
         return "gravity", event.gravity_m_s2
     if event.do == "set_friction":
         return "friction", (event.disc_friction, event.wall_friction)
-    return ("open", ("floor", *beside)) if event.do == "open_slit" else ("stop", ())
+    return ("open", (FLOOR, *beside)) if event.do == "open_slit" else ("stop", ())
 
 
 def check_start(walls: tuple[Wall, ...], x, y, radius, where: str = "") -> None:
@@ -125,10 +103,3 @@ def effects(scene: DemScene) -> tuple[Effect, ...]:
         Effect("events", len(scene.events) > 1, ", ".join(event.do for event in scene.events)),
         Effect("snapshots", bool(record.snapshots_s), f"record.snapshots_s: {len(record.snapshots_s)} times"),
     )
-
-
-def load(path: Path) -> DemScene:
-    """The scene in a YAML file; BadInput lists every mistake."""
-    from silostudy.config.load import read_yaml, validated
-
-    return validated(DemScene, read_yaml(path), str(path))

@@ -7,7 +7,7 @@ from silostudy.dem.model import Model
 from silostudy.dem.stability import chosen_step, longest_step
 from silostudy.errors import BadInput
 from silostudy.packing import PACKINGS
-from silostudy.scene.dem import bottom_of, check_start, contact_of, walls_of
+from silostudy.scene.dem import check_start, contact_of, plane_silo_of
 
 
 def placed(scene: DemScene):
@@ -19,17 +19,19 @@ def placed(scene: DemScene):
     else:
         assert packing.kind == "loose"  # a file's discs are read elsewhere
         x, y, radius = PACKINGS["loose"].place(**size, count=packing.count, spread=packing.radius_spread)
-    return x, y + bottom_of(scene.silo), radius
+    return x, y + plane_silo_of(scene.silo).bottom, radius
 
 
-def model_of(scene: DemScene, discs, where: str = "") -> Model:
+def unshaken_scene_model(scene: DemScene, discs, where: str = "") -> Model:
     """The engine's model of a scene without shaking; BadInput for a start or a step that cannot be."""
-    walls, (x, y, radius) = walls_of(scene.silo), discs
+    integrator = scene.march.integrator
+    assert integrator is not None, "march.integrator is not chosen yet"
+    walls, (x, y, radius) = plane_silo_of(scene.silo).walls(scene.silo.wall_cells), discs
     check_start(walls, x, y, radius, where)
     contacts = [contact_of(config, scene.radius_m, scene.density_kg_m3) for config in (scene.discs, scene.walls or scene.discs)]
     model = Model(
         x=x, y=y, radius=radius, density=scene.density_kg_m3, walls=walls, pair_contact=contacts[0], wall_contact=contacts[1],
-        dt=scene.march.step_s or 1.0, gravity=scene.gravity_m_s2, integrator=scene.march.integrator,
+        dt=scene.march.step_s or 1.0, gravity=scene.gravity_m_s2, integrator=integrator,
         watched=scene.record.wall_force_window_s is not None, booked=scene.record.energy,
     )  # fmt: skip
     return replace(model, dt=_step(scene, model, where))
@@ -37,6 +39,7 @@ def model_of(scene: DemScene, discs, where: str = "") -> Model:
 
 def _step(scene: DemScene, model: Model, where: str) -> float:
     if scene.march.step_s is None:
+        assert scene.march.step_factor is not None, "march.step_factor is not chosen yet"
         return scene.march.step_factor * chosen_step(model)
     bound = longest_step(model)
     if scene.march.step_s > bound and not scene.march.beyond_stability:

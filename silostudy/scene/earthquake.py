@@ -3,34 +3,33 @@
 from pathlib import Path
 
 from silostudy.config.fields import expand
-from silostudy.config.load import read_yaml, study_of
+from silostudy.config.load import read_study
 from silostudy.config.seismic import SeismicScene, SeismicStudy
 from silostudy.config.shell import Earthquake
 from silostudy.errors import BadInput
-from silostudy.scene.expand import expand_file
+from silostudy.scene.expand import Expansion, file_as_asked
 from silostudy.scene.scene import Scene, solid_parameters
+from silostudy.tables.constants import STANDARD_GRAVITY
 
 SAME = {"inner radius": 1e-3, "depth of the contents": 1e-6, "unit weight": 0.01}  # relative; the tube has one thickness
-GRAVITY = 9.80665
 
 
-def read_earthquake(asked: Earthquake, folder: Path, where: str) -> SeismicStudy:
-    """The seismic study beside the shell study; BadInput where it is missing or cannot be laid on a shell."""
+def read_earthquake(asked: Earthquake, folder: Path, where: str) -> Expansion:
+    """The seismic study beside the shell study, as asked; BadInput where it is missing or cannot be laid on a shell."""
     path = folder / f"{asked.study}.yaml"
     if not path.is_file():
         known = sorted(file.stem for file in folder.glob("*.yaml"))
         raise BadInput("earthquake.study", asked.study, f"unknown; known: {', '.join(known)}", where)
-    study = study_of(read_yaml(path), str(path))
+    study = read_study(path)
     if not isinstance(study, SeismicStudy) or study.sweep:
         raise BadInput("earthquake.study", asked.study, "must be a seismic study without sweep", where)
     if asked.mass_choice == "identified" and study.identification is None:
         raise BadInput("earthquake.mass_choice", asked.mass_choice, f"{asked.study} identifies none", where)
-    if study.accuracy:
-        study = expand_file(path).study  # with the settings chosen for its scene
-    depths = expand(study.relative_depth)
-    if (depths[0], depths[-1]) != (0, 1):
-        raise BadInput("relative_depth", [depths[0], depths[-1]], "must run from 0 to 1: a shell study reads it", str(path))
-    return study
+    if study.relative_depth is not None:  # those chosen for an accuracy do
+        depths = expand(study.relative_depth)
+        if (depths[0], depths[-1]) != (0, 1):
+            raise BadInput("relative_depth", [depths[0], depths[-1]], "must run from 0 to 1: a shell study reads it", str(path))
+    return file_as_asked(path)
 
 
 def check_same_silo(scene: Scene, shaken: SeismicScene, where: str) -> None:
@@ -40,7 +39,7 @@ def check_same_silo(scene: Scene, shaken: SeismicScene, where: str) -> None:
     theirs = (
         tube.mid_wall_radius_m - tube.wall_thickness_mm / 2e3,
         tube.fill_height_m or tube.height_m,
-        shaken.contents.density_kg_m3 * GRAVITY,
+        shaken.contents.density_kg_m3 * STANDARD_GRAVITY,
     )
     for (what, tolerance), own, other in zip(SAME.items(), ours, theirs, strict=True):
         if abs(other / own - 1) > tolerance:

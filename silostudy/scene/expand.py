@@ -1,4 +1,7 @@
-"""Expands a study into its cases, once: every combination of the axes, each a frozen scene with an id of its own."""
+"""Expands a study into its cases, as asked: every combination of the axes, each a frozen scene with an id of its own.
+
+What is computed comes from choice/expand.py, where settings are chosen for an accuracy that is asked for.
+"""
 
 import copy
 import hashlib
@@ -6,11 +9,11 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from math import prod
 from pathlib import Path
-from pkgutil import resolve_name
 from typing import Any
 
 from silostudy.config.fields import Strict
 from silostudy.config.load import read_yaml, study_of, validated
+from silostudy.config.own import OwnMethods
 from silostudy.errors import BadInput
 from silostudy.stages import KINDS
 
@@ -32,32 +35,38 @@ class Expansion:
     name: str
     shape: tuple[int, ...]
     cases: tuple[Case, ...]
+    named: tuple[Path, ...] = ()  # files of the user's own that the study itself names
 
     @property
     def files(self) -> tuple[Path, ...]:
-        """The user's own files that the scenes were made from."""
-        return tuple(dict.fromkeys(file for case in self.cases for file in getattr(case.scene, "files", ())))
+        """The user's own files that study and scenes were made from."""
+        of_scenes = (file for case in self.cases for file in getattr(case.scene, "files", ()))
+        return tuple(dict.fromkeys((*self.named, *of_scenes)))
+
+    @property
+    def asks(self) -> bool:
+        """Whether the study, its scene or an axis asks for an accuracy in place of settings."""
+        swept = {key.split(".")[0] for axis in self.study.sweep for key in axis.settings()[0]}
+        return "accuracy" in swept or any(getattr(one, "accuracy", None) for one in (self.study, self.study.scene))
 
 
-def expand_file(path: Path, positions: Sequence[int] | None = None) -> Expansion:
-    """The cases of a study file, or those at some positions; BadInput names file, key, value and what is allowed."""
-    return expand(read_yaml(path), path.stem, str(path), path.parent, positions)
+def file_as_asked(path: Path, positions: Sequence[int] | None = None) -> Expansion:
+    """The cases of a study file as asked, or those at some positions; BadInput names file, key, value and what is allowed."""
+    return as_asked(read_yaml(path), path.stem, str(path), path.parent, positions)
 
 
-def expand(content: dict[str, Any], name: str, where: str, folder: Path, positions: Sequence[int] | None = None) -> Expansion:
+def as_asked(content: dict[str, Any], name: str, where: str, folder: Path, positions: Sequence[int] | None = None) -> Expansion:
     """The cases of a study's content; `where` names it in errors, and files it names are looked for in `folder`."""
-    study: Any = study_of(content, where)
+    study: Any = study_of(content, where, folder)
+    families = study.families if isinstance(study, OwnMethods) else None
     build = KINDS[study.kind].scene_builder(study, folder, where)
     cases, axes = [], [axis.settings() for axis in study.sweep]
     shape = tuple(map(len, axes))
     for position in range(prod(shape)) if positions is None else positions:
         settings = _settings_at(axes, position, where)
-        config = validated(type(study.scene), _applied(content["scene"], settings, where), f"{where} (scene)")
-        cases.append(Case(_identity(config), settings, build(config, settings)))
-    if getattr(study, "accuracy", None):  # now that the scenes tell what their errors hang on
-        traits = resolve_name(KINDS[study.kind].traits)(study, [case.scene for case in cases])
-        study = study_of(content, where, traits)
-    return Expansion(study, name, shape, tuple(cases))
+        config = validated(type(study.scene), _applied(content["scene"], settings, where), f"{where} (scene)", families)
+        cases.append(Case(identity(config), settings, build(config, settings)))
+    return Expansion(study, name, shape, tuple(cases), study.named_files(folder))
 
 
 def _settings_at(axes: list[list[dict[str, Any]]], position: int, where: str) -> dict[str, Any]:
@@ -72,7 +81,8 @@ def _settings_at(axes: list[list[dict[str, Any]]], position: int, where: str) ->
     return {key: value for part in reversed(found) for key, value in part.items()}
 
 
-def _identity(config: Strict) -> str:
+def identity(config: Strict) -> str:
+    """Short hash of a scene's canonical JSON."""
     return hashlib.sha256(config.model_dump_json().encode()).hexdigest()[:16]
 
 

@@ -8,8 +8,9 @@ from typing import Any
 
 from silostudy.config.grains import GrainsScene, GrainsStudy, Shaking
 from silostudy.packing import PACKINGS
+from silostudy.tables.kiyama_1983 import ACTIVE, GAPS, PASSIVE
 
-ROWS = {"rows_17_18": (18, 4e-5), "rows_11_12": (12, 3e-4)}  # discs across, gap (m): kiyama_fujimura_1983, for 0.4 m and 1 cm
+ROWS = {"rows_17_18": ACTIVE, "rows_11_12": PASSIVE}  # discs across
 SOLID_FRACTION = 0.82  # of settled random discs, to choose how many fill the height
 
 
@@ -39,5 +40,6 @@ def discs_of(config: GrainsScene, seed: int):
     if config.packing == "loose":
         count = max(1, round(SOLID_FRACTION * width * height / (pi * radius**2)))
         return PACKINGS["loose"].place(width=width, count=count, radius=radius, spread=config.grains.radius_spread, seed=seed)
-    across, gap = ROWS[config.packing]
+    across = ROWS[config.packing]
+    gap = GAPS[across]
     return PACKINGS["rows"].place(width=width, height=height, radius=radius, across=across, gap=gap, offset=gap / 3, seed=seed)

@@ -1,6 +1,6 @@
 """The scenes of a packing study: a silo, its rows of discs, its slit; walls, contacts and where the discs start."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass
 from math import sqrt
 from pathlib import Path
@@ -12,9 +12,9 @@ from silostudy.dem.model import Contact, Wall
 from silostudy.errors import BadInput
 from silostudy.packing import PACKINGS
 from silostudy.scene.dem import contact_of
+from silostudy.scene.plane_silo import PlaneSilo
+from silostudy.tables.kiyama_1983 import GAPS, WALL_STIFFNESS_RATIO
 
-PRINTED_GAPS = {12: 3e-4, 18: 4e-5}  # m: kiyama_fujimura_1983, note 2, for 11/12 and 17/18
-STIFFER_WALLS = 2.0  # section 4 (2)
 LEAST_ROWS = 5  # with fewer, walls have too few contacts to say anything of the depth
 LAYERS = 10  # of a side wall: the paper's cell grid, 4 cm
 CELLS_IN_LAYER = 4  # each no higher than a radius, so that it never holds two contacts: see packing_builder
@@ -50,26 +50,9 @@ def packing_builder(study: PackingStudy, folder: Path, where: str) -> Callable[[
     return build_one
 
 
-def packing_traits(study: PackingStudy, scenes: Sequence[SlitScene]) -> list[dict[str, float]]:
-    """Of each scene: what the spread of its runs goes with; how far discs of a row are apart and offset, over the radius."""
-    found = []
-    for one in scenes:
-        discs, count = one.config.discs, len(discs_of(study, one.config, 1)[0])
-        number = friction_scatter(discs.disc_friction, discs.wall_friction, count)
-        offsets = {"offset": study.offset_m / discs.radius_m, "offset_gap": study.offset_gap_m / discs.radius_m}
-        pitch = (one.config.silo.width_m - 2.0 * discs.radius_m) / (one.config.across - 1) / discs.radius_m
-        found.append({"friction_scatter": number, "pitch": pitch, **offsets})
-    return found
-
-
-def friction_scatter(discs: float, walls: float, count: int) -> float:
-    """Root of both frictions' product over the number of discs (1): what friction leaves open, the more the fewer share it."""
-    return sqrt(discs * walls / count)
-
-
 def ideal_gap(across: int) -> float:
     """Gap (m) of the ideal start: the source's for 12 and 18 discs across, else by equal ratios (assumed)."""
-    (low, wide), (high, narrow) = sorted(PRINTED_GAPS.items())
+    (low, wide), (high, narrow) = sorted(GAPS.items())
     return wide * (narrow / wide) ** ((across - low) / (high - low))
 
 
@@ -91,25 +74,18 @@ def discs_of(study: PackingStudy, config: PackingScene, run: int):
     )  # fmt: skip
 
 
-def walls_of(silo: SlitSilo) -> tuple[Wall, ...]:
-    """Floor, the two halves that replace it, left and right wall, all with cells for their forces."""
-    width, half, top = silo.width_m, silo.slit_width_m / 2.0, silo.height_m
-    cells = LAYERS * CELLS_IN_LAYER
-    return (
-        Wall("floor", (0.0, 0.0), (width, 0.0), cells),
-        Wall("floor_left", (0.0, 0.0), (width / 2.0 - half, 0.0), EDGE_CELLS, live=False),
-        Wall("floor_right", (width / 2.0 + half, 0.0), (width, 0.0), EDGE_CELLS, live=False),
-        Wall("left", (0.0, top), (0.0, 0.0), cells, joined=(False, True)),
-        Wall("right", (width, 0.0), (width, top), cells, joined=(True, False)),
-    )
+def packing_walls(silo: SlitSilo) -> tuple[Wall, ...]:
+    """The silo's walls with cells for their forces."""
+    built = PlaneSilo(silo.width_m, silo.height_m, silo.slit_width_m)
+    return built.walls(LAYERS * CELLS_IN_LAYER, EDGE_CELLS)
 
 
 def contacts_of(config: PackingScene) -> tuple[Contact, Contact]:
-    """Contact between discs, and of discs with walls: stiffness and dashpots twice as large there."""
+    """Contact between discs, and of discs with walls: stiffness and dashpots are larger there by the source's ratio."""
     discs, radius, density = config.discs, config.discs.radius_m, config.discs.density_kg_m3
     between = contact_of(_contact(discs, config, discs.disc_friction), radius, density)
     wall = contact_of(_contact(discs, config, discs.wall_friction), radius, density)
-    return between, wall.scaled(stiffness=STIFFER_WALLS, damping=STIFFER_WALLS)
+    return between, wall.scaled(stiffness=WALL_STIFFNESS_RATIO, damping=WALL_STIFFNESS_RATIO)
 
 
 def _contact(discs: RowDiscs, config: PackingScene, friction: float) -> ContactConfig:

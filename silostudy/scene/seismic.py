@@ -1,6 +1,6 @@
 """From a seismic study's units to a frozen scene in SI: the tube, its base motion and its measured answer."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import cache
 from pathlib import Path
@@ -9,7 +9,6 @@ from typing import Any
 from silostudy.config.seismic import Imitation, Motion, SeismicScene, SeismicStudy, Series
 from silostudy.config.seismic import Tube as TubeConfig
 from silostudy.errors import BadInput
-from silostudy.seismic.added_mass import mass_ratio, volume_ratio
 from silostudy.seismic.beam import Tube
 from silostudy.seismic.readers import read_known, read_record
 from silostudy.seismic.records import Record, compressed, in_band, scaled, without_baseline
@@ -54,30 +53,6 @@ def seismic_builder(study: SeismicStudy, folder: Path, where: str) -> Callable[[
         )
 
     return build_one
-
-
-def seismic_traits(study: SeismicStudy, scenes: Sequence[Shaken]) -> list[dict[str, float]]:
-    """What the error of the coefficient found goes with: of each scene, 0 where none is sought."""
-    sought = study.identification
-    if sought is None:
-        return [{"valley_number": 0.0} for _ in scenes]
-    coarse = sought.coefficients
-    step, middle = (coarse.stop - coarse.start) / (coarse.count - 1), 0.5 * (coarse.start + coarse.stop)
-    truths = [one.imitation.effective_mass_coefficient if one.imitation else middle for one in scenes]
-    numbers = (valley_number(one.tube, one.damping_ratio, step, truth) for one, truth in zip(scenes, truths, strict=True))
-    return [{"valley_number": number} for number in numbers]
-
-
-def valley_number(tube: Tube, damping_ratio: float, step: float, coefficient: float) -> float:
-    """Square of the candidates' step over the valley's width and over the coefficient (1).
-
-    The valley of the likeness index is as wide as the coefficient must change to move the first frequency by its half-power
-    width: 2 zeta (1 + m C) / m with the mass ratio m of contents and wall.
-    """
-    volumes = volume_ratio(radius=tube.radius, thickness=tube.thickness)
-    ratio = mass_ratio(volume_ratio=volumes, wall_density=tube.wall_density, contents_density=tube.contents_density)
-    width = 2.0 * damping_ratio * (1.0 + ratio * coefficient) / ratio
-    return step**2 / (width * max(coefficient, step))
 
 
 def _check_band(band: tuple[float, float], base: Record, where: str) -> None:

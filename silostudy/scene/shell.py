@@ -11,11 +11,9 @@ from silostudy.config.shell import ShellStudy, SteelSilo
 from silostudy.config.steel import Cylinder, Making, SiloWall, Steel
 from silostudy.scene.build import pressure_builder
 from silostudy.scene.earthquake import check_same_silo, read_earthquake
+from silostudy.scene.expand import Expansion
 from silostudy.scene.scene import Scene
-from silostudy.scene.traits import shell_traits
 from silostudy.tables.miller1977 import TESTS, MillerTest
-
-__all__ = ["Shell", "ShellScene", "Wall", "buckling_builder", "shell_builder", "shell_traits"]
 
 QUALITY = {"A": 40.0, "B": 25.0, "C": 16.0}  # EN 1993-1-6: Q of the fabrication quality classes, second-hand transcription
 
@@ -111,10 +109,10 @@ class Wall:
 
 @dataclass(frozen=True, kw_only=True)
 class ShellScene(Scene):
-    """A silo with its contents and its steel wall; earthquake: the text of the seismic study laid on it, or none."""
+    """A silo with its contents and its steel wall; earthquake: the seismic study laid on it, as asked, or none."""
 
     shell: Wall
-    earthquake: str = ""
+    earthquake: Expansion | None = None
 
 
 def shell_builder(study: ShellStudy, folder: Path, where: str) -> Callable[..., ShellScene]:
@@ -127,8 +125,8 @@ def shell_builder(study: ShellStudy, folder: Path, where: str) -> Callable[..., 
         own = {item.name: getattr(scene, item.name) for item in fields(scene)}
         if shaken is None:
             return ShellScene(**own, shell=wall(config.shell))
-        check_same_silo(scene, shaken.scene, where)
-        return ShellScene(**own, shell=wall(config.shell), earthquake=shaken.model_dump_json(exclude_defaults=True))
+        check_same_silo(scene, shaken.study.scene, where)
+        return ShellScene(**own, shell=wall(config.shell), earthquake=shaken)
 
     return build_one
 

@@ -9,13 +9,15 @@ import numpy as np
 
 from silostudy.config.contact import ContactConfig
 from silostudy.config.stability import StabilityScene, StabilityStudy
-from silostudy.dem.model import Model, Wall
+from silostudy.dem.model import Model
 from silostudy.packing import PACKINGS
 from silostudy.scene.dem import contact_of
+from silostudy.scene.plane_silo import PlaneSilo
+from silostudy.tables.constants import ROUNDED_GRAVITY
+from silostudy.tables.kiyama_1983 import ACTIVE, pitch
 
-GRAVITY = 9.81
 TALL, ACROSS = 10, 6  # discs of a column; of the lowest row
-PITCH = 38.0 / 17.0  # of a radius, between discs of a row: the 17/18 packing of kiyama_fujimura_1983 in its box
+PITCH = pitch(ACTIVE)  # of a radius, between discs of a row: a steep packing, far from neighbours in touch
 CALMING = 0.7  # of the critical damping
 TIGHT = 1e-4  # of a diameter: overlap of neighbours in a hexagonal row, so that they stay in touch
 
@@ -42,7 +44,7 @@ def stability_builder(study: StabilityStudy, folder: Path, where: str) -> Callab
 
     def build_one(config: StabilityScene, settings: dict[str, Any]) -> RestingDiscs:
         calm = config.model_copy(update={"discs": calmed(config.discs), "integrator": "17-18"})
-        return RestingDiscs(config, model_of(config), model_of(calm))
+        return RestingDiscs(config, resting_discs_model(config), resting_discs_model(calm))
 
     return build_one
 
@@ -53,19 +55,14 @@ def calmed(discs: ContactConfig) -> ContactConfig:
     return discs.model_copy(update={**laws, "normal_damping_N_s_m2": None, "damping_ratio": CALMING})
 
 
-def model_of(config: StabilityScene) -> Model:
+def resting_discs_model(config: StabilityScene) -> Model:
     """The engine's model of the discs where they nearly rest."""
     x, y, width = network(config.network, config.radius_m)
     top = 2.0 * float(y.max()) + 4.0 * config.radius_m
-    walls = (
-        Wall("floor", (0.0, 0.0), (width, 0.0)),
-        Wall("left", (0.0, top), (0.0, 0.0), joined=(False, True)),
-        Wall("right", (width, 0.0), (width, top), joined=(True, False)),
-    )
     contact = contact_of(config.discs, config.radius_m, config.density_kg_m3)
     return Model(
-        x=x, y=y, radius=np.full(len(x), config.radius_m), density=config.density_kg_m3, walls=walls, pair_contact=contact,
-        wall_contact=contact, dt=1.0, gravity=(0.0, -GRAVITY), integrator=config.integrator,
+        x=x, y=y, radius=np.full(len(x), config.radius_m), density=config.density_kg_m3, walls=PlaneSilo(width, top).walls(),
+        pair_contact=contact, wall_contact=contact, dt=1.0, gravity=(0.0, -ROUNDED_GRAVITY), integrator=config.integrator,
     )  # fmt: skip
 
 

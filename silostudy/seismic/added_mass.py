@@ -1,5 +1,7 @@
 """The contents as mass added to the wall, and what a change of frequency says about them."""
 
+from silostudy.seismic.family import MassRule
+
 
 def volume_ratio(*, radius, thickness):
     """Contents' volume over wall volume (1) of a tube with mid-wall radius (m) and wall thickness (m).
@@ -40,3 +42,16 @@ def coefficient_from_shift(empty_frequency, full_frequency, *, mass_ratio):
     Source: sasaki_yoshimura_effective_mass, equation (1): with equal stiffness f_empty^2 / f_full^2 is rho_e / rho_w.
     """
     return ((empty_frequency / full_frequency) ** 2 - 1) / mass_ratio
+
+
+ROW = MassRule(
+    key="resonance_shift",
+    rank=10,
+    title="Shift of the first frequency by filling",
+    source="sasaki_yoshimura_effective_mass",
+    locator="section 3, equations (1) and (2)",
+    function=coefficient_from_shift,
+    formula="C_eff = ((f_empty / f_full)^2 - 1) / (rho_s r / rho_w), r = (1 - p)^2 / (4 p), p = h / 2R",
+    needs=("empty frequency (Hz)", "full frequency (Hz)", "contents' mass over wall mass (1)"),
+    validity="equal stiffness empty and full; filled over the whole height (else the beam is solved for it)",
+)

@@ -6,9 +6,10 @@ from math import pi
 import numpy as np
 
 from silostudy.seismic.beam import Tube, modes
-from silostudy.seismic.en1998_4 import GRAVITY, wall_pressure
+from silostudy.seismic.en1998_4 import wall_pressure
 from silostudy.seismic.records import Record
 from silostudy.seismic.response import absolute_acceleration, internal_forces, refined
+from silostudy.tables.constants import STANDARD_GRAVITY
 
 MODES_SEEN = 3  # modes whose true peaks the refined step resolves; higher ones hardly move the base forces
 
@@ -43,7 +44,7 @@ def demand(tube: Tube, stiffness_reduction: float, coefficient: float, damping_r
     pressure = wall_pressure(
         height,
         acceleration=peaks[:-1],
-        unit_weight=tube.contents_density * GRAVITY,
+        unit_weight=tube.contents_density * STANDARD_GRAVITY,
         contents_height=tube.fill_height,
         diameter=2 * tube.radius - tube.thickness,
     )

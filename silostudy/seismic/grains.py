@@ -2,6 +2,8 @@
 
 import numpy as np
 
+from silostudy.seismic.family import MassRule
+
 LEAST_SHARE = 0.5
 
 
@@ -33,3 +35,16 @@ def wall_carried_ring(static_wall_force, *, weight, wall_friction):
     the weight (N), at most 1; for a constant ratio of pressures in a circular silo that is mu K H / R.
     """
     return np.minimum(1.0, wall_friction * np.asarray(static_wall_force) / weight)
+
+
+ROW = MassRule(
+    key="wall_carried_ring",
+    rank=60,
+    title="The ring that wall friction carries",
+    source="silvestri_ring",
+    locator="simplest form",
+    function=wall_carried_ring,
+    formula="C_eff = min(1, mu N / W): static wall pressure summed N, weight W; mu K H / R where p_h = K gamma z",
+    needs=("static wall force (N)", "contents' weight (N)", "wall friction coefficient (1)"),
+    validity="a core that carries itself; shown beside shaken discs in the studies of kind grains",
+)

@@ -2,6 +2,8 @@
 
 import numpy as np
 
+from silostudy.seismic.family import MassRule
+
 
 def spectrum(acceleration, dt: float, band: tuple[float, float]) -> tuple[np.ndarray, np.ndarray]:
     """(frequency (Hz), Fourier transform (m s-1, complex)) of histories along the last axis, inside a band (Hz)."""
@@ -40,3 +42,29 @@ def phase_error_as_printed(computed, measured):
     known = (phase != 0) & (weight > 0)
     relative = np.where(known, np.abs(np.angle(computed) - phase) / np.where(known, np.abs(phase), 1), 0)
     return (relative * weight).sum(axis=-1) / (weight.shape[-1] * weight.sum(axis=-1))
+
+
+ROWS = (
+    MassRule(
+        key="amplitude_error",
+        rank=20,
+        title="Least error of Fourier amplitudes, E_A",
+        source="sasaki_yoshimura_effective_mass",
+        locator="equations (3) and (5)",
+        function=amplitude_error,
+        formula="E_A = sum |X' - X| / (n sum X): measured X, computed X', n bins of the band",
+        needs=("measured top acceleration (m s-2)", "base acceleration (m s-2)", "damping ratio (1)", "band (Hz)"),
+        validity="while contents and wall move as one; the deciding index here",
+    ),
+    MassRule(
+        key="phase_error",
+        rank=30,
+        title="Least error of wrapped Fourier phases, E_P",
+        source="sasaki_yoshimura_effective_mass",
+        locator="equations (4) and (5), without their division by the phase",
+        function=phase_error,
+        formula="E_P = sum |wrap(Phi' - Phi)| X / (pi n sum X)",
+        needs=("measured top acceleration (m s-2)", "base acceleration (m s-2)", "damping ratio (1)", "band (Hz)"),
+        validity="a second opinion: a disagreement with E_A is reported, not resolved",
+    ),
+)

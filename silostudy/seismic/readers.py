@@ -9,9 +9,10 @@ import numpy as np
 
 from silostudy.errors import BadInput
 from silostudy.seismic.records import Record
+from silostudy.tables.constants import STANDARD_GRAVITY
 from silostudy.tables.records import RECORDS
 
-UNITS = {"g": 9.80665, "gal": 0.01, "m_s2": 1.0}  # accelerations a user may name, in m s-2
+UNITS = {"g": STANDARD_GRAVITY, "gal": 0.01, "m_s2": 1.0}  # accelerations a user may name, in m s-2
 
 
 def read_known(key: str) -> Record:

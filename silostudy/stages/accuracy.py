@@ -14,7 +14,7 @@ KIND = Kind(
             compute="silostudy.accuracy.cube:accuracy_cube",
             tells=True,
             alone=True,  # as far as the pipeline goes: what it measures is time
-            rooms=("accuracy",),
+            rooms=("accuracy/problems",),
         ),
     ),
 )

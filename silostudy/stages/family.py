@@ -71,7 +71,7 @@ class Kind(Entry):
 
     model: the configuration; builder(study, folder, where) -> build(configuration, settings) -> scene, frozen; none: the
     file is no study with cases but a single scene
-    traits(study, scenes): what its errors hang on, for a kind that may ask for an accuracy
+    traits(asking, scenes): what its errors hang on, for a kind that may ask for an accuracy, or whose scenes may
     about: functions of an expansion that give the lines which `silostudy check` says of it; timed: further ones, which
     measure something first
     """
@@ -103,9 +103,10 @@ class Kind(Entry):
 
     def places(self, stage: Stage | None = None) -> tuple[str, ...]:
         """The files and rooms at which the work of a stage begins."""
-        named = (self.model, self.builder, *(stage.references if stage else ()))
+        named = (self.model, self.builder, self.traits, *(stage.references if stage else ()))
         files = tuple(place_of(reference) for reference in named if reference)
-        return (*(["scene/expand"] if self.builder else []), *files, *(stage.rooms if stage else ()))
+        chosen = ["choice/settle"] if self.traits else []
+        return (*(["choice/expand"] if self.builder else []), *chosen, *files, *(stage.rooms if stage else ()))
 
 
 def place_of(reference: str) -> str:

@@ -7,7 +7,7 @@ KIND = Kind(
     title="rows of discs at rest and in discharge",
     model="silostudy.config.packing:PackingStudy",
     builder="silostudy.scene.packing:packing_builder",
-    traits="silostudy.scene.packing:packing_traits",
+    traits="silostudy.choice.packing:packing_traits",
     stages=(
         Stage(
             key="packing",

@@ -18,7 +18,7 @@ KIND = Kind(
     title="wall pressures of silos by theories and design codes",
     model="silostudy.config.pressure:PressureStudy",
     builder="silostudy.scene.build:pressure_builder",
-    traits="silostudy.scene.build:pressure_traits",
+    traits="silostudy.choice.pressure:pressure_traits",
     stages=(PRESSURES, SCATTER),
     about=("silostudy.commands.about:pressures", "silostudy.commands.about:cautions"),
 )

@@ -7,6 +7,7 @@ KIND = Kind(
     title="a sweep of discrete-element scenes",
     model="silostudy.config.scenes:ScenesStudy",
     builder="silostudy.scene.scenes:scenes_builder",
+    traits="silostudy.choice.dem:dem_traits",  # its scenes ask
     stages=(
         Stage(
             key="scenes",

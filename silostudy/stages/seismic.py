@@ -7,7 +7,7 @@ KIND = Kind(
     title="earthquakes: demand on the wall, effective mass of the contents",
     model="silostudy.config.seismic:SeismicStudy",
     builder="silostudy.scene.seismic:seismic_builder",
-    traits="silostudy.scene.seismic:seismic_traits",
+    traits="silostudy.choice.seismic:seismic_traits",
     stages=(
         Stage(
             key="seismic",

@@ -8,7 +8,7 @@ KIND = Kind(
     title="wall pressures, and the steel wall that carries them",
     model="silostudy.config.shell:ShellStudy",
     builder="silostudy.scene.shell:shell_builder",
-    traits="silostudy.scene.shell:shell_traits",
+    traits="silostudy.choice.pressure:shell_traits",
     stages=(
         *PRESSURE.stages,
         Stage(

@@ -9,14 +9,14 @@ from typing import Any
 import numpy as np
 import xarray as xr
 
-from silostudy.compute.axes import axis_coordinates
-from silostudy.compute.variables import attributes, flags
-from silostudy.config.asked import promises
-from silostudy.cube.contract import VARIABLES
-from silostudy.cube.provenance import provenance
+from silostudy.choice.expand import expand_file
+from silostudy.choice.promise import promises
+from silostudy.compute.axes import axis_coordinates, axis_names
+from silostudy.cube.assemble import Sweep, assemble
+from silostudy.cube.contract import variable
+from silostudy.cube.variables import attributes, flags
 from silostudy.errors import BadInput
 from silostudy.files import replacing
-from silostudy.scene.expand import expand_file
 from silostudy.sweep.journal import ENDING, failed, sound
 from silostudy.sweep.plan import DONE, parts_of, read_plan
 from silostudy.sweep.slabs import Slab, write_slabs
@@ -64,12 +64,11 @@ def merge(path: Path, folder: Path, output: Path, memory: float = MEMORY) -> tup
     study, records = expansion.study, Records(folder)
     if len(records.keys) != prod(expansion.shape):
         raise BadInput("plan", str(folder), f"has {len(records.keys)} case(s) in place of {prod(expansion.shape)}")
-    stage = parts_of(study)
-    coords = {name: (*coordinate, attributes(name)) for name, coordinate in stage.call("coordinates", study).items()}
-    about = provenance(study.title, study.model_dump_json(exclude_defaults=True), stage.call("sources", study), study.kind)
-    axes = " ".join(axis.axis for axis in study.sweep)
-    about |= {"sweep_axes": axes, **_promise(path, study, len(records.keys))}
-    frame = xr.Dataset(coords={**axis_coordinates(study), **coords}, attrs=about)
+    parts = parts_of(study)
+    sweep = Sweep(axis_names(study), axis_coordinates(study))
+    notes = _promise(path, len(records.keys)) if expansion.asks else {}
+    coordinates, sources = parts.call("coordinates", study), parts.call("sources", study)
+    frame = assemble(study, study.kind, coordinates, sources=sources, notes=notes, sweep=sweep)
     slabs = _slabs(records.pattern(), frame)
     lost: list[tuple[str, str]] = []
 
@@ -82,24 +81,22 @@ def merge(path: Path, folder: Path, output: Path, memory: float = MEMORY) -> tup
         return found
 
     write_slabs(frame, slabs, fill, output, memory=memory)
-    _clear(folder, records.parts, stage.stamp)
+    _clear(folder, records.parts, parts.stamp)
     _list(lost, output.with_name(f"{output.stem}-failed.csv"))
     return len(records.keys), len(lost)
 
 
-def _promise(path: Path, study, count: int) -> dict[str, str]:
+def _promise(path: Path, count: int) -> dict[str, str]:
     """What was asked, chosen and expected of a sweep whose scenes ask for an accuracy; read in bounded pieces."""
-    if getattr(study.scene, "accuracy", None) is None:
-        return {}
     pieces = (range(first, min(first + PIECE, count)) for first in range(0, count, PIECE))
-    return promises(case.scene.config for piece in pieces for case in expand_file(path, piece).cases)
+    return promises(choice for piece in pieces for choice in expand_file(path, piece).choices)
 
 
 def _slabs(pattern: dict[str, tuple[int, ...]], frame: xr.Dataset) -> dict[str, Slab]:
     found = {"case": Slab(str, (), attributes("case")), "case_error": Slab(str, (), attributes("case_error"))}
-    found["case_outcome"] = Slab("i1", (), flags(VARIABLES["case_outcome"].long_name, OUTCOMES))
+    found["case_outcome"] = Slab("i1", (), flags(variable("case_outcome").long_name, OUTCOMES))
     for name, shape in pattern.items():
-        dims = VARIABLES[name].dims[1:]
+        dims = variable(name).dims[1:]
         if shape != tuple(frame.sizes[dim] for dim in dims):
             raise BadInput(f"shape of {name}", shape, f"must be that of {dims}")
         found[name] = Slab("f8", dims, attributes(name))

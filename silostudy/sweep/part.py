@@ -8,8 +8,9 @@ from typing import Any
 
 import numpy as np
 
+from silostudy.choice.expand import expand_file
 from silostudy.errors import BadInput
-from silostudy.scene.expand import Case, expand_file
+from silostudy.scene.expand import Case
 from silostudy.sweep.journal import ENDING, Journal, sound
 from silostudy.sweep.plan import DONE, case_keys, parts_of, rows_of, sizes
 

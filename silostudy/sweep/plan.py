@@ -31,7 +31,8 @@ def parts_of(study) -> Parts:
 def case_keys(expansion: Expansion) -> list[str]:
     """A key for each case: changed code, settings, scene or file of the user gives another key."""
     digests = {file: hashlib.sha256(file.read_bytes()).hexdigest() for file in expansion.files if file.is_file()}
-    about = f"{parts_of(expansion.study).stamp} {expansion.study.settings}"
+    named = [digests[file] for file in expansion.named]
+    about = " ".join([parts_of(expansion.study).stamp, expansion.study.settings, *named])
     files = (" ".join(digests.get(file, "missing") for file in getattr(case.scene, "files", ())) for case in expansion.cases)
     texts = (f"{about} {case.id} {more}" for case, more in zip(expansion.cases, files, strict=True))
     return [hashlib.sha256(text.encode()).hexdigest()[:20] for text in texts]

@@ -10,7 +10,7 @@ import netCDF4
 import numpy as np
 import xarray as xr
 
-from silostudy.cube.contract import check
+from silostudy.cube.contract import check, variable
 from silostudy.files import replacing
 
 TEXT = 100  # bytes of a short text in memory
@@ -37,6 +37,7 @@ def write_slabs(frame: xr.Dataset, slabs: dict[str, Slab], fill: Fill, path: Pat
     """
     axes = frame.attrs["sweep_axes"].split()
     shape = tuple(frame.sizes[axis] for axis in axes)
+    labels = _labels(frame, slabs)
     own = {name: tuple(frame.sizes[dim] for dim in slab.dims) for name, slab in slabs.items()}
     chunk = extents(shape, max(1, CHUNK // max(map(prod, own.values()))))
     whole = sum(TEXT if slabs[name].kind is str else 8 * prod(sizes) for name, sizes in own.items())
@@ -45,12 +46,20 @@ def write_slabs(frame: xr.Dataset, slabs: dict[str, Slab], fill: Fill, path: Pat
         with netCDF4.Dataset(temporary, "a") as file:
             for name, slab in slabs.items():
                 _add(file, name, slab, (*axes, *slab.dims), (*chunk, *own[name]))
+                if labels and name not in labels:
+                    file[name].coordinates = " ".join(labels)
             for first, last, place in blocks(shape, chunk, max(1, int(memory // whole))):
                 for name, values in fill(first, last).items():
                     extent = tuple(len(range(*part.indices(size))) for part, size in zip(place, shape, strict=True))
                     file[name][(*place, ...)] = values.reshape(*extent, *own[name])
         with xr.open_dataset(temporary) as written:
             check(written)
+
+
+def _labels(frame: xr.Dataset, slabs: dict[str, Slab]) -> list[str]:
+    """Names of the coordinates over sweep axes that are no axis' own: every slab holds for them."""
+    hanging = [str(name) for name in frame.coords if name not in frame.dims]
+    return hanging + [name for name in slabs if variable(name).role == "coordinate"]
 
 
 def _add(file: netCDF4.Dataset, name: str, slab: Slab, dims: tuple[str, ...], chunk: tuple[int, ...]) -> None:

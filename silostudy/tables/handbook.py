@@ -2,9 +2,10 @@
 
 from dataclasses import dataclass
 
+from silostudy.tables.constants import STANDARD_GRAVITY
 from silostudy.tables.read import HERE, rows
 
-TONNE_PER_M2 = 9806.65  # Pa
+TONNE_PER_M2 = 1e3 * STANDARD_GRAVITY  # Pa
 
 
 @dataclass(frozen=True)

@@ -1,11 +1,15 @@
-"""The references behind every row: one BibTeX file, read by a library."""
+"""The references behind every row: one BibTeX file, read by a library; a user's own file may bring others."""
 
 from functools import cache
+from pathlib import Path
 
-from pybtex.database import BibliographyData, parse_string
+from pybtex.database import BibliographyData, Entry, parse_string
+from pybtex.exceptions import PybtexError
 
-from silostudy.errors import unknown
+from silostudy.errors import BadInput, unknown
 from silostudy.tables.read import HERE
+
+ORDER = ("title", "journal", "booktitle", "volume", "number", "pages", "publisher", "year", "doi", "note")
 
 
 @cache
@@ -14,12 +18,53 @@ def references() -> BibliographyData:
     return parse_string((HERE / "references.bib").read_text(encoding="utf-8"), "bibtex")
 
 
-def cite(key: str) -> str:
-    """One reference as a line of text; BadInput for an unknown key."""
+def cite(source: str) -> str:
+    """One reference as a line of text, by its key; a citation in words as it is.  BadInput for an unknown key."""
+    if _in_words(source):
+        return source
     entries = references().entries
-    if key not in entries:
-        raise unknown("reference", key, entries)
-    people = [str(person).replace("{", "").replace("}", "") for person in entries[key].persons.get("author", [])]
-    order = ("title", "journal", "booktitle", "volume", "number", "pages", "publisher", "year", "doi", "note")
-    fields = [entries[key].fields[name] for name in order if name in entries[key].fields]
-    return ". ".join([" and ".join(people), *fields]) + "."
+    if source not in entries:
+        raise unknown("reference", source, entries)
+    return _told(entries[source])
+
+
+def with_locator(source: str, locator: str) -> str:
+    """Key, place and reference on a line; a citation in words is not said twice."""
+    return f"{source}, {locator}" if _in_words(source) else f"{source}, {locator}: {cite(source)}"
+
+
+def _in_words(source: str) -> bool:
+    return " " in source
+
+
+def _told(entry: Entry) -> str:
+    people = [str(person).replace("{", "").replace("}", "") for person in entry.persons.get("author", [])]
+    return ". ".join([" and ".join(people), *(entry.fields[name] for name in ORDER if name in entry.fields)]) + "."
+
+
+def beside(file: Path) -> Path:
+    """The user's own references, which a file of the user's own may bring: of its name, with the ending .bib."""
+    return file.with_suffix(".bib")
+
+
+def own_source(source: str, file: Path, where: str) -> str:
+    """The source of a row in a user's file, as `cite` takes it.
+
+    It is a key of the references beside the file, then of the shipped ones, or a citation in words, which has a blank in it.
+    """
+    source, own = " ".join(source.split()), _own_references(beside(file))
+    if source in own.entries:
+        return " ".join(_told(own.entries[source]).split())
+    if _in_words(source) or source in references().entries:
+        return source
+    told = f"no key of references.bib or of {beside(file).name} beside the file, and no citation in words (with a blank in it)"
+    raise BadInput("source", source, told, where)
+
+
+def _own_references(path: Path) -> BibliographyData:
+    if not path.is_file():
+        return BibliographyData()
+    try:
+        return parse_string(path.read_text(encoding="utf-8"), "bibtex")
+    except (OSError, UnicodeDecodeError, PybtexError) as error:
+        raise BadInput("file", str(path), "must be readable BibTeX: " + " ".join(str(error).split())) from None

@@ -1,12 +1,13 @@
 """Stored solids: the handbook's tables, and a user's own file in the same columns."""
 
-from dataclasses import dataclass, field, fields
+from dataclasses import dataclass, field, fields, replace
 from math import isnan, nan, pi, tan
 from pathlib import Path
 
 from silostudy.catalogue import Family, Row
 from silostudy.errors import BadInput
 from silostudy.tables.read import HERE, number, rows
+from silostudy.tables.references import own_source
 from silostudy.tables.units import split_unit
 
 GRAINS = ("powder", "fine_grain", "coarse_grain")
@@ -70,10 +71,9 @@ def check_property(name: str, value: float, where: str, written: str | None = No
         raise BadInput(written or name, value, f"must lie {ends}{'' if unit in ('1', 'rad') else ' ' + unit}", where)
 
 
-def read_solids(path: Path, known: Family[SolidRow] | None = None) -> Family[SolidRow]:
-    """Solids of a CSV file, added to the known ones; BadInput for a key taken twice or a value out of range."""
-    members = [_solid(raw) for raw in rows(path, text=("solid", "grain"))]
-    return Family("solid", [*(known.values() if known else ()), *members])
+def read_solids(path: Path) -> Family[SolidRow]:
+    """Solids of a CSV file; BadInput for a key taken twice or a value out of range."""
+    return Family("solid", [_solid(raw) for raw in rows(path, text=("solid", "grain"))])
 
 
 def _solid(raw: dict) -> SolidRow:
@@ -91,6 +91,12 @@ def _solid(raw: dict) -> SolidRow:
     for name in RANGES.keys() & values.keys():
         check_property(name, values[name], where)
     return SolidRow(key=raw["solid"], **{"title": raw["solid"], **values})
+
+
+def own_solids(path: Path) -> Family[SolidRow]:
+    """The package's solids with those of a user's file, whose sources may be the user's own."""
+    mine = read_solids(path).values()
+    return SOLIDS.joined(replace(row, source=own_source(row.source, path, f"{path.name}, {row.key}")) for row in mine)
 
 
 def with_unit(name: str) -> str:
@@ -120,5 +126,5 @@ def _own_value(parameter: str, value: float) -> tuple[str, float]:
 
 
 SOLIDS = _with_method_values(
-    read_solids(HERE / "en1991_4_table_e1.csv", read_solids(HERE / "solids.csv")), HERE / "solids_by_method.csv"
+    read_solids(HERE / "solids.csv").joined(read_solids(HERE / "en1991_4_table_e1.csv").values()), HERE / "solids_by_method.csv"
 )

@@ -2,10 +2,12 @@
 
 from math import pi
 
+from silostudy.tables.constants import STANDARD_GRAVITY
+
 # suffix -> (unit in the cube, factor).  Tonne-force units follow the source: 1 t = 9.80665 kN.
 SUFFIXES: dict[str, tuple[str, float]] = {
-    "_t_m3": ("N m-3", 9806.65),
-    "_t_m2": ("Pa", 9806.65),
+    "_t_m3": ("N m-3", 1e3 * STANDARD_GRAVITY),
+    "_t_m2": ("Pa", 1e3 * STANDARD_GRAVITY),
     "_kN_m3": ("N m-3", 1e3),
     "_N_m3": ("N m-3", 1.0),
     "_kg_m3": ("kg m-3", 1.0),

@@ -13,6 +13,7 @@ from silostudy.dem.stability import longest_step
 from silostudy.errors import BadInput
 from silostudy.packing import PACKINGS
 from silostudy.scene.dem import check_start
+from silostudy.tables.kiyama_1983 import ACTIVE, GAPS, width_as_steep
 from tests.test_dem.scenes import DENSITY, RADIUS, STIFFNESS, box, contact, free, rows
 
 MASS = DENSITY * pi * RADIUS**2
@@ -21,8 +22,8 @@ FLOOR = (Wall("floor", (-9.0, 0.0), (9.0, 0.0)),)
 
 def pile(across=5, height=0.12, **changes):
     """A few discs in a box, about to settle."""
-    width = (2.0 + (across - 1) * 38.0 / 17.0) * RADIUS
-    x, y, _ = PACKINGS["rows"].place(width=width, height=height, radius=RADIUS, across=across, gap=4e-5)
+    width = width_as_steep(across)
+    x, y, _ = PACKINGS["rows"].place(width=width, height=height, radius=RADIUS, across=across, gap=GAPS[ACTIVE])
     settings = {"walls": box(width, 0.3), "gravity": (0.0, -9.81), "dt": 2.5e-5}
     return free(x, y, **(settings | changes))
 

@@ -152,7 +152,7 @@ def test_heap_so_high_that_reimbert_has_no_length():
     found = pressure("reimbert", "filling", 18.0, top_cone_height=60.0, wall_friction=0.57)
     assert np.isnan(found)
     cube = pressure_cube(study_with(silo=SMALL["scene"]["silo"] | {"top_cone_height_m": 60.0}))
-    assert (cube["wall_normal_pressure_scope"].sel({"method": "reimbert"}) != 0).all()
+    assert (cube["wall_normal_pressure_scope"].sel(pressure_method="reimbert") != 0).all()
 
 
 def test_a_million_depths_at_once():

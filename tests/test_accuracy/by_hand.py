@@ -11,7 +11,7 @@ from numba import njit
 from numba.extending import register_jitable
 
 from silostudy.accuracy.prices import still, without
-from silostudy.accuracy.silo import scene
+from silostudy.accuracy.silo import silo_of_rows
 from silostudy.dem.arrays import BLOCK, LANES
 from silostudy.dem.cells import OPTIONS
 from silostudy.dem.engine import Engine
@@ -176,7 +176,7 @@ def kernel_by_hand(rough: bool):
 
 def silos(across: int = 18, levels: int = 20) -> dict[str, Model]:
     """The bench's silo, and the same without friction, history and rotation."""
-    model, _ = scene(across, levels)
+    model, _ = silo_of_rows(across, levels)
     return {"friction": model, "no friction": without(model)["friction, rotation, history"][1]}
 
 

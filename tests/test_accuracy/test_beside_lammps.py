@@ -5,7 +5,7 @@ import pandas as pd
 import pytest
 
 from silostudy.accuracy.peers import available
-from silostudy.accuracy.silo import scene, wall_force
+from silostudy.accuracy.silo import silo_of_rows, wall_force
 from silostudy.commands import bench_accuracy
 from silostudy.dem.engine import Engine
 
@@ -30,7 +30,7 @@ def test_a_step_that_ran_away_reaches_nothing():
 
 
 def test_wall_force_from_overlaps_is_the_contacts():
-    model, _ = scene(8, 12)
+    model, _ = silo_of_rows(8, 12)
     engine = Engine(model)
     engine.step_to(24000)
     found = bench_accuracy._wall_force(model, engine.places)
@@ -41,7 +41,7 @@ def test_wall_force_from_overlaps_is_the_contacts():
 
 @pytest.mark.skipif(bool(available()), reason=available() or "installed")
 def test_lammps_presses_alike():
-    model, _ = scene(8, 12)
+    model, _ = silo_of_rows(8, 12)
     ours, _ = bench_accuracy._ours("velocity-verlet", model, 1e-5)
     theirs, spent = bench_accuracy._lammps(model, 1e-5)
     assert spent > 0

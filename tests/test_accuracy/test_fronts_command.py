@@ -6,7 +6,7 @@ import pytest
 from silostudy.__main__ import main
 from silostudy.accuracy import fronts
 from silostudy.accuracy.trial import Trial, front_row
-from silostudy.tables.fronts import COLUMNS
+from silostudy.choice.fronts import COLUMNS
 from tests.conftest import ROOT
 
 SHIPPED = ROOT / "silostudy/tables/fronts.csv"

@@ -3,8 +3,9 @@
 import pytest
 
 from silostudy.accuracy import fronts_dem
+from silostudy.choice.dem import scene_traits
+from silostudy.choice.fronts import FRONTS
 from silostudy.config.dem import DemScene
-from silostudy.tables.fronts import FRONTS
 
 ROWS = [row for row in FRONTS if row.kind == "dem"]
 
@@ -13,7 +14,7 @@ def test_silos_lie_where_the_shipped_rows_hold_and_no_trial_repeats_one():
     measured, unseen = (list(fronts_dem.silos(seed, 16)) for seed in (0, 1))
     assert not any(one in measured for one in unseen)
     for content in measured + unseen:
-        traits = DemScene.model_validate(content).traits
+        traits = scene_traits(DemScene.model_validate(content))
         assert all(row.holds(traits) for row in ROWS)
 
 

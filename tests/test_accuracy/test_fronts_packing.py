@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 
 from silostudy.accuracy import fronts_packing
+from silostudy.choice.packing import friction_scatter
 from silostudy.compute.packing import packing_cube
 from silostudy.config.load import read_yaml
 from silostudy.errors import BadInput
-from silostudy.scene.packing import friction_scatter
 from tests.conftest import ROOT, expanded
 
 ONE = {
@@ -47,10 +47,10 @@ def test_a_study_gets_as_many_runs_as_its_worst_case_needs():
     few, many = (expanded(asking(error)).study.runs for error in (0.05, 0.02))
     assert 2 * few < many
     axis = {"axis": "friction", "values": {"discs.wall_friction": [0.1, 0.4]}}
-    both = expanded(asking(0.03, sweep=[axis])).study
+    both = expanded(asking(0.03, sweep=[axis]))
     rough = copy.deepcopy(ONE["scene"]) | {"discs": {"wall_friction": 0.4}}
-    assert both.runs == expanded(asking(0.03, scene=rough)).study.runs
-    assert both.promise["accuracy_settings"] == f"runs = {both.runs}"
+    assert both.study.runs == expanded(asking(0.03, scene=rough)).study.runs
+    assert both.promise["accuracy_settings"] == f"runs = {both.study.runs}"
     assert friction_scatter(0.5, 0.2, 40) == pytest.approx(0.05)
 
 

@@ -5,7 +5,7 @@ import pytest
 
 from silostudy.accuracy import fronts_pressure, fronts_samples
 from silostudy.accuracy.fronts_levels import Curve, studies, trials_of
-from silostudy.scene.traits import LEVELS, integral_number, kink_number, peak_number
+from silostudy.choice.pressure import LEVELS, integral_number, kink_number, peak_number
 
 Z = np.linspace(0.0, 1.0, LEVELS)
 

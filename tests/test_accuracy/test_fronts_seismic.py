@@ -8,10 +8,11 @@ import yaml
 from threadpoolctl import threadpool_limits
 
 from silostudy.accuracy import fronts_seismic
+from silostudy.choice.seismic import seismic_traits, valley_number
 from silostudy.compute.seismic import seismic_cube
+from silostudy.compute.shell_earthquake import of_this_study
 from silostudy.config.load import read_yaml
 from silostudy.errors import BadInput
-from silostudy.scene.seismic import seismic_traits, valley_number
 from silostudy.seismic.beam import Tube
 from tests.conftest import ROOT, expanded
 
@@ -90,7 +91,9 @@ def test_levels_keep_the_moment_and_a_shell_study_reads_the_same_ones(tmp_path):
     (tmp_path / "steel-wheat-earthquake.yaml").write_text(yaml.safe_dump(asked))
     study = expanded(asked).study
     shell = expanded(read_yaml(STUDIES / "steel-wheat-shaken.yaml"), tmp_path)
-    assert shell.cases[0].scene.earthquake == study.model_dump_json(exclude_defaults=True)
+    assert of_this_study(shell, seismic_cube(expanded(asked))).sizes["relative_depth"] == study.relative_depth.count
+    with pytest.raises(BadInput, match="is of another study"):
+        of_this_study(shell, seismic_cube(expanded(content | {"relative_depth": [0.0, 1.0]})))
     fine = seismic_cube(expanded(content | {"relative_depth": {"start": 0, "stop": 1, "count": 961}}))
     moment = fine["wall_bending_moment"].sel(mass_choice="all_contents")
     levels = np.linspace(0, 1, study.relative_depth.count)

@@ -5,10 +5,10 @@ import pytest
 
 from silostudy.accuracy import fronts_shell
 from silostudy.accuracy.fronts_levels import studies, trials_of
+from silostudy.choice.pressure import LEVELS, integral_number, jump_number, smooth_number
 from silostudy.compute.pressure import pressure_cube
 from silostudy.compute.shell import shell_cube
 from silostudy.config.load import read_yaml
-from silostudy.scene.traits import LEVELS, integral_number, jump_number, smooth_number
 from tests.conftest import ROOT, expanded
 
 Z = np.linspace(0.0, 1.0, LEVELS)

@@ -8,7 +8,7 @@ import pytest
 
 from silostudy.accuracy.instructions import count, missing
 from silostudy.accuracy.prices import prices, still, without
-from silostudy.accuracy.silo import scene
+from silostudy.accuracy.silo import silo_of_rows
 from silostudy.dem.engine import Engine
 from tests.conftest import ROOT
 from tests.test_accuracy.by_hand import engines, silos
@@ -30,7 +30,7 @@ def test_by_hand_gives_the_same_bits(name):
 
 
 def test_prices_compare_the_same_state():
-    model, _ = scene(8, 12)
+    model, _ = silo_of_rows(8, 12)
     model = still(replace(model, watched=True, radius=model.radius * (1 - 0.001 * (np.arange(len(model.x)) % 2))))
     pairs = without(model)
     assert set(pairs) == {"friction, rotation, history", "discs of several sizes", "wall forces every step"}
@@ -51,7 +51,7 @@ def test_prices_compare_the_same_state():
 @pytest.mark.parametrize("watched", [False, True])
 def test_friction_has_a_price(watched):
     """Also where wall forces are recorded: when arrays were handed from piece to piece it cost less than nothing there."""
-    whole, found = prices(replace(scene(18, 20)[0], watched=watched), turns=7)
+    whole, found = prices(replace(silo_of_rows(18, 20)[0], watched=watched), turns=7)
     assert whole > 0
     price = found["friction, rotation, history"]
     assert 0.1 < price.time < 0.9

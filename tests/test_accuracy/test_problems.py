@@ -10,7 +10,7 @@ from silostudy.accuracy.front import cheapest, on_front
 from silostudy.accuracy.measure import COMPARE, LEAST, machine, measure
 from silostudy.accuracy.problems import beam_frequency, dem_impact, dem_static, history, strain_energy
 from silostudy.accuracy.problems.dem_static import step_rounded
-from silostudy.accuracy.silo import scene
+from silostudy.accuracy.silo import silo_of_rows
 from silostudy.dem.engine import Engine
 from silostudy.tables.problems import GROUPS, PROBLEMS
 
@@ -67,7 +67,7 @@ def test_a_finer_step_drowns_in_single_precision():
 
 
 def test_rounding_is_all_that_sets_the_single_ladder_apart(monkeypatch):
-    model = scene(4, 4)[0]
+    model = silo_of_rows(4, 4)[0]
     whole, stepped, rounded = Engine(model), Engine(model), Engine(model)
     whole.step_to(500)
     step_rounded(rounded, 500)

@@ -10,6 +10,7 @@ from silostudy.accuracy.silo_step import at_rest, error_of, filled, profile
 from silostudy.contact import NORMAL, TANGENTIAL
 from silostudy.errors import BadInput
 from silostudy.figures.profile_over_step import draw
+from silostudy.scene.plane_silo import inner_width
 from tests.conftest import expanded
 from tests.test_accuracy.test_stability_map import RESTING
 
@@ -36,7 +37,7 @@ def test_the_profile_is_the_walls_share_of_a_rest():
     places = at_rest(model, 0.8)
     assert places is not None
     both = profile(places, model, 5)
-    mirrored = np.c_[model.walls[0].end[0] - places[:, 0], places[:, 1]]
+    mirrored = np.c_[inner_width(model) - places[:, 0], places[:, 1]]
     assert both == pytest.approx(profile(mirrored, model, 5), rel=1e-6)
     assert 0.1 < both.sum() / (model.mass.sum() * 9.81) < 1.0
     assert (

@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 
+from silostudy.choice.expand import expand_file
 from silostudy.compute.buckling import buckling_cube
 from silostudy.figures.miller_statistics import statistics
-from silostudy.scene.expand import expand_file
 from tests.conftest import ROOT
 
 

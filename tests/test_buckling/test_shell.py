@@ -52,7 +52,7 @@ def cubes():
 
 
 def source(cube, method, phase):
-    return SOURCES[int(cube["axial_force_source"].sel({"method": method, "phase": phase}))]
+    return SOURCES[int(cube["axial_force_source"].sel(pressure_method=method, phase=phase))]
 
 
 def test_force_of_each_kind(cubes):
@@ -63,7 +63,7 @@ def test_force_of_each_kind(cubes):
     assert source(cube, "safarian_steel", "discharge") == "friction_times_design_pressure_integrated"
     assert source(cube, "din1055_1964", "discharge") == "own_axial_force_continued_with_own_friction_times_pressure"
     z = pressure["depth"].values
-    force = cube["axial_wall_force"].sel({"method": "janssen", "phase": "filling"}).values
+    force = cube["axial_wall_force"].sel(pressure_method="janssen", phase="filling").values
     np.testing.assert_allclose(force[1:], axial_wall_force(z[1:], **JANSSEN), rtol=1e-12)
 
 
@@ -71,7 +71,7 @@ def test_stress_is_force_over_thickness_of_the_strake(cubes):
     _, _, cube = cubes
     thickness = cube["wall_thickness"].isel(depth=[0, 100, 101, 200]).values
     np.testing.assert_allclose(thickness, [0.006, 0.006, 0.009, 0.009])
-    here = cube.sel({"method": "janssen", "phase": "filling", "depth": 20.0})
+    here = cube.sel(pressure_method="janssen", phase="filling", depth=20.0)
     by_hand = float(axial_wall_force(20.0, **JANSSEN)) / 0.009
     assert float(here["axial_wall_stress"]) == pytest.approx(by_hand, rel=1e-12)
     for rule in STUDY["rules"]:
@@ -82,10 +82,10 @@ def test_stress_is_force_over_thickness_of_the_strake(cubes):
 def test_din_force_goes_on_with_its_own_friction(cubes):
     """Below the relief DIN gives the pressure only; its friction tan(0.6 phi) carries the force on, without a jump."""
     _, pressure, cube = cubes
-    here = {"method": "din1055_1964", "phase": "discharge"}
+    here = {"pressure_method": "din1055_1964", "phase": "discharge"}
     force, normal = cube["axial_wall_force"].sel(here).values, pressure["wall_normal_pressure"].sel(here).values
     steps = np.diff(force)[-50:] / 0.1
-    friction = math.tan(0.6 * float(pressure["internal_friction_angle"].sel({"method": "din1055_1964"})))
+    friction = math.tan(0.6 * float(pressure["internal_friction_angle"].sel(pressure_method="din1055_1964")))
     np.testing.assert_allclose(steps, friction * (normal[-50:] + normal[-51:-1]) / 2, rtol=1e-9)
     assert np.all(np.diff(force) > 0)
 
@@ -127,7 +127,7 @@ def test_range_of_a_rule_can_set_the_thickness(content):
     content["rules"] = ["nasa_sp8007"]
     content["depth_m"] = [0.5]
     expansion = expanded(content)
-    cube = shell_cube(expansion, pressure_cube(expansion)).sel({"method": "janssen", "rule": "nasa_sp8007"})
+    cube = shell_cube(expansion, pressure_cube(expansion)).sel(pressure_method="janssen", rule="nasa_sp8007")
     thickness = float(cube["required_thickness"][0])
     assert (4.0 + thickness / 2) / thickness == pytest.approx(1500, rel=1e-6)
     meanings = cube["required_thickness_scope"].attrs["flag_meanings"].split()
@@ -139,7 +139,7 @@ def test_unsafe_friction_asks_for_more_steel(content, rule):
     content["methods"] = ["janssen"]
     content["sweep"] = [{"axis": "friction", "values": {"wall_friction_end": ["mean", "upper"]}}]
     expansion = expanded(content)
-    cube = shell_cube(expansion, pressure_cube(expansion)).sel({"method": "janssen", "rule": rule})
+    cube = shell_cube(expansion, pressure_cube(expansion)).sel(pressure_method="janssen", rule=rule)
     mean, upper = (cube["required_thickness"].isel(friction=place).max() for place in (0, 1))
     assert 1.02 < float(upper / mean) < 1.16
 
@@ -172,5 +172,5 @@ def test_friction_of_a_design_pressure_can_exceed_the_weight(content):
     content["depth_m"] = {"start": 0.0, "stop": 40.0, "count": 101}
     expansion = expanded(content)
     share = shell_cube(expansion, pressure_cube(expansion))["carried_share"]
-    assert float(share.sel({"method": "janssen", "phase": "filling"})) < 1
-    assert float(share.sel({"method": "safarian_steel", "phase": "discharge"})) > 1
+    assert float(share.sel(pressure_method="janssen", phase="filling")) < 1
+    assert float(share.sel(pressure_method="safarian_steel", phase="discharge")) > 1

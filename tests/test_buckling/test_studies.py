@@ -9,13 +9,13 @@ from pathlib import Path
 import pytest
 
 from silostudy.__main__ import main
+from silostudy.choice.expand import expand_file
 from silostudy.compute.buckling import buckling_cube
 from silostudy.compute.pressure import pressure_cube
 from silostudy.compute.shell import shell_cube
 from silostudy.cube.io import read, write
 from silostudy.errors import BadInput
 from silostudy.figures import required_thickness, shell_over_depth, test_over_prediction
-from silostudy.scene.expand import expand_file
 from tests.conftest import ROOT, expanded
 from tests.test_buckling.test_shell import STUDY as SILO
 
@@ -58,7 +58,7 @@ MISTAKES = {
     ),
     "unknown quality": (cylinder(quality="D"), "scene.quality = 'D': must be 'A', 'B' or 'C'"),
     "unknown end factor": (cylinder(end_factor=2), "scene.end_factor = 2: must be 6, 3 or 1"),
-    "unknown rule": ({**CYLINDER, "rules": ["miler"]}, "rules.0 = 'miler': must be 'miller1977', 'classical'"),
+    "unknown rule": ({**CYLINDER, "rules": ["miler"]}, "rules.0 = 'miler': unknown; known: miller1977, classical"),
     "no rule": ({**CYLINDER, "rules": []}, "a study needs a rule; known: miller1977"),
     "unknown test": ({**CYLINDER, "scene": {"test": "99", "quality": "B"}}, "scene.test = '99': must be '1', '1.1'"),
     "sizes beside a test": (
@@ -189,7 +189,7 @@ def test_required_thickness_shows_every_pair(tmp_path, kept):
     cube = drawn_shell("steel-wheat-silo")
     required_thickness.draw(cube, tmp_path / "figure")
     matrix = kept[0].axes[0]
-    assert len(matrix.texts) == cube.sizes["rule"] * cube.sizes["method"]
+    assert len(matrix.texts) == cube.sizes["rule"] * cube.sizes["pressure_method"]
     assert "thickness (mm)" in matrix.get_title()
     assert {panel.get_xlabel() for panel in kept[0].axes[2:]} == {"diameter D (m)", "H/D"}
 

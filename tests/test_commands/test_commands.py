@@ -7,9 +7,10 @@ import pytest
 import yaml
 
 from silostudy.__main__ import main
+from silostudy.choice.fronts import FRONTS
 from silostudy.cube.io import read
 from silostudy.pressure import PRESSURE
-from silostudy.tables.fronts import ASKED, FRONTS
+from silostudy.tables.asked import quantities
 from tests.conftest import ROOT
 
 WHEAT = str(ROOT / "config/studies/wheat-silo.yaml")
@@ -56,7 +57,7 @@ def test_explain_accuracy_names_every_kind(capsys):
     assert "shell, wall_force: friction force of the whole wall" in out  # a shell study is a pressure study too
     assert "buckling: may not ask: none of its settings decides a numerical error" in out
     for row in FRONTS:
-        assert f"{row.kind}, {row.quantity}: {ASKED[row.kind, row.quantity]}" in out
+        assert f"{row.kind}, {row.quantity}: {quantities([row.kind])[row.quantity].title}" in out
         assert f"error goes with {row.scaled_by or 'no trait'}; measured within" in out
 
 
@@ -119,7 +120,7 @@ def test_stages_by_hand(capsys, tmp_path, study):
     cube = read(tmp_path / "pressure.nc")
     assert [case["solid"] for case in cases] == ["wheat_benchmark", "mine"]
     assert [case["case"] for case in cases] == list(cube["case"].values)
-    assert float(cube["unit_weight"].sel({"method": "janssen", "solid": "mine"})) == 7000
+    assert float(cube["unit_weight"].sel(pressure_method="janssen", solid="mine")) == 7000
     assert "handbook" in said(capsys, "cite", tmp_path / "pressure.nc")
     assert "unknown; known: fig_4_2_11" in said(capsys, "draw", "fig_0", tmp_path / "pressure.nc", tmp_path / "f", status=2)
 

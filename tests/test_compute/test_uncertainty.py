@@ -30,7 +30,7 @@ def test_same_seed_same_numbers(sampled):
 def test_close_to_the_surface_the_pressure_is_k_gamma_z(sampled):
     """There only K (log-uniform) and the unit weight (uniform) matter, and quantiles and indices follow by hand."""
     sampled["depth_m"] = [0.0005, 0.001]
-    cube = uncertainty_cube(expanded(sampled)).sel({"method": "janssen", "phase": "filling"})
+    cube = uncertainty_cube(expanded(sampled)).sel(pressure_method="janssen", phase="filling")
     a_k, low = 1.11, 7500 / 9000
     share_k, share_w = np.random.default_rng(1).random((2, 2_000_000))
     pressure = 0.54 * a_k ** (2 * share_k - 1) * 9000 * (low + (1 - low) * share_w) * 0.001

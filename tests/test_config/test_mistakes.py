@@ -8,10 +8,10 @@ import pytest
 import yaml
 
 from silostudy.__main__ import main
+from silostudy.choice.expand import expand_file
 from silostudy.config.load import load_project, read_yaml
 from silostudy.config.schema import study_schema
 from silostudy.errors import BadInput
-from silostudy.scene.expand import expand_file
 from tests.conftest import ROOT, SMALL, expanded
 
 SILO = SMALL["scene"]["silo"]
@@ -49,10 +49,11 @@ MISTAKES = {
     ),
     "unknown solid": (scene(solid="sand"), "scene.solid = 'sand': unknown; known: cement, cement_clinker, maize, wheat"),
     "unknown wall": (scene(wall="glass"), "scene.wall = 'glass': must be 'grooved_concrete', 'as_cast_concrete'"),
-    "unknown method": ({"methods": ["jansen"]}, "methods.0 = 'jansen': must be 'janssen', 'reimbert'"),
+    "unknown method": ({"methods": ["jansen"]}, "methods.0 = 'jansen': unknown; known: janssen, reimbert"),
     "unknown plan": (silo(plan="oval"), "found using 'plan' does not match any of the expected tags: 'circular'"),
     "unknown key": ({"colour": "red"}, "colour = 'red': unknown key"),
     "unknown kind": ({"kind": "presure"}, "kind = 'presure': unknown; known: accuracy, buckling, grains"),
+    "no text as kind": ({"kind": ["pressure"]}, "kind = ['pressure']: unknown; known: accuracy, buckling, grains"),
     "unit missing": (
         scene(silo={"plan": "circular", "diameter": 5.0, "cylinder_depth_m": 18.0}),
         "write diameter_m in place of diameter",
@@ -72,6 +73,7 @@ MISTAKES = {
     "no misprint": ({"as_printed": ["janssen"]}, "janssen has no misprint in the source; known: caquot"),
     "axes of one name": (sweep(DIAMETERS, {**DIAMETERS, "values": {"solid": ["wheat"]}}), "axis name diameter is swept twice"),
     "a key on two axes": (sweep(DIAMETERS, {**DIAMETERS, "axis": "width"}), "key silo.diameter_m is swept twice"),
+    "axis named like a keyword": (sweep({**DIAMETERS, "axis": "method"}), "this name is a keyword of xarray's"),
     "axis named like a dimension": (sweep({**DIAMETERS, "axis": "depth"}), "this name is the cube's own"),
     "empty axis": (sweep({"axis": "diameter", "values": {"silo.diameter_m": []}}), "need equally many values (one at least)"),
     "a value twice": (

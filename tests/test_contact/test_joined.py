@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from numba.extending import register_jitable
 
-from silostudy.compute.dem import carry_through, model_of, run_of
+from silostudy.compute.dem import carry_through, run_of, scene_model
 from silostudy.compute.dem_cube import cube_of
 from silostudy.config.dem import DemScene
 from silostudy.config.load import validated
@@ -96,7 +96,7 @@ def scene_of(context=FAMILIES, **discs) -> DemScene:
 
 def test_laws_that_join_run_from_the_scene_to_the_cube():
     scene = scene_of()
-    model = model_of(scene, Path())
+    model = scene_model(scene, Path())
     assert model.pair_contact.coefficients == {"toy_square": STIFFNESS, "toy_dashpot": 4e7, "toy_drag": 20.0, "toy_brake": 1e-4}
     run = run_of(scene, model)
     run.engine.step_to(1)
@@ -115,10 +115,12 @@ def test_laws_that_join_run_from_the_scene_to_the_cube():
 
 def test_the_bound_follows_a_law_s_own_stiffness():
     bare = {"toy_dashpot_N_s_m3": 0.0, "toy_drag_N_s_m2": 0.0, "toy_brake_N_s": 0.0}
-    plain, stiff = (longest_step(model_of(scene_of(toy_square_N_m3=k, **bare), Path())) for k in (STIFFNESS, 4.0 * STIFFNESS))
+    plain, stiff = (
+        longest_step(scene_model(scene_of(toy_square_N_m3=k, **bare), Path())) for k in (STIFFNESS, 4.0 * STIFFNESS)
+    )
     assert stiff == pytest.approx(0.5 * plain, rel=1e-3)
     with pytest.raises(BadInput, match="beyond the stability bound"):
-        model_of(scene_of(**bare | {"toy_drag_N_s_m2": 1e5}), Path())
+        scene_model(scene_of(**bare | {"toy_drag_N_s_m2": 1e5}), Path())
 
 
 def test_two_laws_of_one_key_are_two_kernels():
@@ -133,7 +135,7 @@ def test_two_laws_of_one_key_are_two_kernels():
     rest = []
     for families in (FAMILIES, other):
         scene = scene_of(families)
-        run = run_of(scene, model_of(scene, Path()))
+        run = run_of(scene, scene_model(scene, Path()))
         run.go()
         rest.append(RADIUS - np.sort(run.engine.places[:, 1])[:8].mean())
     assert rest[1] == pytest.approx(2.0 * rest[0], rel=0.05)

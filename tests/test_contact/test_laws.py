@@ -9,10 +9,13 @@ import pytest
 from silostudy.contact import COHESION, LAWS, NORMAL, ROLLING, TANGENTIAL, curve
 from silostudy.contact.family import Touch
 from silostudy.errors import BadInput
+from silostudy.tables import kiyama_1983 as kiyama
+from silostudy.tables.constants import STANDARD_GRAVITY
 from silostudy.tables.references import cite
 from tests.conftest import ROOT
 
-KGF_CM2, GF_CM, WEIGHT = 98066.5, 0.980665, 2650.0 * 9.80665  # Pa, N/m, N/m3
+KGF_CM2, GF_CM = 1e4 * STANDARD_GRAVITY, 0.1 * STANDARD_GRAVITY  # Pa, N/m
+WEIGHT = kiyama.DENSITY * STANDARD_GRAVITY  # N/m3
 CUT, LINE = NORMAL["spring-dashpot"], NORMAL["line-contact"]
 PRINTED = list(csv.DictReader((ROOT / "tests/published/contact/kiyama_fujimura_1983.csv").open()))
 
@@ -134,5 +137,6 @@ def test_every_row_has_source_and_units(family):
 
 def test_the_paper_s_dashpot_follows_from_its_stiffness():
     """Table 2: eta_n / rho g = 15.3 cm s is 2 sqrt(m K) / sqrt 2."""
-    mass, stiffness = 2650.0 * pi * 1e-4, 364.0 * WEIGHT
-    assert 2.0 * sqrt(mass * stiffness) / sqrt(2.0) / WEIGHT * 100.0 == pytest.approx(15.3, rel=5e-3)
+    mass = kiyama.DENSITY * pi * kiyama.RADIUS**2
+    critical = 2.0 * sqrt(mass * kiyama.NORMAL_STIFFNESS)
+    assert kiyama.DAMPING_RATIO * critical == pytest.approx(kiyama.NORMAL_DAMPING, rel=5e-3)

@@ -6,15 +6,17 @@ from silostudy.dem.engine import Engine
 from silostudy.dem.model import Contact, Model, Wall
 from silostudy.dem.pieces import Laws
 from silostudy.packing import PACKINGS
+from silostudy.scene.plane_silo import PlaneSilo
+from silostudy.tables import kiyama_1983 as kiyama
+from silostudy.tables.constants import ROUNDED_GRAVITY as GRAVITY
+from silostudy.tables.kiyama_1983 import DENSITY, RADIUS
 
-DENSITY, GRAVITY = 2650.0, 9.81
-STIFFNESS, DAMPING = 364.0 * DENSITY * GRAVITY, 0.153 * DENSITY * GRAVITY  # Kiyama & Fujimura's Table 2 in SI
+STIFFNESS, DAMPING = kiyama.NORMAL_STIFFNESS, kiyama.NORMAL_DAMPING
 SLIDING = Laws.of(tangential="spring-slider")
-RADIUS = 0.01
 
 
-def contact(factor=1.0, friction=0.577, damping=DAMPING, laws=SLIDING, **more):
-    """The paper's contact: walls are twice as stiff."""
+def contact(factor=1.0, friction=kiyama.DISC_FRICTION, damping=DAMPING, laws=SLIDING, **more):
+    """The paper's contact, with stiffness and dashpots times a factor."""
     coefficients = {
         "normal_stiffness": factor * STIFFNESS,
         "normal_damping": factor * damping,
@@ -22,31 +24,30 @@ def contact(factor=1.0, friction=0.577, damping=DAMPING, laws=SLIDING, **more):
     }
     if laws.tangential.acts:
         coefficients |= {
-            "tangential_stiffness": 0.25 * factor * STIFFNESS,
-            "tangential_damping": 0.5 * factor * damping,
+            "tangential_stiffness": kiyama.STIFFNESS_RATIO * factor * STIFFNESS,
+            "tangential_damping": kiyama.STIFFNESS_RATIO**0.5 * factor * damping,
             "tangential_damping_root": 0.0,
             "sliding_friction": friction,
         }
     return Contact(laws, coefficients | more)
 
 
-def box(width, height, slit=None):
+def against_walls():
+    """The paper's contact with walls, which are stiffer."""
+    return contact(kiyama.WALL_STIFFNESS_RATIO, kiyama.WALL_FRICTION)
+
+
+def box(width, height, slit=0.0):
     """Floor, and two sides; with a slit also the two halves that replace the floor."""
-    walls = [
-        Wall("floor", (0.0, 0.0), (width, 0.0), cells=5),
-        Wall("left", (0.0, height), (0.0, 0.0), cells=5),
-        Wall("right", (width, 0.0), (width, height), cells=5),
-    ]
-    if slit:
-        walls.append(Wall("floor_left", (0.0, 0.0), ((width - slit) / 2, 0.0), cells=2, live=False))
-        walls.append(Wall("floor_right", ((width + slit) / 2, 0.0), (width, 0.0), cells=2, live=False))
-    return tuple(walls)
+    return PlaneSilo(width, height, slit).walls(cells=5, half_cells=2)
 
 
 def silo(across=8, height=0.2, slit=0.06, **changes):
     """A small silo after the paper: fifty discs or so."""
-    width = (2.0 + (across - 1) * 38.0 / 17.0) * RADIUS
-    x, y, radius = PACKINGS["rows"].place(width=width, height=height, radius=RADIUS, across=across, gap=4e-5)
+    width = kiyama.width_as_steep(across)
+    x, y, radius = PACKINGS["rows"].place(
+        width=width, height=height, radius=RADIUS, across=across, gap=kiyama.GAPS[kiyama.ACTIVE]
+    )
     settings = {
         "x": x,
         "y": y,
@@ -54,7 +55,7 @@ def silo(across=8, height=0.2, slit=0.06, **changes):
         "density": DENSITY,
         "walls": box(width, 2.0 * height, slit),
         "pair_contact": contact(),
-        "wall_contact": contact(2.0, 0.176),
+        "wall_contact": against_walls(),
         "dt": 2.5e-5,
         "gravity": (0.0, -GRAVITY),
         "watched": True,
@@ -71,7 +72,7 @@ def free(x, y, u=0.0, v=0.0, w=0.0, **changes):
         "density": DENSITY,
         "walls": (Wall("far", (-1e3, -1e3), (1e3, -1e3)),),
         "pair_contact": contact(),
-        "wall_contact": contact(2.0, 0.176),
+        "wall_contact": against_walls(),
         "dt": 1e-6,
         "gravity": (0.0, 0.0),
         "u": u,

@@ -8,6 +8,8 @@ from silostudy.dem.engine import Engine
 from silostudy.dem.ledger import TURNOVER, balance
 from silostudy.dem.model import Contact
 from silostudy.dem.pieces import Laws
+from silostudy.dem.walls import sums_by_wall
+from silostudy.scene.plane_silo import FLOOR, SIDES
 
 from .scenes import DAMPING, STIFFNESS, silo
 
@@ -47,7 +49,7 @@ def test_a_law_settles_and_its_ledger_closes(laws):
     engine.clear_window()
     engine.step_to(40000)
     mean = engine.record.window[:, :, 0] / 10000
-    first = engine.walls.cells[:, 0]
-    carried = mean[first[0] : first[1], 0].sum() + mean[first[1] : first[3], 1].sum()
+    walls = sums_by_wall(model, mean)
+    carried = walls[FLOOR][0] + sum(walls[name][1] for name in SIDES)
     assert carried == pytest.approx(model.mass.sum() * 9.81, rel=2e-2)
     assert np.isfinite(engine.discs.rows[: engine.n]).all()

@@ -9,6 +9,8 @@ from silostudy.dem.engine import Engine
 from silostudy.dem.lanes import TORQUE, U, V, W, X, Y
 from silostudy.dem.model import Wall
 from silostudy.dem.pieces import Laws
+from silostudy.dem.walls import sums_by_wall
+from silostudy.scene.plane_silo import FLOOR, SIDES
 
 from .scenes import DENSITY, RADIUS, SLIDING, STIFFNESS, contact, free, rows, silo
 
@@ -169,8 +171,8 @@ def test_floor_force_and_wall_shear_carry_the_weight():
     engine.clear_window()
     engine.step_to(80100)
     mean = engine.record.window[:, :, 0] / 100
-    first = engine.walls.cells[:, 0]
-    floor, sides = mean[first[0] : first[1], 0].sum(), mean[first[1] : first[3], 1].sum()
+    walls = sums_by_wall(model, mean)
+    floor, sides = walls[FLOOR][0], sum(walls[name][1] for name in SIDES)
     assert floor + sides == pytest.approx(model.mass.sum() * 9.81, rel=1e-6)
-    assert mean[first[1] : first[3], 0].sum() > 0.0
+    assert sum(walls[name][0] for name in SIDES) > 0.0
     assert np.abs(engine.discs.rows[: engine.n, TORQUE]).max() == 0.0

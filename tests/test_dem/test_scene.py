@@ -10,8 +10,9 @@ import pytest
 import yaml
 
 from silostudy.__main__ import main
+from silostudy.choice.dem import load
 from silostudy.compute.checkpoints import save
-from silostudy.compute.dem import carry_through, model_of, run_of
+from silostudy.compute.dem import carry_through, run_of, scene_model
 from silostudy.compute.dem_cube import cube_of
 from silostudy.compute.paraview import export
 from silostudy.config.dem import DemScene, QuakeConfig
@@ -21,7 +22,7 @@ from silostudy.dem.engine import Engine
 from silostudy.dem.run import Event, Run
 from silostudy.dem.stability import longest_step
 from silostudy.errors import BadInput
-from silostudy.scene.dem import effects, load
+from silostudy.scene.dem import effects
 from tests.conftest import ROOT
 
 from .scenes import silo
@@ -53,7 +54,7 @@ def scene_of(**changes) -> DemScene:
 
 
 def carried(scene, checkpoint=None):
-    run = run_of(scene, model_of(scene, Path()))
+    run = run_of(scene, scene_model(scene, Path()))
     carry_through(run, scene, checkpoint, lambda step: None)
     return run
 
@@ -98,11 +99,11 @@ def test_the_stress_carries_the_weight():
 def test_restart_goes_on_with_the_same_bits(small, tmp_path):
     scene = scene_of(record__checkpoint_every_s=0.03)
     checkpoint = tmp_path / "small.checkpoint"
-    begun = run_of(scene, model_of(scene, Path()))
+    begun = run_of(scene, scene_model(scene, Path()))
     begun.go(until=4800)
     save(begun, scene, checkpoint)
     heard: list[int] = []
-    resumed = run_of(scene, model_of(scene, Path()))
+    resumed = run_of(scene, scene_model(scene, Path()))
     carry_through(resumed, scene, checkpoint, heard.append)
     assert min(heard) > 4800
     assert not checkpoint.exists()
@@ -117,7 +118,7 @@ def test_a_checkpoint_of_other_files_is_set_aside(changed, tmp_path, capsys):
     record = tmp_path / "base.csv"
     record.write_text("time_s,x_m_s2,y_m_s2\n0,2.0,0\n10,2.0,0\n")
     scene = given(tmp_path, [0.05, 0.12], [0.05, 0.05]).model_copy(update={"quake": QuakeConfig(file=str(record))})
-    begun = run_of(scene, model_of(scene, Path()))
+    begun = run_of(scene, scene_model(scene, Path()))
     begun.go(until=100)
     checkpoint = tmp_path / "of.checkpoint"
     save(begun, scene, checkpoint)
@@ -129,7 +130,7 @@ def test_a_checkpoint_of_other_files_is_set_aside(changed, tmp_path, capsys):
     elif changed == "cut short":
         checkpoint.write_bytes(checkpoint.read_bytes()[:200])
     heard: list[int] = []
-    carry_through(run_of(scene, model_of(scene, Path())), scene, checkpoint, heard.append)
+    carry_through(run_of(scene, scene_model(scene, Path())), scene, checkpoint, heard.append)
     said = capsys.readouterr().err
     if changed == "none":
         assert min(heard) > 100
@@ -145,7 +146,7 @@ def test_a_checkpoint_of_other_files_is_set_aside(changed, tmp_path, capsys):
 def run_fresh(scene, heard) -> bool:
     """Whether the first look of a run came where that of a run from the start comes."""
     first: list[int] = []
-    run = run_of(scene, model_of(scene, Path()))
+    run = run_of(scene, scene_model(scene, Path()))
     run.go(until=500, tell=first.append)
     return heard[0] == first[0]
 
@@ -173,19 +174,19 @@ def test_an_ensemble_gives_the_bits_of_its_members(tmp_path, capsys):
 
 
 def test_the_example_scene_is_valid_and_its_effects_are_listed():
-    scene = load(ROOT / "config/scenes/kiyama-17-18.yaml")
+    scene, _ = load(ROOT / "config/scenes/kiyama-17-18.yaml")
     on = {effect.name: effect.on for effect in effects(scene)}
     assert on["friction, rotation, history"]
     assert on["slit"]
     assert not on["rolling resistance"]
-    model = model_of(scene, ROOT)
+    model = scene_model(scene, ROOT)
     assert model.dt < 0.5 * longest_step(model)
 
 
 def test_the_stability_bound_of_the_paper_s_scene():
     """The paper's step 1e-4 s is beyond the bound of (17), (18) and within that of (17), (19), as it found."""
-    scene = load(ROOT / "config/scenes/kiyama-17-18.yaml")
-    model = model_of(scene, ROOT)
+    scene, _ = load(ROOT / "config/scenes/kiyama-17-18.yaml")
+    model = scene_model(scene, ROOT)
     assert 5e-5 < longest_step(model) < 7e-5
     assert 1e-4 < longest_step(replace(model, integrator="17-19")) < 2e-4
 
@@ -210,7 +211,7 @@ REFUSED = {
 def test_refusals(case):
     changes, message = REFUSED[case]
     with pytest.raises(BadInput, match=message):
-        model_of(scene_of(**changes), Path(), "small.yaml")
+        scene_model(scene_of(**changes), Path(), "small.yaml")
 
 
 def given(tmp_path, x, y):
@@ -223,9 +224,9 @@ def given(tmp_path, x, y):
 
 def test_starts_that_cannot_be(tmp_path):
     with pytest.raises(BadInput, match=r"discs 0, 1.*overlap"):
-        model_of(given(tmp_path, [0.05, 0.06], [0.05, 0.05]), Path())
+        scene_model(given(tmp_path, [0.05, 0.06], [0.05, 0.05]), Path())
     with pytest.raises(BadInput, match=r"disc 1.*wall left"):
-        model_of(given(tmp_path, [0.05, -0.06], [0.05, 0.05]), Path())
+        scene_model(given(tmp_path, [0.05, -0.06], [0.05, 0.05]), Path())
 
 
 def test_a_cube_is_a_packing(tmp_path):
@@ -234,7 +235,7 @@ def test_a_cube_is_a_packing(tmp_path):
     scene = scene_of(events=stop, record={"snapshots_s": [0.04]})
     write(cube_of(carried(scene), scene), tmp_path / "small.nc")
     again = scene_of(packing={"kind": "given", "file": str(tmp_path / "small.nc")}, events=stop, record={})
-    assert np.array_equal(model_of(again, Path()).x, read(tmp_path / "small.nc")["disc_x"].to_numpy()[-1])
+    assert np.array_equal(scene_model(again, Path()).x, read(tmp_path / "small.nc")["disc_x"].to_numpy()[-1])
 
 
 def test_an_explosion_keeps_what_was_recorded(tmp_path, capsys):

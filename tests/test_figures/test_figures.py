@@ -5,8 +5,9 @@ import pandas as pd
 import pytest
 
 from silostudy.compute.pressure import pressure_cube
+from silostudy.figures import fig_4_2_11, governing_method, overpressure_over_slenderness, table_4_2_5
 from silostudy.tables.handbook import TONNE_PER_M2
-from silostudy.tables.outputs import OUTPUTS, fig_4_2_11, governing_method, overpressure_over_slenderness, table_4_2_5
+from silostudy.tables.outputs import OUTPUTS
 from tests.conftest import expanded
 
 
@@ -41,7 +42,7 @@ def test_fig_4_2_11(wheat, tmp_path, kept):
     assert len(looks) == len(left.lines)
     assert len({look[1:] for look in looks}) == len(looks)  # without colour too
     janssen = next(line for line in left.lines if line.get_label() == "6  Janssen, filling")
-    expected = wheat["wall_normal_pressure"].sel({"method": "janssen", "phase": "filling"}).values / TONNE_PER_M2
+    expected = wheat["wall_normal_pressure"].sel(pressure_method="janssen", phase="filling").values / TONNE_PER_M2
     np.testing.assert_allclose(janssen.get_xdata(), expected)
     numbers = pd.read_csv(tmp_path / "fig_4_2_11.csv")
     assert set(numbers["curve"]) == set(labels)
@@ -58,15 +59,15 @@ def test_svg_is_the_same_each_time(wheat, tmp_path):
 def test_table_4_2_5(wheat, tmp_path):
     table_4_2_5.draw(wheat, tmp_path / "table")
     table = pd.read_csv(tmp_path / "table.csv", keep_default_na=False)
-    assert list(table) == ["method", "phase", "depth_m", "printed_t_m2", "computed_t_m2", "deviation", "remark"]
-    right = table[~table.method.str.endswith("_as_printed")]
+    assert list(table) == ["pressure_method", "phase", "depth_m", "printed_t_m2", "computed_t_m2", "deviation", "remark"]
+    right = table[~table.pressure_method.str.endswith("_as_printed")]
     assert len(right) == 13 * 14
     off = right[right.deviation.abs() > 1e-3]
-    assert set(zip(off.method, off.phase, strict=True)) == {("jenike_mass_flow", "discharge"), ("caquot", "discharge")}
+    assert set(zip(off.pressure_method, off.phase, strict=True)) == {("jenike_mass_flow", "discharge"), ("caquot", "discharge")}
     assert off.remark.str.contains("printed").all()
-    assert list(off[off.method == "caquot"].depth_m) == [3.5]
-    assert right[right.method != "jenike_mass_flow"].remark.ne("").sum() == 1
-    as_printed = table[table.method == "jenike_mass_flow_as_printed"]
+    assert list(off[off.pressure_method == "caquot"].depth_m) == [3.5]
+    assert right[right.pressure_method != "jenike_mass_flow"].remark.ne("").sum() == 1
+    as_printed = table[table.pressure_method == "jenike_mass_flow_as_printed"]
     assert as_printed.deviation.abs().max() < 2e-4
 
 
@@ -76,11 +77,13 @@ def test_overpressure_over_slenderness(family, tmp_path, kept):
     assert left.get_xlabel() == "cylinder depth over diameter H/D"
     assert "overpressure factor" in left.get_ylabel()
     numbers = pd.read_csv(tmp_path / "over.csv")
-    peak = numbers[numbers.quantity == "largest pressure over largest static pressure"].set_index(["method", "slenderness"])
+    peak = numbers[numbers.quantity == "largest pressure over largest static pressure"].set_index(
+        ["pressure_method", "slenderness"]
+    )
     assert peak.loc[("aij_load_draft", 2.0), "median"] == pytest.approx(2.6)
     assert peak.loc[("safarian_steel", 4.0), "max"] == pytest.approx(1.95)
     assert peak.loc[("jenike_mass_flow", 4.0), "cases"] == 4
-    assert "deutsch" not in set(numbers["method"])  # masked throughout this family
+    assert "deutsch" not in set(numbers["pressure_method"])  # masked throughout this family
 
 
 def test_governing_method(family, tmp_path, kept):
@@ -95,7 +98,7 @@ def test_governing_method(family, tmp_path, kept):
         here = {"diameter": 3.0, "slenderness": row.slenderness, "solid": row.solid}
         column = family["wall_normal_pressure"].sel(here).isel(relative_depth=level)
         assert row.wall_normal_pressure_Pa == pytest.approx(float(column.max()), rel=1e-6)
-        assert float(column.sel({"method": row.method}).max()) == pytest.approx(float(column.max()), rel=1e-12)
+        assert float(column.sel(pressure_method=row.pressure_method).max()) == pytest.approx(float(column.max()), rel=1e-12)
 
 
 def test_every_output_has_its_file():

@@ -6,10 +6,10 @@ import numpy as np
 import pandas as pd
 import pytest
 
+from silostudy.choice.expand import expand_file
 from silostudy.compute.pressure import pressure_cube
 from silostudy.compute.uncertainty import uncertainty_cube
 from silostudy.figures import (
-    OUTPUTS,
     comparison_today,
     governing_load_case,
     jenike_charts,
@@ -18,8 +18,8 @@ from silostudy.figures import (
     sobol_indices,
     uncertainty_bands,
 )
-from silostudy.scene.expand import expand_file
 from silostudy.tables.measured import measured_silos as measured
+from silostudy.tables.outputs import OUTPUTS
 from tests.conftest import ROOT, expanded
 
 MODULES = (
@@ -72,12 +72,12 @@ def test_silo_to_scale_with_pressures_off_the_wall(hopper_bin, tmp_path, kept):
     assert panels[0].get_ylabel() == "depth z (m)"
     assert panels[-1].get_xlabel() == "distance from the axis (m)"
     said = "\n".join(text.get_text() for text in panels[2].texts)
-    ring = float(cube["ring_force"].sel({"method": "jenike_1969", "phase": "discharge"})) / 1e3
+    ring = float(cube["ring_force"].sel(pressure_method="jenike_1969", phase="discharge")) / 1e3
     assert f"P {ring:.0f} kN" in said
     assert "missing" in said
     numbers = pd.read_csv(tmp_path / "silo.csv")
-    flow = numbers[(numbers.method == "jenike_1969") & (numbers.phase == "discharge") & (numbers.side == "normal")]
-    peak = float(cube["hopper_normal_pressure"].sel({"method": "jenike_1969", "phase": "discharge"}).max()) / 1e3
+    flow = numbers[(numbers.pressure_method == "jenike_1969") & (numbers.phase == "discharge") & (numbers.side == "normal")]
+    peak = float(cube["hopper_normal_pressure"].sel(pressure_method="jenike_1969", phase="discharge").max()) / 1e3
     assert flow.pressure_kPa.iloc[21:].max() == pytest.approx(peak, rel=1e-6)  # 21 depths, then the hopper
 
 
@@ -85,7 +85,7 @@ def test_the_switch_lies_between_flow_and_initial_field(hopper_bin):
     cube = pressure_cube(expanded(hopper_bin))
     table = silo_pressures.state(cube, "jenike_1969", "switch")
     shown = table[(table.side == "normal") & (table.part == "hopper")].pressure_kPa.to_numpy() * 1e3
-    pressure = cube["hopper_normal_pressure"].sel({"method": "jenike_1969"})
+    pressure = cube["hopper_normal_pressure"].sel(pressure_method="jenike_1969")
     assert shown[:5] == pytest.approx(pressure.sel({"phase": "filling"}).values[:5])
     assert shown[5:] == pytest.approx(pressure.sel({"phase": "discharge"}).values[5:])
     assert silo_pressures.state(cube, "en1991_4", "switch") is None
@@ -105,7 +105,7 @@ def test_comparison_shows_the_band_and_the_measured_point(hopper_bin, tmp_path, 
     numbers = pd.read_csv(tmp_path / "today.csv")
     band = numbers[numbers.curve.str.contains("all sets") & numbers.curve.str.contains("discharge")].iloc[-1]
     ends = cube["wall_normal_pressure"].sel(
-        {"phase": "discharge", "method": ["en1991_4_wall_normal", "en1991_4_vertical_load"]}
+        {"phase": "discharge", "pressure_method": ["en1991_4_wall_normal", "en1991_4_vertical_load"]}
     )
     assert (band.wall_normal_pressure_kPa, band.upper_kPa) == pytest.approx(
         (float(ends[..., -1].min()) / 1e3, float(ends[..., -1].max()) / 1e3), rel=1e-6
@@ -123,9 +123,9 @@ def test_comparison_shows_the_sampled_scatter(hopper_bin, tmp_path, kept):
     assert np.subtract(banded, plain).tolist() == [3, 3]  # Janssen, Jenike 1969, EN once
     numbers = pd.read_csv(tmp_path / "today.csv").set_index("curve")
     band = numbers.loc["EN 1991-4:2006, design, discharge, 5 % to 95 % of the sampled solid"].iloc[-1]
-    quantiles = sampled["wall_normal_pressure_quantile"].sel({"method": "en1991_4", "phase": "discharge"}).values / 1e3
+    quantiles = sampled["wall_normal_pressure_quantile"].sel(pressure_method="en1991_4", phase="discharge").values / 1e3
     assert (band.wall_normal_pressure_kPa, band.upper_kPa) == pytest.approx((quantiles[0, -1], quantiles[2, -1]))
-    static = float(cube["wall_normal_pressure"].sel({"method": "janssen", "phase": "filling"})[-1]) / 1e3
+    static = float(cube["wall_normal_pressure"].sel(pressure_method="janssen", phase="filling")[-1]) / 1e3
     assert band.upper_ratio == pytest.approx(quantiles[2, -1] / static)
     bar = [line for line in kept[1].axes[0].lines if line.get_linewidth() == 5][-1].get_xydata()
     assert bar[:, 0] == pytest.approx([np.interp(bar[0, 1], cube["depth"], quantiles[place]) for place in (0, 2)])
@@ -155,10 +155,10 @@ def test_governing_load_case_is_the_largest_pressure(hopper_bin, tmp_path, kept)
     ]
     cube = pressure_cube(expanded(hopper_bin))
     governing_load_case.draw(cube, tmp_path / "map")
-    case, largest = governing_load_case.governing(cube.sel({"method": "en1991_4"}))
-    pressure = cube["hopper_normal_pressure"].sel({"method": "en1991_4"})
+    case, largest = governing_load_case.governing(cube.sel(pressure_method="en1991_4"))
+    pressure = cube["hopper_normal_pressure"].sel(pressure_method="en1991_4")
     assert (case[2] < 2).all()  # shallow: discharge as filling, which then counts
-    beyond, _ = governing_load_case.governing(cube.sel({"method": "jenike_1969"}))
+    beyond, _ = governing_load_case.governing(cube.sel(pressure_method="jenike_1969"))
     assert np.isnan(beyond[2]).all()  # no mass flow
     for i in range(2):
         for j in range(2):

@@ -4,8 +4,10 @@ import numpy as np
 import pytest
 
 from silostudy.compute.packing_measure import NORMAL, cells_of
-from silostudy.compute.packing_run import GRAVITY, settle
+from silostudy.compute.packing_run import settle
 from silostudy.scene.packing import contacts_of, discs_of
+from silostudy.tables import kiyama_1983 as kiyama
+from silostudy.tables.constants import STANDARD_GRAVITY
 from tests.conftest import expanded
 from tests.test_packing.literal import march
 
@@ -18,10 +20,11 @@ def let_out(across: int, run: int, *, incremental: bool, smoothed: bool, dt: flo
     config = expansion.cases[0].scene.config
     pair = contacts_of(config)[0].coefficients
     x, y, _ = (values.copy() for values in discs_of(expansion.study, config, run))
-    mass = config.discs.density_kg_m3 * np.pi * 0.01**2
-    laws = (0.01, mass, 0.4, GRAVITY, pair["normal_stiffness"], pair["normal_damping"], 0.25, 0.577, 0.176, dt)
+    mass = config.discs.density_kg_m3 * np.pi * kiyama.RADIUS**2
+    springs = pair["normal_stiffness"], pair["normal_damping"], kiyama.STIFFNESS_RATIO
+    laws = (kiyama.RADIUS, mass, kiyama.SILO_WIDTH, STANDARD_GRAVITY, *springs, kiyama.DISC_FRICTION, kiyama.WALL_FRICTION, dt)
     _, rest = march(x, y, *laws, round(1.2 / dt), incremental, smoothed, -1.0)
-    peak, _ = march(x, y, *laws, round(0.4 / dt), incremental, smoothed, 0.04)
+    peak, _ = march(x, y, *laws, round(0.4 / dt), incremental, smoothed, kiyama.SLIT_WIDTH / 2)
     return rest, peak / rest
 
 

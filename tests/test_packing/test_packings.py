@@ -6,8 +6,9 @@ from scipy.spatial import cKDTree
 
 from silostudy.errors import BadInput
 from silostudy.packing import PACKINGS
+from silostudy.tables.kiyama_1983 import ACTIVE, DISC_COUNT, GAPS, PASSIVE, RADIUS, SILO_WIDTH
 
-PAPER = {"width": 0.4, "height": 0.36, "radius": 0.01, "gap": 4e-5}
+PAPER = {"width": SILO_WIDTH, "height": 0.36, "radius": RADIUS, "gap": GAPS[ACTIVE]}
 
 
 def gaps(x, y, radius):
@@ -18,7 +19,7 @@ def gaps(x, y, radius):
 @pytest.mark.parametrize("across", range(12, 19))
 def test_rows(across):
     """Every disc inside has four neighbours at the gap, none nearer; the outer ones stand at the gap from the walls."""
-    gap = 4e-5 if across > 12 else 3e-4
+    gap = GAPS.get(across, GAPS[ACTIVE])
     x, y, radius = PACKINGS["rows"].place(**(PAPER | {"gap": gap}), across=across)
     between = gaps(x, y, radius)
     assert between.min() == pytest.approx(gap, rel=1e-6)
@@ -34,12 +35,12 @@ def test_rows(across):
 
 
 def test_the_paper_has_350_discs_or_so():
-    x, _, _ = PACKINGS["rows"].place(**PAPER, across=18)
-    assert 330 <= len(x) <= 370
+    x, _, _ = PACKINGS["rows"].place(**PAPER, across=ACTIVE)
+    assert len(x) == pytest.approx(DISC_COUNT, rel=0.06)
 
 
 def test_offsets_are_seeded_and_never_overlap():
-    wide = PAPER | {"gap": 3e-4}
+    wide = PAPER | {"gap": GAPS[PASSIVE]}
     one, same, other = (PACKINGS["rows"].place(**wide, across=17, offset=1e-4, seed=seed) for seed in (1, 1, 2))
     assert np.array_equal(one[0], same[0])
     assert not np.array_equal(one[0], other[0])

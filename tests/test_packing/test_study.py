@@ -6,19 +6,21 @@ import numpy as np
 import pandas as pd
 import pytest
 
+from silostudy.choice.expand import expand_file
 from silostudy.compute.arch import find_arch
 from silostudy.compute.motion import motion_cube
 from silostudy.compute.packing import packing_cube
 from silostudy.compute.packing_measure import NORMAL, SHEAR, cells_of, fit_janssen, janssen_force, layers, seen
-from silostudy.compute.packing_run import GRAVITY, WINDOW, settle
+from silostudy.compute.packing_run import WINDOW, settle
 from silostudy.dem.engine import Engine
 from silostudy.dem.model import Wall
 from silostudy.errors import BadInput
 from silostudy.figures import packing_slit
 from silostudy.figures.packing_against_codes import code_factors
 from silostudy.figures.packing_findings import findings, verdict
-from silostudy.scene.expand import expand_file
 from silostudy.tables.claims import kiyama_1983
+from silostudy.tables.constants import STANDARD_GRAVITY
+from silostudy.tables.kiyama_1983 import DENSITY, RADIUS
 from tests.conftest import ROOT, expanded
 from tests.test_dem.scenes import free
 
@@ -65,7 +67,7 @@ def test_a_filling_of_few_rows_has_its_numbers_or_none():
 def test_floor_and_walls_carry_the_weight(rested):
     cells = cells_of(rested)
     carried = rested.walls[cells.floor, NORMAL].sum() + rested.walls[cells.sides][..., SHEAR].sum()
-    assert carried == pytest.approx(rested.model.mass.sum() * GRAVITY, rel=1e-5)
+    assert carried == pytest.approx(rested.model.mass.sum() * STANDARD_GRAVITY, rel=1e-5)
     assert rested.rested
 
 
@@ -168,7 +170,7 @@ def test_film_at_rest_holds_the_fill(motion):
     shot = int(np.flatnonzero(motion["snapshot_film"] == rest)[0])
     here = motion["contact_snapshot"].values == shot
     wall = here & (motion["contact_on_wall"].values == 1)
-    weight = np.isfinite(motion["disc_x"][shot]).sum() * np.pi * 0.01**2 * 2650 * GRAVITY
+    weight = np.isfinite(motion["disc_x"][shot]).sum() * np.pi * RADIUS**2 * DENSITY * STANDARD_GRAVITY
     assert motion["contact_force_y"].values[wall].sum() == pytest.approx(float(weight), rel=1e-5)
 
 

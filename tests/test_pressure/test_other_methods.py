@@ -45,7 +45,7 @@ def exact(z, gamma, ratio, angle_deg):
 def test_flour_in_a_square_cell(method, phase, gamma, ratio, share):
     cube = pressure_cube(expanded(CELL))
     for depth in (5.0, 22.0):
-        found = float(cube["wall_normal_pressure"].sel({"method": method, "phase": phase, "depth": depth}))
+        found = float(cube["wall_normal_pressure"].sel(pressure_method=method, phase=phase, depth=depth))
         expected = exact(depth, gamma * 9806.65, mpmath.mpf(ratio), share * 20)
         assert found == pytest.approx(expected, rel=1e-13, abs=0)
 
@@ -59,7 +59,7 @@ def test_design_unit_weights_are_the_sources_roundings():
 
 def test_more_friction_for_buckling_hangs_more_on_the_wall():
     cube = pressure_cube(expanded(CELL))["axial_wall_force"].sel({"phase": "filling", "depth": 22.0})
-    assert float(cube.sel({"method": "pieper_flour_buckling"})) > 1.01 * float(cube.sel({"method": "pieper_flour"}))
+    assert float(cube.sel(pressure_method="pieper_flour_buckling")) > 1.01 * float(cube.sel(pressure_method="pieper_flour"))
 
 
 def test_polished_walls_lose_five_hundredths_except_glass():

@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 
 from silostudy.accuracy.prices import Price
-from silostudy.commands.grains import told
+from silostudy.commands.about_grains import prices_of_effects, runs
 from silostudy.compute.grains import grains_cube
-from silostudy.compute.grains_model import model_of
+from silostudy.compute.grains_model import shaken_box_model
 from silostudy.seismic.grains import carried_share, equivalent_damping, wall_carried_ring
 from tests.conftest import ROOT, expanded
 
@@ -94,9 +94,9 @@ def test_fillings_differ_and_repeat(cube):
 def test_what_a_study_will_cost(monkeypatch):
     """Two fillings at rest within 2 s, each shaken twice: 8 cycles of 4 Hz and of 200 Hz at the model's own step."""
     expansion = expanded(CONTENT)
-    model = model_of(expansion.cases[0].scene.config, 1)
+    model = shaken_box_model(expansion.cases[0].scene.config, 1)
     discs, longest = len(model.x), round(2.0 / model.dt)
-    lines = told(expansion, priced=False)
+    lines = runs(expansion)
     assert lines[0] == f"2 filling(s) of {discs} discs, settled in at most {longest:,} steps; equal fillings once"
     slow, fast = round(8 / 4 / model.dt), round(8 / 200 / model.dt)
     assert lines[1].startswith(f"4 shaken run(s) of {fast:,} to {slow:,} steps: ")
@@ -105,15 +105,15 @@ def test_what_a_study_will_cost(monkeypatch):
     monkeypatch.setattr("silostudy.compute.grains.settled_model", lambda *_: model)
     monkeypatch.setattr("silostudy.accuracy.prices.prices", lambda _: (discs * 5e-9, {"shaking": Price(0.25, 0.2, 0.3, 0.1)}))
     assert lines[2].endswith("no others: friction, rotation, history; shaking; wall forces every step")
-    timed = told(expansion, priced=True)
-    assert timed[3] == f"5 ns a particle-step here and now: at most {5e-9 * work:,.0f} s on one core, and the compiling"
-    assert "shaking" in timed[4]
-    assert "25.0% of a step" in timed[4]
+    timed = prices_of_effects(expansion)
+    assert timed[0] == f"5 ns a particle-step here and now: at most {5e-9 * work:,.0f} s on one core, and the compiling"
+    assert "shaking" in timed[1]
+    assert "25.0% of a step" in timed[1]
 
 
 def test_studies_are_valid_and_figure_draws(cube, tmp_path):
+    from silostudy.choice.expand import expand_file
     from silostudy.figures import grains_effective_mass
-    from silostudy.scene.expand import expand_file
 
     for path in sorted((ROOT / "config/studies").glob("grains-*.yaml")):
         assert expand_file(path).study.outputs == ("grains_effective_mass",)

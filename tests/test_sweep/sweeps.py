@@ -6,7 +6,7 @@ from pathlib import Path
 import numpy as np
 import yaml
 
-from silostudy.scene.expand import expand_file
+from silostudy.choice.expand import expand_file
 from silostudy.sweep.part import compute_part
 from silostudy.sweep.plan import make_plan
 from tests.conftest import ROOT

@@ -6,9 +6,10 @@ import numpy as np
 import pytest
 
 from silostudy.__main__ import main
+from silostudy.choice.expand import expand_file
+from silostudy.choice.promise import promises
 from silostudy.cube.io import read
 from silostudy.errors import BadInput
-from silostudy.scene.expand import expand_file
 from silostudy.sweep import merge as merging
 from silostudy.sweep.journal import sound
 from silostudy.sweep.merge import merge
@@ -173,7 +174,8 @@ def test_the_cube_says_what_accuracy_its_scenes_asked_for(tmp_path, calls, monke
         monkeypatch.setattr(merging, "PIECE", piece)
         merge(path, folder, cube)
         told.append({name: text for name, text in read(cube).attrs.items() if name.startswith("accuracy_")})
-    chosen = [case.scene.config.promise for case in expand_file(path).cases]
+    chosen = [promises([choice]) for choice in expand_file(path).choices]
+    assert len(chosen) == 12
     assert told[0] == told[1]
     assert told[0]["accuracy_asked"] == "wall_force 0.1; wall_force 0.2"
     for each in chosen:

@@ -5,13 +5,14 @@ from math import atan, pi, tan
 import pytest
 
 from silostudy.buckling import BUCKLING
+from silostudy.choice import fronts
 from silostudy.errors import BadInput
 from silostudy.pressure import PRESSURE
-from silostudy.tables import fronts
+from silostudy.tables.asked import ASKED
 from silostudy.tables.handbook import TONNE_PER_M2, errata, table_4_2_5
 from silostudy.tables.read import HERE, rows
 from silostudy.tables.references import cite
-from silostudy.tables.solids import SOLIDS, read_solids
+from silostudy.tables.solids import SOLIDS, own_solids, read_solids
 from silostudy.tables.units import SUFFIXES, split_unit
 from silostudy.tables.walls import WALLS
 
@@ -25,8 +26,8 @@ def test_every_row_of_every_table_has_a_source(path):
     text |= {"erratum", "place", "printed", "right", "evidence", "silo", "plan"}
     text |= {"test", "material", "steel", "collapse", "shape", "ring"}
     text |= {"problem", "group", "setting", "quantities", "reference_kind", "reference", "compare"}
-    text |= set(fronts.TEXT)
-    text |= {"record", "package", "file", "claim", "variable", "measure", "trait"}
+    text |= {*fronts.TEXT, "decides"}
+    text |= {"record", "package", "file", "claim", "variable", "measure", "trait", "quantity", "unit"}
     found = rows(path, text=text)
     assert found
     for row in found:
@@ -36,7 +37,9 @@ def test_every_row_of_every_table_has_a_source(path):
 
 def test_traits_and_quantities_of_fronts_are_told_and_no_others():
     assert set(fronts.TRAITS) == {name for row in fronts.FRONTS for name in row.within}
-    assert set(fronts.ASKED) == {(row.kind, row.quantity) for row in fronts.FRONTS}
+    assert {(row.front, row.name, row.decides) for row in ASKED} == {
+        (row.kind, row.quantity, row.keys) for row in fronts.FRONTS
+    }
 
 
 def test_units_are_converted_once():
@@ -78,7 +81,7 @@ def test_table_4_2_5_is_whole():
 def test_users_materials_extend_the_tables(tmp_path):
     path = tmp_path / "mine.csv"
     path.write_text(HEADER + "barley,fine_grain,7.0,28,0.4,silo_handbook,my own test of 2026\n")
-    solids = read_solids(path, SOLIDS)
+    solids = own_solids(path)
     assert len(solids) == len(SOLIDS) + 1
     assert solids["barley"].unit_weight == 7000
     assert solids["barley"].internal_friction_angle == pytest.approx(28 * pi / 180)
@@ -94,7 +97,7 @@ def test_users_materials_extend_the_tables(tmp_path):
         (HEADER + "barley,fine_grain,-7,28,0.4,me,test\n", "unit_weight = -7000.0: must lie between 0"),
         (HEADER + "barley,fine_grain,7,90,0.4,me,test\n", "internal_friction_angle = 90.0: must lie between 0 and 90 degrees"),
         (HEADER + "barley,dust,7,28,0.4,me,test\n", "grain = 'dust': must be one of powder, fine_grain, coarse_grain"),
-        (HEADER + "wheat,fine_grain,7,28,0.4,me,test\n", "solid = 'wheat': this key is already taken"),
+        (HEADER + "wheat,fine_grain,7,28,0.4,silo_handbook,test\n", "solid = 'wheat': this key is already taken"),
         (HEADER + "barley,fine_grain,7,28,0.4,me\n", "has more or fewer cells than the header"),
         (HEADER.replace("unit_weight_kN_m3", "unit_weight_lb") + "b,fine_grain,7,28,0.4,me,t\n", "unit_weight_lb"),
         (
@@ -107,7 +110,7 @@ def test_bad_materials_file(tmp_path, text, expected):
     path = tmp_path / "mine.csv"
     path.write_text(text)
     with pytest.raises(BadInput) as caught:
-        read_solids(path, SOLIDS)
+        own_solids(path)
     assert expected in str(caught.value)
 
 

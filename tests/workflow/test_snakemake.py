@@ -44,7 +44,7 @@ def test_whole_study_and_its_reruns(project, study):
     files = (path for path in results.rglob("*") if path.is_file() and not path.name.startswith("."))
     made = {path.relative_to(results).as_posix() for path in files if "logs" not in path.parts}
     assert made == {"cases.csv", "pressure.nc", "figures/fig_4_2_11.png", "figures/fig_4_2_11.svg", "figures/fig_4_2_11.csv"}
-    assert read(results / "pressure.nc").sizes["method"] == len(PRESSURE) + 1
+    assert read(results / "pressure.nc").sizes["pressure_method"] == len(PRESSURE) + 1
 
     assert "Nothing to be done" in snakemake(project, "-n").stderr + snakemake(project, "-n").stdout
 

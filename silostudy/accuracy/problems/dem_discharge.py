@@ -4,9 +4,11 @@ from dataclasses import replace
 
 import numpy as np
 
-from silostudy.accuracy.silo import LEFT, OPEN, RIGHT, STEP, scene, softened
+from silostudy.accuracy.silo import OPEN, STEP, silo_of_rows, softened
 from silostudy.dem.engine import Engine
 from silostudy.dem.run import Event, Run
+from silostudy.dem.walls import sums_by_wall
+from silostudy.scene.plane_silo import SIDES
 
 ACROSS, LEVELS, SLIT, GAP, OFFSET = 8, 10, 0.55, 6e-5, 2e-5
 REST, FLOW, WINDOW = 0.3, 0.5, 5e-3  # s
@@ -35,7 +37,7 @@ def reference(members: int):
 def _run(integrator: str, dt: float, stiffness: float, members: int, first: int = 0):
     models = []
     for seed in range(first, first + members):
-        model, _ = scene(ACROSS, LEVELS, SLIT, gap=GAP, offset=OFFSET, seed=seed)
+        model, _ = silo_of_rows(ACROSS, LEVELS, SLIT, gap=GAP, offset=OFFSET, seed=seed)
         models.append(replace(softened(model, stiffness), integrator=integrator, dt=dt, watched=True))
 
     def run():
@@ -52,8 +54,9 @@ def _discharge(model) -> dict[str, float]:
     done = run.go()
     if done.explosion is not None:
         return {"discharge_rate": np.nan, "wall_peak": np.nan}
-    starts = np.cumsum([0, *(wall.cells + 2 for wall in model.walls)])[:-1]
-    force = np.add.reduceat(np.array(done.window)[:, :, 0, 0], starts, axis=1)[:, [LEFT, RIGHT]].sum(axis=1)
+    each = sums_by_wall(model, np.array(done.window)[:, :, 0, 0], axis=1)
+    left, right = (each[name] for name in SIDES)
+    force = left + right
     before = np.array(done.window_time) <= REST
     return {
         "discharge_rate": (done.discharged[-1] if done.discharged else 0.0) / (run.engine.time - REST),

@@ -4,13 +4,16 @@ from math import pi, sqrt
 
 import numpy as np
 
-from silostudy.accuracy.silo import DENSITY, GRAVITY, contact, wall_force, walls_of
+from silostudy.accuracy.silo import DOWN, contact_of_discs, contact_with_walls, wall_force
 from silostudy.dem.engine import Engine
-from silostudy.dem.model import Model
+from silostudy.dem.model import Contact, Model
 from silostudy.packing import PACKINGS
+from silostudy.scene.plane_silo import PlaneSilo
+from silostudy.tables.constants import ROUNDED_GRAVITY
+from silostudy.tables.kiyama_1983 import DENSITY, RADIUS
 
 WIDTH, SLENDERNESS, SOLID, SPREAD = 0.2, 2.0, 0.82, 0.2
-REST, STEP_AT = 1.5, (2.0e-5, 0.01)  # s; step (s) for discs of a radius (m): it shrinks with the radius
+REST, STEP_AT = 1.5, (2.0e-5, RADIUS)  # s; step (s) for discs of a radius (m): it shrinks with the radius
 DISCS = (16, 32, 64, 128, 256)
 LADDERS = {"discs": DISCS}
 
@@ -30,9 +33,21 @@ def _run(count: int, seeds):
     models = []
     for seed in seeds:
         x, y, radii = PACKINGS["loose"].place(width=WIDTH, count=count, radius=radius, spread=SPREAD, seed=seed)
-        walls = walls_of(WIDTH, 2.0 * float(y.max()), 0.1 * WIDTH)
+        walls = PlaneSilo(WIDTH, 2.0 * float(y.max()), 0.1 * WIDTH).walls()
         dt = STEP_AT[0] * radius / STEP_AT[1]
-        models.append(Model(x, y, radii, DENSITY, walls, _damped(radius), _damped(radius, 2.0, 0.176), dt))
+        models.append(
+            Model(
+                x,
+                y,
+                radii,
+                DENSITY,
+                walls,
+                _damped(contact_of_discs(), radius),
+                _damped(contact_with_walls(), radius),
+                dt,
+                DOWN,
+            )
+        )
 
     def run():
         return {"wall_push": np.array([_push(model) for model in models])}
@@ -40,17 +55,16 @@ def _run(count: int, seeds):
     return run
 
 
-def _damped(radius: float, factor: float = 1.0, friction: float = 0.577):
+def _damped(contact: Contact, radius: float) -> Contact:
     """The same damping ratio for discs of every size: the dashpot goes with the root of the mass."""
-    one = contact(factor, friction)
-    values = dict(one.coefficients)
+    values = dict(contact.coefficients)
     for name in ("normal_damping", "tangential_damping"):
         values[name] *= radius / STEP_AT[1]
-    return type(one)(one.laws, values)
+    return Contact(contact.laws, values)
 
 
 def _push(model: Model) -> float:
     """Normal force of both walls over the weight (1)."""
     engine = Engine(model)
     engine.step_to(round(REST / model.dt))
-    return float(wall_force(engine, 1).sum() / (engine.mass.sum() * GRAVITY))
+    return float(wall_force(engine, 1).sum() / (engine.mass.sum() * ROUNDED_GRAVITY))

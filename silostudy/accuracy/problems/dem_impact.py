@@ -5,11 +5,12 @@ from math import atan2, exp, pi, sqrt
 
 import numpy as np
 
-from silostudy.accuracy.silo import DENSITY, RADIUS, contact
+from silostudy.accuracy.silo import contact_of_discs
 from silostudy.contact.normal import spring_dashpot, spring_dashpot_implicit
 from silostudy.dem.engine import Engine
 from silostudy.dem.lanes import U
 from silostudy.dem.model import Model, Wall
+from silostudy.tables.kiyama_1983 import DENSITY, RADIUS
 
 DAMPING_RATIO, SPEED = 0.2, 0.1
 STEPS = (8, 16, 32, 64, 128, 256, 512, 1024, 2048, 4096)
@@ -24,7 +25,7 @@ LADDERS = {
 def prepare(ladder: str, setting: float):
     """Two discs that approach over half a radius less than nothing: they touch at once and part after a contact time."""
     integrator, *implicit = ladder.split(", ")
-    pair = contact(normal=(spring_dashpot_implicit if implicit else spring_dashpot).ROW)
+    pair = contact_of_discs(normal=(spring_dashpot_implicit if implicit else spring_dashpot).ROW)
     reduced, stiffness = 0.5 * DENSITY * pi * RADIUS**2, pair.coefficients["normal_stiffness"]
     damping = {"normal_damping": 2.0 * DAMPING_RATIO * sqrt(reduced * stiffness)}
     duration = pi / sqrt(stiffness / reduced * (1.0 - DAMPING_RATIO**2))

@@ -9,10 +9,11 @@ from dataclasses import replace
 
 import numpy as np
 
-from silostudy.accuracy.silo import RADIUS, STEP, scene, softened, wall_force, with_dashpot
+from silostudy.accuracy.silo import STEP, silo_of_rows, softened, wall_force, with_dashpot
 from silostudy.contact.normal import spring_dashpot_implicit
 from silostudy.dem.engine import Engine, Explosion
 from silostudy.dem.lanes import W
+from silostudy.tables.kiyama_1983 import RADIUS
 
 ACROSS, LEVELS, PARTS, REST = 8, 12, 6, 0.6  # discs, rows, parts of a wall, time to rest (s)
 STEPS = (1.28e-4, 6.4e-5, 3.2e-5, 1.6e-5, 8e-6, 4e-6, 2e-6)
@@ -32,7 +33,7 @@ LADDERS = {
 
 def prepare(ladder: str, setting: float):
     """The run to rest; the last ladder moves no force, only the cost."""
-    model, _ = scene(ACROSS, LEVELS)
+    model, _ = silo_of_rows(ACROSS, LEVELS)
     if ladder.startswith("skin"):
         return _run(replace(model, dt=STEP), setting * RADIUS)
     if ladder == SINGLE:

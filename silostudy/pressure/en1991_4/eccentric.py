@@ -65,6 +65,7 @@ def _largest_edge_pressure(z, **given):
 
 ROW = PressureMethod(
     key="en1991_4_eccentric",
+    rank=160,
     title="EN 1991-4:2006, large eccentric discharge",
     source="en1991_4_2006",
     locator="as public programs carry it (printed standard not seen)",

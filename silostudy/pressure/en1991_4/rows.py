@@ -158,6 +158,7 @@ def patch(phase):
 
 COMMON: dict[str, Any] = {
     "source": "en1991_4_2006",
+    "rank": 160,
     "locator": "as public programs carry it (printed standard not seen)",
     "static": janssen.normal_pressure,
     "plans": CELLS - {"polygonal"} | SLOT,

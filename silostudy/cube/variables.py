@@ -4,12 +4,15 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from silostudy.cube.contract import VARIABLES
+from silostudy.cube.contract import variable
+
+DEPTH = {"standard_name": "depth", "positive": "down"}
 
 
 def attributes(name: str) -> dict[str, str]:
-    """Unit and long name of a variable."""
-    return {"units": VARIABLES[name].units, "long_name": VARIABLES[name].long_name}
+    """Unit and long name of a variable, and of a depth which way it runs."""
+    known = variable(name)
+    return {"units": known.units, "long_name": known.long_name, **(DEPTH if name == "depth" else {})}
 
 
 def flags(long_name: str, meanings: Sequence[str]) -> dict:

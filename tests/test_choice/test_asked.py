@@ -7,14 +7,16 @@ from math import pi, sqrt
 import numpy as np
 import pytest
 
-from silostudy.compute.dem import model_of
+from silostudy.choice.choose import choose
+from silostudy.choice.dem import load, scene_traits
+from silostudy.choice.fronts import FRONTS, Measured
+from silostudy.choice.pressure import pressure_traits
+from silostudy.compute.dem import scene_model
 from silostudy.compute.pressure import pressure_cube
 from silostudy.config.dem import DemScene
 from silostudy.config.load import read_yaml, study_of, validated
 from silostudy.dem.stability import chosen_step
 from silostudy.errors import BadInput
-from silostudy.scene.traits import pressure_traits
-from silostudy.tables.fronts import FRONTS, Measured, choose, finest
 from tests.conftest import ROOT, expanded
 from tests.test_dem.test_scene import SMALL as DEM_SCENE
 
@@ -42,9 +44,9 @@ def fronts(monkeypatch):
         *(row("drift", {"march.step": 1 / n}, 1 / n, n, order=(0, 0)) for n in (10, 20)),
         *(row("drift", {"march.step": 1 / n}, 2 / n, n, order=(1, 1)) for n in (10, 20)),
     ]
-    monkeypatch.setattr("silostudy.tables.fronts.FRONTS", found)
+    monkeypatch.setattr("silostudy.choice.fronts.FRONTS", found)
     told = {name: f"what {name} is" for each in found for name in each.within}
-    monkeypatch.setattr("silostudy.tables.fronts.TRAITS", told)
+    monkeypatch.setattr("silostudy.choice.choose.TRAITS", told)
 
 
 SMOOTH = {"bend": 1.0, "kink": 0.0, "heap": 0.0, "order": 0.0}
@@ -65,7 +67,7 @@ SMOOTH = {"bend": 1.0, "kink": 0.0, "heap": 0.0, "order": 0.0}
     ],
 )  # fmt: skip
 def test_the_cheapest_that_reaches_it_in_every_scene_is_chosen(fronts, asked, scenes, settings, expected):
-    choice = choose("silo", asked, scenes)
+    choice = choose(["silo"], asked, scenes)
     assert choice.settings == settings
     assert choice.expected == pytest.approx(expected)
 
@@ -81,11 +83,7 @@ def test_the_cheapest_that_reaches_it_in_every_scene_is_chosen(fronts, asked, sc
 )
 def test_scenes_and_errors_beyond_what_was_measured_are_refused(fronts, asked, scene, message):
     with pytest.raises(BadInput, match=message):
-        choose("silo", asked, [SMOOTH | scene])
-
-
-def test_the_finest_stand_in_until_the_scenes_are_known(fronts):
-    assert finest("silo", {"force": 0.5, "drift": 0.5}).settings == {"levels": 16, "march.step": 0.05}
+        choose(["silo"], asked, [SMOOTH | scene])
 
 
 def test_shipped_rows_are_sound():
@@ -98,7 +96,7 @@ def test_pressure_cube_records_what_was_chosen(asking):
     expansion = expanded(asking)
     cube = pressure_cube(expansion)
     traits = pressure_traits(expansion.study, [case.scene for case in expansion.cases])
-    count = choose("pressure", asking["accuracy"], traits).settings["relative_depth"]["count"]
+    count = choose(["pressure"], asking["accuracy"], traits).settings["relative_depth"]["count"]
     assert cube.sizes["relative_depth"] == count
     assert cube.attrs["accuracy_asked"] == "wall_force 0.01"
     assert f"'count': {count}" in cube.attrs["accuracy_settings"]
@@ -111,22 +109,28 @@ def test_pressure_cube_records_what_was_chosen(asking):
 def test_the_fall_of_a_scene():
     """Gap over the overlap under one disc's weight, times the root of ten layers."""
     overlap = 2650 * pi * 0.01**2 * 9.81 / SCENE["discs"]["normal_stiffness_N_m2"]
-    traits = validated(DemScene, copy.deepcopy(SCENE), "asked.yaml").traits
+    traits = scene_traits(validated(DemScene, copy.deepcopy(SCENE), "asked.yaml"))
     assert traits["fall"] == pytest.approx(4e-5 / overlap * sqrt(10), rel=1e-12)
     assert traits["damping_ratio"] == pytest.approx(3977 / (2 * sqrt(2650 * pi * 0.01**2 * 9.46e6)), rel=1e-12)
 
 
+def saved(folder, **changes):
+    """A scene file."""
+    path = folder / "asked.yaml"
+    path.write_text(json.dumps(SCENE | changes))
+    return path
+
+
 def test_a_scene_gets_integrator_and_step(tmp_path):
-    content = copy.deepcopy(SCENE) | {"accuracy": {"wall_force": 0.1}}
-    scene = validated(DemScene, content, "asked.yaml")
-    settings = choose("dem", {"wall_force": 0.1}, [scene.traits]).settings
+    scene, choice = load(saved(tmp_path, accuracy={"wall_force": 0.1}))
+    settings = choose(["dem"], {"wall_force": 0.1}, [scene_traits(scene)]).settings
+    assert choice.settings == settings
     assert scene.march.integrator == settings["march.integrator"]
     assert scene.march.step_factor == settings["march.step_factor"]
-    model = model_of(scene, tmp_path)
+    model = scene_model(scene, tmp_path)
     assert model.dt == pytest.approx(settings["march.step_factor"] * chosen_step(model))
-    assert scene.promise["accuracy_asked"] == "wall_force 0.1"
-    assert 0.01 < float(scene.promise["accuracy_expected"].split()[-1]) <= 0.1
-    assert "accuracy" not in SCENE
+    assert choice.asked == {"wall_force": 0.1}
+    assert 0.01 < choice.expected["wall_force"] <= 0.1
 
 
 @pytest.mark.parametrize(
@@ -134,7 +138,7 @@ def test_a_scene_gets_integrator_and_step(tmp_path):
     [
         ({"accuracy": {"wall_forces": 0.1}}, "unknown; known: wall_force"),
         ({"accuracy": {"wall_force": 1e-9}}, "no measured setting reaches it; the least errors are"),
-        ({"accuracy": {"wall_force": 0}}, "must be above 0"),
+        ({"accuracy": {"wall_force": 0}}, "accuracy.wall_force = 0: must be greater than 0"),
         ({"accuracy": {"wall_force": "high"}}, "accuracy.wall_force"),
         (
             {"accuracy": {"wall_force": 0.1}, "march": {"limit_s": 1.0, "step_factor": 0.77}},
@@ -159,9 +163,11 @@ def test_a_scene_gets_integrator_and_step(tmp_path):
         ),
     ],
 )
-def test_refusals(changes, message):
-    with pytest.raises(BadInput, match=message):
-        validated(DemScene, copy.deepcopy(SCENE) | changes, "asked.yaml")
+def test_refusals(changes, message, tmp_path):
+    with pytest.raises(BadInput, match=message) as refused:
+        load(saved(tmp_path, **changes))
+    assert str(refused.value).startswith(f"{tmp_path}/asked.yaml: ")
+    assert "\n" not in str(refused.value)
 
 
 def test_the_worst_silo_of_a_sweep_decides(asking):
@@ -182,7 +188,7 @@ def test_a_heap_has_no_measured_front(asking):
 def test_depths_of_one_s_own_and_accuracy_exclude_each_other(asking):
     with pytest.raises(BadInput, match="either accuracy or relative_depth"):
         expanded(asking | {"relative_depth": [0.5, 1.0]})
-    with pytest.raises(BadInput, match="either depth_m or relative_depth"):
+    with pytest.raises(BadInput, match="either depth_m or an accuracy that decides relative_depth"):
         expanded(asking | {"depth_m": [1.0, 2.0]})
 
 

@@ -1,4 +1,4 @@
-"""Numbers of a pressure study's scenes on which the errors of its depth levels and samples hang: see tables/fronts.py."""
+"""Numbers of a pressure study's scenes on which the errors of its depth levels and samples hang: see choice/fronts.py."""
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from math import log
@@ -43,7 +43,7 @@ def curves_of(study, scenes: Sequence[Scene]) -> Iterator[dict[str, np.ndarray]]
     depth = np.array([[one.silo.cylinder_depth] for one in scenes])
     z = depth * np.linspace(0.0, 1.0, LEVELS)
     for key in study.method_keys:
-        row = PRESSURE[key]
+        row = study.family(PRESSURE)[key]
         parameters = parameters_of_scenes(scenes, row.table_key or key)
         covered = np.array([[one.silo.plan in row.plans] for one in scenes])
         for phase in study.phases:

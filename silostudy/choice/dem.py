@@ -1,0 +1,62 @@
+"""A discrete-element scene that asks for an accuracy: what the error of its wall forces hangs on, and which may ask."""
+
+from collections.abc import Iterator, Sequence
+from math import pi, sqrt
+from pathlib import Path
+
+from silostudy.choice.promise import Choice
+from silostudy.choice.settle import settled
+from silostudy.config.contact import ContactConfig
+from silostudy.config.dem import DemScene, RowsConfig
+from silostudy.config.load import read_yaml, validated
+from silostudy.contact import MEASURED
+from silostudy.errors import BadInput
+
+
+def load(path: Path) -> tuple[DemScene, Choice | None]:
+    """The scene in a YAML file with the settings chosen for its accuracy, and the choice; BadInput lists every mistake."""
+    scene = validated(DemScene, read_yaml(path), str(path))
+    return settled(scene, [scene], str(path)) if scene.accuracy else (scene, None)
+
+
+def dem_traits(asking: DemScene, scenes: Sequence[DemScene]) -> list[dict[str, float]]:
+    """What the error of the wall forces at rest hangs on (1), of each scene."""
+    return [scene_traits(scene) for scene in scenes]
+
+
+def scene_traits(scene: DemScene) -> dict[str, float]:
+    """The dynamics before rest, and the contacts (1); BadInput for a scene of a kind that was not measured.
+
+    fall: gap over the overlap that a disc's weight makes, times the root of the layers of discs.
+    """
+    walls = scene.walls or scene.discs
+    for key, value, measured in _kinds(scene, walls):
+        if value != measured:
+            raise BadInput("accuracy", scene.accuracy, f"was measured with {key} {measured} alone, not {value}")
+    assert isinstance(scene.packing, RowsConfig)
+    assert scene.discs.normal_stiffness_N_m2 is not None
+    assert walls.normal_stiffness_N_m2 is not None
+    stiffness, mass = scene.discs.normal_stiffness_N_m2, scene.density_kg_m3 * pi * scene.radius_m**2
+    gap = scene.packing.gap_m * stiffness / (-scene.gravity_m_s2[1] * mass)
+    direct, ratio = scene.discs.normal_damping_N_s_m2, scene.discs.damping_ratio or 0.0
+    return {
+        "fall": gap * sqrt(0.5 * scene.packing.fill_height_m / scene.radius_m),
+        "damping_ratio": direct / (2.0 * sqrt(mass * stiffness)) if direct is not None else ratio,
+        "wall_stiffness_ratio": walls.normal_stiffness_N_m2 / stiffness,
+        "stiffness_ratio": scene.discs.stiffness_ratio,
+        "disc_friction": scene.discs.sliding_friction,
+        "wall_friction": walls.sliding_friction,
+    }
+
+
+def _kinds(scene: DemScene, walls: ContactConfig) -> Iterator[tuple[str, object, object]]:
+    """Keys whose values make a scene of the kind that was measured: name, value, the one measured."""
+    across, up = scene.gravity_m_s2
+    yield "packing.kind", scene.packing.kind, "rows"
+    yield "silo.hopper_half_angle_deg", scene.silo.hopper_half_angle_deg, None
+    yield "quake", scene.quake, None
+    yield "gravity", "straight down" if across == 0 and up < 0 else scene.gravity_m_s2, "straight down"
+    for name, contact in (("discs", scene.discs), ("walls", walls)):
+        for family, law in MEASURED.items():
+            yield f"{name}.{family}", getattr(contact, family), law
+        yield f"{name}.line_contact", contact.line_contact, None

@@ -1,0 +1,32 @@
+"""Numbers of a seismic study's scenes on which the errors of its settings hang."""
+
+from collections.abc import Sequence
+
+from silostudy.config.seismic import SeismicStudy
+from silostudy.scene.seismic import Shaken
+from silostudy.seismic.added_mass import mass_ratio, volume_ratio
+from silostudy.seismic.beam import Tube
+
+
+def seismic_traits(study: SeismicStudy, scenes: Sequence[Shaken]) -> list[dict[str, float]]:
+    """What the error of the coefficient found goes with: of each scene, 0 where none is sought."""
+    sought = study.identification
+    if sought is None:
+        return [{"valley_number": 0.0} for _ in scenes]
+    coarse = sought.coefficients
+    step, middle = (coarse.stop - coarse.start) / (coarse.count - 1), 0.5 * (coarse.start + coarse.stop)
+    truths = [one.imitation.effective_mass_coefficient if one.imitation else middle for one in scenes]
+    numbers = (valley_number(one.tube, one.damping_ratio, step, truth) for one, truth in zip(scenes, truths, strict=True))
+    return [{"valley_number": number} for number in numbers]
+
+
+def valley_number(tube: Tube, damping_ratio: float, step: float, coefficient: float) -> float:
+    """Square of the candidates' step over the valley's width and over the coefficient (1).
+
+    The valley of the likeness index is as wide as the coefficient must change to move the first frequency by its half-power
+    width: 2 zeta (1 + m C) / m with the mass ratio m of contents and wall.
+    """
+    volumes = volume_ratio(radius=tube.radius, thickness=tube.thickness)
+    ratio = mass_ratio(volume_ratio=volumes, wall_density=tube.wall_density, contents_density=tube.contents_density)
+    width = 2.0 * damping_ratio * (1.0 + ratio * coefficient) / ratio
+    return step**2 / (width * max(coefficient, step))

@@ -1,0 +1,100 @@
+"""Reads a Python file of the user's own: its rows join the families of one study, and no other study sees them.
+
+The file declares ROW or ROWS as a module of the package does.  It is run anew for every content that it has, under a name of
+its own, and leaves no compiled file behind.
+"""
+
+import hashlib
+import sys
+import traceback
+from collections.abc import Iterable
+from dataclasses import replace
+from pathlib import Path
+from types import ModuleType
+
+from silostudy.catalogue import Family, Row, declared
+from silostudy.errors import BadInput
+from silostudy.tables.references import own_source
+
+Families = dict[str, Family]  # by the name of the family
+
+
+def joined(families: Iterable[Family], path: Path, where: str = "") -> Families:
+    """The families with the rows of a user's file; BadInput names file, row and what is wrong with it."""
+    rows, shipped = own_rows(path, where), {family.name: family for family in families}
+    found = {name: family.joined(_joining(family, rows, path, where)) for name, family in shipped.items()}
+    if all(len(found[name]) == len(family) for name, family in shipped.items()):
+        raise _refused(path, f"holds no {' and no '.join(found)}", where)
+    return found
+
+
+def _joining(family: Family, rows: Iterable[Row], path: Path, where: str) -> list[Row]:
+    mine, taken = [row for row in rows if family.takes(row)], set(family)
+    for row in mine:
+        if row.key in taken:
+            raise _refused(path, f"row {row.key}: this key is already taken by another {family.name}", where)
+        taken.add(row.key)
+    return mine
+
+
+def own_rows(path: Path, where: str = "") -> tuple[Row, ...]:
+    """The rows of a user's file, each sound; BadInput for a file that cannot be read or run, or a row with a fault."""
+    try:
+        content = path.read_bytes()
+    except OSError as error:
+        raise _refused(path, f"must be a readable Python file ({error.strerror})", where) from None
+    module = _run(path, content, where)
+    rows = declared(vars(module))
+    if not rows:
+        raise _refused(path, "declares neither ROW nor ROWS", where)
+    return tuple(_sound(row, path, content, where) for row in rows)
+
+
+def _refused(path: Path, why: str, where: str) -> BadInput:
+    return BadInput("methods_from", path.name, why, where)
+
+
+def _digest(content: bytes) -> str:
+    return hashlib.sha256(content).hexdigest()[:12]
+
+
+def _run(path: Path, content: bytes, where: str) -> ModuleType:
+    name = f"silostudy_own_{_digest(str(path.absolute()).encode() + content)}"
+    if name in sys.modules:
+        return sys.modules[name]
+    module = ModuleType(name)
+    module.__file__ = str(path)
+    sys.modules[name] = module  # dataclasses and pickle look there
+    try:
+        exec(compile(content, str(path), "exec"), vars(module))
+    except (Exception, SystemExit) as error:
+        del sys.modules[name]
+        raise _refused(path, f"line {_line(error, path)}: {_one_line(error)}", where) from None
+    return module
+
+
+def _line(error: BaseException, path: Path) -> int | None:
+    """The line of the user's file at which running it failed."""
+    if isinstance(error, SyntaxError) and error.filename == str(path):
+        return error.lineno
+    frames = traceback.extract_tb(error.__traceback__)
+    return next((frame.lineno for frame in reversed(frames) if frame.filename == str(path)), None)
+
+
+def _one_line(error: BaseException) -> str:
+    text = error.msg if isinstance(error, SyntaxError) else str(error)
+    return f"{type(error).__name__}: {' '.join(str(text).split())}"
+
+
+def _sound(row: object, path: Path, content: bytes, where: str) -> Row:
+    """The row with its origin, and its source as `cite` takes it."""
+    if not isinstance(row, Row):
+        raise _refused(path, f"ROWS holds {row!r:.60}: must be rows of a family", where)
+    try:
+        fault = next(row.faults(), None)
+    except Exception as error:  # a field of a kind that no check expects
+        fault = _one_line(error)
+    if fault:
+        raise _refused(path, f"row {row.key}: {fault}", where)
+    source = own_source(row.source, path, f"{where}: methods_from = {path.name!r}: row {row.key}".removeprefix(": "))
+    return replace(row, source=source, origin=f"{path.name} {_digest(content)}")

@@ -1,0 +1,82 @@
+"""The walls of a plane silo, built in one place: a box on a flat floor or a hopper, a slit in the middle of its bottom.
+
+Every wall has a name, and whoever wants one asks the model for it by that name, never by its place.
+"""
+
+from dataclasses import dataclass
+from math import tan
+
+from silostudy.dem.model import Model, Wall
+
+FLOOR, LID = "floor", "lid"
+SIDES = ("left", "right")
+HALVES = ("floor_left", "floor_right")  # of a flat floor beside its slit: they wait for it to open
+HOPPER = ("hopper_left", "hopper_right")
+
+
+@dataclass(frozen=True)
+class PlaneSilo:
+    """Inner dimensions: width, height of the vertical walls and width of the slit in m; half angle from the vertical in rad.
+
+    slit 0: a closed box; hopper_half_angle None: a flat floor.
+    """
+
+    width: float
+    height: float
+    slit: float = 0.0
+    hopper_half_angle: float | None = None
+    lid: bool = False
+
+    @property
+    def bottom(self) -> float:
+        """Height (m) at which the vertical walls begin, above the slit: that of the hopper."""
+        if self.hopper_half_angle is None:
+            return 0.0
+        return 0.5 * (self.width - self.slit) / tan(self.hopper_half_angle)
+
+    def walls(self, cells: int = 1, half_cells: int | None = None) -> tuple[Wall, ...]:
+        """Its walls with the solid on their left: the bottom, closed, then the sides and the lid.
+
+        cells: equal parts of each whose force is recorded; half_cells: those of the floor's halves, null: as many.
+        """
+        flat = self.hopper_half_angle is None
+        return (*(self._floor(cells, half_cells or cells) if flat else self._hopper(cells)), *self._upper(cells))
+
+    def _floor(self, cells: int, half_cells: int) -> tuple[Wall, ...]:
+        whole = Wall(FLOOR, (0.0, 0.0), (self.width, 0.0), cells)
+        if not self.slit:
+            return (whole,)
+        (left, right), (near, far) = HALVES, self._edges
+        return (
+            whole,
+            Wall(left, (0.0, 0.0), (near, 0.0), half_cells, live=False),
+            Wall(right, (far, 0.0), (self.width, 0.0), half_cells, live=False),
+        )
+
+    def _hopper(self, cells: int) -> tuple[Wall, ...]:
+        (left, right), (near, far) = HOPPER, self._edges
+        return (
+            Wall(FLOOR, (near, 0.0), (far, 0.0), cells, joined=(True, True)),
+            Wall(left, (0.0, self.bottom), (near, 0.0), cells, joined=(True, False)),
+            Wall(right, (far, 0.0), (self.width, self.bottom), cells, joined=(False, True)),
+        )
+
+    def _upper(self, cells: int) -> tuple[Wall, ...]:
+        (left, right), base, top = SIDES, self.bottom, self.bottom + self.height
+        sides = (
+            Wall(left, (0.0, top), (0.0, base), cells, joined=(self.lid, True)),
+            Wall(right, (self.width, base), (self.width, top), cells, joined=(True, self.lid)),
+        )
+        lid = Wall(LID, (self.width, top), (0.0, top), cells, joined=(True, True))
+        return (*sides, lid) if self.lid else sides
+
+    @property
+    def _edges(self) -> tuple[float, float]:
+        """x (m) of the slit's edges."""
+        return self.width / 2.0 - self.slit / 2.0, self.width / 2.0 + self.slit / 2.0
+
+
+def inner_width(model: Model) -> float:
+    """Inner width (m) between the side walls of a model."""
+    left, right = (model.wall_named(name) for name in SIDES)
+    return right.start[0] - left.start[0]

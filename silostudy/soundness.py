@@ -1,0 +1,39 @@
+"""What makes a row of any family sound, in pieces: each says in words what is wrong, and nothing where nothing is."""
+
+import re
+from collections.abc import Callable, Iterable, Iterator
+from inspect import getdoc
+
+MARKERS = set(".,ov^<>12348spP*hH+xXDd|_")  # of matplotlib; or $text$
+LINES = ("solid", "dashed", "dashdot", "dotted", "-", "--", "-.", ":")  # of matplotlib
+
+
+def faults_of_look(row) -> Iterator[str]:
+    """What is wrong with how a row is drawn and explained: colour, marker, line where it has one, formula, range."""
+    if not re.fullmatch(r"#[0-9A-Fa-f]{6}", row.colour):
+        yield f"colour = {row.colour!r}: must be #rrggbb"
+    if row.marker not in MARKERS and not re.fullmatch(r"\$.+\$", row.marker):
+        yield f"marker = {row.marker!r}: must be $text$ or one of {' '.join(sorted(MARKERS))}"
+    if getattr(row, "line", LINES[0]) not in LINES:
+        yield f"line = {row.line!r}: must be one of {' '.join(LINES)}"
+    for name in ("formula", "validity"):
+        if not getattr(row, name).strip():
+            yield f"{name} must not be empty"
+
+
+def faults_of_function(name: str, function: Callable, unit: str, asked: Iterable[str], known: Iterable[str]) -> Iterator[str]:
+    """What is wrong with a function of a row: no unit in its docstring, a parameter that has no unit in the family."""
+    written = unit.replace(" m-1", "/m").replace(" m-", "/m")
+    doc = getdoc(function) or ""
+    if f"({unit}" not in doc and f"({written}" not in doc:
+        yield f"{name}: its docstring must name its unit, ({written})"
+    if strange := [one for one in asked if one not in known]:
+        yield f"{name}: asks for {', '.join(strange)}, which has no unit; known: {', '.join(known)}"
+
+
+def faults_of_trial(name: str, trial: Callable[[], object]) -> Iterator[str]:
+    """What goes wrong when a function of a row is called with arrays of usual values."""
+    try:
+        trial()
+    except Exception as error:
+        yield f"{name}: fails for arrays of usual values: {type(error).__name__}: {error}"

@@ -1,0 +1,39 @@
+"""The file of a user's own method that README shows, and one of a buckling rule."""
+
+import re
+
+from tests.conftest import ROOT
+
+THEORY = re.findall(r"<!-- own-method -->\n```python\n(.*?)```", (ROOT / "README.md").read_text(encoding="utf-8"), re.DOTALL)[0]
+RULE = '''
+from silostudy.buckling.classical import capped_at_yield
+from silostudy.buckling.family import SUCTION, BucklingRule, classical_stress, under_suction
+
+
+def strength(*, youngs_modulus, shell_poisson_ratio, yield_stress, shell_radius, thickness):
+    """Strength (Pa): a fifth of the classical stress, at most the yield stress."""
+    perfect = classical_stress(
+        youngs_modulus=youngs_modulus,
+        shell_poisson_ratio=shell_poisson_ratio,
+        shell_radius=shell_radius,
+        thickness=thickness,
+    )
+    return capped_at_yield(perfect / 5, yield_stress)
+
+
+ROW = BucklingRule(
+    key="a_fifth",
+    title="a fifth of the classical",
+    source="J. Doe, Notes on tin cans, 2026",
+    locator="page 5",
+    strength=strength,
+    limits=((SUCTION, under_suction),),
+    formula="sigma = E t / (5 R sqrt(3 (1 - nu^2)))",
+    validity="for comparison only",
+    colour="#CC3311",
+    marker="$5$",
+    line="solid",
+)
+'''
+# a file may hold several rows, of several families
+BOTH = f"{THEORY.replace('ROW = ', 'MINE = ')}{RULE.replace('ROW = ', 'RULE = ')}\nROWS = (MINE, RULE)\n"
