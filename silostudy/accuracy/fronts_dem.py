@@ -15,8 +15,9 @@ import numpy as np
 from silostudy.accuracy.silo import wall_force
 from silostudy.accuracy.trial import Trial, front_row, kept
 from silostudy.choice.choose import choose
-from silostudy.choice.dem import MEASURED_LAWS, scene_traits
+from silostudy.choice.dem import scene_traits
 from silostudy.config.dem import DemScene
+from silostudy.contact import MEASURED as MEASURED_LAWS
 from silostudy.dem.engine import Engine, Explosion
 from silostudy.scene.dem_model import placed, unshaken_scene_model
 from silostudy.tables.kiyama_1983 import DENSITY, NORMAL_STIFFNESS, RADIUS, width_as_steep

@@ -52,7 +52,7 @@ class Silo:
     def model(self, seed: int) -> Model:
         """One start."""
         model, _ = silo_of_rows(self.across, self.rows, gap=GAP, offset=OFFSET, seed=seed)
-        model = replace(model, pair=contact_of_discs(self.discs), wall=contact_with_walls(self.walls))
+        model = replace(model, pair_contact=contact_of_discs(self.discs), wall_contact=contact_with_walls(self.walls))
         return replace(model, dt=chosen_step(model))
 
 

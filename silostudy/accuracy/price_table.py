@@ -11,6 +11,8 @@ from silostudy.accuracy.instructions import count, missing
 from silostudy.accuracy.optional_parts import part_price
 from silostudy.accuracy.prices import Price, prices, still, without
 from silostudy.accuracy.silo import LEVELS, silo_of_rows
+from silostudy.contact.cohesion import constant_pull
+from silostudy.contact.rolling import spring_slider
 from silostudy.dem.engine import Engine
 from silostudy.dem.model import Contact, Model
 from silostudy.tables.kiyama_1983 import ACTIVE
@@ -23,8 +25,8 @@ DISCS, OTHERS = "discrete elements", "only effects of discrete elements are coun
 def full_scenes() -> list[tuple[str, Model]]:
     """Scenes that have between them every effect of the engine; friction is priced where nothing is recorded as well."""
     model, _ = silo_of_rows(ACTIVE, LEVELS)
-    rolling = replace(model, pair=_more(model.pair, "rolling"), wall=_more(model.wall, "rolling"))
-    pulling = replace(model, pair=_more(model.pair, "cohesion"), wall=_more(model.wall, "cohesion"))
+    rolling = replace(model, pair_contact=_rolling(model.pair_contact), wall_contact=_rolling(model.wall_contact))
+    pulling = replace(model, pair_contact=_pulling(model.pair_contact), wall_contact=_pulling(model.wall_contact))
     sizes = replace(model, radius=model.radius * (1.0 - 0.002 * (np.arange(len(model.x)) % 2)))
     shaken = replace(model, quake=np.zeros((2, 2)))
     recording = replace(model, watched=True)
@@ -33,12 +35,13 @@ def full_scenes() -> list[tuple[str, Model]]:
     return list(zip(names, (model, rolling, pulling, sizes, shaken, recording, booked), strict=True))
 
 
-def _more(contact: Contact, family: str) -> Contact:
-    law, values = {
-        "rolling": ("spring-slider", {"rolling_stiffness": 10.0, "rolling_friction": 0.1}),
-        "cohesion": ("constant-pull", {"pull": 1.0}),
-    }[family]
-    return Contact(replace(contact.laws, **{family: law}), contact.coefficients | values)
+def _rolling(contact: Contact) -> Contact:
+    more = {"rolling_stiffness": 10.0, "rolling_friction": 0.1}
+    return Contact(replace(contact.laws, rolling=spring_slider.ROW), contact.coefficients | more)
+
+
+def _pulling(contact: Contact) -> Contact:
+    return Contact(replace(contact.laws, cohesion=constant_pull.ROW), contact.coefficients | {"pull": 1.0})
 
 
 def counted_work() -> dict[str, Callable[[], None]]:

@@ -12,6 +12,7 @@ import numpy as np
 
 from silostudy.dem.engine import Engine
 from silostudy.dem.model import Contact, Model
+from silostudy.dem.pieces import Laws
 
 TURNS, READING = 15, 0.02  # readings of each variant, and the CPU seconds that one lasts about
 SETTLING = 1e7  # particle-steps that are spent on coming near rest
@@ -33,11 +34,14 @@ def without(model: Model) -> dict[str, tuple[Model, Model]]:
     """Pairs of models with and without one effect, for the effects that a model has; both of the same places."""
     found = {}
     if model.pieces.turns:
-        found["friction, rotation, history"] = (model, replace(model, pair=_bare(model.pair), wall=_bare(model.wall)))
-    for law, name in (("rolling", "rolling resistance"), ("cohesion", "cohesion")):
-        if getattr(model.pair.laws, law) != "none":
-            less = replace(model, pair=_less(model.pair, **{law: "none"}), wall=_less(model.wall, **{law: "none"}))
-            found[name] = (model, less)
+        found["friction, rotation, history"] = (
+            model,
+            replace(model, pair_contact=_bare(model.pair_contact), wall_contact=_bare(model.wall_contact)),
+        )
+    for family, name in (("rolling", "rolling resistance"), ("cohesion", "cohesion")):
+        if getattr(model.pair_contact.laws, family).acts:
+            pair, wall = (_less(contact, family) for contact in (model.pair_contact, model.wall_contact))
+            found[name] = (model, replace(model, pair_contact=pair, wall_contact=wall))
     if model.unequal:
         equal = np.full(len(model.x), model.radius.mean())
         hardly = equal * (1.0 + APART * (np.arange(len(equal)) % 2))
@@ -51,14 +55,13 @@ def without(model: Model) -> dict[str, tuple[Model, Model]]:
     return found
 
 
-def _less(contact: Contact, **laws: str) -> Contact:
-    fewer = replace(contact.laws, **laws)
-    names = {name for row in Contact.families(fewer) for name in row.coefficients}
-    return Contact(fewer, {name: value for name, value in contact.coefficients.items() if name in names})
+def _less(contact: Contact, *families: str) -> Contact:
+    fewer = replace(contact.laws, **{family: getattr(Laws(), family) for family in families})
+    return Contact.taking(fewer, contact.coefficients)
 
 
 def _bare(contact: Contact) -> Contact:
-    return _less(contact, tangential="none", rolling="none")
+    return _less(contact, "tangential", "rolling")
 
 
 def still(model: Model) -> Model:

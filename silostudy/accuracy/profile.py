@@ -7,12 +7,16 @@ import xarray as xr
 
 from silostudy.accuracy.peers import available
 from silostudy.accuracy.silo_step import REFERENCE_MARCH, at_rest, error_of, filled, peer_at_rest, profile
+from silostudy.contact.family import NormalLaw, TangentialLaw
+from silostudy.contact.normal import spring_dashpot
+from silostudy.contact.tangential import spring_slider, spring_slider_total
 from silostudy.cube.assemble import assemble
 from silostudy.errors import BadInput
 from silostudy.scene.expand import Expansion
 
 PEER = "LAMMPS"
-PEER_SLIDER = "spring-slider-total"  # spring and dashpot capped together
+PEER_SLIDER = spring_slider_total.ROW  # spring and dashpot capped together
+March = tuple[str, NormalLaw, TangentialLaw]
 
 
 def profile_cube(expansion: Expansion, tell: Callable[[str], None] = lambda text: None) -> xr.Dataset:
@@ -49,28 +53,28 @@ def profile_cube(expansion: Expansion, tell: Callable[[str], None] = lambda text
 
 def name(config) -> str:
     """Integrator and dashpots of a way of marching."""
-    implicit = "implicit" in config.discs.normal + config.discs.tangential
+    implicit = any(law.implicit for law in config.discs.laws.values())
     return config.integrator + (", semi-implicit dashpots" if implicit else "")
 
 
-def _march(config) -> tuple[str, str, str]:
-    return config.integrator, config.discs.normal, config.discs.tangential
+def _march(config) -> March:
+    return config.integrator, config.discs.laws["normal"], config.discs.laws["tangential"]
 
 
 def _reference(silo, of_peer: bool, seeds) -> np.ndarray:
     """Profiles (filling, part) at the short step, each program by its own; BadInput where a filling does not come to rest."""
-    march = None if of_peer else (REFERENCE_MARCH, "spring-dashpot", "spring-slider")
+    march = None if of_peer else (REFERENCE_MARCH, spring_dashpot.ROW, spring_slider.ROW)
     found = _profiles(silo, march, silo.reference_step_ms * 1e-3, seeds)
     if found is None:
         raise BadInput("silo.rest_s", silo.rest_s, "is too short for a filling to come to rest")
     return found
 
 
-def _profiles(silo, march: tuple[str, str, str] | None, step: float, seeds) -> np.ndarray | None:
+def _profiles(silo, march: March | None, step: float, seeds) -> np.ndarray | None:
     """Profiles (filling, part) at a step; None where a filling does not come to rest. Without a march: LAMMPS."""
     found = []
     for seed in seeds:
-        model = filled(seed, step, *(march or (REFERENCE_MARCH, "spring-dashpot", PEER_SLIDER)))
+        model = filled(seed, step, *(march or (REFERENCE_MARCH, spring_dashpot.ROW, PEER_SLIDER)))
         places = at_rest(model, silo.rest_s) if march else peer_at_rest(model, silo.rest_s)
         if places is None:
             return None

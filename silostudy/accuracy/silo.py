@@ -5,6 +5,9 @@ from math import sqrt
 
 import numpy as np
 
+from silostudy.contact.family import NormalLaw
+from silostudy.contact.normal import spring_dashpot
+from silostudy.contact.tangential import spring_slider_total
 from silostudy.dem.engine import Engine
 from silostudy.dem.model import Contact, Model
 from silostudy.dem.pieces import Laws
@@ -32,7 +35,9 @@ OPEN = (FLOOR, HALVES)
 DOWN = (0.0, -ROUNDED_GRAVITY)  # m s-2
 
 
-def contact_of_discs(friction: float = DISC_FRICTION, *, normal: str = "spring-dashpot", factor: float = 1.0) -> Contact:
+def contact_of_discs(
+    friction: float = DISC_FRICTION, *, normal: NormalLaw = spring_dashpot.ROW, factor: float = 1.0
+) -> Contact:
     """Contact between the source's discs, with Cundall and Strack's slider; stiffness and dashpots times `factor`."""
     coefficients = {
         "normal_stiffness": factor * NORMAL_STIFFNESS,
@@ -43,7 +48,7 @@ def contact_of_discs(friction: float = DISC_FRICTION, *, normal: str = "spring-d
         "tangential_damping_root": 0.0,
         "sliding_friction": friction,
     }
-    return Contact(Laws(normal=normal, tangential="spring-slider-total"), coefficients)
+    return Contact(Laws(normal, spring_slider_total.ROW), coefficients)
 
 
 def contact_with_walls(friction: float = WALL_FRICTION) -> Contact:
@@ -69,20 +74,14 @@ def silo_of_rows(
 
 def softened(model: Model, factor: float) -> Model:
     """The same discs with stiffness times `factor` and the damping ratio kept."""
-
-    def soft(contact: Contact) -> Contact:
-        scale = {"normal_stiffness": factor, "tangential_stiffness": factor}
-        scale |= {"normal_damping": sqrt(factor), "tangential_damping": sqrt(factor)}
-        values = contact.coefficients
-        return replace(contact, coefficients={name: values[name] * scale.get(name, 1.0) for name in values})
-
-    return replace(model, pair=soft(model.pair), wall=soft(model.wall))
+    pair, wall = (one.scaled(stiffness=factor, damping=sqrt(factor)) for one in (model.pair_contact, model.wall_contact))
+    return replace(model, pair_contact=pair, wall_contact=wall)
 
 
-def with_dashpot(model: Model, normal: str) -> Model:
+def with_dashpot(model: Model, normal: NormalLaw) -> Model:
     """The same discs with another law of the normal force that takes the same coefficients."""
-    pair, wall = (replace(one, laws=replace(one.laws, normal=normal)) for one in (model.pair, model.wall))
-    return replace(model, pair=pair, wall=wall)
+    pair, wall = (replace(one, laws=replace(one.laws, normal=normal)) for one in (model.pair_contact, model.wall_contact))
+    return replace(model, pair_contact=pair, wall_contact=wall)
 
 
 def wall_force(engine: Engine, parts: int) -> np.ndarray:

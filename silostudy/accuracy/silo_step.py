@@ -11,6 +11,7 @@ import numpy as np
 
 from silostudy.accuracy.peers import Lammps
 from silostudy.accuracy.silo import LEVELS, silo_of_rows
+from silostudy.contact.family import NormalLaw, TangentialLaw
 from silostudy.dem.engine import Engine, Explosion
 from silostudy.dem.model import Model
 from silostudy.scene.plane_silo import inner_width
@@ -20,13 +21,14 @@ REFERENCE_MARCH = "17-18"
 CALM = 1e-4  # m/s: faster discs are not at rest, the step is then too long
 
 
-def filled(seed: int, step: float, integrator: str, normal: str, tangential: str) -> Model:
+def filled(seed: int, step: float, integrator: str, normal: NormalLaw, tangential: TangentialLaw) -> Model:
     """Kiyama and Fujimura's critically damped discs on the closed floor, each moved at random by up to a third of the gap."""
     model, _ = silo_of_rows(ACTIVE, LEVELS, offset=GAPS[ACTIVE] / 3.0, seed=seed)
     pair, wall = (
-        replace(one, laws=replace(one.laws, normal=normal, tangential=tangential)) for one in (model.pair, model.wall)
+        replace(one, laws=replace(one.laws, normal=normal, tangential=tangential))
+        for one in (model.pair_contact, model.wall_contact)
     )
-    return replace(model, pair=pair, wall=wall, dt=step, integrator=integrator)
+    return replace(model, pair_contact=pair, wall_contact=wall, dt=step, integrator=integrator)
 
 
 def at_rest(model: Model, time: float) -> np.ndarray | None:
@@ -56,7 +58,7 @@ def peer_at_rest(model: Model, time: float) -> np.ndarray | None:
 def profile(places: np.ndarray, model: Model, parts: int) -> np.ndarray:
     """Normal force (N/m) on both side walls by parts of the fill's height, from the floor up: springs of discs at rest."""
     x, y = places.T
-    stiffness = model.wall.coefficients["normal_stiffness"]
+    stiffness = model.wall_contact.coefficients["normal_stiffness"]
     width, top = inner_width(model), float(model.y.max()) + RADIUS
     push = stiffness * (np.maximum(RADIUS - x, 0.0) + np.maximum(x - (width - RADIUS), 0.0))
     return np.histogram(y, np.linspace(0.0, top, parts + 1), weights=push)[0]

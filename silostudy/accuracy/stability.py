@@ -36,8 +36,8 @@ def stability_cube(expansion: Expansion, tell: Callable[[str], None] = lambda te
 
 def _same(scene: RestingDiscs, *more: str) -> str:
     """What tells networks at rest apart: everything but the laws' dashpots and the integrator."""
-    discs = {"normal", "tangential", *more} - ({"normal"} if scene.config.discs.normal == "line-contact" else set())
-    return scene.config.model_dump_json(exclude={"integrator": True, "discs": discs})
+    laws = [law.at_rest for law in scene.config.discs.laws.values()]
+    return f"{laws} {scene.config.model_dump_json(exclude={'integrator': True, 'discs': {'normal', 'tangential', *more}})}"
 
 
 def _found(study, scene: RestingDiscs, rest: Rest) -> dict[str, float]:
@@ -53,5 +53,5 @@ def _peer(study, scene: RestingDiscs, rest: Rest) -> float:
 
 def _sources(expansion: Expansion) -> list[str]:
     models = [case.scene.model for case in expansion.cases]
-    rows = [row for model in models for row in (INTEGRATORS[model.integrator], *model.pair.rows)]
-    return sorted({row.source for row in rows if row.key != "none"})
+    laws = [row.source for model in models for row in model.pair_contact.rows if row.acts]
+    return sorted({*laws, *(INTEGRATORS[model.integrator].source for model in models)})

@@ -171,7 +171,7 @@ def our_step(model: Model, rest: Rest, kick: np.ndarray, steps: int, resolution:
 
 def peer_step(calm: Model, model: Model, rest: Rest, kick: np.ndarray, steps: int, resolution: float) -> float:
     """Largest stable step (s) of LAMMPS on the discs of a model, whose integrator and dashpots are its own."""
-    explicit = replace(model, integrator="17-18", pair=_with_laws(model, calm), wall=_with_laws(model, calm))
+    explicit = replace(model, integrator="17-18", pair_contact=_with_laws(model, calm), wall_contact=_with_laws(model, calm))
     x, y = rest.places.T
     bound = longest_step(replace(explicit, x=x, y=y))
 
@@ -182,4 +182,4 @@ def peer_step(calm: Model, model: Model, rest: Rest, kick: np.ndarray, steps: in
 
 
 def _with_laws(model: Model, calm: Model) -> Contact:
-    return replace(model.pair, laws=calm.pair.laws)
+    return replace(model.pair_contact, laws=calm.pair_contact.laws)

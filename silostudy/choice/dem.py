@@ -6,13 +6,11 @@ from pathlib import Path
 
 from silostudy.choice.promise import Choice
 from silostudy.choice.settle import settled
-from silostudy.config.dem import ContactConfig, DemScene, RowsConfig
+from silostudy.config.contact import ContactConfig
+from silostudy.config.dem import DemScene, RowsConfig
 from silostudy.config.load import read_yaml, validated
+from silostudy.contact import MEASURED
 from silostudy.errors import BadInput
-
-# Laws with which `accuracy:` was measured.  Where slip drops the dashpot (spring-slider) a force jumps, and errors fall with
-# the step more slowly, in some silos hardly at all (tests/test_accuracy/test_fronts_dem.py).
-MEASURED_LAWS = {"normal": "spring-dashpot", "tangential": "spring-slider-total", "rolling": "none", "cohesion": "none"}
 
 
 def load(path: Path) -> tuple[DemScene, Choice | None]:
@@ -59,6 +57,6 @@ def _kinds(scene: DemScene, walls: ContactConfig) -> Iterator[tuple[str, object,
     yield "quake", scene.quake, None
     yield "gravity", "straight down" if across == 0 and up < 0 else scene.gravity_m_s2, "straight down"
     for name, contact in (("discs", scene.discs), ("walls", walls)):
-        for family, law in MEASURED_LAWS.items():
-            yield f"{name}.{family}", getattr(contact, family), law
+        for family, law in contact.laws.items():
+            yield f"{name}.{family}", law.key, MEASURED[family]
         yield f"{name}.line_contact", contact.line_contact, None

@@ -1,6 +1,5 @@
 """Discrete-element scenes: from a scene to a run, with its checkpoints."""
 
-import pickle
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
@@ -8,16 +7,15 @@ from pathlib import Path
 import numpy as np
 import xarray as xr
 
+from silostudy.compute.checkpoints import resume, save
 from silostudy.config.dem import DemScene
 from silostudy.dem.engine import Engine
 from silostudy.dem.model import Model
 from silostudy.dem.run import Run
 from silostudy.errors import BadInput
-from silostudy.files import replacing
 from silostudy.packing import PACKINGS
 from silostudy.scene.dem import events_of
 from silostudy.scene.dem_model import placed, unshaken_scene_model
-from silostudy.stamp import stamp
 
 
 def scene_model(scene: DemScene, folder: Path, where: str = "") -> Model:
@@ -72,11 +70,8 @@ def run_of(scene: DemScene, model: Model, *, threads: int = 1) -> Run:
 
 def carry_through(run: Run, scene: DemScene, checkpoint: Path | None, tell: Callable[[int], None]) -> None:
     """Run to the end, saving checkpoints as the scene asks; goes on from the checkpoint where there is one."""
-    key = (scene.model_dump_json(), stamp("contact", "dem", "packing"))
-    if checkpoint is not None and checkpoint.exists():
-        saved_key, saved = pickle.loads(checkpoint.read_bytes())
-        if saved_key == key:
-            run.restore(saved)
+    if checkpoint is not None:
+        resume(run, scene, checkpoint)
     every = scene.record.checkpoint_every_s
     if checkpoint is None or every is None:
         run.go(tell=tell)
@@ -85,6 +80,5 @@ def carry_through(run: Run, scene: DemScene, checkpoint: Path | None, tell: Call
     while not run.done:
         run.go(until=(run.engine.step // steps + 1) * steps, tell=tell)
         if not run.done:
-            with replacing(checkpoint) as temporary:
-                temporary.write_bytes(pickle.dumps((key, run.checkpoint())))
+            save(run, scene, checkpoint)
     checkpoint.unlink(missing_ok=True)

@@ -40,8 +40,8 @@ def cube_of(run: Run, scene: DemScene, choice: Choice | None = None) -> xr.Datas
 
 def sources_of(model: Model) -> list[str]:
     """Sources of the laws and the integrator that the model uses."""
-    rows = [INTEGRATORS[model.integrator], *model.pair.rows, *model.wall.rows]
-    return sorted({row.source for row in rows if row.key != "none"})
+    laws = (*model.pair_contact.rows, *model.wall_contact.rows)
+    return sorted({INTEGRATORS[model.integrator].source, *(law.source for law in laws if law.acts)})
 
 
 def _windows(run: Run) -> dict[str, np.ndarray]:

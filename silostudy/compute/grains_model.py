@@ -6,6 +6,7 @@ from math import ceil, pi
 import numpy as np
 
 from silostudy.config.grains import Grains, GrainsScene, Shaking
+from silostudy.contact.tangential import spring_slider
 from silostudy.dem.model import Contact, Model
 from silostudy.dem.pieces import Laws
 from silostudy.dem.stability import chosen_step
@@ -49,7 +50,8 @@ def shaken_box_model(config: GrainsScene, seed: int) -> Model:
     model = Model(
         x=x, y=y, radius=radius, density=grains.density_kg_m3, walls=PlaneSilo(width, top).walls(), dt=1.0,
         gravity=(0.0, -STANDARD_GRAVITY), watched=True, quake=np.zeros((1, 2)),
-        pair=_contact(grains, 1.0, grains.sliding_friction), wall=_contact(grains, WALL_STIFFNESS_RATIO, config.wall_friction),
+        pair_contact=_contact(grains, 1.0, grains.sliding_friction),
+        wall_contact=_contact(grains, WALL_STIFFNESS_RATIO, config.wall_friction),
     )  # fmt: skip
     return replace(model, dt=chosen_step(model))
 
@@ -65,7 +67,7 @@ def _contact(grains: Grains, factor: float, friction: float) -> Contact:
         "tangential_damping_root": 0.0,
         "sliding_friction": friction,
     }
-    return Contact(Laws(tangential="spring-slider"), coefficients)
+    return Contact(Laws(tangential=spring_slider.ROW), coefficients)
 
 
 def base_motion(shaking: Shaking, dt: float, cycles: int) -> np.ndarray:

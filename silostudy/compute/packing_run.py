@@ -63,8 +63,9 @@ def packing_model(study: PackingStudy, config: PackingScene, run: int) -> Model:
     x, y, radius = discs_of(study, config, run)
     pair, wall = contacts_of(config)
     model = Model(
-        x=x, y=y, radius=radius, density=config.discs.density_kg_m3, walls=packing_walls(config.silo), pair=pair, wall=wall,
-        dt=1.0, gravity=(0.0, -STANDARD_GRAVITY), integrator=config.march.integrator, watched=True,
+        x=x, y=y, radius=radius, density=config.discs.density_kg_m3, walls=packing_walls(config.silo),
+        pair_contact=pair, wall_contact=wall, dt=1.0, gravity=(0.0, -STANDARD_GRAVITY),
+        integrator=config.march.integrator, watched=True,
     )  # fmt: skip
     asked = config.march.step_s or SAFETY * longest_step(model)
     return replace(model, dt=WINDOW / ceil(round(WINDOW / asked, 2)))  # rounded: the last bits of the bound vary

@@ -2,7 +2,6 @@
 
 import numpy as np
 
-from silostudy.catalogue import Row
 from silostudy.compute.dem import carry_through, run_of, scene_model
 from silostudy.config.scenes import ScenesStudy
 from silostudy.dem.run import Run
@@ -21,14 +20,12 @@ def coordinates(study: ScenesStudy) -> dict[str, list[str]]:
 
 def sources(study: ScenesStudy) -> list[str]:
     """References of the laws that the base scene names."""
-    from silostudy.contact import COHESION, NORMAL, ROLLING, TANGENTIAL
     from silostudy.dem.integrate import INTEGRATORS
 
-    assert study.scene.march.integrator is not None, "scene.march.integrator is not chosen yet"
-    rows: list[Row] = [INTEGRATORS[study.scene.march.integrator]]
-    for contact in (study.scene.discs, study.scene.walls or study.scene.discs):
-        rows += [NORMAL[contact.normal], TANGENTIAL[contact.tangential], ROLLING[contact.rolling], COHESION[contact.cohesion]]
-    return sorted({row.source for row in rows if row.key != "none"})
+    scene = study.scene
+    assert scene.march.integrator is not None, "scene.march.integrator is not chosen yet"
+    laws = [law for contact in (scene.discs, scene.walls or scene.discs) for law in contact.laws.values()]
+    return sorted({INTEGRATORS[scene.march.integrator].source, *(law.source for law in laws if law.acts)})
 
 
 def measure(study: ScenesStudy, case: SceneCase) -> Numbers:

@@ -5,18 +5,12 @@ from typing import Annotated, ClassVar, Literal, Self, TypeAlias
 from pydantic import Field, model_validator
 
 from silostudy.config.asked import Asked
+from silostudy.config.contact import ContactConfig
 from silostudy.config.fields import Strict, described
-from silostudy.contact import COHESION, NORMAL, ROLLING, TANGENTIAL
-from silostudy.contact.line import PRINTED_CONSTANTS
 from silostudy.dem.integrate import INTEGRATORS
 from silostudy.tables.constants import ROUNDED_GRAVITY
 
-NormalKey: TypeAlias = Literal[tuple(NORMAL)]  # type: ignore[valid-type]
-TangentialKey: TypeAlias = Literal[tuple(TANGENTIAL)]  # type: ignore[valid-type]
-RollingKey: TypeAlias = Literal[tuple(ROLLING)]  # type: ignore[valid-type]
-CohesionKey: TypeAlias = Literal[tuple(COHESION)]  # type: ignore[valid-type]
 IntegratorKey: TypeAlias = Literal[tuple(INTEGRATORS)]  # type: ignore[valid-type]
-ConstantKey: TypeAlias = Literal[tuple(PRINTED_CONSTANTS)]  # type: ignore[valid-type]
 
 
 class BoxConfig(Strict):
@@ -66,49 +60,6 @@ class GivenConfig(Strict):
 
 
 PackingConfig = Annotated[RowsConfig | LooseConfig | GivenConfig, Field(discriminator="kind")]
-
-
-class LineContactConfig(Strict):
-    """The elastic line contact from which a stiffness follows, Kiyama & Fujimura (1983), eqs. (22), (23)."""
-
-    youngs_modulus_Pa: float = described("Young's modulus of the discs", "Pa", gt=0)
-    poissons_ratio: float = described("Poisson's ratio of the discs", gt=-1, le=0.5)
-    load_N_m: float = described("load at which the stiffness is taken", "N m-1", gt=0)
-    constant: ConstantKey = described("constant of eq. (23), 1.5, or of eq. (22a), 2/3", default="1.5")
-
-
-class ContactConfig(Strict):
-    """How two bodies push each other: a law of each family and its coefficients, per metre thickness."""
-
-    normal: NormalKey = described("law of the normal force", "", default="spring-dashpot")
-    tangential: TangentialKey = described("law of the tangential force", "", default="spring-slider")
-    rolling: RollingKey = described("law of rolling resistance", "", default="none")
-    cohesion: CohesionKey = described("law of cohesion", "", default="none")
-    normal_stiffness_N_m2: float | None = described("normal stiffness", "N m-2", gt=0, default=None)
-    line_contact: LineContactConfig | None = described(
-        "elastic line contact, in place of normal_stiffness_N_m2", "", default=None
-    )
-    normal_damping_N_s_m2: float | None = described("normal dashpot", "N s m-2", ge=0, default=None)
-    damping_ratio: float | None = described(
-        "normal dashpot over the critical one 2 sqrt(m K) of a disc's mass and stiffness, in place of normal_damping_N_s_m2",
-        ge=0,
-        default=None,
-    )
-    stiffness_ratio: float = described("s, tangential over normal stiffness; dashpots have its root", ge=0, default=0.25)
-    sliding_friction: float = described("friction coefficient", ge=0, default=0.0)
-    rolling_stiffness_N: float = described("rotational stiffness", "N", ge=0, default=0.0)
-    rolling_friction: float = described("rolling friction coefficient", ge=0, default=0.0)
-    pull_N_m: float = described("attraction while in touch", "N m-1", ge=0, default=0.0)
-
-    @model_validator(mode="after")
-    def _one_of_each(self) -> Self:
-        if (self.normal_stiffness_N_m2 is None) == (self.line_contact is None):
-            raise ValueError("give either normal_stiffness_N_m2 or line_contact, and not both")
-        if (self.normal_damping_N_s_m2 is None) == (self.damping_ratio is None):
-            raise ValueError("give either normal_damping_N_s_m2 or damping_ratio, and not both")
-        if self.normal == "line-contact" and self.line_contact is None:
-            raise ValueError("the law line-contact needs the key line_contact")
-        return self
 
 
 class MarchConfig(Strict):

@@ -6,10 +6,11 @@ from silostudy.config.asked import Asked
 from silostudy.config.dem import IntegratorKey
 from silostudy.config.fields import Strict, described
 from silostudy.config.study import BaseStudy
-from silostudy.contact import NORMAL
+from silostudy.contact import DEFAULTS, NORMAL
 from silostudy.tables import kiyama_1983 as kiyama
 
-SpringKey: TypeAlias = Literal[tuple(key for key in NORMAL if key.startswith("spring"))]  # type: ignore[valid-type]
+LINEAR = tuple(key for key, law in NORMAL.items() if law.linear)
+SpringKey: TypeAlias = Literal[LINEAR]  # type: ignore[valid-type]  # a packing study's walls are stiffer by a factor
 
 
 class SlitSilo(Strict):
@@ -43,7 +44,7 @@ class RowDiscs(Strict):
 class PackingMarch(Strict):
     """How forces and motions are computed."""
 
-    normal: SpringKey = described("law of the normal force", default="spring-dashpot")
+    normal: SpringKey = described("law of the normal force", default=DEFAULTS["normal"])
     integrator: IntegratorKey = described("how velocities and places follow from forces", default="17-18")
     step_s: float | None = described("time step; null: half the bound of the discs as laid", "s", gt=0, default=None)
 

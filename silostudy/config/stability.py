@@ -4,7 +4,8 @@ from typing import ClassVar, Literal, Self
 
 from pydantic import Field, model_validator
 
-from silostudy.config.dem import ContactConfig, IntegratorKey
+from silostudy.config.contact import ContactConfig
+from silostudy.config.dem import IntegratorKey
 from silostudy.config.fields import Strict, described
 from silostudy.config.study import BaseStudy
 

@@ -85,6 +85,60 @@ class Scratch(NamedTuple):
     counts: np.ndarray  # ghosts, kept pair histories, kept wall histories, a disc pressed too deep
 
 
+class Ledger(NamedTuple):
+    """account: the entries (J/m), then what the next step needs; mean: the discs with their mean velocity of the step."""
+
+    account: np.ndarray
+    mean: np.ndarray
+    lanes: np.ndarray
+    pair_stored: np.ndarray
+    pair_rolled: np.ndarray
+    wall_stored: np.ndarray
+    wall_rolled: np.ndarray
+
+
+class Shared(NamedTuple):
+    """What all threads of a scene step together; clock: steps made, then a disc that ran away, thread by thread."""
+
+    discs: Discs
+    walls: Walls
+    blocks: Blocks
+    record: Record
+    ledger: Ledger
+    quake: np.ndarray  # (steps, 2) acceleration of the box, m/s2
+    clock: np.ndarray
+    said: np.ndarray  # a word of each thread on its lists
+    gate: np.ndarray  # where threads meet
+
+
+class Share(NamedTuple):
+    """One thread's share: its number, its lists and their memories, its discs lo to hi, the first row of its own room."""
+
+    number: int
+    pairs: Contacts
+    near: Contacts
+    pair_memory: Memory
+    wall_memory: Memory
+    scratch: Scratch
+    lo: int
+    hi: int
+    base: int
+
+
+class March(NamedTuple):
+    """How a scene is stepped: coefficients of the laws of pairs and of walls, gravity (m/s2), step (s), where to stop."""
+
+    pair_coefficients: tuple[tuple[float, ...], ...]
+    wall_coefficients: tuple[tuple[float, ...], ...]
+    gravity: tuple[float, float]
+    dt: float
+    stop: int
+    discs: int  # that are left
+    parties: int  # threads
+    smallest: float  # radius, m
+    skin: float  # m; 0: chosen by the engine
+
+
 def aligned(*shape: int, dtype=np.float64) -> np.ndarray:
     """Zeros that start on a cache line."""
     size = int(np.prod(shape)) * np.dtype(dtype).itemsize

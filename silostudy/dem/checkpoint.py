@@ -46,6 +46,6 @@ def restore(engine: Engine, saved: dict[str, np.ndarray]) -> None:
 def _contacts_from(engine: Engine, values: list) -> tuple[Contact, Contact]:
     contacts = []
     for contact in engine.contacts:
-        names = [name for row in contact.rows for name in row.coefficients]
+        names = [one.name for row in contact.rows for one in row.coefficients]
         contacts.append(replace(contact, coefficients={name: float(values.pop(0)) for name in names}))
     return contacts[0], contacts[1]

@@ -4,14 +4,15 @@ from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 
-from silostudy.dem.arrays import BLOCK, Blocks, Discs, Memory, Record, Walls, aligned
+from silostudy.dem.arrays import BLOCK, Blocks, Discs, Ledger, March, Memory, Record, Share, Shared, Walls, aligned
 from silostudy.dem.integrate import INTEGRATORS
-from silostudy.dem.kernel import EXPLODED, FRESH, REMEMBERED, SHORT_OF_ROOM, STALE, kernel
+from silostudy.dem.kernel import kernel
 from silostudy.dem.lanes import U, V, W, X, Y
-from silostudy.dem.ledger import Ledger, empty
+from silostudy.dem.ledger import empty
 from silostudy.dem.model import Model
 from silostudy.dem.neighbours import KEPT_PAIRS, KEPT_WALLS, harvest
 from silostudy.dem.part import Part
+from silostudy.dem.sweep import EXPLODED, FRESH, REMEMBERED, SHORT_OF_ROOM, STALE
 from silostudy.dem.walls import cells_of, shape_of
 from silostudy.errors import BadInput
 
@@ -46,10 +47,9 @@ class Engine:
             raise BadInput("skin", skin, "must be less than the smallest diameter")
         self.model, self.threads, self.skin = model, threads, skin
         self.n = self.most = len(model.x)
-        self.contacts = (model.pair, model.wall)
+        self.contacts = (model.pair_contact, model.wall_contact)
         self.gravity = model.gravity
         self._quake = model.quake if model.quake is not None else np.zeros((1, 2))
-        self._limits = (float(model.radius.min()), float(skin))
         label = sweep_order(model.x, model.y, model.radius) if sort else np.arange(self.n)
         self.discs = self._discs(label.astype(np.int32))
         self.walls = Walls(shape_of(model.walls), np.array([wall.live for wall in model.walls], bool), cells_of(model.walls))
@@ -196,12 +196,15 @@ class Engine:
         base = self.base(part)
         self.discs.rows[base + part.ghost_room, X] = FAR
         self.discs.rows[base + part.ghost_room + 1, X] = -FAR
-        laws = (self.contacts[0].ordered, self.contacts[1].ordered)
+        smallest = float(self.model.radius.min())
+        pair, wall = (contact.ordered for contact in self.contacts)
         return (
-            self.discs, part.pairs, part.near, part.memories, self.walls, self.blocks, part.scratch,
-            laws, self.record, self.ledger, self._quake, self.clock, self.said, self.gate,
-            part.number, self.threads, self.n, lo, hi, base, stop, self.gravity, self.model.dt, self._limits,
-        )  # fmt: skip
+            Shared(
+                self.discs, self.walls, self.blocks, self.record, self.ledger, self._quake, self.clock, self.said, self.gate
+            ),
+            Share(part.number, part.pairs, part.near, *part.memories, part.scratch, lo, hi, base),
+            March(pair, wall, self.gravity, self.model.dt, stop, self.n, self.threads, smallest, float(self.skin)),
+        )
 
     def _explosion(self) -> Explosion:
         part = int(np.argmax(self.said == EXPLODED))

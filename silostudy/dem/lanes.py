@@ -14,20 +14,21 @@ from numba.extending import intrinsic, overload
 from silostudy.dem.arrays import LANES
 
 WIDTH = 8  # contacts taken at a time
-X, Y, U, V, W, FX, FY, TORQUE = range(8)
+X, Y, U, V, W, FX, FY, TORQUE = range(8)  # numbers of a disc's row
+DX, DY, DU, DV, SPIN_SUM, SPIN_DIFFERENCE = range(6)  # lanes of relative motion, first less second
+FORCE_X, FORCE_Y, FIRST_TORQUE, SECOND_TORQUE = range(4)  # lanes of force; the second torque is taken from the second
 
 _REAL, _INDEX, _LANE = ir.DoubleType(), ir.IntType(64), ir.IntType(32)
 _EIGHT, _FOUR = ir.VectorType(_REAL, 8), ir.VectorType(_REAL, 4)
 
 
 def gather(rows, first, second, start, count, lanes):
-    """Relative motion of `count` pairs: lanes 0-3 differences of x, y, u, v; 4 the sum and 5 the difference of w."""
+    """Relative motion of `count` pairs: differences of x, y, u, v, the sum and the difference of w."""
     for lane in range(count):
         a, b = rows[first[start + lane]], rows[second[start + lane]]
-        for component in (X, Y, U, V):
-            lanes[component, lane] = a[component] - b[component]
-        lanes[4, lane] = a[W] + b[W]
-        lanes[5, lane] = a[W] - b[W]
+        for difference, component in ((DX, X), (DY, Y), (DU, U), (DV, V), (SPIN_DIFFERENCE, W)):
+            lanes[difference, lane] = a[component] - b[component]
+        lanes[SPIN_SUM, lane] = a[W] + b[W]
 
 
 def scatter(rows, first, second, start, count, force):
@@ -37,7 +38,7 @@ def scatter(rows, first, second, start, count, force):
     """
     for lane in range(count):
         a, b = rows[first[start + lane]], rows[second[start + lane]]
-        for component, own, others in ((FX, 0, 0), (FY, 1, 1), (TORQUE, 2, 3)):
+        for component, own, others in ((FX, FORCE_X, FORCE_X), (FY, FORCE_Y, FORCE_Y), (TORQUE, FIRST_TORQUE, SECOND_TORQUE)):
             a[component] += force[own, lane]
             b[component] -= force[others, lane]
 

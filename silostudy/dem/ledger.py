@@ -5,33 +5,18 @@ Kinetic + potential + elastic + dashpots + sliding + carried out = start + worke
 lose); it is booked from its own definition, so the balance is a check of every force, torque and move.
 """
 
-from math import sqrt
-from typing import NamedTuple
-
 import numpy as np
 from numba.extending import register_jitable
 
-from silostudy.contact import NORMAL
-from silostudy.dem.arrays import LANES, aligned
+from silostudy.contact.family import Touch
+from silostudy.dem.arrays import LANES, Ledger, aligned
 from silostudy.dem.cache import piece
+from silostudy.dem.force import gather_pass, response
 from silostudy.dem.integrate import INTEGRATORS
-from silostudy.dem.lanes import FX, FY, TORQUE, U, V, W, X, Y, gather
-from silostudy.dem.walls import gather_walls
+from silostudy.dem.lanes import FX, FY, TORQUE, U, V, W, X, Y
 
 ENTRIES = ("kinetic", "potential", "elastic", "dashpot", "sliding", "carried_out", "base", "created")
 KINETIC, POTENTIAL, ELASTIC, DASHPOT, SLIDING, CARRIED_OUT, BASE, CREATED, WORK, BRAKING, SHAKING, BEGUN, TURNOVER = range(13)
-
-
-class Ledger(NamedTuple):
-    """account: the entries (J/m), then what the next step needs; mean: the discs with their mean velocity of the step."""
-
-    account: np.ndarray
-    mean: np.ndarray
-    lanes: np.ndarray
-    pair_stored: np.ndarray
-    pair_rolled: np.ndarray
-    wall_stored: np.ndarray
-    wall_rolled: np.ndarray
 
 
 def empty(rows: np.ndarray, room: int, wall_room: int) -> Ledger:
@@ -74,68 +59,61 @@ def keep_histories(contacts, count, stored, rolled):
         rolled[k] = contacts.rolled[k] if contacts.rolled.size else 0.0
 
 
-def contact_book(laws, *, unequal, flat):
+@register_jitable
+def of_spring(force, stiffness):
+    """Energy (J/m) of a spring that holds a force."""
+    return 0.5 * force * force / stiffness if stiffness > 0.0 else 0.0
+
+
+@register_jitable
+def of_slip(trial, held, stiffness):
+    """Energy (J/m) that slip takes from a spring that would have held `trial` and holds `held`."""
+    if not stiffness > 0.0:
+        return 0.0
+    if held * trial >= 0.0 and abs(held) <= abs(trial):
+        return held * (trial - held) / stiffness  # the force that is left, over the slip
+    return 0.5 * (trial * trial - held * held) / stiffness  # a spring that a cap on the sum has loaded at a stroke
+
+
+def contact_book(space, laws, *, unequal, flat):
     """Function that gives elastic energy, sliding loss, power of elastic and of all forces of the contacts of a list."""
-    normal_law, tangential_law, rolling_law, cohesion_law = laws.functions
-    energy, slides, rolls = NORMAL[laws.normal].energy, laws.slides, laws.rolls
+    gathered, facing, rates, answer = gather_pass(space, flat=flat), space.facing, space.rates(unequal), response(laws)
+    slide_stiffness, roll_stiffness, cohesion_law = laws.tangential.stiffness, laws.rolling.stiffness, laws.cohesion.law
+    energy, slides, rolls = laws.normal.energy, laws.slides, laws.rolls
 
-    @piece(laws, unequal, flat)
-    def of_spring(force, stiffness):
-        return 0.5 * force * force / stiffness if stiffness > 0.0 else 0.0
-
-    @piece(laws, unequal, flat)
-    def of_slip(trial, held, stiffness):
-        if not stiffness > 0.0:
-            return 0.0
-        if held * trial >= 0.0 and abs(held) <= abs(trial):
-            return held * (trial - held) / stiffness  # the force that is left, over the slip
-        return 0.5 * (trial * trial - held * held) / stiffness  # a spring that a cap on the sum has loaded at a stroke
-
-    @piece(laws, unequal, flat)
+    @piece(space, laws, unequal, flat)
     def book(rows, ledger, contacts, shape, count, old_stored, old_rolled, dt, c, lanes):
         elastic_energy = slid = elastic_power = power = 0.0
         a, b, m = contacts.arm[0], contacts.other[0], contacts.mass[0]
         for start in range(0, count, LANES):
             many = min(LANES, count - start)
-            if flat:
-                gather_walls(rows, shape, contacts.first, contacts.second, start, many, lanes)
-                gather_walls(ledger.mean, shape, contacts.first, contacts.second, start, many, ledger.lanes)
-            else:
-                gather(rows, contacts.first, contacts.second, start, many, lanes)
-                gather(ledger.mean, contacts.first, contacts.second, start, many, ledger.lanes)
-            mean = ledger.lanes
+            gathered(rows, contacts, shape, start, many, lanes)
+            gathered(ledger.mean, contacts, shape, start, many, ledger.lanes)
             for k in range(many):
                 at = start + k
                 if unequal:
                     a, b, m = contacts.arm[at], contacts.other[at], contacts.mass[at]
-                distance = sqrt(lanes[0, k] ** 2 + lanes[1, k] ** 2)
-                overlap = a + b - distance
-                nx, ny = lanes[0, k] / distance, lanes[1, k] / distance
-                spin = 0.5 * (lanes[4, k] * (a + b) + lanes[5, k] * (a - b)) if unequal else lanes[4, k] * a
-                turn = 0.5 * (mean[4, k] * (a + b) + mean[5, k] * (a - b)) if unequal else mean[4, k] * a
-                rate = lanes[3, k] * nx - lanes[2, k] * ny - spin
-                trial = old_stored[at] - c[1][0] * dt * rate if slides else 0.0
-                leaning = old_rolled[at] - c[2][0] * dt * lanes[5, k] if rolls else 0.0
+                normal, distance = facing(lanes, k)
+                closing, sliding, rolling = rates(lanes, k, normal, a, b)
+                overlap, stored, turned = a + b - distance, old_stored[at], old_rolled[at]
+                slide_spring, roll_spring = slide_stiffness(overlap, c[1]), roll_stiffness(overlap, c[2])
                 if overlap <= 0.0:  # what springs held when the contact opened is lost
-                    slid += of_spring(old_stored[at], c[1][0]) if slides else 0.0
-                    slid += of_spring(old_rolled[at], c[2][0]) if rolls else 0.0
+                    slid += of_spring(stored, slide_spring) if slides else 0.0
+                    slid += of_spring(turned, roll_spring) if rolls else 0.0
                     continue
-                elastic, push = normal_law(overlap, -(lanes[2, k] * nx + lanes[3, k] * ny), m, dt, c[0])
-                held, drag = tangential_law(old_stored[at], rate, m, dt, elastic, push, c[1])
-                arm = a if flat else a * b / (a + b)
-                moment = rolling_law(old_rolled[at], lanes[5, k], dt, elastic, arm, c[2])
+                touch = Touch(m, a if flat else a * b / (a + b), dt)
+                elastic, push, held, drag, moment = answer(overlap, closing, sliding, rolling, stored, turned, touch, c)
                 pull = cohesion_law(c[3])
                 elastic_energy += energy(overlap, c[0]) - pull * overlap
                 if slides:
-                    elastic_energy += of_spring(held, c[1][0])
-                    slid += of_slip(trial, held, c[1][0])
+                    elastic_energy += of_spring(held, slide_spring)
+                    slid += of_slip(stored - slide_spring * dt * sliding, held, slide_spring)
                 if rolls:
-                    elastic_energy += of_spring(moment, c[2][0])
-                    slid += of_slip(leaning, moment, c[2][0])
-                apart = mean[2, k] * nx + mean[3, k] * ny
-                along = mean[3, k] * nx - mean[2, k] * ny - turn
-                elastic_power += (elastic - pull) * apart + held * along + moment * mean[5, k]
-                power += (push - pull) * apart + drag * along + moment * mean[5, k]
+                    elastic_energy += of_spring(moment, roll_spring)
+                    slid += of_slip(turned - roll_spring * dt * rolling, moment, roll_spring)
+                nearing, along, turning = rates(ledger.lanes, k, normal, a, b)  # on average over the step
+                elastic_power += (pull - elastic) * nearing + held * along + moment * turning
+                power += (pull - push) * nearing + drag * along + moment * turning
         return elastic_energy, slid, elastic_power, power
 
     return book
@@ -143,13 +121,13 @@ def contact_book(laws, *, unequal, flat):
 
 def book_pass(pieces):
     """Function that books a step, after its forces and before its moves."""
-    of_pairs = contact_book(pieces.pair, unequal=pieces.unequal, flat=False)
-    of_walls = contact_book(pieces.wall, unequal=pieces.unequal, flat=True)
+    of_pairs = contact_book(pieces.space, pieces.pair_laws, unequal=pieces.unequal, flat=False)
+    of_walls = contact_book(pieces.space, pieces.wall_laws, unequal=pieces.unequal, flat=True)
     holds, unequal = INTEGRATORS[pieces.integrator].holds, pieces.unequal
 
     @piece(pieces)
-    def discs_book(discs, mean, n, gx, gy, gravity, kick):
-        rows = discs.rows
+    def discs_book(discs, mean, n, pull, gravity, kick):
+        rows, (gx, gy) = discs.rows, pull
         kinetic = potential = falling = shaking = 0.0
         m, im, ii = discs.mass[0], discs.inverse_mass[0], discs.inverse_inertia[0]
         for i in range(n):
@@ -169,16 +147,17 @@ def book_pass(pieces):
         return kinetic, potential, falling, shaking
 
     @piece(pieces)
-    def book(discs, pairs, near, walls, scratch, ledger, laws, n, last, gx, gy, gravity, kick, dt):
-        account, lanes = ledger.account, scratch.lanes
-        kinetic, potential, falling, shaking = discs_book(discs, ledger.mean, n, gx, gy, gravity, kick)
+    def book(shared, share, march, last, pull, kick):
+        ledger, shape, lanes = shared.ledger, shared.walls.shape, share.scratch.lanes
+        account, rows, pairs, near = ledger.account, shared.discs.rows, share.pairs, share.near
+        kinetic, potential, falling, shaking = discs_book(shared.discs, ledger.mean, share.hi, pull, march.gravity, kick)
         pair = of_pairs(
-            discs.rows, ledger, pairs, walls.shape, pairs.begin[last],
-            ledger.pair_stored, ledger.pair_rolled, dt, laws[0], lanes,
+            rows, ledger, pairs, shape, pairs.begin[last], ledger.pair_stored, ledger.pair_rolled,
+            march.dt, march.pair_coefficients, lanes,
         )  # fmt: skip
         wall = of_walls(
-            discs.rows, ledger, near, walls.shape, near.begin[0],
-            ledger.wall_stored, ledger.wall_rolled, dt, laws[1], lanes,
+            rows, ledger, near, shape, near.begin[0], ledger.wall_stored, ledger.wall_rolled,
+            march.dt, march.wall_coefficients, lanes,
         )  # fmt: skip
         elastic, slid = pair[0] + wall[0], pair[1] + wall[1]
         if account[BEGUN] > 0.0:

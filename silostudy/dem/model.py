@@ -1,12 +1,13 @@
 """What the engine is asked to step: discs, walls, laws with their coefficients, and the march. Checked when it is made."""
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
 from functools import cached_property
 from math import isfinite, pi
 
 import numpy as np
 
-from silostudy.contact import COHESION, NORMAL, ROLLING, TANGENTIAL
+from silostudy.contact import Law
 from silostudy.dem.integrate import INTEGRATORS
 from silostudy.dem.pieces import Laws, Pieces
 from silostudy.errors import BadInput, unknown
@@ -45,28 +46,35 @@ class Contact:
     coefficients: dict[str, float]
 
     def __post_init__(self):
-        needed = {name for row in self.rows for name in row.coefficients}
-        for name in sorted(needed ^ self.coefficients.keys()):
-            state = "missing" if name in needed else "unknown"
-            raise BadInput(name, self.coefficients.get(name), f"{state}; these laws take {', '.join(sorted(needed))}")
-        for name, value in self.coefficients.items():
-            if not (isfinite(value) and (value > 0.0 or (value == 0.0 and not name.endswith("normal_stiffness")))):
-                raise BadInput(name, value, "must be positive" if "stiffness" in name else "must be zero or more")
+        needed = {coefficient.name for row in self.rows for coefficient in row.coefficients}
+        for name in sorted(self.coefficients.keys() - needed):
+            raise BadInput(name, self.coefficients[name], f"unknown; these laws take {', '.join(sorted(needed))}")
+        self.ordered  # noqa: B018  (each law looks at its own)
 
-    @staticmethod
-    def families(laws: Laws):
-        """Rows of the four laws."""
-        return NORMAL[laws.normal], TANGENTIAL[laws.tangential], ROLLING[laws.rolling], COHESION[laws.cohesion]
+    @classmethod
+    def taking(cls, laws: Laws, values: Mapping[str, float]) -> "Contact":
+        """A contact with those of the values that its laws take."""
+        needed = {coefficient.name for row in laws.rows for coefficient in row.coefficients}
+        return cls(laws, {name: value for name, value in values.items() if name in needed})
 
     @property
-    def rows(self):
-        """Rows of this contact's laws."""
-        return self.families(self.laws)
+    def rows(self) -> tuple[Law, ...]:
+        """Rows of the four laws."""
+        return self.laws.rows
 
     @cached_property
     def ordered(self) -> tuple[tuple[float, ...], ...]:
         """Coefficients of the four laws in the order that their functions take."""
-        return tuple(tuple(float(self.coefficients[name]) for name in row.coefficients) for row in self.rows)
+        return tuple(row.ordered(self.coefficients) for row in self.rows)
+
+    def scaled(self, *, stiffness: float, damping: float) -> "Contact":
+        """The same laws with springs and dashpots stronger by these factors."""
+        powers = {one.name: (one.stiffness_power, one.damping_power) for row in self.rows for one in row.coefficients}
+        changed = {
+            name: value * (stiffness ** powers[name][0] * damping ** powers[name][1])
+            for name, value in self.coefficients.items()
+        }
+        return replace(self, coefficients=changed)
 
 
 @dataclass(frozen=True, eq=False)
@@ -78,8 +86,8 @@ class Model:
     radius: np.ndarray
     density: float
     walls: tuple[Wall, ...]
-    pair: Contact
-    wall: Contact
+    pair_contact: Contact
+    wall_contact: Contact
     dt: float
     gravity: tuple[float, float]
     integrator: str = "17-18"
@@ -115,8 +123,9 @@ class Model:
         names = [wall.name for wall in self.walls]
         if len(set(names)) < len(names):
             raise BadInput("walls", names, "each wall needs a name of its own")
-        if self.unequal and "line-contact" in (self.pair.laws.normal, self.wall.laws.normal):
-            raise BadInput("normal", "line-contact", "the curve is for discs of one size")
+        for law in (self.pair_contact.laws.rows[0], self.wall_contact.laws.rows[0]):
+            if self.unequal and law.one_size:
+                raise BadInput("normal", law.key, "the curve is for discs of one size")
 
     def wall_number(self, name: str) -> int:
         """Number of the wall of a name, as contacts count walls; BadInput for a name that no wall has."""
@@ -142,8 +151,8 @@ class Model:
     def pieces(self) -> Pieces:
         """What these contents call for."""
         return Pieces(
-            pair=self.pair.laws,
-            wall=self.wall.laws,
+            pair_laws=self.pair_contact.laws,
+            wall_laws=self.wall_contact.laws,
             integrator=self.integrator,
             unequal=self.unequal,
             shaken=self.quake is not None,

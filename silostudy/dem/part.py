@@ -39,9 +39,9 @@ class Part:
         """Lists with the room asked for; memories grow with them and keep what they hold."""
         engine, model = self.engine, self.engine.model
         mass, radius = engine.discs.mass[0], engine.discs.radius[0]
-        self.pairs = self._contacts(self.room, model.pair.laws, radius, 0.5 * mass)
-        self.near = self._contacts(self.wall_room, model.wall.laws, 0.0, mass)
-        stores = (model.pair.laws.slides or model.pair.laws.rolls, model.wall.laws.slides or model.wall.laws.rolls)
+        self.pairs = self._contacts(self.room, model.pair_contact.laws, radius, 0.5 * mass)
+        self.near = self._contacts(self.wall_room, model.wall_contact.laws, 0.0, mass)
+        stores = (model.pair_contact.laws.stores, model.wall_contact.laws.stores)
         pair, wall = self.memories
         self.memories = (
             self._grown(pair, self.room if stores[0] else 0),

@@ -1,52 +1,67 @@
-"""What a scene calls for: the keys of its laws and the switches of its effects; a kernel is built from exactly these."""
+"""What a scene calls for: the rows of its laws and the switches of its effects; a kernel is built from exactly these."""
 
 from dataclasses import dataclass
 
-from silostudy.contact import COHESION, NORMAL, ROLLING, TANGENTIAL
+from silostudy.contact import COHESION, DEFAULTS, LAWS, NO_COHESION, NO_ROLLING, NO_TANGENTIAL, NORMAL, ROLLING, TANGENTIAL
+from silostudy.contact.family import CohesionLaw, NormalLaw, RollingLaw, TangentialLaw
+from silostudy.dem.plane import PLANE, Dimension
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Laws:
-    """Keys of the four contact laws between two bodies."""
+    """The four contact laws between two bodies; an effect whose law is not given is left out."""
 
-    normal: str = "spring-dashpot"
-    tangential: str = "none"
-    rolling: str = "none"
-    cohesion: str = "none"
+    normal: NormalLaw = NORMAL[DEFAULTS["normal"]]
+    tangential: TangentialLaw = TANGENTIAL[NO_TANGENTIAL]
+    rolling: RollingLaw = ROLLING[NO_ROLLING]
+    cohesion: CohesionLaw = COHESION[NO_COHESION]
+
+    @classmethod
+    def of(cls, **keys: str) -> "Laws":
+        """The package's laws by their keys."""
+        return cls(**{family: LAWS[family][key] for family, key in keys.items()})
+
+    def __repr__(self) -> str:
+        """What tells the laws apart in the names of kept kernels: the same in every process."""
+        return f"Laws({', '.join(row.fingerprint for row in self.rows)})"
 
     @property
-    def functions(self):
-        return (
-            NORMAL[self.normal].law,
-            TANGENTIAL[self.tangential].law,
-            ROLLING[self.rolling].law,
-            COHESION[self.cohesion].law,
-        )
+    def rows(self) -> tuple[NormalLaw, TangentialLaw, RollingLaw, CohesionLaw]:
+        return self.normal, self.tangential, self.rolling, self.cohesion
+
+    @property
+    def keys(self) -> tuple[str, ...]:
+        return tuple(row.key for row in self.rows)
 
     @property
     def drags(self) -> bool:
-        return self.tangential != "none"
+        return self.tangential.acts
 
     @property
     def slides(self) -> bool:
-        return TANGENTIAL[self.tangential].stores
+        return self.tangential.stores
 
     @property
     def rolls(self) -> bool:
-        return ROLLING[self.rolling].stores
+        return self.rolling.stores
 
     @property
     def turns(self) -> bool:
-        return self.drags or self.rolling != "none"
+        return self.drags or self.rolling.acts
+
+    @property
+    def stores(self) -> bool:
+        return self.slides or self.rolls
 
 
 @dataclass(frozen=True)
 class Pieces:
     """What a scene calls for; everything else is not compiled in."""
 
-    pair: Laws = Laws()
-    wall: Laws = Laws()
-    integrator: str = "17-18"
+    pair_laws: Laws
+    wall_laws: Laws
+    integrator: str
+    space: Dimension = PLANE
     unequal: bool = False  # discs of several sizes
     shaken: bool = False  # the box is accelerated
     watched: bool = False  # wall forces are recorded every step
@@ -54,4 +69,4 @@ class Pieces:
 
     @property
     def turns(self) -> bool:
-        return self.pair.turns or self.wall.turns
+        return self.pair_laws.turns or self.wall_laws.turns

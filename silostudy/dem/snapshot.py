@@ -10,9 +10,10 @@ from silostudy.dem.arrays import LANES, aligned
 from silostudy.dem.cache import named
 from silostudy.dem.cells import OPTIONS
 from silostudy.dem.force import force_pass
-from silostudy.dem.lanes import X, Y, gather
+from silostudy.dem.lanes import FORCE_X, FORCE_Y, X, Y
 from silostudy.dem.pieces import Laws
-from silostudy.dem.walls import gather_walls, nearest
+from silostudy.dem.plane import Dimension
+from silostudy.dem.walls import nearest
 
 
 @dataclass(frozen=True)
@@ -28,30 +29,23 @@ class Contacts:
 
 
 @cache
-def reader(laws: Laws, unequal: bool, flat: bool):
+def reader(space: Dimension, laws: Laws, unequal: bool, flat: bool):
     """Compiled function that computes the forces of a list without changing its histories."""
-    forces = force_pass(laws, unequal=unequal, flat=flat)
+    forces = force_pass(space, laws, unequal=unequal, flat=flat)
 
     def read(rows, contacts, shape, count, lanes, out, stored, rolled, dt, c):
-        size = lanes.shape[1]
-        for start in range(0, count, size):
-            many = min(size, count - start)
-            if flat:
-                gather_walls(rows, shape, contacts.first, contacts.second, start, many, lanes)
-            else:
-                gather(rows, contacts.first, contacts.second, start, many, lanes)
-            arm = contacts.arm[start:] if unequal else contacts.arm
-            other = contacts.other[start:] if unequal else contacts.other
-            mass = contacts.mass[start:] if unequal else contacts.mass
-            forces(lanes, out[:, start:], stored[start:], rolled[start:], arm, other, mass, many, dt, c)
+        for start in range(0, count, LANES):
+            many = min(LANES, count - start)
+            forces(rows, contacts, shape, start, many, lanes, out[:, start:], stored, rolled, dt, c)
 
-    return njit(**OPTIONS)(named(read, repr((laws, unequal, flat))))
+    return njit(**OPTIONS)(named(read, repr((space, laws, unequal, flat))))
 
 
 def _forces(engine, part, laws, contacts, count, flat, c):
     out = np.zeros((4, count))
     lanes = aligned(6, LANES)
-    read = reader(laws, engine.model.unequal, flat)
+    pieces = engine.model.pieces
+    read = reader(pieces.space, laws, pieces.unequal, flat)
     stored, rolled = contacts.stored[:count].copy(), contacts.rolled[:count].copy()
     read(engine.discs.rows, contacts, engine.walls.shape, count, lanes, out, stored, rolled, engine.model.dt, c)
     return out
@@ -63,10 +57,10 @@ def pair_contacts(engine) -> Contacts:
     for part in engine.parts:
         last = engine.blocks_of(part)
         count = int(part.pairs.begin[last + 1])
-        out = _forces(engine, part, engine.model.pair.laws, part.pairs, count, False, engine.contacts[0].ordered)
+        out = _forces(engine, part, engine.model.pair_contact.laws, part.pairs, count, False, engine.contacts[0].ordered)
         lo, _ = engine.bounds(part.number)
         first, second = (engine.true_number(part, column[:count]) for column in part.pairs[:2])
-        touching = ((out[0] != 0.0) | (out[1] != 0.0)) & (first >= lo)
+        touching = ((out[FORCE_X] != 0.0) | (out[FORCE_Y] != 0.0)) & (first >= lo)
         columns.append(np.vstack([first, second, out[:2]])[:, touching])
     first, second, fx, fy = np.hstack(columns)
     i, j = first.astype(int), second.astype(int)
@@ -81,8 +75,8 @@ def wall_contacts(engine) -> Contacts:
     columns = []
     for part in engine.parts:
         count = int(part.near.begin[0])
-        out = _forces(engine, part, engine.model.wall.laws, part.near, count, True, engine.contacts[1].ordered)
-        touching = (out[0] != 0.0) | (out[1] != 0.0)
+        out = _forces(engine, part, engine.model.wall_contact.laws, part.near, count, True, engine.contacts[1].ordered)
+        touching = (out[FORCE_X] != 0.0) | (out[FORCE_Y] != 0.0)
         columns.append(np.vstack([part.near.first[:count], part.near.second[:count], out[:2]])[:, touching])
     first, second, fx, fy = np.hstack(columns)
     i, q = first.astype(int), second.astype(int)

@@ -15,13 +15,12 @@ from scipy.sparse import csr_matrix, diags, vstack
 from scipy.sparse.linalg import eigsh
 from scipy.spatial import cKDTree
 
-from silostudy.contact.line import load_of
+from silostudy.contact.family import Touch
 from silostudy.dem.integrate import INTEGRATORS
 from silostudy.dem.model import Contact, Model, Wall
 from silostudy.dem.walls import shape_of
 from silostudy.errors import BadInput
 
-IMPLICIT = {"spring-dashpot-implicit", "spring-slider-implicit"}
 HALVINGS = 50
 SOFTEST = 1e-3  # of the largest stiffness: a slow mode
 SAFETY = 0.5  # of the bound, when the engine chooses the step: flow makes contacts that the start does not have
@@ -100,7 +99,7 @@ def check_step(model: Model) -> float:
 
 def _implicit(model: Model) -> bool:
     """Whether a law's stiffness or damping depends on the step."""
-    return any({contact.laws.normal, contact.laws.tangential} & IMPLICIT for contact in (model.pair, model.wall))
+    return any(row.implicit for contact in (model.pair_contact, model.wall_contact) for row in contact.rows)
 
 
 def _bounded(integrator: str, total: float, incremental: float, damping: float, dt: float) -> bool:
@@ -129,13 +128,13 @@ def _network(model: Model) -> list[tuple]:
     if not distance.all():
         one = int(np.argmin(distance))
         raise BadInput("x, y", f"discs {i[one]}, {j[one]}", "stand in the same place")
-    found: list[tuple] = [(model.pair, i[near], j[near], *(away[near] / distance[near, None]).T)]
+    found: list[tuple] = [(model.pair_contact, i[near], j[near], *(away[near] / distance[near, None]).T)]
     for wall, (x, y, tx, ty, length, *_) in zip(model.walls, shape_of(model.walls), strict=True):
         along = np.clip((model.x - x) * tx + (model.y - y) * ty, 0.0, length)
         away = place - np.c_[x + along * tx, y + along * ty]
         distance = np.hypot(*away.T)
         disc = np.flatnonzero((distance < (1.0 + NEAR) * model.radius) & (distance > 0.0) & wall.live)
-        found.append((model.wall, disc, None, *(away[disc] / distance[disc, None]).T))
+        found.append((model.wall_contact, disc, None, *(away[disc] / distance[disc, None]).T))
     return found
 
 
@@ -143,7 +142,7 @@ def _extremes(model: Model, network: list[tuple], dt: float) -> Extremes:
     """Extremes of the network and of lone contacts of the lightest disc, at this step."""
     stiff, damp = partial(_stiffness, dt=dt), partial(_damping, dt=dt)
     lightest = np.array([int(np.argmin(model.mass))])
-    lone = [(model.pair, lightest, lightest), (model.wall, lightest, None)]
+    lone = [(model.pair_contact, lightest, lightest), (model.wall_contact, lightest, None)]
     ratios = [
         d.min() / k.min()
         for contact, i, j, *_ in (*network, *lone)
@@ -192,26 +191,12 @@ def _rows(strength, disc, tx, ty, arm, n):
 
 def _stiffness(contact: Contact, model: Model, i, j, dt):
     """Normal, tangential (N/m per m) and rolling (N m per m) stiffness of each contact."""
-    c, one = contact.coefficients, np.ones(len(i))
-    normal = c.get("normal_stiffness") or _slope(c, float(model.radius.max()))
-    return [one * normal, one * c.get("tangential_stiffness", 0.0), one * c.get("rolling_stiffness", 0.0)]
-
-
-def _slope(c, radius: float) -> float:
-    """Slope (N/m per m) of the line-contact curve at a deep overlap."""
-    high, low = (load_of(part * DEEP * radius, c["line_compliance"], c["line_bracket"]) for part in (1.0, 0.999))
-    return (high - low) / (0.001 * DEEP * radius)
-
-
-def _reduced(model: Model, i, j):
-    return model.mass[i] if j is None else 1.0 / (1.0 / model.mass[i] + 1.0 / model.mass[j])
+    ways = zip(contact.rows[:3], contact.ordered[:3], strict=True)
+    return [np.ones(len(i)) * row.stiffness(DEEP * float(model.radius.max()), c) for row, c in ways]
 
 
 def _damping(contact: Contact, model: Model, i, j, dt):
-    """Normal, tangential (N s/m per m) and rolling damping of each contact; less where a dashpot is semi-implicit."""
-    c, reduced = contact.coefficients, _reduced(model, i, j)
-    found = []
-    for way, law, inertia in (("normal", contact.laws.normal, 1.0), ("tangential", contact.laws.tangential, 3.0)):
-        damping = c.get(f"{way}_damping", 0.0) + c.get(f"{way}_damping_root", 0.0) * np.sqrt(reduced)
-        found.append(damping / (1.0 + inertia * damping * dt / reduced) if law in IMPLICIT else damping)
-    return [*found, 0.0 * reduced]
+    """Normal, tangential (N s/m per m) and rolling damping of each contact, as its dashpots act at this step."""
+    mass, radius = (of[i] if j is None else 1.0 / (1.0 / of[i] + 1.0 / of[j]) for of in (model.mass, model.radius))
+    touch = Touch(mass, radius, dt)
+    return [row.damping(touch, c) for row, c in zip(contact.rows[:3], contact.ordered[:3], strict=True)]

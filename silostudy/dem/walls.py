@@ -10,7 +10,25 @@ from numba import njit
 from numba.extending import register_jitable
 
 from silostudy.dem.cells import OPTIONS
-from silostudy.dem.lanes import FX, FY, TORQUE, U, V, W, X, Y
+from silostudy.dem.lanes import (
+    DU,
+    DV,
+    DX,
+    DY,
+    FIRST_TORQUE,
+    FORCE_X,
+    FORCE_Y,
+    FX,
+    FY,
+    SPIN_DIFFERENCE,
+    SPIN_SUM,
+    TORQUE,
+    U,
+    V,
+    W,
+    X,
+    Y,
+)
 
 JOINED, OUT_OF_REACH = 1.0, 1e30
 
@@ -35,10 +53,9 @@ def gather_walls(rows, shape, disc, wall, start, count, lanes):
     for k in range(count):
         i = disc[start + k]
         dx, dy, _ = nearest(shape, wall[start + k], rows[i, X], rows[i, Y])
-        lanes[0, k], lanes[1, k] = dx, dy
-        lanes[2, k], lanes[3, k] = rows[i, U], rows[i, V]
-        lanes[4, k] = rows[i, W]
-        lanes[5, k] = rows[i, W]
+        lanes[DX, k], lanes[DY, k] = dx, dy
+        lanes[DU, k], lanes[DV, k] = rows[i, U], rows[i, V]
+        lanes[SPIN_SUM, k] = lanes[SPIN_DIFFERENCE, k] = rows[i, W]
 
 
 @register_jitable
@@ -46,9 +63,9 @@ def scatter_walls(rows, disc, start, count, force):
     """Add the walls' forces to their discs, before the forces of all other discs."""
     for k in range(count):
         i = disc[start + k]
-        rows[i, FX] += force[0, k]
-        rows[i, FY] += force[1, k]
-        rows[i, TORQUE] += force[2, k]
+        rows[i, FX] += force[FORCE_X, k]
+        rows[i, FY] += force[FORCE_Y, k]
+        rows[i, TORQUE] += force[FIRST_TORQUE, k]
 
 
 @register_jitable
@@ -59,8 +76,9 @@ def note_walls(rows, walls, near, start, count, force, record, part):
         tx, ty, length = walls.shape[q, 2], walls.shape[q, 3], walls.shape[q, 4]
         _, _, along = nearest(walls.shape, q, rows[i, X], rows[i, Y])
         upward = -1.0 if ty < 0.0 else 1.0
-        record.force[part, at, 0] = force[1, k] * tx - force[0, k] * ty
-        record.force[part, at, 1] = upward * (force[0, k] * tx + force[1, k] * ty)
+        fx, fy = force[FORCE_X, k], force[FORCE_Y, k]
+        record.force[part, at, 0] = fy * tx - fx * ty
+        record.force[part, at, 1] = upward * (fx * tx + fy * ty)
         inner = walls.cells[q, 1]
         place = 0 if along <= 0.0 else inner + 1 if along >= length else 1 + min(int(along / length * inner), inner - 1)
         record.cell[part, at] = walls.cells[q, 0] + place

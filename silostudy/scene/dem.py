@@ -1,12 +1,13 @@
 """From the user's units to a discrete-element scene in SI: walls, discs, contacts, events, and which effects it calls for."""
 
 from dataclasses import dataclass
-from math import pi, radians, sqrt
+from math import radians
 
 import numpy as np
 
-from silostudy.config.dem import BoxConfig, ContactConfig, DemScene, EventConfig
-from silostudy.contact.line import PRINTED_CONSTANTS, curve, stiffness
+from silostudy.config.contact import ContactConfig
+from silostudy.config.dem import BoxConfig, DemScene, EventConfig
+from silostudy.contact.family import Given
 from silostudy.dem.model import Contact, Wall
 from silostudy.dem.pieces import Laws
 from silostudy.dem.run import Event
@@ -33,27 +34,12 @@ def plane_silo_of(config: BoxConfig) -> PlaneSilo:
 
 
 def contact_of(config: ContactConfig, radius: float, density: float) -> Contact:
-    """Laws and coefficients in SI; damping ratio and line contact become what the laws take."""
-    laws = Laws(config.normal, config.tangential, config.rolling, config.cohesion)
-    known: dict[str, float] = {}
-    k = config.normal_stiffness_N_m2
-    if config.line_contact is not None:
-        line = config.line_contact
-        elastic = {"youngs_modulus": line.youngs_modulus_Pa, "poissons_ratio": line.poissons_ratio}
-        constant = PRINTED_CONSTANTS[line.constant]
-        k = stiffness(radius, load=line.load_N_m, constant=constant, **elastic)
-        known["line_compliance"], known["line_bracket"] = curve(radius, constant=constant, **elastic)
-    assert k is not None  # the model asks for one of the two
-    known["normal_stiffness"], known["tangential_stiffness"] = k, config.stiffness_ratio * k
-    direct, ratio = config.normal_damping_N_s_m2, config.damping_ratio or 0.0
-    known["normal_damping"] = direct if direct is not None else 2.0 * ratio * sqrt(density * pi * radius**2 * k)
-    known["tangential_damping"] = known["normal_damping"] * sqrt(config.stiffness_ratio)
-    known["normal_damping_root"] = known["tangential_damping_root"] = 0.0
-    known["sliding_friction"] = config.sliding_friction
-    known["rolling_stiffness"], known["rolling_friction"] = config.rolling_stiffness_N, config.rolling_friction
-    known["pull"] = config.pull_N_m
-    needed = {name for row in Contact.families(laws) for name in row.coefficients}
-    return Contact(laws, {name: known[name] for name in needed})
+    """Laws and coefficients in SI, each prepared as its law says."""
+    given = Given(config.model_dump(), radius, density)
+    coefficients: dict[str, float] = {}
+    for law in config.laws.values():
+        coefficients |= law.prepared(given)
+    return Contact(Laws(**config.laws), coefficients)
 
 
 def events_of(scene: DemScene) -> tuple[Event, ...]:
@@ -100,13 +86,14 @@ def check_start(walls: tuple[Wall, ...], x, y, radius, where: str = "") -> None:
 def effects(scene: DemScene) -> tuple[Effect, ...]:
     """Every effect the engine knows: whether this scene calls for it, and the key that says so."""
     walls = scene.walls or scene.discs
+    laws, sliding = scene.discs.laws, (scene.discs.laws["tangential"], walls.laws["tangential"])
     slides = {"discs": scene.discs.tangential, "walls": walls.tangential}
     uneven = scene.packing.kind == "given" or (scene.packing.kind == "loose" and scene.packing.radius_spread > 0)
     record = scene.record
     return (
-        Effect("friction, rotation, history", set(slides.values()) != {"none"}, f"tangential: {slides}"),
-        Effect("rolling resistance", scene.discs.rolling != "none", f"discs.rolling: {scene.discs.rolling}"),
-        Effect("cohesion", scene.discs.cohesion != "none", f"discs.cohesion: {scene.discs.cohesion}"),
+        Effect("friction, rotation, history", any(law.acts for law in sliding), f"tangential: {slides}"),
+        Effect("rolling resistance", laws["rolling"].acts, f"discs.rolling: {scene.discs.rolling}"),
+        Effect("cohesion", laws["cohesion"].acts, f"discs.cohesion: {scene.discs.cohesion}"),
         Effect("discs of several sizes", uneven, f"packing.kind: {scene.packing.kind}"),
         Effect("shaking", scene.quake is not None, "quake"),
         Effect("wall forces every step", record.wall_force_window_s is not None, "record.wall_force_window_s"),

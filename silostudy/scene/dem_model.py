@@ -30,7 +30,7 @@ def unshaken_scene_model(scene: DemScene, discs, where: str = "") -> Model:
     check_start(walls, x, y, radius, where)
     contacts = [contact_of(config, scene.radius_m, scene.density_kg_m3) for config in (scene.discs, scene.walls or scene.discs)]
     model = Model(
-        x=x, y=y, radius=radius, density=scene.density_kg_m3, walls=walls, pair=contacts[0], wall=contacts[1],
+        x=x, y=y, radius=radius, density=scene.density_kg_m3, walls=walls, pair_contact=contacts[0], wall_contact=contacts[1],
         dt=scene.march.step_s or 1.0, gravity=scene.gravity_m_s2, integrator=integrator,
         watched=scene.record.wall_force_window_s is not None, booked=scene.record.energy,
     )  # fmt: skip

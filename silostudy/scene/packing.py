@@ -6,7 +6,7 @@ from math import sqrt
 from pathlib import Path
 from typing import Any
 
-from silostudy.config.dem import ContactConfig, LineContactConfig
+from silostudy.config.contact import ContactConfig, LineContactConfig
 from silostudy.config.packing import PackingScene, PackingStudy, RowDiscs, SlitSilo
 from silostudy.dem.model import Contact, Wall
 from silostudy.errors import BadInput
@@ -85,8 +85,7 @@ def contacts_of(config: PackingScene) -> tuple[Contact, Contact]:
     discs, radius, density = config.discs, config.discs.radius_m, config.discs.density_kg_m3
     between = contact_of(_contact(discs, config, discs.disc_friction), radius, density)
     wall = contact_of(_contact(discs, config, discs.wall_friction), radius, density)
-    stiffer = {name: value * WALL_STIFFNESS_RATIO for name, value in wall.coefficients.items() if name != "sliding_friction"}
-    return between, Contact(wall.laws, {**wall.coefficients, **stiffer})
+    return between, wall.scaled(stiffness=WALL_STIFFNESS_RATIO, damping=WALL_STIFFNESS_RATIO)
 
 
 def _contact(discs: RowDiscs, config: PackingScene, friction: float) -> ContactConfig:

@@ -7,9 +7,8 @@ from typing import Any
 
 import numpy as np
 
-from silostudy.config.dem import ContactConfig
+from silostudy.config.contact import ContactConfig
 from silostudy.config.stability import StabilityScene, StabilityStudy
-from silostudy.contact import TANGENTIAL
 from silostudy.dem.model import Model
 from silostudy.packing import PACKINGS
 from silostudy.scene.dem import contact_of
@@ -52,15 +51,8 @@ def stability_builder(study: StabilityStudy, folder: Path, where: str) -> Callab
 
 def calmed(discs: ContactConfig) -> ContactConfig:
     """The same contact with explicit dashpots of CALMING; the spring of a slider is the same in all of them."""
-    slides = TANGENTIAL[discs.tangential].stores
-    return discs.model_copy(
-        update={
-            "normal": discs.normal if discs.normal == "line-contact" else "spring-dashpot",
-            "tangential": "spring-slider" if slides else discs.tangential,
-            "normal_damping_N_s_m2": None,
-            "damping_ratio": CALMING,
-        }
-    )
+    laws = {family: law.at_rest for family, law in discs.laws.items()}
+    return discs.model_copy(update={**laws, "normal_damping_N_s_m2": None, "damping_ratio": CALMING})
 
 
 def resting_discs_model(config: StabilityScene) -> Model:
@@ -70,7 +62,7 @@ def resting_discs_model(config: StabilityScene) -> Model:
     contact = contact_of(config.discs, config.radius_m, config.density_kg_m3)
     return Model(
         x=x, y=y, radius=np.full(len(x), config.radius_m), density=config.density_kg_m3, walls=PlaneSilo(width, top).walls(),
-        pair=contact, wall=contact, dt=1.0, gravity=(0.0, -ROUNDED_GRAVITY), integrator=config.integrator,
+        pair_contact=contact, wall_contact=contact, dt=1.0, gravity=(0.0, -ROUNDED_GRAVITY), integrator=config.integrator,
     )  # fmt: skip
 
 

@@ -14,7 +14,7 @@ from tests.test_dem.scenes import DENSITY, RADIUS, SLIDING, STIFFNESS, contact, 
 
 MASS = DENSITY * pi * RADIUS**2
 FLOOR = (Wall("floor", (-9.0, 0.0), (9.0, 0.0)),)
-ELASTIC = {"pair": contact(damping=0.0), "wall": contact(damping=0.0)}
+ELASTIC = {"pair_contact": contact(damping=0.0), "wall_contact": contact(damping=0.0)}
 
 
 def stiff(stiffness, zeta=0.0, friction=0.577, mass=MASS / 2.0):
@@ -26,7 +26,7 @@ def head_on(speed, pair, dt, steps, radius=RADIUS, **changes):
     """Two discs that just do not touch meet at 2 speed; x, y, u, v, w after so many steps."""
     gap = 1e-3 * speed * dt * steps
     radii = np.broadcast_to(radius, 2)
-    model = free([0.0, radii.sum() + gap], [0.0, 0.0], u=[speed, -speed], pair=pair, dt=dt, radius=radii, **changes)
+    model = free([0.0, radii.sum() + gap], [0.0, 0.0], u=[speed, -speed], pair_contact=pair, dt=dt, radius=radii, **changes)
     engine = Engine(model)
     engine.step_to(steps)
     return engine
@@ -54,7 +54,7 @@ def test_radius_ratio_of_a_hundred():
     dt = 0.1 * sqrt(mass[1] / STIFFNESS)
     start = y + np.array([0.0, 1e-9])
     engine = Engine(free([0.0, 0.0], start, radius=radii, gravity=(0.0, -9.81), dt=dt, walls=FLOOR, booked=True,
-                         pair=stiff(STIFFNESS, 1.0, mass=mass[1])))  # fmt: skip
+                         pair_contact=stiff(STIFFNESS, 1.0, mass=mass[1])))  # fmt: skip
     engine.step_to(20000)
     found = rows(engine)[:, 1]
     assert radii[0] - found[0] == pytest.approx(overlap[0], rel=1e-4)
@@ -99,7 +99,7 @@ def test_disc_wedged_between_two_converging_walls(half_angle):
     smooth = contact(2.0, 0.0)
     push = MASS * 9.81 / (2.0 * sin(theta))
     y = (RADIUS - push / (2.0 * STIFFNESS)) / sin(theta)
-    engine = Engine(free([0.0], [y * (1.0 + 1e-6)], gravity=(0.0, -9.81), dt=5e-5, walls=walls, wall=smooth))
+    engine = Engine(free([0.0], [y * (1.0 + 1e-6)], gravity=(0.0, -9.81), dt=5e-5, walls=walls, wall_contact=smooth))
     engine.step_to(round(min(6e5, 2e4 / sin(theta) ** 2)))
     x, found = rows(engine)[0, :2]
     assert RADIUS - found * sin(theta) == pytest.approx(push / (2.0 * STIFFNESS), rel=1e-6)
@@ -118,7 +118,7 @@ def test_disc_exactly_on_the_edge_of_a_slit():
     halves = (Wall("l", (-1.0, 0.0), (-RADIUS / 2.0, 0.0)), Wall("r", (RADIUS / 2.0, 0.0), (1.0, 0.0)))
     rise = sqrt(3.0) / 2.0  # of the direction from an edge
     smooth = contact(2.0, 0.0)
-    both = Engine(free([0.0], [rise * RADIUS], gravity=(0.0, -9.81), dt=1e-5, walls=halves, wall=smooth))
+    both = Engine(free([0.0], [rise * RADIUS], gravity=(0.0, -9.81), dt=1e-5, walls=halves, wall_contact=smooth))
     both.step_to(40000)
     x, y = rows(both)[0, :2]
     length = sqrt(y**2 + RADIUS**2 / 4.0)
@@ -131,7 +131,7 @@ def test_grazing_contact(overlap):
     """Two discs pass with next to no overlap: the push across is that of the spring along the chord."""
     speed, offset = 1.0, 2.0 * RADIUS * (1.0 - overlap)
     smooth = contact(damping=0.0, friction=0.0)
-    engine = Engine(free([-0.1 * RADIUS, 0.1 * RADIUS], [0.0, offset], u=[speed, -speed], pair=smooth, dt=1e-7))
+    engine = Engine(free([-0.1 * RADIUS, 0.1 * RADIUS], [0.0, offset], u=[speed, -speed], pair_contact=smooth, dt=1e-7))
     engine.step_to(2 * round(0.1 * RADIUS / speed / 1e-7))
     found = rows(engine)
     impulse = STIFFNESS * 4.0 / 3.0 * sqrt(4.0 * RADIUS) * (2.0 * RADIUS * overlap) ** 1.5 / (2.0 * speed)
@@ -162,7 +162,7 @@ def test_no_friction_and_huge_friction_on_an_incline(friction):
     overlap = MASS * 9.81 * cos(tilt) / (2.0 * STIFFNESS)
     wall = contact(2.0, friction) if friction else contact(2.0, friction, damping=1e-9)
     pull = (9.81 * sin(tilt), -9.81 * cos(tilt))
-    engine = Engine(free([0.0], [RADIUS - overlap], gravity=pull, dt=1e-5, walls=FLOOR, wall=wall))
+    engine = Engine(free([0.0], [RADIUS - overlap], gravity=pull, dt=1e-5, walls=FLOOR, wall_contact=wall))
     engine.step_to(20000)
     _, _, u, _, w = rows(engine)[0]
     share = 2.0 / 3.0 if friction else 1.0
@@ -209,7 +209,11 @@ def test_jammed_arch_under_rising_load():
         Wall("left", (0.0, 1.0), (0.0, 0.0)),
         Wall("right", (width, 0.0), (width, 1.0)),
     )
-    engine = Engine(free(x, y, gravity=(0.0, -0.1), dt=1e-5, walls=walls, pair=contact(friction=0.0), wall=contact(2.0, 0.0)))
+    engine = Engine(
+        free(
+            x, y, gravity=(0.0, -0.1), dt=1e-5, walls=walls, pair_contact=contact(friction=0.0), wall_contact=contact(2.0, 0.0)
+        )
+    )
     for gravity in (0.1, 1.0, 10.0, 100.0):
         engine.gravity = (0.0, -gravity)
         engine.step_to(engine.step + 60000)
@@ -224,12 +228,12 @@ def test_jammed_arch_under_rising_load():
 
 def test_overlap_at_rest_by_every_dashpot():
     """A disc on the floor sinks by m g / K, whatever the dashpot and the step: none may hold a share of the weight."""
-    implicit = Laws(normal="spring-dashpot-implicit", tangential="spring-slider-implicit")
+    implicit = Laws.of(normal="spring-dashpot-implicit", tangential="spring-slider-implicit")
     overlap = MASS * 9.81 / (2.0 * STIFFNESS)
     for laws in (SLIDING, implicit):
         for dt in (1e-6, 5e-5):
-            engine = Engine(free([0.0], [RADIUS], gravity=(0.0, -9.81), dt=dt, walls=FLOOR, wall=contact(2.0, laws=laws),
-                                 pair=contact(laws=laws)))  # fmt: skip
+            engine = Engine(free([0.0], [RADIUS], gravity=(0.0, -9.81), dt=dt, walls=FLOOR,
+                                 wall_contact=contact(2.0, laws=laws), pair_contact=contact(laws=laws)))  # fmt: skip
             engine.step_to(round(0.1 / dt))
             assert RADIUS - rows(engine)[0, 1] == pytest.approx(overlap, rel=1e-9)
 

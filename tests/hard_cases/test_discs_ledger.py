@@ -35,7 +35,7 @@ def test_ledger_without_friction_and_for_any_list():
     for friction in (0.0, 0.3):
         for skin in (0.0, 0.01):
             law = contact(1.0, friction, damping=100.0)
-            engine = Engine(free(x, y, u=u, v=v, radius=radius, dt=5e-6, pair=law, booked=True), skin=skin)
+            engine = Engine(free(x, y, u=u, v=v, radius=radius, dt=5e-6, pair_contact=law, booked=True), skin=skin)
             engine.step_to(8000)
             accounts.append(engine.ledger.account.copy())
     assert np.array_equal(accounts[0], accounts[1])

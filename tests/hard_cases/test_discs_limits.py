@@ -119,7 +119,7 @@ def test_discs_too_soft_for_their_speed():
 def test_disc_too_heavy_for_its_floor():
     """A floor of 100 N/m2 lets a disc of 8 N/m through."""
     soft = contact(100.0 / STIFFNESS, damping=1.0)
-    engine = Engine(free([0.0], [RADIUS], gravity=(0.0, -9.81), dt=1e-4, walls=FLOOR, wall=soft))
+    engine = Engine(free([0.0], [RADIUS], gravity=(0.0, -9.81), dt=1e-4, walls=FLOOR, wall_contact=soft))
     with pytest.raises(Explosion, match="overlap"):
         engine.step_to(20000)
 
@@ -168,7 +168,7 @@ def test_disc_in_a_corner_of_joined_walls():
         Wall("left", (0.0, 1.0), (0.0, 0.0), joined=(False, True)),
     )
     smooth = contact(2.0, 0.0)
-    engine = Engine(free([RADIUS], [RADIUS], gravity=(-9.81, -9.81), dt=1e-5, walls=walls, wall=smooth))
+    engine = Engine(free([RADIUS], [RADIUS], gravity=(-9.81, -9.81), dt=1e-5, walls=walls, wall_contact=smooth))
     engine.step_to(20000)
     x, y = rows(engine)[0, :2]
     assert RADIUS - x == pytest.approx(MASS * 9.81 / (2.0 * STIFFNESS), rel=1e-9)

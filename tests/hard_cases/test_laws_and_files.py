@@ -8,7 +8,8 @@ import pytest
 import xarray as xr
 
 from silostudy.config.load import read_yaml
-from silostudy.contact import line, linear, sliding
+from silostudy.contact import NORMAL, TANGENTIAL, curve
+from silostudy.contact.family import Touch
 from silostudy.cube.io import read, write
 from silostudy.dem.model import Contact
 from silostudy.dem.pieces import Laws
@@ -25,46 +26,46 @@ STEEL = {"youngs_modulus": 2.1e11, "poissons_ratio": 0.3}
 @pytest.mark.parametrize("overlap", [1e-30, 1e-18, 1e-12, 1e-9, 1e-6, 1e-4])
 def test_line_contact_over_twenty_six_decades(overlap):
     """q on overlap = A q (B - ln q): against the Lambert function in fifty digits."""
-    a, b = line.curve(0.01, **STEEL)
+    a, b = curve.curve(0.01, **STEEL)
     with mpmath.workdps(50):
         a50, b50, d50 = map(mpmath.mpf, (a, b, overlap))
         exact = float(-d50 / a50 / mpmath.lambertw(-d50 / a50 * mpmath.exp(-b50), -1))
-    assert line.load_of(overlap, a, b) == pytest.approx(exact, rel=1e-12, abs=0)
-    assert line.load_of(0.0, a, b) == line.load_of(-overlap, a, b) == 0.0
+    assert curve.load_of(overlap, a, b) == pytest.approx(exact, rel=1e-12, abs=0)
+    assert curve.load_of(0.0, a, b) == curve.load_of(-overlap, a, b) == 0.0
 
 
 @pytest.mark.parametrize("load", [0.0, -1.0, nan])
 def test_line_contact_under_no_load(load):
     with pytest.raises(BadInput, match=r"load = .*must be positive"):
-        line.stiffness(0.01, load=load, **STEEL)
+        curve.secant(0.01, load=load, **STEEL)
 
 
 def test_line_contact_wider_than_its_discs():
     with pytest.raises(BadInput, match="narrower than the discs"):
-        line.stiffness(0.01, load=1e12, **STEEL)
+        curve.secant(0.01, load=1e12, **STEEL)
 
 
-@pytest.mark.parametrize("law", [linear.cut, linear.implicit])
-def test_dashpot_that_would_pull(law):
+@pytest.mark.parametrize("key", ["spring-dashpot", "spring-dashpot-implicit"])
+def test_dashpot_that_would_pull(key):
     """Parting at any speed, a contact that may not pull gives nothing, and not minus nothing or NaN."""
     for closing in (-1e-300, -1.0, -1e300):
-        elastic, total = law(1e-9, closing, 1.0, 1e-6, (1e6, 1e9, 0.0))
+        elastic, total = NORMAL[key].law(1e-9, closing, Touch(1.0, 0.01, 1e-6), (1e6, 1e9, 0.0))
         assert elastic == pytest.approx(1e-3)
         assert 0.0 <= total <= elastic
 
 
 def test_slider_under_no_and_under_endless_normal_force():
-    c = (1e6, 10.0, 0.0, 0.5)
-    for law in (sliding.elastic_cap, sliding.implicit_cap, sliding.total_cap):
-        assert law(3.0, 0.0, 1.0, 1e-6, 0.0, 0.0, c)[1] == 0.0
-        assert law(3.0, 0.0, 1.0, 1e-6, 1e300, 1e300, c) == (3.0, 3.0)
+    c, touch = (1e6, 10.0, 0.0, 0.5), Touch(1.0, 0.01, 1e-6)
+    for law in (row.law for row in TANGENTIAL.values() if row.stores):
+        assert law(3.0, 0.0, touch, 0.0, 0.0, c)[1] == 0.0
+        assert law(3.0, 0.0, touch, 1e300, 1e300, c) == (3.0, 3.0)
 
 
 @pytest.mark.parametrize(("name", "value"), [("normal_stiffness", 0.0), ("normal_stiffness", inf), ("sliding_friction", -0.1),
                                              ("normal_damping", nan)])  # fmt: skip
 def test_coefficients_that_no_contact_has(name, value):
     with pytest.raises(BadInput, match=rf"{name} = .*must be (positive|zero or more)"):
-        Contact(Laws(tangential="spring-slider"), contact().coefficients | {name: value})
+        Contact(Laws.of(tangential="spring-slider"), contact().coefficients | {name: value})
 
 
 def test_packings_at_their_smallest():

@@ -11,7 +11,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from silostudy.contact import NORMAL, line
+from silostudy.contact import curve
 from silostudy.dem.engine import Engine
 from silostudy.dem.lanes import U, V
 from silostudy.dem.ledger import CREATED, DASHPOT, ELASTIC, KINETIC, POTENTIAL, SLIDING, TURNOVER, balance
@@ -26,16 +26,16 @@ RISE, MADE = 0.3, 4.0
 
 
 MARCHES = [
-    ("17-18", Laws(tangential="spring-slider")),
-    ("17-19", Laws(tangential="spring-slider")),
-    ("velocity-verlet", Laws(tangential="spring-slider")),
-    ("17-18", Laws(normal="spring-dashpot-implicit", tangential="spring-slider-implicit")),
-    ("17-19", Laws(normal="spring-dashpot-implicit", tangential="spring-slider-implicit")),
-    ("17-18", Laws(tangential="spring-slider-total", rolling="spring-slider", cohesion="constant-pull")),
-    ("velocity-verlet", Laws(normal="line-contact", tangential="viscous-coulomb")),
-    ("17-18", Laws(normal="spring-dashpot-tension", tangential="spring-slider", cohesion="constant-pull")),
+    ("17-18", Laws.of(tangential="spring-slider")),
+    ("17-19", Laws.of(tangential="spring-slider")),
+    ("velocity-verlet", Laws.of(tangential="spring-slider")),
+    ("17-18", Laws.of(normal="spring-dashpot-implicit", tangential="spring-slider-implicit")),
+    ("17-19", Laws.of(normal="spring-dashpot-implicit", tangential="spring-slider-implicit")),
+    ("17-18", Laws.of(tangential="spring-slider-total", rolling="spring-slider", cohesion="constant-pull")),
+    ("velocity-verlet", Laws.of(normal="line-contact", tangential="viscous-coulomb")),
+    ("17-18", Laws.of(normal="spring-dashpot-tension", tangential="spring-slider", cohesion="constant-pull")),
 ]
-CURVE = line.curve(RADIUS, youngs_modulus=7.35e7, poissons_ratio=0.3)
+CURVE = curve.curve(RADIUS, youngs_modulus=7.35e7, poissons_ratio=0.3)
 
 
 def contact_of(laws, damping, friction, rolling, pull) -> Contact:
@@ -46,7 +46,7 @@ def contact_of(laws, damping, friction, rolling, pull) -> Contact:
         "tangential_stiffness": 0.25 * STIFFNESS, "tangential_damping": 0.5 * damping, "tangential_damping_root": 0.0,
         "sliding_friction": friction, "rolling_stiffness": 5.0, "rolling_friction": rolling, "pull": pull,
     }  # fmt: skip
-    return Contact(laws, {name: known[name] for row in Contact.families(laws) for name in row.coefficients})
+    return Contact.taking(laws, known)
 
 
 @st.composite
@@ -55,7 +55,7 @@ def scenes(draw, integrator, laws):
     boxed = draw(st.booleans())
     n = draw(st.integers(2, 12))
     random = np.random.default_rng(draw(st.integers(0, 2**32 - 1)))
-    least = 1.0 if laws.normal == "line-contact" else draw(st.floats(0.15, 0.9))  # that curve is for discs of one size
+    least = 1.0 if laws.normal.one_size else draw(st.floats(0.15, 0.9))  # that curve is for discs of one size
     radius = RADIUS * random.uniform(least, 1.0, n)
     place = SIDE * (np.array(np.divmod(random.permutation(ACROSS**2)[:n], ACROSS)) + 0.5)
     x, y = place + random.uniform(-1.0, 1.0, (2, n)) * (0.49 * SIDE - radius)
@@ -64,7 +64,7 @@ def scenes(draw, integrator, laws):
     w = random.uniform(-1.0, 1.0, n) * speed / RADIUS
     damping = draw(st.floats(0.0, 1.5)) * 2.0 * sqrt(DENSITY * pi * radius.min() ** 2 * STIFFNESS)
     friction = draw(st.sampled_from([0.0, 0.2, 0.577, 5.0]))
-    pull = draw(st.floats(0.0, 100.0)) if laws.cohesion != "none" else 0.0
+    pull = draw(st.floats(0.0, 100.0)) if laws.cohesion.acts else 0.0
     touch = contact_of(laws, damping, friction, draw(st.sampled_from([0.0, 0.1, 1.0])), pull)
     size = SIDE * ACROSS
     corners = [(0.0, 0.0), (size, 0.0), (size, size), (0.0, size)]
@@ -72,7 +72,7 @@ def scenes(draw, integrator, laws):
     model = free(
         x, y, u=u, v=v, w=w, radius=radius, booked=True, dt=1.0, gravity=(0.0, -9.81 if boxed else 0.0),
         walls=tuple(walls) if boxed else (Wall("far", (-1e3, -1e3), (1e3, -1e3)),),
-        pair=touch, wall=touch, integrator=integrator,
+        pair_contact=touch, wall_contact=touch, integrator=integrator,
     )  # fmt: skip
     return model, draw(st.floats(0.02, 0.25)), boxed
 
@@ -86,7 +86,7 @@ def deepest(engine) -> float:
 
 
 @pytest.mark.parametrize(
-    ("integrator", "laws"), MARCHES, ids=[f"{key}, {laws.normal}, {laws.tangential}" for key, laws in MARCHES]
+    ("integrator", "laws"), MARCHES, ids=[f"{key}, {laws.normal.key}, {laws.tangential.key}" for key, laws in MARCHES]
 )
 @settings(max_examples=25, deadline=None)
 @given(data=st.data())
@@ -100,10 +100,10 @@ def test_random_scenes_keep_books_momentum_and_distance(integrator, laws, data):
     momentum = mass @ engine.discs.rows[: engine.n, [U, V]]
     swing = mass @ np.abs(engine.discs.rows[: engine.n, [U, V]]) + 1e-9 * mass.sum()
     at_hand = before[[KINETIC, ELASTIC]].sum() + (mass.sum() * 9.81 * SIDE * ACROSS if boxed else 0.0)
-    pull, springs = model.pair.coefficients.get("pull", 0.0), model.pair.ordered[0]
+    pull, springs = model.pair_contact.coefficients.get("pull", 0.0), model.pair_contact.ordered[0]
     at_hand += 3 * len(mass) * pull**2 / (2.0 * STIFFNESS)  # what so many contacts give where they draw discs together
     # a cap on the sum of spring and dashpot stretches the spring against the dashpot: what it holds is no part of the whole
-    lost, whole = 0.0, laws.tangential == "spring-slider-total"
+    lost, whole = 0.0, laws.tangential.key == "spring-slider-total"
     for _ in range(LOOKS):
         engine.step_to(engine.step + STEPS)
         account = engine.ledger.account
@@ -117,7 +117,7 @@ def test_random_scenes_keep_books_momentum_and_distance(integrator, laws, data):
             assert abs(account[CREATED]) <= MADE * share * at_hand
         lost = account[SLIDING]
         overlap = max(deepest(engine), 0.0)
-        held_by_one = NORMAL[laws.normal].energy(overlap, springs) - pull * overlap
+        held_by_one = laws.normal.energy(overlap, springs) - pull * overlap
         assert held_by_one <= (1.0 + MADE * share) * at_hand * (1.0 + 1e-9)
         if not boxed:
             assert np.abs(mass @ engine.discs.rows[: engine.n, [U, V]] - momentum).max() <= 1e-12 * swing.max()

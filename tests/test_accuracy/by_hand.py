@@ -15,9 +15,10 @@ from silostudy.accuracy.silo import silo_of_rows
 from silostudy.dem.arrays import BLOCK, LANES
 from silostudy.dem.cells import OPTIONS
 from silostudy.dem.engine import Engine
-from silostudy.dem.kernel import EXPLODED, FRESH, STALE, first_runaway, relist, worst
-from silostudy.dem.lanes import FX, FY, TORQUE, U, V, W, X, Y, gather, scatter
+from silostudy.dem.kernel import first_runaway, relist, worst
+from silostudy.dem.lanes import DU, DV, DX, DY, FX, FY, SPIN_SUM, TORQUE, U, V, W, X, Y, gather, scatter
 from silostudy.dem.model import Model
+from silostudy.dem.sweep import EXPLODED, FRESH, STALE
 from silostudy.dem.walls import gather_walls, scatter_walls
 
 PLAIN = {**OPTIONS, "cache": False}
@@ -30,13 +31,13 @@ def push(lanes, out, stored, a, b, count, dt, c, damping, drag_damping):
     """Normal forces only: spring and dashpot that never pull."""
     reach, stiffness = a + b, c[0][0]
     for k in range(count):
-        dx, dy = lanes[0, k], lanes[1, k]
+        dx, dy = lanes[DX, k], lanes[DY, k]
         distance = sqrt(dx * dx + dy * dy)
         inverse = 1.0 / distance
         nx, ny = dx * inverse, dy * inverse
         overlap = reach - distance
         depth = overlap if overlap > 0.0 else 0.0
-        total = stiffness * depth + damping * -(lanes[2, k] * nx + lanes[3, k] * ny)
+        total = stiffness * depth + damping * -(lanes[DU, k] * nx + lanes[DV, k] * ny)
         total = total if total > 0.0 else 0.0
         total = total if overlap > 0.0 else 0.0
         out[0, k], out[1, k], out[2, k], out[3, k] = total * nx, total * ny, 0.0, 0.0
@@ -47,7 +48,7 @@ def rub(lanes, out, stored, a, b, count, dt, c, damping, drag_damping):
     """The same, and Cundall and Strack's slider."""
     reach, stiffness, slip, friction = a + b, c[0][0], c[1][0] * dt, c[1][3]
     for k in range(count):
-        dx, dy, du, dv = lanes[0, k], lanes[1, k], lanes[2, k], lanes[3, k]
+        dx, dy, du, dv = lanes[DX, k], lanes[DY, k], lanes[DU, k], lanes[DV, k]
         distance = sqrt(dx * dx + dy * dy)
         inverse = 1.0 / distance
         nx, ny = dx * inverse, dy * inverse
@@ -55,7 +56,7 @@ def rub(lanes, out, stored, a, b, count, dt, c, damping, drag_damping):
         depth = overlap if overlap > 0.0 else 0.0
         total = stiffness * depth + damping * -(du * nx + dv * ny)
         total = total if total > 0.0 else 0.0
-        sliding = dv * nx - du * ny - lanes[4, k] * a
+        sliding = dv * nx - du * ny - lanes[SPIN_SUM, k] * a
         dashpot = -drag_damping * sliding
         most = friction * total
         drag = stored[k] - slip * sliding + dashpot
@@ -143,31 +144,29 @@ def kernel_by_hand(rough: bool):
     one_step = step_by_hand(rough)
 
     @njit(**PLAIN)
-    def run(
-        discs, pairs, near, memories, walls, blocks, scratch, laws, record, ledger, quake,
-        clock, said, gate, part, parties, n, lo, hi, base, stop, gravity, dt, limits,
-    ):  # fmt: skip
-        step = clock[0]
+    def run(shared, share, march):
+        clock, said, number = shared.clock, shared.said, share.number
+        step, laws = clock[0], (march.pair_coefficients, march.wall_coefficients)
         while True:
             if worst(said) != FRESH:
-                if said[part] == FRESH:
-                    said[part] = STALE
-                relist(
-                    discs, pairs, near, memories, walls, blocks, scratch, clock,
-                    said, part, parties, gate, n, lo, hi, base, limits,
-                )  # fmt: skip
+                if said[number] == FRESH:
+                    said[number] = STALE
+                relist(shared, share, march)
                 if worst(said) != FRESH:
                     break
-            if step >= stop:
+            if step >= march.stop:
                 break
-            word = one_step(discs, pairs, near, walls, blocks, scratch, laws, hi, gravity[0], gravity[1], dt)
+            word = one_step(
+                shared.discs, share.pairs, share.near, shared.walls, shared.blocks, share.scratch, laws, share.hi,
+                march.gravity[0], march.gravity[1], march.dt,
+            )  # fmt: skip
             step += 1
             if word == STALE:
-                runaway = first_runaway(discs, lo, hi, dt)
+                runaway = first_runaway(shared.discs, share.lo, share.hi, march.dt)
                 if runaway >= 0:
                     word = EXPLODED
-                    clock[2 + part] = runaway
-            said[part] = word
+                    clock[2 + number] = runaway
+            said[number] = word
             if word == EXPLODED:
                 break
         clock[0] = step

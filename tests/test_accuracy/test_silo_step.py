@@ -7,6 +7,7 @@ import pytest
 
 from silostudy.accuracy.profile import profile_cube
 from silostudy.accuracy.silo_step import at_rest, error_of, filled, profile
+from silostudy.contact import NORMAL, TANGENTIAL
 from silostudy.errors import BadInput
 from silostudy.figures.profile_over_step import draw
 from silostudy.scene.plane_silo import inner_width
@@ -32,14 +33,16 @@ def test_a_step_beyond_the_bound_is_no_answer(cube):
 
 def test_the_profile_is_the_walls_share_of_a_rest():
     """Springs of resting discs against the wall: both walls push alike, and no more than the fill weighs."""
-    model = filled(1, 2.5e-5, "17-18", "spring-dashpot", "spring-slider")
+    model = filled(1, 2.5e-5, "17-18", NORMAL["spring-dashpot"], TANGENTIAL["spring-slider"])
     places = at_rest(model, 0.8)
     assert places is not None
     both = profile(places, model, 5)
     mirrored = np.c_[inner_width(model) - places[:, 0], places[:, 1]]
     assert both == pytest.approx(profile(mirrored, model, 5), rel=1e-6)
     assert 0.1 < both.sum() / (model.mass.sum() * 9.81) < 1.0
-    assert at_rest(filled(1, 2.5e-5, "17-18", "spring-dashpot", "spring-slider"), 1e-3) is None  # still falling
+    assert (
+        at_rest(filled(1, 2.5e-5, "17-18", NORMAL["spring-dashpot"], TANGENTIAL["spring-slider"]), 1e-3) is None
+    )  # still falling
 
 
 def test_distance_and_noise_of_means():

@@ -12,7 +12,7 @@ from silostudy.tables.constants import ROUNDED_GRAVITY as GRAVITY
 from silostudy.tables.kiyama_1983 import DENSITY, RADIUS
 
 STIFFNESS, DAMPING = kiyama.NORMAL_STIFFNESS, kiyama.NORMAL_DAMPING
-SLIDING = Laws(tangential="spring-slider")
+SLIDING = Laws.of(tangential="spring-slider")
 
 
 def contact(factor=1.0, friction=kiyama.DISC_FRICTION, damping=DAMPING, laws=SLIDING, **more):
@@ -22,7 +22,7 @@ def contact(factor=1.0, friction=kiyama.DISC_FRICTION, damping=DAMPING, laws=SLI
         "normal_damping": factor * damping,
         "normal_damping_root": 0.0,
     }
-    if laws.tangential != "none":
+    if laws.tangential.acts:
         coefficients |= {
             "tangential_stiffness": kiyama.STIFFNESS_RATIO * factor * STIFFNESS,
             "tangential_damping": kiyama.STIFFNESS_RATIO**0.5 * factor * damping,
@@ -54,8 +54,8 @@ def silo(across=8, height=0.2, slit=0.06, **changes):
         "radius": radius,
         "density": DENSITY,
         "walls": box(width, 2.0 * height, slit),
-        "pair": contact(),
-        "wall": against_walls(),
+        "pair_contact": contact(),
+        "wall_contact": against_walls(),
         "dt": 2.5e-5,
         "gravity": (0.0, -GRAVITY),
         "watched": True,
@@ -71,8 +71,8 @@ def free(x, y, u=0.0, v=0.0, w=0.0, **changes):
         "radius": RADIUS,
         "density": DENSITY,
         "walls": (Wall("far", (-1e3, -1e3), (1e3, -1e3)),),
-        "pair": contact(),
-        "wall": against_walls(),
+        "pair_contact": contact(),
+        "wall_contact": against_walls(),
         "dt": 1e-6,
         "gravity": (0.0, 0.0),
         "u": u,

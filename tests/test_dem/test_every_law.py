@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from silostudy.contact import NORMAL, TANGENTIAL, line
+from silostudy.contact import NORMAL, TANGENTIAL, curve
 from silostudy.dem.engine import Engine
 from silostudy.dem.ledger import TURNOVER, balance
 from silostudy.dem.model import Contact
@@ -13,7 +13,7 @@ from silostudy.scene.plane_silo import FLOOR, SIDES
 
 from .scenes import DAMPING, STIFFNESS, silo
 
-CURVE = line.curve(0.01, youngs_modulus=7.35e7, poissons_ratio=0.3)
+CURVE = curve.curve(0.01, youngs_modulus=7.35e7, poissons_ratio=0.3)
 KNOWN = {
     "normal_stiffness": STIFFNESS,
     "normal_damping": DAMPING,
@@ -28,18 +28,18 @@ KNOWN = {
     "rolling_friction": 0.1,
     "pull": 0.5,
 }
-CHOICES = [Laws(normal=key, tangential="spring-slider") for key in NORMAL]
-CHOICES += [Laws(tangential=key) for key in TANGENTIAL if key != "spring-slider"]
-CHOICES += [Laws(tangential="spring-slider", rolling="spring-slider", cohesion="constant-pull")]
+CHOICES = [Laws.of(normal=key, tangential="spring-slider") for key in NORMAL]
+CHOICES += [Laws.of(tangential=key) for key in TANGENTIAL if key != "spring-slider"]
+CHOICES += [Laws.of(tangential="spring-slider", rolling="spring-slider", cohesion="constant-pull")]
 
 
 def contact(laws):
-    return Contact(laws, {name: KNOWN[name] for row in Contact.families(laws) for name in row.coefficients})
+    return Contact.taking(laws, KNOWN)
 
 
-@pytest.mark.parametrize("laws", CHOICES, ids=lambda laws: f"{laws.normal}, {laws.tangential}, {laws.rolling}")
+@pytest.mark.parametrize("laws", CHOICES, ids=lambda laws: f"{laws.normal.key}, {laws.tangential.key}, {laws.rolling.key}")
 def test_a_law_settles_and_its_ledger_closes(laws):
-    model = silo(across=5, height=0.12, pair=contact(laws), wall=contact(laws), booked=True, dt=1e-5)
+    model = silo(across=5, height=0.12, pair_contact=contact(laws), wall_contact=contact(laws), booked=True, dt=1e-5)
     engine = Engine(model)
     engine.step_to(1)
     start = balance(engine.ledger.account)

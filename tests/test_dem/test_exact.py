@@ -37,7 +37,12 @@ def head_on(zeta, laws, **changes):
     reduced = MASS / 2.0
     damping = 2.0 * zeta * sqrt(reduced * STIFFNESS)
     model = free(
-        [0.0, 2.02 * RADIUS], [0.0, 0.0], u=[SPEED, -SPEED], pair=contact(damping=damping, laws=laws), dt=2e-7, **changes
+        [0.0, 2.02 * RADIUS],
+        [0.0, 0.0],
+        u=[SPEED, -SPEED],
+        pair_contact=contact(damping=damping, laws=laws),
+        dt=2e-7,
+        **changes,
     )
     engine = Engine(model)
     engine.step_to(30000)
@@ -53,7 +58,7 @@ def test_restitution_without_pull(zeta):
 
 @pytest.mark.parametrize("zeta", [0.05, 0.2, 0.5, 0.7, 0.9])
 def test_restitution_with_pull_ends_at_zero_overlap(zeta):
-    laws = Laws(normal="spring-dashpot-tension", tangential="spring-slider")
+    laws = Laws.of(normal="spring-dashpot-tension", tangential="spring-slider")
     assert head_on(zeta, laws) == pytest.approx(exp(-pi * zeta / sqrt(1.0 - zeta**2)), rel=2e-2)
 
 
@@ -65,7 +70,7 @@ def test_gross_slip_of_an_oblique_impact(angle):
     damping = 2.0 * zeta * sqrt(MASS * STIFFNESS)
     model = free(
         [0.0], [1.001 * RADIUS], u=[along], v=[-normal], dt=2e-7, walls=(Wall("floor", (-1.0, 0.0), (1.0, 0.0)),),
-        wall=contact(1.0, mu, damping=damping, laws=Laws(normal="spring-dashpot", tangential="spring-slider-total")),
+        wall_contact=contact(1.0, mu, damping=damping, laws=Laws.of(normal="spring-dashpot", tangential="spring-slider-total")),
     )  # fmt: skip
     engine = Engine(model)
     engine.step_to(40000)
@@ -82,7 +87,8 @@ def test_an_oblique_impact_keeps_the_angular_momentum_about_its_contact(angle):
     """Over the whole range of angles, sticking or slipping: m u r + I w about the floor does not change."""
     model = free(
         [0.0], [1.001 * RADIUS], u=[sin(angle)], v=[-cos(angle)], dt=2e-7,
-        walls=(Wall("floor", (-1.0, 0.0), (1.0, 0.0)),), wall=contact(1.0, 0.3, laws=Laws(tangential="spring-slider-total")),
+        walls=(Wall("floor", (-1.0, 0.0), (1.0, 0.0)),),
+        wall_contact=contact(1.0, 0.3, laws=Laws.of(tangential="spring-slider-total")),
     )  # fmt: skip
     engine = Engine(model)
     engine.step_to(40000)
@@ -97,7 +103,7 @@ def rolling_disc(mu, tilt=0.0, u=0.0):
     gravity = (9.81 * sin(tilt), -9.81 * cos(tilt))
     return Engine(
         free([0.0], [RADIUS - overlap], u=[u], gravity=gravity, dt=1e-5, walls=(Wall("floor", (-9.0, 0.0), (9.0, 0.0)),),
-             wall=contact(2.0, mu))
+             wall_contact=contact(2.0, mu))
     )  # fmt: skip
 
 

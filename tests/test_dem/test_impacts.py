@@ -21,7 +21,7 @@ from silostudy.dem.pieces import Laws
 from .scenes import rows
 
 SHALLOW = 1e-5  # of a radius: the deepest overlap, so that arms are radii and the normal does not turn
-LAWS = Laws(tangential="spring-slider-total")
+LAWS = Laws.of(tangential="spring-slider-total")
 STEPS = 4000  # of a contact
 SPINS = np.array([0.175, 0.3, 0.7, 1.3, 2.0, 3.0, 4.0, 5.0, 7.0, 9.0, 12.0, 22.0])  # 1/s
 

@@ -50,13 +50,13 @@ def test_the_list_gives_what_all_pairs_give():
 
 
 NEUTRAL = {
-    "friction": {"pair": contact(laws=Laws()), "wall": contact(2.0, laws=Laws())},
+    "friction": {"pair_contact": contact(laws=Laws()), "wall_contact": contact(2.0, laws=Laws())},
     "rolling": {
-        "pair": contact(
-            laws=Laws(tangential="spring-slider", rolling="spring-slider"), rolling_stiffness=1.0, rolling_friction=0.0
+        "pair_contact": contact(
+            laws=Laws.of(tangential="spring-slider", rolling="spring-slider"), rolling_stiffness=1.0, rolling_friction=0.0
         )
     },
-    "cohesion": {"pair": contact(laws=Laws(tangential="spring-slider", cohesion="constant-pull"), pull=0.0)},
+    "cohesion": {"pair_contact": contact(laws=Laws.of(tangential="spring-slider", cohesion="constant-pull"), pull=0.0)},
     "shaking": {"quake": np.zeros((10, 2))},
     "observers": {"watched": False},
 }
@@ -73,7 +73,7 @@ def test_an_effect_with_neutral_parameters_changes_no_bit(effect):
 def test_friction_of_zero_is_no_friction():
     without = Engine(silo(**NEUTRAL["friction"]))
     slippery = {"tangential_damping": 0.0}
-    neutral = Engine(silo(pair=contact(friction=0.0, **slippery), wall=contact(2.0, 0.0, **slippery)))
+    neutral = Engine(silo(pair_contact=contact(friction=0.0, **slippery), wall_contact=contact(2.0, 0.0, **slippery)))
     for engine in (without, neutral):
         engine.step_to(1500)
     assert np.array_equal(rows(without), rows(neutral))
@@ -100,7 +100,9 @@ def test_order_of_convergence(integrator):
     """Of a two-disc impact while the contact lasts: errors against a far finer step, halving the step."""
 
     def end(dt):
-        model = free([0.0, 1.99 * RADIUS], [0.0, 0.0], u=[0.1, -0.1], pair=contact(damping=0.0), dt=dt, integrator=integrator)
+        model = free(
+            [0.0, 1.99 * RADIUS], [0.0, 0.0], u=[0.1, -0.1], pair_contact=contact(damping=0.0), dt=dt, integrator=integrator
+        )
         engine = Engine(model)
         engine.step_to(round(4e-4 / dt))
         return rows(engine)[1, [X, U]] * [FREQUENCY, 1.0]
@@ -117,8 +119,8 @@ from silostudy.dem.engine import Engine
 from silostudy.dem.pieces import Laws
 from tests.test_dem.scenes import contact, silo
 for tangential in sys.argv[1:]:
-    laws = Laws(tangential=tangential)
-    engine = Engine(silo(pair=contact(laws=laws), wall=contact(2.0, 0.176, laws=laws)))
+    laws = Laws.of(tangential=tangential)
+    engine = Engine(silo(pair_contact=contact(laws=laws), wall_contact=contact(2.0, 0.176, laws=laws)))
     engine.step_to(1000)
     print(tangential, hashlib.sha256(engine.discs.rows.tobytes()).hexdigest(), sum(engine._kernel.stats.cache_hits.values()))
 """
@@ -208,6 +210,6 @@ def test_bad_coefficients():
     with pytest.raises(BadInput, match="sliding_friction = nan"):
         contact(friction=np.nan)
     with pytest.raises(BadInput, match="unknown; known: none, spring-slider"):
-        Contact(Laws(tangential="glue"), {})
+        Contact(Laws.of(tangential="glue"), {})
     with pytest.raises(BadInput, match="length"):
         Wall("floor", (0.0, 0.0), (0.0, 0.0))

@@ -53,10 +53,12 @@ def test_the_ledger_changes_no_bit():
 @pytest.mark.parametrize("slider", ["spring-slider", "spring-slider-total", "spring-slider-implicit"])
 def test_what_the_step_creates_in_a_sliding_impact_vanishes_with_it(slider):
     """A cap on the sum makes the spring's force jump at first touch: what the spring then takes is no error of the step."""
-    touch = contact(friction=0.2, laws=Laws(tangential=slider))
+    touch = contact(friction=0.2, laws=Laws.of(tangential=slider))
     created = []
     for dt in (4e-6, 2e-6, 1e-6):
-        engine = Engine(free([0.0, 0.02], [0.0, 0.004], [0.3, -0.3], [0.0, 0.5], [10.0, 30.0], pair=touch, booked=True, dt=dt))
+        engine = Engine(
+            free([0.0, 0.02], [0.0, 0.004], [0.3, -0.3], [0.0, 0.5], [10.0, 30.0], pair_contact=touch, booked=True, dt=dt)
+        )
         engine.step_to(round(4e-3 / dt))
         created.append(abs(engine.ledger.account[CREATED]) / engine.ledger.account[TURNOVER])
     assert created[0] > 1.6 * created[1] > 1.6**2 * created[2]
@@ -66,7 +68,15 @@ def test_what_the_step_creates_in_a_sliding_impact_vanishes_with_it(slider):
 def test_a_disc_that_spins_on_a_frictionless_floor_loses_nothing():
     touch = contact(friction=0.0)
     disc = free(
-        [0.1], [0.0099], w=[-75.0], walls=box(0.2, 0.2), gravity=(0.0, -9.81), pair=touch, wall=touch, booked=True, dt=5e-5
+        [0.1],
+        [0.0099],
+        w=[-75.0],
+        walls=box(0.2, 0.2),
+        gravity=(0.0, -9.81),
+        pair_contact=touch,
+        wall_contact=touch,
+        booked=True,
+        dt=5e-5,
     )
     engine = Engine(disc)
     engine.step_to(20_000)

@@ -1,7 +1,6 @@
 """From a scene file to a cube: the command, restart, refusals, events, effects."""
 
 import copy
-import pickle
 from dataclasses import replace
 from pathlib import Path
 
@@ -12,10 +11,11 @@ import yaml
 
 from silostudy.__main__ import main
 from silostudy.choice.dem import load
+from silostudy.compute.checkpoints import save
 from silostudy.compute.dem import carry_through, run_of, scene_model
 from silostudy.compute.dem_cube import cube_of
 from silostudy.compute.paraview import export
-from silostudy.config.dem import DemScene
+from silostudy.config.dem import DemScene, QuakeConfig
 from silostudy.config.load import validated
 from silostudy.cube.io import read, write
 from silostudy.dem.engine import Engine
@@ -101,19 +101,54 @@ def test_restart_goes_on_with_the_same_bits(small, tmp_path):
     checkpoint = tmp_path / "small.checkpoint"
     begun = run_of(scene, scene_model(scene, Path()))
     begun.go(until=4800)
-    key_of = carried_key(scene)
-    checkpoint.write_bytes(pickle.dumps((key_of, begun.checkpoint())))
-    resumed = carried(scene, checkpoint)
+    save(begun, scene, checkpoint)
+    heard: list[int] = []
+    resumed = run_of(scene, scene_model(scene, Path()))
+    carry_through(resumed, scene, checkpoint, heard.append)
+    assert min(heard) > 4800
     assert not checkpoint.exists()
     whole, cut = cube_of(small[1], scene), cube_of(resumed, scene)
     for name in ("wall_normal_force_max", "disc_x", "discharged_mass", "contact_force_x"):
         assert np.array_equal(whole[name], cut[name], equal_nan=True), name
 
 
-def carried_key(scene):
-    from silostudy.stamp import stamp
+@pytest.mark.parametrize("changed", ["packing", "quake", "none", "cut short"])
+def test_a_checkpoint_of_other_files_is_set_aside(changed, tmp_path, capsys):
+    """The scene is the same text; a changed packing or record makes it another run, which starts anew and says so."""
+    record = tmp_path / "base.csv"
+    record.write_text("time_s,x_m_s2,y_m_s2\n0,2.0,0\n10,2.0,0\n")
+    scene = given(tmp_path, [0.05, 0.12], [0.05, 0.05]).model_copy(update={"quake": QuakeConfig(file=str(record))})
+    begun = run_of(scene, scene_model(scene, Path()))
+    begun.go(until=100)
+    checkpoint = tmp_path / "of.checkpoint"
+    save(begun, scene, checkpoint)
+    if changed == "packing":
+        (tmp_path / "given.nc").unlink()
+        given(tmp_path, [0.05, 0.13], [0.05, 0.05])
+    elif changed == "quake":
+        record.write_text("time_s,x_m_s2,y_m_s2\n0,1.0,0\n10,2.0,0\n")
+    elif changed == "cut short":
+        checkpoint.write_bytes(checkpoint.read_bytes()[:200])
+    heard: list[int] = []
+    carry_through(run_of(scene, scene_model(scene, Path())), scene, checkpoint, heard.append)
+    said = capsys.readouterr().err
+    if changed == "none":
+        assert min(heard) > 100
+        assert not said
+        return
+    why = {"packing": "another discs", "quake": "another acceleration of the box", "cut short": "cannot be read"}[changed]
+    assert why in said
+    assert "starts anew" in said
+    assert (tmp_path / "of.checkpoint.old").exists()
+    assert run_fresh(scene, heard)
 
-    return scene.model_dump_json(), stamp("contact", "dem", "packing")
+
+def run_fresh(scene, heard) -> bool:
+    """Whether the first look of a run came where that of a run from the start comes."""
+    first: list[int] = []
+    run = run_of(scene, scene_model(scene, Path()))
+    run.go(until=500, tell=first.append)
+    return heard[0] == first[0]
 
 
 def test_the_command(tmp_path, capsys):
@@ -162,7 +197,7 @@ REFUSED = {
     "zero radius": ({"radius_m": 0.0}, "radius_m"),
     "negative stiffness": ({"discs__normal_stiffness_N_m2": -1.0}, "normal_stiffness_N_m2"),
     "NaN": ({"density_kg_m3": float("nan")}, "density_kg_m3"),
-    "unknown law": ({"discs__tangential": "glue"}, "'spring-slider'"),
+    "unknown law": ({"discs__tangential": "glue"}, "unknown; known: none, spring-slider"),
     "unknown key": ({"record__colour": "red"}, "unknown key"),
     "no stop": ({"events": [{"when": "rest", "do": "open_slit"}]}, "stop"),
     "two dampings": ({"discs__damping_ratio": 0.5}, "not both"),

@@ -5,7 +5,6 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from silostudy.contact import NORMAL, TANGENTIAL
 from silostudy.dem.engine import Engine
 from silostudy.dem.integrate import INTEGRATORS
 from silostudy.dem.lanes import V
@@ -41,37 +40,41 @@ def test_discs_that_nothing_holds():
     """Free discs without friction have a motion that stretches nothing; a search that starts from it would find no other."""
     x, y = RADIUS * 1.999 * np.mgrid[:7, :7].reshape(2, -1)
     bare = contact(laws=Laws())
-    lone = longest_step(free([0.0], [0.0], pair=bare, wall=bare))
-    assert 0.3 * lone < longest_step(free(x, y, pair=bare, wall=bare)) < lone
+    lone = longest_step(free([0.0], [0.0], pair_contact=bare, wall_contact=bare))
+    assert 0.3 * lone < longest_step(free(x, y, pair_contact=bare, wall_contact=bare)) < lone
 
 
 def test_every_spring_counts():
     """A stiff wall, tangential spring, rolling spring: each shortens the step of discs that do not touch yet."""
-    rolls = Laws(tangential="spring-slider", rolling="spring-slider")
+    rolls = Laws.of(tangential="spring-slider", rolling="spring-slider")
     model = free([0.0, 0.1], [0.0, 0.0])
     plain = longest_step(model)
-    assert longest_step(replace(model, wall=contact(40.0))) < 0.5 * plain
+    assert longest_step(replace(model, wall_contact=contact(40.0))) < 0.5 * plain
     stiff = contact()
     stiff = Contact(stiff.laws, stiff.coefficients | {"tangential_stiffness": 40.0 * stiff.coefficients["normal_stiffness"]})
-    assert longest_step(replace(model, pair=stiff)) < 0.5 * plain
+    assert longest_step(replace(model, pair_contact=stiff)) < 0.5 * plain
     rolling = contact(laws=rolls, rolling_stiffness=1e5, rolling_friction=0.1)
-    assert longest_step(replace(model, pair=rolling)) < 0.5 * plain
+    assert longest_step(replace(model, pair_contact=rolling)) < 0.5 * plain
 
 
 def test_smoothed_increments_need_damping():
     """Eqs. (17), (19) feed energy into what nothing damps: the bound follows the least damped contact to zero."""
-    damped = [longest_step(free([0.0, 0.02], [0.0, 0.0], integrator="17-19", pair=contact(damping=d), wall=contact(damping=d)))
+    damped = [longest_step(free([0.0, 0.02], [0.0, 0.0], integrator="17-19",
+                                pair_contact=contact(damping=d), wall_contact=contact(damping=d)))
               for d in (40.0, 4.0, 0.0)]  # fmt: skip
     assert damped[0] == pytest.approx(10.0 * damped[1], rel=1e-3)
     assert damped[2] < 0.05 * damped[1]  # what rounding leaves of zero
 
 
 def test_implicit_dashpots_lengthen_the_step():
-    implicit = Laws(normal="spring-dashpot-implicit", tangential="spring-slider-implicit")
-    assert implicit.normal in NORMAL
-    assert implicit.tangential in TANGENTIAL
+    implicit = Laws.of(normal="spring-dashpot-implicit", tangential="spring-slider-implicit")
+    assert implicit.normal.implicit
+    assert implicit.tangential.implicit
     explicit = longest_step(silo())
-    assert longest_step(silo(pair=contact(laws=implicit), wall=contact(2.0, 0.176, laws=implicit))) > 1.5 * explicit
+    assert (
+        longest_step(silo(pair_contact=contact(laws=implicit), wall_contact=contact(2.0, 0.176, laws=implicit)))
+        > 1.5 * explicit
+    )
 
 
 @pytest.mark.parametrize("spread", [0.0, 0.3])

@@ -6,6 +6,7 @@ from math import atan2, exp, pi, sqrt
 import numpy as np
 
 from silostudy.accuracy.silo import contact_of_discs
+from silostudy.contact.normal import spring_dashpot, spring_dashpot_implicit
 from silostudy.dem.engine import Engine
 from silostudy.dem.lanes import U
 from silostudy.dem.model import Model, Wall
@@ -24,14 +25,14 @@ LADDERS = {
 def prepare(ladder: str, setting: float):
     """Two discs that approach over half a radius less than nothing: they touch at once and part after a contact time."""
     integrator, *implicit = ladder.split(", ")
-    pair = contact_of_discs(normal="spring-dashpot-implicit" if implicit else "spring-dashpot")
+    pair = contact_of_discs(normal=(spring_dashpot_implicit if implicit else spring_dashpot).ROW)
     reduced, stiffness = 0.5 * DENSITY * pi * RADIUS**2, pair.coefficients["normal_stiffness"]
     damping = {"normal_damping": 2.0 * DAMPING_RATIO * sqrt(reduced * stiffness)}
     duration = pi / sqrt(stiffness / reduced * (1.0 - DAMPING_RATIO**2))
     model = Model(
         x=np.array([0.0, 2.0 * RADIUS]), y=np.zeros(2), radius=np.full(2, RADIUS), density=DENSITY,
-        walls=(Wall("far", (-1e3, -1e3), (1e3, -1e3)),), pair=replace(pair, coefficients=pair.coefficients | damping),
-        wall=pair, dt=duration / setting, gravity=(0.0, 0.0), integrator=integrator, u=np.array([SPEED, -SPEED]),
+        walls=(Wall("far", (-1e3, -1e3), (1e3, -1e3)),), pair_contact=replace(pair, coefficients=pair.coefficients | damping),
+        wall_contact=pair, dt=duration / setting, gravity=(0.0, 0.0), integrator=integrator, u=np.array([SPEED, -SPEED]),
     )  # fmt: skip
 
     def run():

@@ -10,6 +10,7 @@ from dataclasses import replace
 import numpy as np
 
 from silostudy.accuracy.silo import STEP, silo_of_rows, softened, wall_force, with_dashpot
+from silostudy.contact.normal import spring_dashpot_implicit
 from silostudy.dem.engine import Engine, Explosion
 from silostudy.dem.lanes import W
 from silostudy.tables.kiyama_1983 import RADIUS
@@ -39,7 +40,7 @@ def prepare(ladder: str, setting: float):
         return _timed_in_double(replace(model, dt=setting))
     integrator, *change = ladder.split(", ")
     if change == ["dashpot implicit"]:
-        model = with_dashpot(model, "spring-dashpot-implicit")
+        model = with_dashpot(model, spring_dashpot_implicit.ROW)
     elif change:
         model = softened(model, 1.0 / float(change[0].removeprefix("stiffness / ")))
     return _run(replace(model, integrator=integrator, dt=setting))

@@ -1,4 +1,4 @@
-"""Elastic contact along a line: its load-displacement curve, and the linear stiffness read off it."""
+"""Elastic contact of cylinders along a line: its load-displacement curve, and the linear stiffness read off it."""
 
 from math import log, pi, sqrt
 
@@ -18,7 +18,7 @@ def contact_width(radius, *, load, youngs_modulus, poissons_ratio):
     return sqrt(4.0 / pi * radius * (1.0 - poissons_ratio**2) / youngs_modulus * load)
 
 
-def stiffness(radius, *, load, youngs_modulus, poissons_ratio, constant=1.5):
+def secant(radius, *, load, youngs_modulus, poissons_ratio, constant=1.5):
     """Normal stiffness K_n (N/m per m) of two equal cylinders under a load (N/m): the secant of the elastic curve.
 
     Kiyama & Fujimura (1983), eq. (23); `constant` is 1.5 as printed there, or 2/3 as in eq. (22a).
@@ -53,21 +53,3 @@ def load_of(overlap, compliance, bracket):
         slope = compliance * (bracket - 1.0 - log(q))
         q -= (compliance * q * (bracket - log(q)) - overlap) / slope
     return q
-
-
-@register_jitable
-def law(overlap, closing, mass, dt, c):
-    """Elastic and total normal force (N/m) on the elastic line-contact curve with a dashpot that never pulls.
-
-    Kiyama & Fujimura (1983), eqs. (22a), (22b); c = (A, B, damping, damping by root of mass).
-    """
-    elastic = load_of(overlap, c[0], c[1])
-    total = elastic + (c[2] + c[3] * sqrt(mass)) * closing
-    return elastic, (total if total > 0.0 else 0.0)
-
-
-@register_jitable
-def energy(overlap, c):
-    """Energy (J/m) of the line contact at an overlap (m): the integral of q over A q (B - ln q); c = (A, B, ...)."""
-    q = load_of(overlap, c[0], c[1])
-    return 0.0 if q == 0.0 else 0.5 * c[0] * q * q * (c[1] - 0.5 - log(q))

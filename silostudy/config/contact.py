@@ -1,0 +1,125 @@
+"""What a user writes of how two bodies push each other: laws, and the fields that their coefficients come from."""
+
+from collections.abc import Mapping
+from functools import cache
+from typing import Any, Literal, Self, TypeAlias
+
+from pydantic import (
+    BaseModel,
+    ConfigDict,
+    PrivateAttr,
+    SerializationInfo,
+    ValidationInfo,
+    create_model,
+    model_serializer,
+    model_validator,
+)
+
+from silostudy.catalogue import Family
+from silostudy.config.fields import Strict, described
+from silostudy.config.own import Families, families_of, key_of
+from silostudy.contact import COHESION, DEFAULTS, LAWS, NORMAL, ROLLING, TANGENTIAL
+from silostudy.contact.curve import PRINTED_CONSTANTS
+from silostudy.contact.family import Coefficient
+
+NormalKey: TypeAlias = key_of(NORMAL)  # type: ignore[valid-type]
+TangentialKey: TypeAlias = key_of(TANGENTIAL)  # type: ignore[valid-type]
+RollingKey: TypeAlias = key_of(ROLLING)  # type: ignore[valid-type]
+CohesionKey: TypeAlias = key_of(COHESION)  # type: ignore[valid-type]
+ConstantKey: TypeAlias = Literal[tuple(PRINTED_CONSTANTS)]  # type: ignore[valid-type]
+
+
+class LineContactConfig(Strict):
+    """The elastic line contact from which a stiffness follows, Kiyama & Fujimura (1983), eqs. (22), (23)."""
+
+    youngs_modulus_Pa: float = described("Young's modulus of the discs", "Pa", gt=0)
+    poissons_ratio: float = described("Poisson's ratio of the discs", gt=-1, le=0.5)
+    load_N_m: float = described("load at which the stiffness is taken", "N m-1", gt=0)
+    constant: ConstantKey = described("constant of eq. (23), 1.5, or of eq. (22a), 2/3", default="1.5")
+
+
+def own_coefficients(families: Mapping[str, Family]) -> tuple[Coefficient, ...]:
+    """Coefficients that come from fields of their own, of all laws."""
+    rows = (row for family in families.values() for row in family.values())
+    return tuple(dict.fromkeys(one for row in rows for one in row.coefficients if one.own))
+
+
+@cache
+def own_fields(coefficients: tuple[Coefficient, ...]) -> type[BaseModel]:
+    """Model of the fields that laws bring along."""
+    fields: dict[str, Any] = {}
+    for one in coefficients:
+        bound = {"gt" if one.positive else "ge": 0}
+        fields[one.field] = (
+            float | None if one.default is None else float,
+            described(one.text, one.unit, default=one.default, **bound),
+        )
+    return create_model("OwnFields", __base__=Strict, **fields)
+
+
+def _with_own_fields(schema: dict[str, Any]) -> None:
+    """For editors: the fields of the package's laws; any other number may be one of a user's own law."""
+    schema["properties"] |= own_fields(own_coefficients(LAWS)).model_json_schema()["properties"]
+    schema["additionalProperties"] = {"type": "number"}
+
+
+class ContactConfig(Strict):
+    """How two bodies push each other: a law of each family and its coefficients, per metre thickness."""
+
+    model_config = ConfigDict(extra="allow", json_schema_extra=_with_own_fields)
+
+    normal: NormalKey = described("law of the normal force", "", default=DEFAULTS["normal"])
+    tangential: TangentialKey = described("law of the tangential force", "", default=DEFAULTS["tangential"])
+    rolling: RollingKey = described("law of rolling resistance", "", default=DEFAULTS["rolling"])
+    cohesion: CohesionKey = described("law of cohesion", "", default=DEFAULTS["cohesion"])
+    normal_stiffness_N_m2: float | None = described("normal stiffness", "N m-2", gt=0, default=None)
+    line_contact: LineContactConfig | None = described(
+        "elastic line contact, in place of normal_stiffness_N_m2", "", default=None
+    )
+    normal_damping_N_s_m2: float | None = described("normal dashpot", "N s m-2", ge=0, default=None)
+    damping_ratio: float | None = described(
+        "normal dashpot over the critical one 2 sqrt(m K) of a disc's mass and stiffness, in place of normal_damping_N_s_m2",
+        ge=0,
+        default=None,
+    )
+    stiffness_ratio: float = described("s, tangential over normal stiffness; dashpots have its root", ge=0, default=0.25)
+    sliding_friction: float = described("friction coefficient", ge=0, default=0.0)
+    _families: Families = PrivateAttr(default_factory=dict)
+
+    @property
+    def laws(self) -> dict[str, Any]:
+        """The laws by the names of their families here."""
+        return {name: self._families.get(family.name, family)[getattr(self, name)] for name, family in LAWS.items()}
+
+    @property
+    def _own(self) -> tuple[Coefficient, ...]:
+        return own_coefficients({name: self._families.get(family.name, family) for name, family in LAWS.items()})
+
+    @model_validator(mode="after")
+    def _fields_of_laws(self, info: ValidationInfo) -> Self:
+        self._families = families_of(info)
+        extra: dict[str, Any] = self.__pydantic_extra__  # type: ignore[assignment]  # a dict, extras being allowed
+        checked = own_fields(self._own).model_validate(extra).model_dump()
+        extra.clear()
+        extra.update(checked)
+        return self
+
+    @model_validator(mode="after")
+    def _what_the_laws_need(self) -> Self:
+        for law in self.laws.values():
+            for group in (group for one in law.coefficients for group in one.fields):
+                given = sum(getattr(self, field) is not None for field in group)
+                if len(group) > 1 and given != 1:
+                    raise ValueError(f"give either {' or '.join(group)}, and not both")
+                if not given:
+                    raise ValueError(f"the law {law.key} needs the key {group[0]}")
+        return self
+
+    @model_serializer(mode="wrap")
+    def _own_defaults_left_out(self, handler, info: SerializationInfo) -> dict[str, Any]:
+        """Fields of laws count as fields where only what differs from the defaults is asked for."""
+        content = handler(self)
+        if info.exclude_defaults:
+            unchanged = [one.field for one in self._own if content.get(one.field, one.default) == one.default]
+            content = {name: value for name, value in content.items() if name not in unchanged}
+        return content

@@ -1,0 +1,26 @@
+"""Cohesion: a constant attraction of two bodies in touch."""
+
+from numba.extending import register_jitable
+
+from silostudy.contact.family import Coefficient, CohesionLaw
+
+
+@register_jitable
+def law(c):
+    """Attraction (N/m) of two bodies while they touch: the same at every overlap; c = (pull,).
+
+    Luding (2008), the simplest of the cohesive laws.
+    """
+    return c[0]
+
+
+ROW = CohesionLaw(
+    key="constant-pull",
+    title="Constant pull-off force while in touch",
+    source="luding_2008",
+    locator="cohesive contact, constant limit",
+    law=law,
+    coefficients=(
+        Coefficient(name="pull", unit="N m-1", fields=(("pull_N_m",),), text="attraction while in touch", default=0.0),
+    ),
+)

@@ -1,0 +1,164 @@
+"""What a contact law's row says of itself: functions, coefficients and where they come from, stiffness, damping, losses."""
+
+import hashlib
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from math import isfinite
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from numba.extending import register_jitable
+
+from silostudy.catalogue import Row
+from silostudy.errors import BadInput, unknown
+
+
+class Touch(NamedTuple):
+    """What every law may take of a contact beside its motion: reduced mass (kg/m), reduced radius (m), time step (s)."""
+
+    mass: float
+    radius: float
+    dt: float
+
+
+@dataclass(frozen=True)
+class Given:
+    """What a contact's coefficients are made from: the fields of its section in a scene, radius (m), density (kg/m3)."""
+
+    fields: Mapping[str, Any]
+    radius: float
+    density: float
+
+    def __getitem__(self, field: str) -> Any:
+        if field not in self.fields:
+            raise unknown("contact field", field, self.fields)
+        return self.fields[field]
+
+
+@dataclass(frozen=True, kw_only=True)
+class Coefficient:
+    """A coefficient that a law takes: its name and unit there, its range, and the YAML fields it comes from.
+
+    One that is prepared comes from fields that laws share.  Any other is read from a field of its own, which the contact
+    section takes because of this row: `text` describes it, `default` None asks for it.
+    """
+
+    name: str
+    unit: str
+    fields: tuple[tuple[str, ...], ...] = ()  # of each group one
+    positive: bool = False  # else zero or more
+    prepare: Callable[[Given], float] | None = None
+    text: str = ""
+    default: float | None = None
+    stiffness_power: float = 0.0  # of the factor by which a contact's springs are made stiffer
+    damping_power: float = 0.0  # of the factor by which its dashpots are made stronger
+
+    @property
+    def own(self) -> bool:
+        """Whether the field it comes from is its own."""
+        return self.prepare is None
+
+    @property
+    def field(self) -> str:
+        """The field of its own."""
+        return self.fields[0][0]
+
+    @property
+    def range(self) -> str:
+        return "positive" if self.positive else "zero or more"
+
+    def check(self, value: float, law: "Law") -> None:
+        """BadInput for a value out of range."""
+        if not (isfinite(value) and (value > 0.0 or (value == 0.0 and not self.positive))):
+            raise BadInput(self.name, value, f"must be {self.range} ({self.unit}), for the law {law.key}")
+
+    def value(self, given: Given) -> float:
+        """The value in SI from what a scene gives."""
+        return float(given[self.field]) if self.prepare is None else self.prepare(given)
+
+
+@register_jitable
+def no_energy(stretch, c):
+    """Energy (J/m) of a law without a spring: zero."""
+    return 0.0
+
+
+@register_jitable
+def no_stiffness(overlap, c):
+    """Stiffness of a law without a spring: zero."""
+    return 0.0
+
+
+def no_damping(touch, c):
+    """Damping of a law without a dashpot: zero."""
+    return 0.0 * touch.mass
+
+
+@dataclass(frozen=True, kw_only=True)
+class Law(Row):
+    """A contact law: its function, the coefficients it takes in order, and what its users need to know of it.
+
+    stiffness(overlap, c) is compiled into the energy ledger and bounds the time step, damping(touch, c) bounds it too: the
+    dashpot as it acts, the least that a semi-implicit one becomes at touch.dt.
+    """
+
+    law: Callable
+    stiffness: Callable = no_stiffness
+    damping: Callable = no_damping
+    coefficients: tuple[Coefficient, ...] = ()
+    acts: bool = True  # False: the law that a scene without this effect has
+    stores: bool = False  # whether it carries a history
+    implicit: bool = False  # whether its dashpot depends on the time step
+    dissipates: tuple[str, ...] = ()  # entries of the energy ledger that take what it costs
+    measured: bool = False  # whether the errors behind `accuracy:` of scenes were measured with it
+    explicit_key: str = ""  # another row with the same spring, under which the same discs rest; empty: this one
+
+    @property
+    def at_rest(self) -> str:
+        """Key of the law with an explicit dashpot under which discs rest as under this one."""
+        return self.explicit_key or self.key
+
+    def ordered(self, values: Mapping[str, float]) -> tuple[float, ...]:
+        """Coefficients in the order that the law's function takes; BadInput names one that is missing or out of range."""
+        for coefficient in self.coefficients:
+            if coefficient.name not in values:
+                raise BadInput(coefficient.name, None, f"missing: the law {self.key} takes it, in {coefficient.unit}")
+            coefficient.check(values[coefficient.name], self)
+        return tuple(float(values[coefficient.name]) for coefficient in self.coefficients)
+
+    def prepared(self, given: Given) -> dict[str, float]:
+        """Coefficients by name from what a scene gives."""
+        return {coefficient.name: coefficient.value(given) for coefficient in self.coefficients}
+
+    @cached_property
+    def fingerprint(self) -> str:
+        """Key and a hash of the file of the law: kernels of two laws of one key must not be taken for each other."""
+        code = self.law.__code__
+        file = Path(code.co_filename)
+        text = file.read_bytes() if file.is_file() else code.co_code + repr(code.co_consts).encode()
+        return f"{self.key} {hashlib.sha256(text).hexdigest()[:12]}"
+
+
+@dataclass(frozen=True, kw_only=True)
+class NormalLaw(Law):
+    """law(overlap, closing speed, touch, c) -> elastic and total force (N/m); energy(overlap, c) -> J/m."""
+
+    energy: Callable
+    linear: bool = False  # whether the elastic force is proportional to the overlap
+    one_size: bool = False  # whether its coefficients hold for discs of one size alone
+
+
+@dataclass(frozen=True, kw_only=True)
+class TangentialLaw(Law):
+    """law(stored, sliding speed, touch, elastic, normal, c) -> stored and total force (N/m)."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class RollingLaw(Law):
+    """law(stored, difference of spins, touch, elastic, c) -> moment (N m/m), which it stores where it stores any."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class CohesionLaw(Law):
+    """law(c) -> attraction (N/m) while in touch."""

@@ -1,0 +1,17 @@
+"""No rolling resistance."""
+
+from numba.extending import register_jitable
+
+from silostudy.contact.family import RollingLaw
+from silostudy.contact.sources import KIYAMA
+
+
+@register_jitable
+def law(stored, rolling, touch, elastic, c):
+    """Moment (N m/m) of a contact without rolling resistance: zero."""
+    return 0.0
+
+
+ROW = RollingLaw(
+    key="none", title="No rolling resistance", source=KIYAMA, locator="eq. (15c)", law=law, acts=False, measured=True
+)

@@ -1,0 +1,34 @@
+"""Rolling resistance of discs: a rotational spring behind a slider."""
+
+from numba.extending import register_jitable
+
+from silostudy.contact import spring
+from silostudy.contact.family import Coefficient, RollingLaw
+
+
+@register_jitable
+def law(stored, rolling, touch, elastic, c):
+    """Moment (N m/m) that resists the difference of the spins (rad/s): a rotational spring behind a slider.
+
+    Iwashita & Oda (1998) without the dashpot; c = (rotational stiffness, rolling friction), the cap being friction times
+    the reduced radius times the elastic normal force.
+    """
+    return spring.clamp(stored - c[0] * touch.dt * rolling, c[1] * touch.radius * elastic)
+
+
+ROW = RollingLaw(
+    key="spring-slider",
+    title="Rotational spring behind a slider",
+    source="iwashita_oda_1998",
+    locator="rolling resistance, without dashpot",
+    law=law,
+    stiffness=spring.stiffness,
+    coefficients=(
+        Coefficient(name="rolling_stiffness", unit="N", fields=(("rolling_stiffness_N",),), text="rotational stiffness",
+                    default=0.0, stiffness_power=1.0),
+        Coefficient(name="rolling_friction", unit="1", fields=(("rolling_friction",),), text="rolling friction coefficient",
+                    default=0.0),
+    ),
+    stores=True,
+    dissipates=("sliding",),
+)  # fmt: skip

@@ -1,0 +1,117 @@
+"""What laws of linear springs and dashpots share: their coefficients and how a scene's fields become them.
+
+The coefficients of a spring and dashpot are c = (stiffness, damping, damping by root of mass).
+"""
+
+from math import pi, sqrt
+
+import numpy as np
+from numba.extending import register_jitable
+
+from silostudy.contact.curve import PRINTED_CONSTANTS, secant
+from silostudy.contact.family import Coefficient, Given
+
+STIFFNESS = ("normal_stiffness_N_m2", "line_contact")  # fields of which one is given
+DAMPING = ("normal_damping_N_s_m2", "damping_ratio")
+RATIO = ("stiffness_ratio",)
+
+
+def normal_stiffness(given: Given) -> float:
+    """Normal stiffness (N/m per m): the scene's own, or the secant of its line contact."""
+    line = given["line_contact"]
+    if line is None:
+        return given["normal_stiffness_N_m2"]
+    constant = PRINTED_CONSTANTS[line["constant"]]
+    elastic = {"youngs_modulus": line["youngs_modulus_Pa"], "poissons_ratio": line["poissons_ratio"]}
+    return secant(given.radius, load=line["load_N_m"], constant=constant, **elastic)
+
+
+def normal_damping(given: Given) -> float:
+    """Normal dashpot (N s/m per m): the scene's own, or its ratio to the critical one of a disc's mass and stiffness."""
+    direct, ratio = given["normal_damping_N_s_m2"], given["damping_ratio"] or 0.0
+    mass = given.density * pi * given.radius**2
+    return direct if direct is not None else 2.0 * ratio * sqrt(mass * normal_stiffness(given))
+
+
+def tangential_stiffness(given: Given) -> float:
+    """Tangential stiffness (N/m per m): the scene's ratio of the normal one."""
+    return given["stiffness_ratio"] * normal_stiffness(given)
+
+
+def tangential_damping(given: Given) -> float:
+    """Tangential dashpot (N s/m per m): the normal one by the root of the ratio of stiffnesses."""
+    return normal_damping(given) * sqrt(given["stiffness_ratio"])
+
+
+def friction(given: Given) -> float:
+    """Coefficient of sliding friction (1)."""
+    return given["sliding_friction"]
+
+
+def nothing(given: Given) -> float:
+    """Zero: no field of a scene gives it yet."""
+    return 0.0
+
+
+DASHPOT = (
+    Coefficient(name="normal_damping", unit="N s m-2", fields=(DAMPING,), prepare=normal_damping, damping_power=1.0),
+    Coefficient(name="normal_damping_root", unit="N s m-2 (kg m-1)-1/2", prepare=nothing, damping_power=1.0),
+)
+NORMAL = (
+    Coefficient(
+        name="normal_stiffness", unit="N m-2", fields=(STIFFNESS,), prepare=normal_stiffness, positive=True, stiffness_power=1.0
+    ),
+    *DASHPOT,
+)
+DRAG = (
+    Coefficient(
+        name="tangential_damping",
+        unit="N s m-2",
+        fields=(DAMPING, RATIO),
+        prepare=tangential_damping,
+        damping_power=1.0,
+    ),
+    Coefficient(name="tangential_damping_root", unit="N s m-2 (kg m-1)-1/2", prepare=nothing, damping_power=1.0),
+)
+FRICTION = Coefficient(name="sliding_friction", unit="1", fields=(("sliding_friction",),), prepare=friction)
+SLIDER = (
+    Coefficient(
+        name="tangential_stiffness",
+        unit="N m-2",
+        fields=(STIFFNESS, RATIO),
+        prepare=tangential_stiffness,
+        stiffness_power=1.0,
+    ),
+    *DRAG,
+    FRICTION,
+)
+
+
+@register_jitable
+def energy(overlap, c):
+    """Energy (J/m) that a linear spring holds at an overlap (m)."""
+    return 0.5 * c[0] * overlap * overlap
+
+
+@register_jitable
+def stiffness(overlap, c):
+    """Stiffness (N/m per m) of a linear spring: the same at every overlap."""
+    return c[0]
+
+
+def damping(touch, c):
+    """Damping (N s/m per m) of an explicit dashpot."""
+    return c[1] + c[2] * np.sqrt(touch.mass)
+
+
+def implicit_damping(touch, c, moved=1.0):
+    """Damping (N s/m per m) of a dashpot on the speed that its force leaves; `moved` bodies' worth of mass answer to it."""
+    plain = damping(touch, c)
+    return plain / (1.0 + moved * plain * touch.dt / touch.mass)
+
+
+@register_jitable
+def clamp(value, cap):
+    """value held between -cap and +cap."""
+    low = value if value > -cap else -cap
+    return low if low < cap else cap

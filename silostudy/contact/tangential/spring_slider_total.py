@@ -1,0 +1,36 @@
+"""A spring and dashpot behind a slider that caps their sum."""
+
+from math import sqrt
+
+from numba.extending import register_jitable
+
+from silostudy.contact import spring
+from silostudy.contact.family import TangentialLaw
+from silostudy.contact.tangential import spring_slider
+
+
+@register_jitable
+def law(stored, sliding, touch, elastic, normal, c):
+    """Stored and total tangential force (N/m); spring and dashpot together stay below friction times normal force.
+
+    Cundall & Strack (1979), slip check of the law FORD; c = (stiffness, damping, damping by root of mass, friction).
+    """
+    dashpot = -(c[1] + c[2] * sqrt(touch.mass)) * sliding
+    total = spring.clamp(stored - c[0] * touch.dt * sliding + dashpot, c[3] * normal)
+    return total - dashpot, total
+
+
+ROW = TangentialLaw(
+    key="spring-slider-total",
+    title="Spring and dashpot, their sum capped",
+    source="cundall_strack_1979",
+    locator="force-displacement law",
+    law=law,
+    stiffness=spring.stiffness,
+    damping=spring.damping,
+    coefficients=spring.SLIDER,
+    stores=True,
+    dissipates=("dashpot", "sliding"),
+    measured=True,  # spring-slider drops the dashpot at slip: a force jumps, errors fall with the step more slowly or hardly
+    explicit_key=spring_slider.ROW.key,
+)

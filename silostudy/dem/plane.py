@@ -1,0 +1,126 @@
+"""The plane: what of contacts and of motions belongs to two dimensions.
+
+Passes are written once for any dimension and close over the functions of one; another is a second table like PLANE.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from math import sqrt
+
+from numba.extending import register_jitable
+
+from silostudy.dem.cache import piece
+from silostudy.dem.lanes import (
+    DU,
+    DV,
+    DX,
+    DY,
+    FIRST_TORQUE,
+    FORCE_X,
+    FORCE_Y,
+    FX,
+    FY,
+    SECOND_TORQUE,
+    SPIN_DIFFERENCE,
+    SPIN_SUM,
+    TORQUE,
+    U,
+    V,
+    W,
+    X,
+    Y,
+    gather,
+    scatter,
+)  # fmt: skip
+from silostudy.dem.walls import gather_walls, scatter_walls
+
+
+@dataclass(frozen=True, repr=False)
+class Dimension:
+    """What the passes close over: functions, and factories of functions where a piece may be left out."""
+
+    key: str
+    gather: Callable  # lanes of the relative motion of pairs
+    gather_walls: Callable  # the same of bodies near walls
+    scatter: Callable
+    scatter_walls: Callable
+    facing: Callable  # (lanes, k) -> normal, distance (m)
+    rates: Callable  # unequal -> (lanes, k, normal, a, b) -> closing and sliding speed (m/s), difference of spins (1/s)
+    put: Callable  # drags -> (out, k, normal, push, drag, moment, a, b): lanes of force
+    move: Callable  # advance, holds, turns -> function that moves one body and gives the square of its way (m2)
+
+    def __repr__(self) -> str:
+        return self.key  # the same in every process: kept kernels are named by it
+
+
+@register_jitable
+def facing(lanes, k):
+    """Normal (unit vector from the second body to the first) and distance (m) of the centres."""
+    dx, dy = lanes[DX, k], lanes[DY, k]
+    distance = sqrt(dx * dx + dy * dy)
+    inverse = 1.0 / distance
+    return (dx * inverse, dy * inverse), distance
+
+
+def rates(unequal: bool):
+    """Function that gives a contact's closing speed, sliding speed (m/s) of surfaces, and difference of spins (1/s)."""
+
+    @piece("plane", unequal)
+    def speeds(lanes, k, normal, a, b):
+        nx, ny = normal
+        du, dv = lanes[DU, k], lanes[DV, k]
+        summed, apart = lanes[SPIN_SUM, k], lanes[SPIN_DIFFERENCE, k]
+        spin = 0.5 * (summed * (a + b) + apart * (a - b)) if unequal else summed * a
+        return -(du * nx + dv * ny), dv * nx - du * ny - spin, apart
+
+    return speeds
+
+
+def put(drags: bool):
+    """Function that writes a contact's force (N/m) and its moments (N m/m) on both bodies into lanes."""
+
+    @piece("plane", drags)
+    def force(out, k, normal, push, drag, moment, a, b):
+        nx, ny = normal
+        out[FORCE_X, k] = push * nx - drag * ny if drags else push * nx  # zero times a number is not left out by itself
+        out[FORCE_Y, k] = push * ny + drag * nx if drags else push * ny
+        out[FIRST_TORQUE, k] = moment - drag * a
+        out[SECOND_TORQUE, k] = moment + drag * b  # taken from the second
+
+    return force
+
+
+def move(advance: Callable, holds: bool, turns: bool, key: str):
+    """Function that moves disc i a step, clears its force, and gives the square of its way (m2)."""
+
+    @piece("plane", key, turns)
+    def moved(rows, held, i, im, ii, pull, kick, dt):
+        hu = hv = hw = 0.0
+        if holds:
+            hu, hv, hw = held[i, 0], held[i, 1], held[i, 2]
+        u, hu, du = advance(rows[i, U], hu, rows[i, FX] * im + pull[0], kick, dt)
+        v, hv, dv = advance(rows[i, V], hv, rows[i, FY] * im + pull[1], kick, dt)
+        rows[i, X] += du
+        rows[i, Y] += dv
+        rows[i, U], rows[i, V] = u, v
+        if turns:
+            rows[i, W], hw, _ = advance(rows[i, W], hw, rows[i, TORQUE] * ii, kick, dt)
+        if holds:
+            held[i, 0], held[i, 1], held[i, 2] = hu, hv, hw
+        rows[i, FX], rows[i, FY], rows[i, TORQUE] = 0.0, 0.0, 0.0
+        return du * du + dv * dv
+
+    return moved
+
+
+PLANE = Dimension(
+    key="plane",
+    gather=gather,
+    gather_walls=gather_walls,
+    scatter=scatter,
+    scatter_walls=scatter_walls,
+    facing=facing,
+    rates=rates,
+    put=put,
+    move=move,
+)

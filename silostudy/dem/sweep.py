@@ -1,0 +1,113 @@
+"""One step of one thread's discs: forces of its lists, moves of its blocks; the passes of which a kernel is built."""
+
+from math import sqrt
+
+import numpy as np
+
+from silostudy.dem.arrays import BLOCK, LANES
+from silostudy.dem.cache import piece
+from silostudy.dem.force import force_pass
+from silostudy.dem.integrate import INTEGRATORS
+from silostudy.dem.ledger import book_pass, keep_histories
+from silostudy.dem.pieces import Laws, Pieces
+from silostudy.dem.plane import Dimension
+from silostudy.dem.walls import note_walls
+
+FRESH, STALE, REMEMBERED, SHORT_OF_ROOM, EXPLODED = range(5)  # what a thread says of its list after a step
+
+
+def contact_pass(space: Dimension, laws: Laws, *, unequal: bool, flat: bool, watched: bool = False):
+    """Function that adds the forces of a stretch of a list to its discs, and notes what walls feel where they are watched."""
+    forces, scatter, scatter_walls = force_pass(space, laws, unequal=unequal, flat=flat), space.scatter, space.scatter_walls
+
+    @piece(space, laws, unequal, flat, watched)
+    def contacts_between(shared, contacts, begin, end, scratch, dt, c, number):
+        rows = shared.discs.rows
+        for start in range(begin, end, LANES):
+            count = min(end - start, LANES)
+            forces(
+                rows, contacts, shared.walls.shape, start, count, scratch.lanes, scratch.force,
+                contacts.stored, contacts.rolled, dt, c,
+            )  # fmt: skip
+            if flat:
+                scatter_walls(rows, contacts.first, start, count, scratch.force)
+            else:
+                scatter(rows, contacts.first, contacts.second, start, count, scratch.force)
+            if watched:
+                note_walls(rows, shared.walls, contacts, start, count, scratch.force, shared.record, number)
+
+    return contacts_between
+
+
+def move_pass(space: Dimension, integrator: str, unequal: bool, turns: bool):
+    """Function that moves the discs from `begin` to `end`, clears their forces and gives the longest way (m) of any."""
+    row = INTEGRATORS[integrator]
+    moved = space.move(row.advance, row.holds, turns, integrator)
+
+    @piece(space, integrator, unequal, turns)
+    def move(discs, begin, end, pull, kick, dt, motion, motion_bits):
+        im, ii = discs.inverse_mass[0], discs.inverse_inertia[0]
+        for i in range(begin, end):
+            if unequal:
+                im, ii = discs.inverse_mass[i], discs.inverse_inertia[i]
+            motion[i - begin] = moved(discs.rows, discs.held, i, im, ii, pull, kick, dt)
+        most = np.uint64(0)
+        for k in range(end - begin):
+            most = motion_bits[k] if motion_bits[k] > most else most
+        motion_bits[0] = most
+        return sqrt(motion[0])
+
+    return move
+
+
+def sweep_pass(pieces: Pieces):
+    """Function that makes one step of a thread's discs, block by block, and says whether their list still holds.
+
+    A block's discs are moved as soon as the contacts that start in it are done: earlier discs never meet them again and
+    later contacts do not touch them, so one pass through memory is enough.  A disc's forces add up in one order: walls,
+    then discs, each by their numbers.
+    """
+    space, unequal = pieces.space, pieces.unequal
+    pairs_between = contact_pass(space, pieces.pair_laws, unequal=unequal, flat=False)
+    walls_between = contact_pass(space, pieces.wall_laws, unequal=unequal, flat=True, watched=pieces.watched)
+    move = move_pass(space, pieces.integrator, unequal, pieces.turns)
+    booked, book = pieces.booked, book_pass(pieces)
+
+    @piece(pieces)
+    def block_moves(shared, scratch, block, hi, pull, kick, dt):
+        blocks, start = shared.blocks, block * BLOCK
+        way = move(shared.discs, start, min(start + BLOCK, hi), pull, kick, dt, scratch.motion, scratch.motion_bits)
+        blocks.peak[block] = way
+        blocks.travel[block] += way
+        return FRESH if blocks.travel[block] <= blocks.skin[block] else STALE
+
+    @piece(pieces)
+    def block_forces(shared, share, block, march):
+        begin, end = share.pairs.begin[block], share.pairs.begin[block + 1]
+        pairs_between(shared, share.pairs, begin, end, share.scratch, march.dt, march.pair_coefficients, share.number)
+
+    @piece(pieces)
+    def all_forces(shared, share, last, march):
+        for b in range(last):
+            block_forces(shared, share, b, march)
+
+    @piece(pieces)
+    def sweep(shared, share, march, pull, kick):
+        pairs, near = share.pairs, share.near
+        last, stale = (share.hi - share.lo + BLOCK - 1) // BLOCK, FRESH
+        if booked:
+            keep_histories(pairs, pairs.begin[last], shared.ledger.pair_stored, shared.ledger.pair_rolled)
+            keep_histories(near, near.begin[0], shared.ledger.wall_stored, shared.ledger.wall_rolled)
+        walls_between(shared, near, 0, near.begin[0], share.scratch, march.dt, march.wall_coefficients, share.number)
+        block_forces(shared, share, last, march)
+        if booked:
+            all_forces(shared, share, last, march)
+            book(shared, share, march, last, pull, kick)
+        for b in range(last):
+            if not booked:
+                block_forces(shared, share, b, march)
+            stale = max(stale, block_moves(shared, share.scratch, share.lo // BLOCK + b, share.hi, pull, kick, march.dt))
+        shared.record.counts[share.number] = near.begin[0]
+        return stale
+
+    return sweep
