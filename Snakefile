@@ -1,21 +1,29 @@
-"""From studies to cubes to figures: `uv run snakemake --cores 2`, or `snakemake -n` to see what would be done."""
+"""From studies to cubes to figures: `uv run snakemake --cores 2`, or `snakemake -n` to see what would be done.
+
+Nothing is written while this file is read: what a real run changes besides its jobs' outputs stands in `onstart`.
+"""
 
 import sys
 from functools import cache
+from itertools import chain
 from pathlib import Path
 
-from silostudy.config.load import load_project, read_study
-from silostudy.errors import BadInput
-from silostudy.files import alone, check_writable, end_future, remove_damaged
 from silostudy.choice.expand import expand_file
-from silostudy.sweep.plan import make_plan
-from silostudy.tables.outputs import OUTPUTS, files_of
+from silostudy.config.load import load_project, read_study
+from silostudy.cube.fingerprint import damaged
+from silostudy.errors import BadInput
+from silostudy.files import alone, check_sent, check_there, check_writable, end_future, set_aside
+from silostudy.scene.scenes import files_of_scene
 from silostudy.stages import FILE_KINDS, KINDS, STAGES
 from silostudy.stamp import stamp
+from silostudy.sweep.plan import planned, write_plan
+from silostudy.tables.outputs import OUTPUTS, files_of
 
-PROJECT = Path(config.get("project", "config/config.yaml"))
-RESULTS = config.get("results", "results")
+PYTHON = sys.executable  # no parameter of a rule: with another one nothing has to be made again
 AT_ONCE = workflow.resource_settings.nodes or workflow.resource_settings.cores or 1  # jobs
+
+
+include: "silostudy/rules/names.smk"
 
 
 @cache
@@ -31,59 +39,92 @@ def borrowed(model):
     return [(section, given.study, stage) for section, given, stage in asked if given]
 
 
+def study_files(name):
+    """The study file and the user's own files that it and its scenes name."""
+    return [STUDIES[name], *expansion(name).files]
+
+
+def scene_files(name):
+    """The scene file and the user's own files that it names."""
+    return [SCENES[name], *files_of_scene(SCENES[name])]
+
+
+def given(files):
+    """Input function of a rule from that of a study's or scene's name, the first of its wildcards.
+
+    It also tells Snakemake, which looks at times alone, what is there but not whole: a dry run plans it and touches nothing.
+    """
+
+    def inputs(wildcards):
+        workflow.dag.forcefiles.update(UNSOUND)
+        return files(wildcards[0])
+
+    return inputs
+
+
+def wanted(name):
+    """Every file that a study asks for."""
+    model, folder = MODELS[name], RESULTS / name
+    cubes = [folder / f"{stage}.nc" for stage in model.stages]
+    drawn = [Path(file) for key in model.outputs for file in files_of(key, folder)]
+    swept = [folder / f"{model.kind}-failed.csv", folder / f"parts/{model.kind}-verdict"] if name in SWEEPS else []
+    return [folder / "cases.csv", *cubes, *drawn, *swept]
+
+
 try:  # every mistake of every study is told before any job starts
+    PROJECT, RESULTS = path_of("project", "config/config.yaml"), path_of("results", "results")
     STUDIES, SCENES = load_project(PROJECT)
-    MODELS = {name: read_study(path) for name, path in STUDIES.items()}
+    MODELS = {carried("studies", name): read_study(path) for name, path in STUDIES.items()}
     SWEEPS = [name for name, model in MODELS.items() if KINDS[model.kind].parts]
+    WANTED = [file for name in STUDIES for file in wanted(name)]
+    WANTED += [RESULTS / "dem" / f"{carried('scenes', name)}.nc" for name in SCENES]
+    CAPTIONS = {key: RESULTS / "captions" / f"{key}.rst" for model in MODELS.values() for key in model.outputs}
+    if SCENES and "dem" in STUDIES:
+        raise BadInput("studies", "dem", "the folder of this name is for scenes: rename the study", str(PROJECT))
     for name, model in MODELS.items():
         for section, other, _ in borrowed(model):
             if other not in STUDIES:
                 raise BadInput(f"{section}.study", other, f"must be named in {PROJECT} too", name)
+    PLANS, DAMAGED = {}, []
     if workflow.is_main_process:  # and not in the jobs that it starts elsewhere
-        check_writable(Path(RESULTS))
-        end_future(Path(RESULTS))
+        check_writable(RESULTS)
         for name in STUDIES:
-            expansion(name)
-            remove_damaged(Path(RESULTS, name))
-        remove_damaged(Path(RESULTS, "dem"))
-        for name in SWEEPS:
-            make_plan(expansion(name), Path(RESULTS, name, "parts"), AT_ONCE)
+            check_there(study_files(name))
+        for name in SCENES:
+            check_there(scene_files(name))
+        PLANS = {name: planned(expansion(name), RESULTS / name / "parts", AT_ONCE) for name in SWEEPS}
+        DAMAGED = damaged(WANTED)
+    UNSOUND = [str(file) for file in chain(DAMAGED, *(marks for _, marks in PLANS.values()))]
 except BadInput as error:
     raise WorkflowError(str(error)) from None
 
 
 onstart:
     try:
-        alone(Path(RESULTS))
+        if workflow.non_local_exec:
+            check_sent([*STUDIES, *SCENES], [PROJECT, RESULTS, Path.cwd()])
+        alone(RESULTS)
     except BadInput as error:
         raise WorkflowError(str(error)) from None
+    end_future(RESULTS)
+    for path in DAMAGED:
+        set_aside(path)
+    for name, (plan, _) in PLANS.items():
+        write_plan(plan, RESULTS / name / "parts")
 
 
 report: "silostudy/rules/report.rst"
 
 
 wildcard_constraints:
-    study="|".join(STUDIES),
-    scene="|".join(SCENES) or "none",
-
-
-def study_files(wildcards):
-    """The study file and the user's own files that it and its scenes name."""
-    return [STUDIES[wildcards.study], *expansion(wildcards.study).files]
-
-
-def wanted(name):
-    """Every file that a study asks for."""
-    model, folder = MODELS[name], f"{RESULTS}/{name}"
-    cubes = [f"{folder}/{stage}.nc" for stage in model.stages]
-    drawn = [file for key in model.outputs for file in files_of(key, folder)]
-    return [f"{folder}/cases.csv", *cubes, *drawn, *([f"{folder}/parts/{model.kind}-verdict"] if name in SWEEPS else [])]
+    study=one_of(STUDIES),
+    scene=one_of(SCENES),
 
 
 rule all:
     input:
-        [file for name in STUDIES for file in wanted(name)],
-        [f"{RESULTS}/dem/{name}.nc" for name in SCENES],
+        WANTED,
+        CAPTIONS.values(),
 
 
 def code_of(stage=None):
@@ -93,19 +134,18 @@ def code_of(stage=None):
 
 def command(words):
     """A shell command that runs `silostudy` by this Python into the log, whose last line is shown where it fails."""
-    return "{params.python:q} -m silostudy " + words + " > {log:q} 2>&1 || (tail -n 1 {log:q} >&2; false)"
+    return "{PYTHON:q} -m silostudy " + words + " > {log:q} 2>&1 || (tail -n 1 {log:q} >&2; false)"
 
 
 rule cases:
     input:
-        study_files,
+        given(study_files),
     output:
-        RESULTS + "/{study}/cases.csv",
+        RESULTS / "{study}/cases.csv",
     params:
         code=code_of(),
-        python=sys.executable,
     log:
-        RESULTS + "/{study}/logs/cases.log",
+        RESULTS / "{study}/logs/cases.log",
     shell:
         command("cases {input[0]:q} {output:q}")
 
@@ -114,8 +154,8 @@ def taken(stage):
     """Function of the wildcards that gives the cubes which a stage takes from the study itself and from others."""
 
     def cubes(wildcards):
-        others = [f"{RESULTS}/{study}/{other}.nc" for _, study, other in borrowed(MODELS[wildcards.study])]
-        return [f"{RESULTS}/{wildcards.study}/{other}.nc" for other in stage.reads], others if stage.borrows else []
+        others = [RESULTS / study / f"{other}.nc" for _, study, other in borrowed(MODELS[wildcards.study])]
+        return [RESULTS / wildcards.study / f"{other}.nc" for other in stage.reads], others if stage.borrows else []
 
     return cubes
 
@@ -127,34 +167,32 @@ for stage in STAGES.values():
             name:
                 stage.key
             input:
-                study_files,
+                given(study_files),
                 reads=lambda wildcards, stage=stage: taken(stage)(wildcards)[0],
                 borrows=lambda wildcards, stage=stage: taken(stage)(wildcards)[1],
             output:
-                f"{RESULTS}/{{study}}/{stage.key}.nc",
+                RESULTS / f"{{study}}/{stage.key}.nc",
             params:
                 code=code_of(stage),
-                python=sys.executable,
                 stage=stage.key,
             threads: workflow.cores if stage.alone else stage.threads
             log:
-                f"{RESULTS}/{{study}}/logs/{stage.key}.log",
+                RESULTS / f"{{study}}/logs/{stage.key}.log",
             benchmark:
-                f"{RESULTS}/{{study}}/cost/{stage.key}.tsv"
+                RESULTS / f"{{study}}/cost/{stage.key}.tsv"
             shell:
                 command("{params.stage} {input[0]:q} {input.reads:q} {output:q} {input.borrows:q}")
 
 
 rule dem:
     input:
-        lambda wildcards: SCENES[wildcards.scene],
+        given(scene_files),
     output:
-        RESULTS + "/dem/{scene}.nc",
+        RESULTS / "dem/{scene}.nc",
     params:
         code=FILE_KINDS["dem"].stamp(STAGES["dem"]),
-        python=sys.executable,
     log:
-        RESULTS + "/dem/logs/{scene}.log",
+        RESULTS / "dem/logs/{scene}.log",
     shell:
         command("dem {input[0]:q} {output:q}")
 
@@ -166,8 +204,8 @@ include: "silostudy/rules/sweep.smk"
 rule gallery:
     """Refreshes the few pictures that the front README shows: `snakemake --cores 1 gallery`."""
     input:
-        RESULTS + "/wheat-silo/figures/fig_4_2_11.png",
+        RESULTS / "wheat-silo/figures/fig_4_2_11.png",
     output:
         "results/gallery/fig_4_2_11.png",
     shell:
-        "cp {input} {output}"
+        "cp {input:q} {output:q}"

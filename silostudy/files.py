@@ -3,10 +3,11 @@
 import fcntl
 import hashlib
 import os
-import sys
 import tempfile
 import time
+from collections.abc import Callable, Iterable
 from contextlib import suppress
+from itertools import chain, count
 from pathlib import Path
 
 from silostudy.errors import BadInput
@@ -15,11 +16,11 @@ from silostudy.errors import BadInput
 class replacing:
     """A temporary file beside `path` that takes its name only when the block ends without an error.
 
-    seal: also keep its checksum in a hidden file beside it, by which `remove_damaged` knows it again.
+    held: function of the file that gives a digest of what it holds; with it the file is sealed.
     """
 
-    def __init__(self, path: Path, *, seal: bool = False):
-        self.path, self.seal = path, seal
+    def __init__(self, path: Path, *, held: Callable[[Path], str] | None = None):
+        self.path, self.held = path, held
 
     def __enter__(self) -> Path:
         try:
@@ -34,11 +35,20 @@ class replacing:
     def __exit__(self, kind, error, trace) -> None:
         if kind is None:
             os.chmod(self.temporary, 0o666 & ~_umask())
-            if self.seal:  # before the file: one without its seal's checksum was never finished
-                _seal_of(self.path).write_text(_digest(self.temporary), encoding="ascii")
+            if self.held:  # before the file: one without its seal's checksum was never finished
+                _write_seal(self.path, _digest(self.temporary), self.held(self.temporary))
             self.temporary.replace(self.path)
         else:
             self.temporary.unlink(missing_ok=True)
+
+
+def seal(path: Path) -> None:
+    """Keeps the checksum of a finished file in a hidden file beside it, by which it is known again."""
+    _write_seal(path, _digest(path))
+
+
+def _write_seal(path: Path, *digests: str) -> None:
+    _seal_of(path).write_text("\n".join(digests), encoding="ascii")
 
 
 def _seal_of(path: Path) -> Path:
@@ -50,18 +60,26 @@ def _digest(path: Path) -> str:
         return hashlib.file_digest(stream, "sha256").hexdigest()
 
 
-def damaged(path: Path) -> bool:
-    """Whether a sealed file's content is not what was written."""
-    return path.exists() and _seal_of(path).exists() and _digest(path) != _seal_of(path).read_text(encoding="ascii")
+def as_written(path: Path) -> bool:
+    """Whether a file's bytes are those that were sealed; also where there is no file or no seal."""
+    return not path.exists() or not _seal_of(path).exists() or _digest(path) == _sealed(path)[0]
 
 
-def remove_damaged(folder: Path) -> None:
-    """Removes files of a folder whose content is not what was written, with a word: they will be made again."""
-    for seal in sorted(folder.glob(".*.sha256")):
-        path = seal.with_name(seal.name.removeprefix(".").removesuffix(".sha256"))
-        if damaged(path):
-            print(f"silostudy: {path} is damaged: removed, to be made again", file=sys.stderr)
-            path.unlink()
+def held_when_written(path: Path) -> str:
+    """The digest of what a sealed file held when it was written; empty where none was kept."""
+    return "".join(_sealed(path)[1:])
+
+
+def _sealed(path: Path) -> list[str]:
+    return _seal_of(path).read_text(encoding="ascii", errors="replace").split("\n")
+
+
+def set_aside(path: Path) -> Path:
+    """Moves a file to NAME.damaged, or NAME.damaged-2, -3, ... where that is taken; where it is now."""
+    endings = chain([""], (f"-{number}" for number in count(2)))
+    free = next(place for ending in endings if not (place := path.with_name(f"{path.name}.damaged{ending}")).exists())
+    path.rename(free)
+    return free
 
 
 def end_future(folder: Path) -> None:
@@ -88,6 +106,20 @@ def check_writable(folder: Path) -> None:
     nearest = next(place for place in (folder, *folder.absolute().parents) if place.exists())
     if not nearest.is_dir() or not os.access(nearest, os.W_OK):
         raise BadInput("results folder", str(folder), "cannot be written")
+
+
+def check_there(files: Iterable[Path]) -> None:
+    """BadInput for a file that is not there."""
+    for path in files:
+        if not path.is_file():
+            raise BadInput("file", str(path), "is not there")
+
+
+def check_sent(names: Iterable[str], paths: Iterable[Path]) -> None:
+    """BadInput for what Snakemake spoils on the way to a job elsewhere: it sends `rule:study=NAME,...` between quotes."""
+    for name, spoilt in [*((name, ",'\"") for name in names), *((str(path), "'\"") for path in paths)]:
+        if set(name) & set(spoilt) or repr(name)[1:-1] != name:
+            raise BadInput("name", name, "jobs elsewhere can be sent no quote, comma or backslash: rename it, or run here")
 
 
 def _umask() -> int:

@@ -57,6 +57,6 @@ def _kinds(scene: DemScene, walls: ContactConfig) -> Iterator[tuple[str, object,
     yield "quake", scene.quake, None
     yield "gravity", "straight down" if across == 0 and up < 0 else scene.gravity_m_s2, "straight down"
     for name, contact in (("discs", scene.discs), ("walls", walls)):
-        for family, law in MEASURED.items():
-            yield f"{name}.{family}", getattr(contact, family), law
+        for family, law in contact.laws.items():
+            yield f"{name}.{family}", law.key, MEASURED[family]
         yield f"{name}.line_contact", contact.line_contact, None

@@ -1,4 +1,4 @@
-"""`silostudy draw`, `redraw`: figures and tables from cubes."""
+"""`silostudy draw`, `redraw`, `captions`: figures and tables from cubes, and what the report says of them."""
 
 from pathlib import Path
 
@@ -15,6 +15,10 @@ def add(sub) -> None:
     redraw.add_argument("keys", nargs="+", metavar="key", help="see `silostudy list outputs`")
     redraw.set_defaults(run=run_redraw)
 
+    captions = sub.add_parser("captions", help="write what the report says of outputs")
+    captions.add_argument("files", type=Path, nargs="+", help="files to write: KEY.rst")
+    captions.set_defaults(run=run_captions)
+
 
 def run_draw(chosen) -> None:
     from silostudy.cube.io import read
@@ -26,7 +30,8 @@ def run_redraw(chosen) -> None:
     from functools import cache
 
     from silostudy.cube.io import read
-    from silostudy.tables.outputs import OUTPUTS
+    from silostudy.files import seal
+    from silostudy.tables.outputs import OUTPUTS, files_of
 
     once = cache(read)
     for key in chosen.keys:
@@ -34,6 +39,17 @@ def run_redraw(chosen) -> None:
         files = [chosen.folder / f"{stage}.nc" for stage in (row.stage, *row.also)]
         _draw(key, [once(file) for file in files[:1] + [file for file in files[1:] if file.exists()]],
               chosen.folder / f"{row.kind}s" / key)  # fmt: skip
+        for name in files_of(key, str(chosen.folder)):
+            seal(Path(name))
+
+
+def run_captions(chosen) -> None:
+    from silostudy.files import replacing
+    from silostudy.tables.outputs import caption
+
+    for path in chosen.files:
+        with replacing(path) as temporary:
+            temporary.write_text(caption(path.stem), encoding="utf-8")
 
 
 def _draw(key: str, cubes: list, stem: Path) -> None:

@@ -61,7 +61,7 @@ def run_cases(chosen) -> None:
     import json
 
     from silostudy.choice.expand import expand_file
-    from silostudy.files import replacing
+    from silostudy.files import replacing, seal
 
     expansion = expand_file(chosen.study)
     keys = list(expansion.cases[0].settings)
@@ -73,6 +73,7 @@ def run_cases(chosen) -> None:
             table.writerow(
                 [case.id, *(value if isinstance(value, (str, int, float)) else json.dumps(value) for value in values)]
             )
+    seal(chosen.output)
 
 
 def run_schema(chosen) -> None:

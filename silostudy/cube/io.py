@@ -6,6 +6,7 @@ import numpy as np
 import xarray as xr
 
 from silostudy.cube.contract import check
+from silostudy.cube.fingerprint import fingerprint
 from silostudy.cube.provenance import CONTRACT
 from silostudy.errors import BadInput
 from silostudy.files import replacing
@@ -14,7 +15,7 @@ from silostudy.files import replacing
 def write(cube: xr.Dataset, path: Path) -> None:
     """Writes a checked cube as netCDF-4 (zlib, shuffle); BadInput where the folder cannot be written."""
     check(cube)
-    with replacing(path, seal=True) as temporary:
+    with replacing(path, held=fingerprint) as temporary:
         axes = cube.attrs.get("sweep_axes", "").split()
         cube.to_netcdf(temporary, encoding={str(name): _encoding(cube[name], axes) for name in cube.variables})
 

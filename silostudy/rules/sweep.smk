@@ -12,49 +12,51 @@ localrules:
 
 wildcard_constraints:
     part="[0-9a-f]+-[0-9a-f]+",
-    sweep="|".join({MODELS[name].kind for name in SWEEPS}) or "none",
+    sweep=one_of({MODELS[name].kind for name in SWEEPS}),
 
 
-def marks(wildcards):
+@cache
+def plan_of(name):
+    """The plan of a sweep; in a job that was started elsewhere, the one that was written for it."""
+    return PLANS[name][0] if workflow.is_main_process else read_plan(RESULTS / name / "parts")
+
+
+def marks(name):
     """A mark for every part of the plan."""
-    folder = Path(RESULTS, wildcards.study, "parts")
-    return [f"{folder}/{part}{DONE}" for part in read_plan(folder)]
+    return [RESULTS / name / f"parts/{part}{DONE}" for part in plan_of(name)]
 
 
 def contents(wildcards):
     """A hash of the study and its cases in their order: what the cube holds."""
-    plan = read_plan(Path(RESULTS, wildcards.study, "parts"))
-    rows = sorted(row for rows in plan.values() for row in rows)
+    rows = sorted(row for rows in plan_of(wildcards.study).values() for row in rows)
     return hashlib.sha256(f"{MODELS[wildcards.study].model_dump_json()} {rows}".encode()).hexdigest()[:12]
 
 
 rule part:
     output:
-        touch(RESULTS + "/{study}/parts/{part}" + DONE),
+        touch(RESULTS / f"{{study}}/parts/{{part}}{DONE}"),
     params:
         study=lambda wildcards: STUDIES[wildcards.study],
-        folder=RESULTS + "/{study}/parts",
-        python=sys.executable,
+        folder=lambda wildcards: RESULTS / wildcards.study / "parts",
     log:
-        RESULTS + "/{study}/logs/{part}.log",
+        RESULTS / "{study}/logs/{part}.log",
     shell:
-        "{params.python:q} -m silostudy part {params.study:q} {params.folder:q} {wildcards.part} 2>&1 | tee -a {log:q}"
+        "{PYTHON:q} -m silostudy part {params.study:q} {params.folder:q} {wildcards.part} 2>&1 | tee -a {log:q}"
 
 
 rule merge:
     input:
-        marks,
+        given(marks),
     output:
-        RESULTS + "/{study}/{sweep}.nc",
-        RESULTS + "/{study}/{sweep}-failed.csv",
+        RESULTS / "{study}/{sweep}.nc",
+        RESULTS / "{study}/{sweep}-failed.csv",
     params:
         code=lambda wildcards: stamp("sweep/merge", *KINDS[wildcards.sweep].places(STAGES[wildcards.sweep])),
         study=lambda wildcards: STUDIES[wildcards.study],
         contents=contents,
-        folder=RESULTS + "/{study}/parts",
-        python=sys.executable,
+        folder=lambda wildcards: RESULTS / wildcards.study / "parts",
     log:
-        RESULTS + "/{study}/logs/{sweep}.log",
+        RESULTS / "{study}/logs/{sweep}.log",
     shell:
         command("merge {params.study:q} {params.folder:q} {output[0]:q}")
 
@@ -62,10 +64,8 @@ rule merge:
 rule verdict:
     """Fails where cases failed, after everything else of the study is made."""
     input:
-        RESULTS + "/{study}/{sweep}-failed.csv",
+        RESULTS / "{study}/{sweep}-failed.csv",
     output:
-        touch(RESULTS + "/{study}/parts/{sweep}-verdict"),
-    params:
-        python=sys.executable,
+        touch(RESULTS / "{study}/parts/{sweep}-verdict"),
     shell:
-        "{params.python:q} -m silostudy verdict {input:q}"
+        "{PYTHON:q} -m silostudy verdict {input:q}"

@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from silostudy.config.dem import DemScene
+from silostudy.config.load import read_yaml, validated
 from silostudy.config.scenes import ScenesStudy
 
 PARTICLE_STEP = 35e-9  # s: `silostudy explain config/scenes/kiyama-17-18.yaml`, with its looks at rest and discharge
@@ -26,6 +27,11 @@ class SceneCase:
         config = self.config
         names = [config.packing.file] if config.packing.kind == "given" else []
         return tuple(self.folder / name for name in [*names, *([config.quake.file] if config.quake else [])])
+
+
+def files_of_scene(path: Path) -> tuple[Path, ...]:
+    """The user's own files that a scene file names; BadInput lists every mistake of it."""
+    return SceneCase(validated(DemScene, read_yaml(path), str(path)), path.parent).files
 
 
 def scenes_builder(study: ScenesStudy, folder: Path, where: str) -> Callable[[DemScene, dict], SceneCase]:

@@ -16,7 +16,7 @@ from silostudy.cube.assemble import Sweep, assemble
 from silostudy.cube.contract import variable
 from silostudy.cube.variables import attributes, flags
 from silostudy.errors import BadInput
-from silostudy.files import replacing
+from silostudy.files import replacing, seal
 from silostudy.sweep.journal import ENDING, failed, sound
 from silostudy.sweep.plan import DONE, parts_of, read_plan
 from silostudy.sweep.slabs import Slab, write_slabs
@@ -136,3 +136,4 @@ def _list(lost: Iterable[tuple[str, str]], path: Path) -> None:
 
     with replacing(path) as temporary, temporary.open("w", newline="", encoding="utf-8") as stream:
         csv.writer(stream).writerows([("case", "error"), *lost])
+    seal(path)

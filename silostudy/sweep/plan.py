@@ -38,8 +38,8 @@ def case_keys(expansion: Expansion) -> list[str]:
     return [hashlib.sha256(text.encode()).hexdigest()[:20] for text in texts]
 
 
-def make_plan(expansion: Expansion, folder: Path, cores: int) -> Plan:
-    """The plan of a sweep, written where it changed; marks of parts that lack a case's record are taken away."""
+def planned(expansion: Expansion, folder: Path, cores: int) -> tuple[Plan, list[Path]]:
+    """The plan of a sweep, and the marks that stand by parts which lack a case's record; nothing is written."""
     study, keys, parts = expansion.study, case_keys(expansion), parts_of(expansion.study)
     code = parts.stamp
     held = {key: path.stem for path in sorted(folder.glob(f"{code}-*{ENDING}")) for key, _ in sound(path)}
@@ -54,11 +54,8 @@ def make_plan(expansion: Expansion, folder: Path, cores: int) -> Plan:
     plan: Plan = {}
     for position, place in enumerate(places):
         plan.setdefault(str(place), []).append((position, keys[position]))
-    if plan != read_plan(folder):
-        _write(plan, folder / PLAN)
-    for part in {str(place) for key, place in zip(keys, places, strict=True) if key not in held}:
-        (folder / f"{part}{DONE}").unlink(missing_ok=True)
-    return plan
+    lacking = [part for part, rows in plan.items() if any(key not in held for _, key in rows)]
+    return plan, [mark for part in lacking if (mark := folder / f"{part}{DONE}").exists()]
 
 
 def grouped(positions: Sequence[int], costs: Sequence[float], study, cores: int) -> Iterable[list[int]]:
@@ -103,8 +100,11 @@ def rows_of(part: str, folder: Path) -> list[tuple[int, str]]:
     return found
 
 
-def _write(plan: Plan, path: Path) -> None:
-    with replacing(path) as temporary, temporary.open("w", newline="", encoding="utf-8") as stream:
+def write_plan(plan: Plan, folder: Path) -> None:
+    """Writes a plan where it changed."""
+    if plan == read_plan(folder):
+        return
+    with replacing(folder / PLAN) as temporary, temporary.open("w", newline="", encoding="utf-8") as stream:
         table = csv.writer(stream)
         table.writerow(["part", "position", "case_key"])
         table.writerows([part, position, key] for part, rows in plan.items() for position, key in rows)

@@ -11,6 +11,7 @@ import numpy as np
 import xarray as xr
 
 from silostudy.cube.contract import check, variable
+from silostudy.cube.fingerprint import fingerprint
 from silostudy.files import replacing
 
 TEXT = 100  # bytes of a short text in memory
@@ -41,9 +42,9 @@ def write_slabs(frame: xr.Dataset, slabs: dict[str, Slab], fill: Fill, path: Pat
     own = {name: tuple(frame.sizes[dim] for dim in slab.dims) for name, slab in slabs.items()}
     chunk = extents(shape, max(1, CHUNK // max(map(prod, own.values()))))
     whole = sum(TEXT if slabs[name].kind is str else 8 * prod(sizes) for name, sizes in own.items())
-    with replacing(path, seal=True) as temporary:
+    with replacing(path, held=fingerprint) as temporary:
         frame.to_netcdf(temporary, encoding={str(name): {"_FillValue": None} for name in frame.variables})
-        with netCDF4.Dataset(temporary, "a") as file:
+        with netCDF4.Dataset(temporary.absolute(), "a") as file:
             for name, slab in slabs.items():
                 _add(file, name, slab, (*axes, *slab.dims), (*chunk, *own[name]))
                 if labels and name not in labels:

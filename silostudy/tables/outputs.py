@@ -1,10 +1,8 @@
 """Pictures and tables drawn from a cube: one file each, all of them listed in tables/outputs.csv."""
 
 from dataclasses import dataclass
-from pathlib import Path
 
 from silostudy.catalogue import Family, Row
-from silostudy.files import replacing
 from silostudy.tables.read import HERE, rows
 from silostudy.tables.references import cite
 
@@ -63,12 +61,7 @@ def files_of(key: str, folder: str) -> list[str]:
     return [f"{folder}/{kind}s/{key}.{ending}" for ending in ENDINGS[kind]]
 
 
-def captions(folder: Path) -> dict[str, str]:
-    """A caption (reStructuredText) of every output, written into a folder unless it is there; their files by key."""
-    made = {key: (folder / f"{key}.rst").absolute() for key in OUTPUTS}
-    for key, row in OUTPUTS.items():
-        if not made[key].exists():
-            with replacing(made[key]) as temporary:
-                text = f"{row.title}.\n\nSource: {cite(row.source)} {row.locator}.\n\nDrawn from the cube {row.stage}.nc.\n"
-                temporary.write_text(text, encoding="utf-8")
-    return {key: str(path) for key, path in made.items()}
+def caption(key: str) -> str:
+    """What the report says of an output (reStructuredText)."""
+    row = OUTPUTS[key]
+    return f"{row.title}.\n\nSource: {cite(row.source)} {row.locator}.\n\nDrawn from the cube {row.stage}.nc.\n"

@@ -8,7 +8,7 @@ import yaml
 
 from silostudy.choice.expand import expand_file
 from silostudy.sweep.part import compute_part
-from silostudy.sweep.plan import make_plan
+from silostudy.sweep.plan import Plan, planned, write_plan
 from tests.conftest import ROOT
 
 CONTENT = yaml.safe_load((ROOT / "config/studies/discharge-slit.yaml").read_text())
@@ -44,7 +44,14 @@ def stand_in(calls):
     return measure
 
 
+def make_plan(path: Path, folder: Path, cores=1) -> tuple[Plan, list[Path]]:
+    """The plan of a study, written, and the marks of unfinished parts."""
+    plan, unfinished = planned(expand_file(path), folder, cores)
+    write_plan(plan, folder)
+    return plan, unfinished
+
+
 def compute(path: Path, folder: Path, cores=1) -> int:
     """Plans and computes all parts; how many cases were computed."""
-    plan = make_plan(expand_file(path), folder, cores)
+    plan, _ = make_plan(path, folder, cores)
     return sum(compute_part(path, part, folder, lambda text: None) for part in plan)
