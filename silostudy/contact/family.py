@@ -1,7 +1,7 @@
 """What a contact law's row says of itself: functions, coefficients and where they come from, stiffness, damping, losses."""
 
 import hashlib
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from math import isfinite
@@ -114,6 +114,14 @@ class Law(Row):
     measured: bool = False  # whether the errors behind `accuracy:` of scenes were measured with it
     explicit_key: str = ""  # another row with the same spring, under which the same discs rest; empty: this one
 
+    def faults(self) -> Iterator[str]:
+        yield from super().faults()
+        for one in self.coefficients:
+            if not one.unit:
+                yield f"coefficient {one.name}: has no unit"
+            if one.own and not (one.fields and one.text):
+                yield f"coefficient {one.name}: needs a field of its own and a text, or says how it is prepared"
+
     @property
     def at_rest(self) -> str:
         """Key of the law with an explicit dashpot under which discs rest as under this one."""
@@ -134,6 +142,8 @@ class Law(Row):
     @cached_property
     def fingerprint(self) -> str:
         """Key and a hash of the file of the law: kernels of two laws of one key must not be taken for each other."""
+        if self.origin:
+            return f"{self.key} {self.origin}"
         code = self.law.__code__
         file = Path(code.co_filename)
         text = file.read_bytes() if file.is_file() else code.co_code + repr(code.co_consts).encode()
