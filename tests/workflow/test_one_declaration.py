@@ -47,6 +47,7 @@ from typing import Literal
 
 import numpy as np
 
+from silostudy.compute.axes import sweep_of
 from silostudy.config.fields import Strict, described
 from silostudy.config.study import BaseStudy
 from silostudy.cube.assemble import assemble
@@ -71,8 +72,8 @@ def about(expansion):
 
 def toy_cube(expansion):
     depths = np.array([case.scene for case in expansion.cases]).reshape(expansion.shape)
-    axes = [axis.axis for axis in expansion.study.sweep]
-    return assemble(expansion, "toy", {"cylinder_depth": (axes, depths)}, sources=["silo_handbook"])
+    arrays, sources = {"cylinder_depth": depths}, ["silo_handbook"]
+    return assemble(expansion.study, "toy", arrays, sources=sources, sweep=sweep_of(expansion))
 '''
 STUDY = {
     "kind": "toy",
