@@ -9,9 +9,10 @@ from typing import Any
 from silostudy.config.dem import DemScene
 from silostudy.config.load import read_yaml, validated
 from silostudy.config.scenes import ScenesStudy
+from silostudy.packing import PACKINGS
 
 PARTICLE_STEP = 35e-9  # s: `silostudy explain config/scenes/kiyama-17-18.yaml`, with its looks at rest and discharge
-START = 0.02  # s: building a scene
+START = 0.02  # s: building a scenefrom silostudy.packing import PACKINGS
 
 
 @dataclass(frozen=True)
@@ -25,7 +26,7 @@ class SceneCase:
     def files(self) -> tuple[Path, ...]:
         """The user's own files that the scene is made from."""
         config = self.config
-        names = [config.packing.file] if config.packing.kind == "given" else []
+        names = [config.packing.file] if PACKINGS[config.packing.kind].from_file else []
         return tuple(self.folder / name for name in [*names, *([config.quake.file] if config.quake else [])])
 
 
@@ -53,12 +54,10 @@ def cost(case: SceneCase) -> float:
 
 
 def _discs(case: SceneCase) -> float:
-    packing, radius = case.config.packing, case.config.radius_m
-    if packing.kind == "loose":
-        return packing.count
-    if packing.kind == "rows":
-        return packing.across * packing.fill_height_m / (1.8 * radius)
-    return (case.folder / packing.file).stat().st_size / 100 if (case.folder / packing.file).is_file() else 1
+    section, packing = case.config.packing, PACKINGS[case.config.packing.kind]
+    if packing.count is not None:
+        return packing.count(case.config.radius_m, **packing.arguments(section))
+    return (case.folder / section.file).stat().st_size / 100 if (case.folder / section.file).is_file() else 1
 
 
 def _duration(config: DemScene) -> float:
