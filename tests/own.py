@@ -11,7 +11,7 @@ from silostudy.buckling.family import SUCTION, BucklingRule, classical_stress, u
 
 
 def strength(*, youngs_modulus, shell_poisson_ratio, yield_stress, shell_radius, thickness):
-    """Strength (Pa): a fifth of the classical stress, at most the yield stress."""
+    """Strength (Pa): a fifth of the classical stress, at most the yield stress. Source: own notes, page 5."""
     perfect = classical_stress(
         youngs_modulus=youngs_modulus,
         shell_poisson_ratio=shell_poisson_ratio,
