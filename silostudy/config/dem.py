@@ -4,9 +4,12 @@ from typing import Annotated, ClassVar, Literal, Self, TypeAlias
 
 from pydantic import Field, model_validator
 
+from silostudy.catalogue import Family
 from silostudy.config.asked import Asked
 from silostudy.config.contact import ContactConfig
 from silostudy.config.fields import Strict, described
+from silostudy.config.own import OwnMethods
+from silostudy.contact import LAWS
 from silostudy.dem.integrate import INTEGRATORS
 from silostudy.tables.constants import ROUNDED_GRAVITY
 
@@ -120,10 +123,11 @@ class QuakeConfig(Strict):
     file: str = described("CSV file with columns time_s, x_m_s2, y_m_s2, relative to the scene file", "")
 
 
-class DemScene(Asked):
+class DemScene(Asked, OwnMethods):
     """A discrete-element scene."""
 
     fronts: ClassVar[tuple[str, ...]] = ("dem",)
+    joins: ClassVar[tuple[Family, ...]] = tuple(LAWS.values())
 
     kind: Literal["dem"] = described("dem: discrete elements", "")
     title: str = described("title of the scene", "")

@@ -16,6 +16,7 @@ def law(c):
 
 ROW = CohesionLaw(
     key="constant-pull",
+    rank=20,
     title="Constant pull-off force while in touch",
     source="luding_2008",
     locator="cohesive contact, constant limit",

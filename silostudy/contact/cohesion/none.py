@@ -12,4 +12,6 @@ def law(c):
     return 0.0
 
 
-ROW = CohesionLaw(key="none", title="No cohesion", source=KIYAMA, locator="eq. (8)", law=law, acts=False, measured=True)
+ROW = CohesionLaw(
+    key="none", rank=10, title="No cohesion", source=KIYAMA, locator="eq. (8)", law=law, acts=False, measured=True
+)
