@@ -29,7 +29,7 @@ MAY_IMPORT = {
     "config": {"tables", "pressure", "buckling", "contact", "dem"},
     "scene": {"config", "tables", "pressure", "seismic", "contact", "packing", "dem"},
     "cube": {"tables"},
-    "choice": {"scene", "config", "tables", "pressure", "seismic"},
+    "choice": {"scene", "config", "contact", "tables", "pressure", "seismic"},
     "compute": {"choice", "scene", "config", "tables", "pressure", "buckling", "seismic", "cube", "contact", "packing", "dem"},
     "sweep": {"compute", "choice", "scene", "config", "cube"},
     "accuracy": {

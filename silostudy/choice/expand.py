@@ -5,8 +5,8 @@ A study that asks for no accuracy does not hang on the measured fronts: what cho
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from importlib import import_module
 from pathlib import Path
+from pkgutil import resolve_name
 from typing import Any
 
 from silostudy.choice.promise import Choice, promises
@@ -40,5 +40,5 @@ def resolved(expansion: Expansion, where: str) -> Resolved:
     whole = Resolved(expansion.study, expansion.name, expansion.shape, expansion.cases, expansion.named)
     if not expansion.asks:
         return whole
-    study, cases, choices = import_module("silostudy.choice.settle").settled_study(expansion, where)
+    study, cases, choices = resolve_name("silostudy.choice.settle:settled_study")(expansion, where)
     return replace(whole, study=study, cases=cases, choices=choices)

@@ -133,6 +133,29 @@ class Law(Row):
     measured: bool = False  # whether the errors behind `accuracy:` of scenes were measured with it
     explicit_key: str = ""  # another row with the same spring, under which the same discs rest; empty: this one
 
+    def faults(self) -> Iterator[str]:
+        """What is wrong with the row, in words."""
+        yield from super().faults()
+        yield from faults_of_function("law", self.law, self.unit, (), ())
+        for one in self.coefficients:
+            if not one.unit:
+                yield f"coefficient {one.name}: has no unit"
+            if one.own and not (one.fields and one.text):
+                yield f"coefficient {one.name}: needs a field of its own and a text, or says how it is prepared"
+        for name, function in self.compiled.items():
+            if not _is_jitable(function):
+                yield f"{name}: must be decorated with numba's register_jitable"
+        yield from faults_of_trial("law", lambda: self.tried(tuple(1.0 for _ in self.coefficients)))
+
+    @property
+    def compiled(self) -> dict[str, Callable]:
+        """The functions that kernels are built from."""
+        return {"law": self.law, "stiffness": self.stiffness}
+
+    @abstractmethod
+    def tried(self, c: tuple[float, ...]) -> None:
+        """Calls the law on a usual contact."""
+
     @property
     def at_rest(self) -> str:
         """Key of the law with an explicit dashpot under which discs rest as under this one."""
@@ -149,29 +172,6 @@ class Law(Row):
     def prepared(self, given: Given) -> dict[str, float]:
         """Coefficients by name from what a scene gives."""
         return {coefficient.name: coefficient.value(given) for coefficient in self.coefficients}
-
-    def faults(self) -> Iterator[str]:
-        """What is wrong with the row, in words."""
-        yield from super().faults()
-        yield from faults_of_function("law", self.law, self.unit, (), ())
-        for coefficient in self.coefficients:
-            if not coefficient.name or not coefficient.unit:
-                yield f"coefficient {coefficient.name!r} needs a name and a unit ('1' for none)"
-            elif coefficient.own and not (coefficient.fields and coefficient.text):
-                yield f"coefficient {coefficient.name}: needs the field of a scene that it comes from, and a text on it"
-        for name, function in self.compiled.items():
-            if not _is_jitable(function):
-                yield f"{name}: must be decorated with numba's register_jitable"
-        yield from faults_of_trial("law", lambda: self.tried(tuple(1.0 for _ in self.coefficients)))
-
-    @property
-    def compiled(self) -> dict[str, Callable]:
-        """The functions that kernels are built from."""
-        return {"law": self.law, "stiffness": self.stiffness}
-
-    @abstractmethod
-    def tried(self, c: tuple[float, ...]) -> None:
-        """Calls the law on a usual contact."""
 
     @cached_property
     def fingerprint(self) -> str:

@@ -85,6 +85,6 @@ def _numbers(cube: xr.Dataset, axis: str) -> pd.DataFrame:
     carried = cube["carried_in_phase"]
     shares = {f"{carrier}_in_phase": carried.sel(carrier=carrier, drop=True) for carrier in ("walls", "floor", "all")}
     others = ["contents_damping", "ring_share", "grains_code_share", "settled_slenderness", "start_speed", "momentum_error"]
-    table = xr.Dataset({**shares, **{name: cube[name] for name in others}}, coords={axis: cube[axis]})
+    table = xr.Dataset({**shares, **{name: cube[name] for name in others}}, coords={axis: cube[axis]}).drop_vars("case")
     parts = {"mean": table.mean("filling").to_dataframe(), "std": table.std("filling").to_dataframe()}
     return pd.concat(parts, names=["over"]).reset_index()

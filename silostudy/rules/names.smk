@@ -11,7 +11,7 @@ def path_of(key, usual):
     """A path from Snakemake's own --config."""
     given = config.get(key, usual)
     if not isinstance(given, str) or not given:
-        raise BadInput(key, given, f"must be text: --config {key}='\"...\"'")
+        raise BadInput(key, given, "Snakemake reads this as no text: begin it with ./, or choose another name")
     path = Path(normpath(given))
     return carried(key, path.absolute() if given.startswith("-") else path)  # no option of a command
 

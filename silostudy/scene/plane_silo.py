@@ -37,7 +37,7 @@ class PlaneSilo:
     def walls(self, cells: int = 1, half_cells: int | None = None) -> tuple[Wall, ...]:
         """Its walls with the solid on their left: the bottom, closed, then the sides and the lid.
 
-        cells: equal parts of each whose force is recorded; half_cells: those of the floor's halves, null: as many.
+        cells: equal parts of each whose force is recorded; half_cells: those of the floor's halves, None: as many.
         """
         flat = self.hopper_half_angle is None
         return (*(self._floor(cells, half_cells or cells) if flat else self._hopper(cells)), *self._upper(cells))

@@ -91,7 +91,7 @@ def scene_of(context=FAMILIES, **discs) -> DemScene:
     content = copy.deepcopy(SCENE)
     content["discs"] |= discs
     content["discs"] = {key: value for key, value in content["discs"].items() if value is not None}
-    return validated(DemScene, content, "toy.yaml", {"families": context} if context else None)
+    return validated(DemScene, content, "toy.yaml", context)
 
 
 def test_laws_that_join_run_from_the_scene_to_the_cube():

@@ -103,8 +103,8 @@ def test_a_sweep_takes_it_and_a_changed_law_computes_its_cases_anew(tmp_path):
     [
         ('key="stiffer"', 'key="line-contact"', "row line-contact: this key is already taken by another normal law"),
         ("(N/m) of a spring stiffer", "of a spring stiffer", r"law: its docstring must name its unit, \(N/m\)"),
-        ('unit="1"', 'unit=""', r"coefficient 'stiffening' needs a name and a unit"),
-        ('text="times as stiff"', 'text=""', "coefficient stiffening: needs the field of a scene"),
+        ('unit="1"', 'unit=""', r"coefficient stiffening: has no unit"),
+        ('text="times as stiff"', 'text=""', "coefficient stiffening: needs a field of its own and a text"),
         ("@register_jitable\ndef law", "def law", "law: must be decorated with numba's register_jitable"),
         ("return elastic, (total", "return (total", "law: fails for usual values: TypeError"),
         ("closing, touch, c)", "closing, c)", "law: fails for usual values: TypeError: law"),

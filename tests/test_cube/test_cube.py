@@ -1,16 +1,19 @@
 """The cube: provenance, atomic writing, and a contract that refuses what it does not know."""
 
+import os
 import re
 
+import netCDF4
 import numpy as np
 import pytest
 import xarray as xr
 
 from silostudy.compute.pressure import pressure_cube
 from silostudy.cube.contract import check
+from silostudy.cube.fingerprint import damaged, fingerprint
 from silostudy.cube.io import read, write
 from silostudy.errors import BadInput
-from silostudy.files import damaged, remove_damaged
+from silostudy.files import as_written, set_aside
 from silostudy.tables.handbook import table_4_2_5
 from tests.conftest import ROOT, expanded
 
@@ -83,22 +86,57 @@ def test_half_written_file_never_looks_like_a_result(wheat, tmp_path, monkeypatc
         write(wheat, path)
     assert path.read_bytes() == before
     assert {file.name for file in tmp_path.iterdir()} == {"pressure.nc", ".pressure.nc.sha256"}
-    assert not damaged(path)
+    assert as_written(path)
 
 
-@pytest.mark.parametrize("place", [10, -5])
-def test_a_damaged_cube_is_known_and_removed(wheat, tmp_path, place, capsys):
+@pytest.mark.parametrize("break_it", [
+    pytest.param(lambda path: flip(path, 10), id="its head"),
+    pytest.param(lambda path: os.truncate(path, 1000), id="cut off"),
+    pytest.param(lambda path: edit(path, lambda file: file["depth"].__setitem__(2, 0.126)), id="a number"),
+    pytest.param(lambda path: edit(path, lambda file: file["method_title"].__setitem__(0, "mine")), id="a name"),
+])  # fmt: skip
+def test_a_damaged_cube_is_known(wheat, tmp_path, break_it, capsys):
     path = tmp_path / "pressure.nc"
     write(wheat, path)
-    remove_damaged(tmp_path)
-    assert path.exists()
+    assert damaged([path]) == []
+    assert capsys.readouterr().err == ""
+    break_it(path)
+    assert damaged([path]) == [path]
+    assert "pressure.nc is damaged: a run moves it to pressure.nc.damaged and makes it again" in capsys.readouterr().err
+
+
+def flip(path, place):
     content = bytearray(path.read_bytes())
     content[place] ^= 1
     path.write_bytes(content)
-    assert damaged(path)
-    remove_damaged(tmp_path)
-    assert not path.exists()
-    assert "pressure.nc is damaged: removed" in capsys.readouterr().err
+
+
+def edit(path, change):
+    with netCDF4.Dataset(path, "a") as file:
+        change(file)
+
+
+def test_a_cube_whose_attributes_were_edited_is_kept(wheat, tmp_path, capsys):
+    path = tmp_path / "pressure.nc"
+    write(wheat, path)
+    edit(path, lambda file: (file.setncattr("title", "mine"), file["depth"].setncattr("long_name", "below the top")))
+    assert damaged([path]) == []
+    assert "pressure.nc was edited, and its data are what was written: kept" in capsys.readouterr().err
+
+
+def test_pieces_of_a_large_variable_make_the_same_fingerprint(wheat, tmp_path, monkeypatch):
+    write(wheat, tmp_path / "pressure.nc")
+    whole = fingerprint(tmp_path / "pressure.nc")
+    monkeypatch.setattr("silostudy.cube.fingerprint.PIECE", 300)
+    assert fingerprint(tmp_path / "pressure.nc") == whole
+
+
+def test_setting_aside_loses_nothing(tmp_path):
+    for number in range(3):
+        (tmp_path / "a.nc").write_text(str(number))
+        set_aside(tmp_path / "a.nc")
+    texts = {path.name: path.read_text() for path in tmp_path.iterdir()}
+    assert texts == {"a.nc.damaged": "0", "a.nc.damaged-2": "1", "a.nc.damaged-3": "2"}
 
 
 def test_folder_that_cannot_be_written(wheat, tmp_path):

@@ -18,10 +18,9 @@ from silostudy.compute.pressure import pressure_cube
 from silostudy.cube.io import write
 from silostudy.sweep.journal import line
 from silostudy.sweep.merge import merge
-from silostudy.sweep.plan import make_plan
 from tests.conftest import ROOT
 from tests.test_dem.test_scene import carried, scene_of
-from tests.test_sweep.sweeps import compute, save, stand_in
+from tests.test_sweep.sweeps import compute, make_plan, save, stand_in
 
 
 @pytest.fixture(params=["pressure", "scenes"])
@@ -88,7 +87,7 @@ def test_a_cube_larger_than_the_memory_is_merged(tmp_path):
     count, across, room = 10_000, 800, 40_000_000
     frictions = [round(1e-5 * k, 5) for k in range(count)]
     path, folder = save(tmp_path, slits=[0.06], frictions=frictions, case_s=1.0, part_s=1000.0), tmp_path / "parts"
-    for part, rows in make_plan(expand_file(path), folder, 1).items():
+    for part, rows in make_plan(path, folder)[0].items():
         with (folder / f"{part}.jsonl").open("wb") as stream:
             for position, key in rows:
                 numbers = {"resting_normal_force": [position / 3] * across}

@@ -14,8 +14,8 @@ from silostudy.sweep import merge as merging
 from silostudy.sweep.journal import sound
 from silostudy.sweep.merge import merge
 from silostudy.sweep.part import Progress, compute_part
-from silostudy.sweep.plan import DONE, case_keys, grouped, make_plan, read_plan
-from tests.test_sweep.sweeps import compute, content, save, stand_in
+from silostudy.sweep.plan import DONE, case_keys, grouped, planned, read_plan
+from tests.test_sweep.sweeps import compute, content, make_plan, save, stand_in
 
 
 @pytest.fixture
@@ -27,11 +27,16 @@ def calls(monkeypatch):
 
 def test_every_case_is_in_one_part_and_work_is_shared_out(tmp_path):
     path = save(tmp_path, slits=[0.04 + 0.001 * k for k in range(50)], case_s=3.0, part_s=30.0)
-    plan = make_plan(expand_file(path), tmp_path / "parts", 2)
+    plan, _ = make_plan(path, tmp_path / "parts", 2)
     rows = sorted(row for rows in plan.values() for row in rows)
     assert [position for position, _ in rows] == list(range(100))
     assert {len(rows) for rows in plan.values()} == {10}
     assert plan == read_plan(tmp_path / "parts")
+
+
+def test_planning_writes_nothing(tmp_path):
+    planned(expand_file(save(tmp_path)), tmp_path / "parts", 2)
+    assert not (tmp_path / "parts").exists()
 
 
 def test_parts_of_uneven_cases_take_about_the_same():
@@ -99,7 +104,7 @@ def test_a_file_of_the_user_is_part_of_the_key(tmp_path):
 
 def test_a_study_that_changes_meanwhile_is_refused(tmp_path, calls):
     path = save(tmp_path)
-    (part,) = make_plan(expand_file(path), tmp_path / "parts", 1)
+    ((part,), _) = make_plan(path, tmp_path / "parts")
     with pytest.raises(BadInput, match="changed while the pipeline ran"):
         compute_part(save(tmp_path, slits=[0.05, 0.06, 0.08]), part, tmp_path / "parts", print)
     with pytest.raises(BadInput, match="is not in"):
@@ -154,10 +159,11 @@ def test_a_damaged_record_is_computed_again_alone(tmp_path, calls):
     journal.write_bytes(content)
     with pytest.raises(BadInput, match=r"1 case\(s\) have no sound record: run the same command again"):
         merge(path, folder, tmp_path / "scenes.nc")
+    assert planned(expand_file(path), folder, 1)[1] == [folder / f"{journal.stem}{DONE}"]  # so that the pipeline runs the part
     calls.clear()
     assert compute(path, folder) == 1
     assert len(calls) == 1
-    assert not (folder / f"{journal.stem}{DONE}").exists()  # so that the pipeline runs the part
+    assert planned(expand_file(path), folder, 1)[1] == []
     merge(path, folder, tmp_path / "scenes.nc")
 
 
@@ -209,7 +215,7 @@ def test_journals_of_other_code_are_cleared_away(tmp_path, calls, monkeypatch):
 def test_progress_counts_all_jobs(tmp_path, calls, monkeypatch):
     monkeypatch.setattr("silostudy.sweep.part.EVERY", 0.0)
     path, folder = save(tmp_path, case_s=60.0, part_s=60.0), tmp_path / "parts"
-    first, second, *others = make_plan(expand_file(path), folder, 1)
+    (first, second, *others), _ = make_plan(path, folder)
     heard = []
     compute_part(path, first, folder, heard.append)
     (folder / f"{first}{DONE}").touch()

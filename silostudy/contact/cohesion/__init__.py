@@ -1,4 +1,4 @@
-"""Laws of cohesion, one file a law, with its row."""
+"""Laws of cohesion: one file a law, with its row."""
 
 from silostudy.catalogue import Family, members
 from silostudy.contact.family import CohesionLaw

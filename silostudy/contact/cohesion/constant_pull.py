@@ -16,7 +16,7 @@ def law(c):
 
 ROW = CohesionLaw(
     key="constant-pull",
-    rank=20,
+    rank=2,
     title="Constant pull-off force while in touch",
     source="luding_2008",
     locator="cohesive contact, constant limit",

@@ -12,6 +12,4 @@ def law(c):
     return 0.0
 
 
-ROW = CohesionLaw(
-    key="none", rank=10, title="No cohesion", source=KIYAMA, locator="eq. (8)", law=law, acts=False, measured=True
-)
+ROW = CohesionLaw(key="none", rank=1, title="No cohesion", source=KIYAMA, locator="eq. (8)", law=law, acts=False, measured=True)

@@ -1,4 +1,4 @@
-"""Laws of the normal force: how two bodies push each other apart, one file a law, with its row."""
+"""Laws of the normal force: one file a law, with its row."""
 
 from silostudy.catalogue import Family, members
 from silostudy.contact.family import NormalLaw

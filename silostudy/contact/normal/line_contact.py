@@ -62,7 +62,7 @@ def damping(touch, c):
 
 
 ROW = NormalLaw(
-    key="line-contact", rank=40,
+    key="line-contact", rank=4,
     title="Elastic line contact on its own curve, dashpot, no tension",
     source=KIYAMA,
     locator="eqs. (22a), (22b)",

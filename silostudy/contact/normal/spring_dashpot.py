@@ -23,7 +23,7 @@ def law(overlap, closing, touch, c):
 
 ROW = NormalLaw(
     key="spring-dashpot",
-    rank=10,
+    rank=1,
     title="Linear spring and dashpot, no tension",
     source=KIYAMA,
     locator="eqs. (6)-(9)",

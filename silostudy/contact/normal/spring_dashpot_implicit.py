@@ -25,7 +25,7 @@ def law(overlap, closing, touch, c):
 
 ROW = NormalLaw(
     key="spring-dashpot-implicit",
-    rank=30,
+    rank=3,
     title="Linear spring and semi-implicit dashpot, no tension",
     source=KIYAMA,
     locator="eqs. (6)-(9), dashpot at the new speed",

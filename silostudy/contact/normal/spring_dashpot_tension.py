@@ -22,7 +22,7 @@ def law(overlap, closing, touch, c):
 
 ROW = NormalLaw(
     key="spring-dashpot-tension",
-    rank=20,
+    rank=2,
     title="Linear spring and dashpot, the dashpot may pull",
     source=KIYAMA,
     locator="eqs. (6)-(9) without the cut of the sum",

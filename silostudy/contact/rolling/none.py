@@ -13,5 +13,5 @@ def law(stored, rolling, touch, elastic, c):
 
 
 ROW = RollingLaw(
-    key="none", rank=10, title="No rolling resistance", source=KIYAMA, locator="eq. (15c)", law=law, acts=False, measured=True
+    key="none", rank=1, title="No rolling resistance", source=KIYAMA, locator="eq. (15c)", law=law, acts=False, measured=True
 )

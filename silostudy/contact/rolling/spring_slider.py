@@ -17,7 +17,7 @@ def law(stored, rolling, touch, elastic, c):
 
 
 ROW = RollingLaw(
-    key="spring-slider", rank=20,
+    key="spring-slider", rank=2,
     title="Rotational spring behind a slider",
     source="iwashita_oda_1998",
     locator="rolling resistance, without dashpot",

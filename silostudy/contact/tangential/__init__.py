@@ -1,4 +1,4 @@
-"""Laws of the tangential force: friction, one file a law, with its row."""
+"""Laws of the tangential force: one file a law, with its row."""
 
 from silostudy.catalogue import Family, members
 from silostudy.contact.family import TangentialLaw

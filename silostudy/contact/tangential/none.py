@@ -12,4 +12,4 @@ def law(stored, sliding, touch, elastic, normal, c):
     return 0.0, 0.0
 
 
-ROW = TangentialLaw(key="none", rank=10, title="Frictionless", source=KIYAMA, locator="mu = 0", law=law, acts=False)
+ROW = TangentialLaw(key="none", rank=1, title="Frictionless", source=KIYAMA, locator="mu = 0", law=law, acts=False)

@@ -22,7 +22,7 @@ def law(stored, sliding, touch, elastic, normal, c):
 
 ROW = TangentialLaw(
     key="spring-slider",
-    rank=20,
+    rank=2,
     title="Spring and dashpot, the elastic part capped",
     source=KIYAMA,
     locator="eqs. (10)-(14)",

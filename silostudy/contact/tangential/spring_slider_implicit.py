@@ -27,7 +27,7 @@ def law(stored, sliding, touch, elastic, normal, c):
 
 ROW = TangentialLaw(
     key="spring-slider-implicit",
-    rank=40,
+    rank=4,
     title="Spring and semi-implicit dashpot, the elastic part capped",
     source=KIYAMA,
     locator="eqs. (10)-(14), dashpot at the new speed",

@@ -22,7 +22,7 @@ def law(stored, sliding, touch, elastic, normal, c):
 
 ROW = TangentialLaw(
     key="spring-slider-total",
-    rank=30,
+    rank=3,
     title="Spring and dashpot, their sum capped",
     source="cundall_strack_1979",
     locator="force-displacement law",

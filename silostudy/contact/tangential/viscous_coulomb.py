@@ -25,7 +25,7 @@ def damping(touch, c):
 
 ROW = TangentialLaw(
     key="viscous-coulomb",
-    rank=50,
+    rank=5,
     title="Dashpot capped by Coulomb friction",
     source="haff_werner_1986",
     locator="tangential force",
