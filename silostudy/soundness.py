@@ -36,4 +36,4 @@ def faults_of_trial(name: str, trial: Callable[[], object]) -> Iterator[str]:
     try:
         trial()
     except Exception as error:
-        yield f"{name}: fails for arrays of usual values: {type(error).__name__}: {error}"
+        yield f"{name}: fails for usual values: {type(error).__name__}: {error}"

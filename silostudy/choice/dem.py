@@ -8,7 +8,7 @@ from silostudy.choice.promise import Choice
 from silostudy.choice.settle import settled
 from silostudy.config.contact import ContactConfig
 from silostudy.config.dem import DemScene
-from silostudy.config.load import read_yaml, validated
+from silostudy.config.load import own_validated, read_yaml
 from silostudy.contact import MEASURED
 from silostudy.errors import BadInput
 from silostudy.packing import rows
@@ -16,7 +16,7 @@ from silostudy.packing import rows
 
 def load(path: Path) -> tuple[DemScene, Choice | None]:
     """The scene in a YAML file with the settings chosen for its accuracy, and the choice; BadInput lists every mistake."""
-    scene = validated(DemScene, read_yaml(path), str(path))
+    scene = own_validated(DemScene, read_yaml(path), str(path), path.parent)
     return settled(scene, [scene], str(path)) if scene.accuracy else (scene, None)
 
 

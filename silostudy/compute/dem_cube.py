@@ -29,6 +29,7 @@ def cube_of(run: Run, scene: DemScene, choice: Choice | None = None) -> xr.Datas
     kept = {name: values for name, values in data.items() if values.size}
     notes = {
         **promises([choice] if choice else []),
+        **scene.own_methods,
         "time_step_s": model.dt,
         "steps": run.engine.step,
         "discs_left": run.engine.n,

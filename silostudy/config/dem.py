@@ -6,9 +6,12 @@ from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, Self, TypeA
 
 from pydantic import Field, create_model, model_validator
 
+from silostudy.catalogue import Family
 from silostudy.config.asked import Asked
 from silostudy.config.contact import ContactConfig
 from silostudy.config.fields import Strict, described
+from silostudy.config.own import OwnMethods
+from silostudy.contact import LAWS
 from silostudy.dem.integrate import INTEGRATORS, PLAIN
 from silostudy.packing import PACKINGS
 from silostudy.packing.family import Packing
@@ -110,10 +113,11 @@ class QuakeConfig(Strict):
     file: str = described("CSV file with columns time_s, x_m_s2, y_m_s2, relative to the scene file", "")
 
 
-class DemScene(Asked):
+class DemScene(Asked, OwnMethods):
     """A discrete-element scene."""
 
     fronts: ClassVar[tuple[str, ...]] = ("dem",)
+    joins: ClassVar[tuple[Family, ...]] = tuple(LAWS.values())
 
     kind: Literal["dem"] = described("dem: discrete elements", "")
     title: str = described("title of the scene", "")

@@ -110,11 +110,19 @@ def study_of(content: dict[str, Any], where: str, folder: Path = Path()) -> Base
     """A study as asked, from the content of its file; files that it names are in `folder`.  BadInput lists every mistake."""
     if content.get("kind") not in KINDS:
         raise unknown("kind", content.get("kind"), KINDS, where)
-    model = KINDS[content["kind"]].study
-    return validated(model, content, where, own_families(model, content, where, folder))
+    return own_validated(KINDS[content["kind"]].study, content, where, folder)
 
 
-def own_families(model: type[BaseModel], content: dict[str, Any], where: str, folder: Path) -> Families:
+def own_validated(model: type[M], content: Any, where: str, folder: Path) -> M:
+    """The content as a model, with the rows of the files of the user's own that it and its scene name."""
+    families = own_families(model, content, where, folder)
+    scene: Any = model.model_fields["scene"].annotation if "scene" in model.model_fields else None
+    if isinstance(scene, type) and isinstance(content.get("scene"), dict):
+        families = families | own_families(scene, content["scene"], f"{where} (scene)", folder)
+    return validated(model, content, where, families)
+
+
+def own_families(model: type, content: dict[str, Any], where: str, folder: Path) -> Families:
     """The families that a content may choose from, where it names a file of the user's own; empty where it does not."""
     named = content.get("methods_from")
     if not (issubclass(model, OwnMethods) and isinstance(named, str)):

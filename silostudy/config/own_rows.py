@@ -9,12 +9,13 @@ import sys
 import traceback
 from collections.abc import Iterable
 from dataclasses import replace
+from functools import lru_cache
 from pathlib import Path
 from types import ModuleType
 
 from silostudy.catalogue import Family, Row, declared
 from silostudy.errors import BadInput
-from silostudy.tables.references import own_source
+from silostudy.tables.references import own_references, own_source
 
 Families = dict[str, Family]  # by the name of the family
 
@@ -43,11 +44,15 @@ def own_rows(path: Path, where: str = "") -> tuple[Row, ...]:
         content = path.read_bytes()
     except OSError as error:
         raise _refused(path, f"must be a readable Python file ({error.strerror})", where) from None
-    module = _run(path, content, where)
-    rows = declared(vars(module))
+    return _rows(path, content, own_references(path), where)
+
+
+@lru_cache(maxsize=64)  # the scenes of a sweep are validated one by one
+def _rows(path: Path, content: bytes, references: str, where: str) -> tuple[Row, ...]:
+    rows = declared(vars(_run(path, content, where)))
     if not rows:
         raise _refused(path, "declares neither ROW nor ROWS", where)
-    return tuple(_sound(row, path, content, where) for row in rows)
+    return tuple(_sound(row, path, content, references, where) for row in rows)
 
 
 def _refused(path: Path, why: str, where: str) -> BadInput:
@@ -86,7 +91,7 @@ def _one_line(error: BaseException) -> str:
     return f"{type(error).__name__}: {' '.join(str(text).split())}"
 
 
-def _sound(row: object, path: Path, content: bytes, where: str) -> Row:
+def _sound(row: object, path: Path, content: bytes, references: str, where: str) -> Row:
     """The row with its origin, and its source as `cite` takes it."""
     if not isinstance(row, Row):
         raise _refused(path, f"ROWS holds {row!r:.60}: must be rows of a family", where)
@@ -96,5 +101,6 @@ def _sound(row: object, path: Path, content: bytes, where: str) -> Row:
         fault = _one_line(error)
     if fault:
         raise _refused(path, f"row {row.key}: {fault}", where)
-    source = own_source(row.source, path, f"{where}: methods_from = {path.name!r}: row {row.key}".removeprefix(": "))
+    told = f"{where}: methods_from = {path.name!r}: row {row.key}".removeprefix(": ")
+    source = own_source(row.source, path, references, told)
     return replace(row, source=source, origin=f"{path.name} {_digest(content)}")

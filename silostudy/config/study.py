@@ -9,7 +9,7 @@ from pydantic import field_validator, model_validator
 from silostudy.config.fields import Range, Strict, described, expand
 from silostudy.stages import called_for
 from silostudy.tables.outputs import OUTPUTS
-from silostudy.tables.references import beside
+from silostudy.tables.references import own_files
 
 OutputKey: TypeAlias = Literal[tuple(OUTPUTS)]  # type: ignore[valid-type]
 TAKEN = ("pressure_method", "phase", "depth", "relative_depth", "hopper_position", "case", "rule")
@@ -98,8 +98,7 @@ class BaseStudy(Strict):
 
     def named_files(self, folder: Path) -> tuple[Path, ...]:
         """Files of the user's own that the study names, with the references beside them."""
-        names = filter(None, (getattr(self, field, None) for field in ("materials", "methods_from")))
-        return tuple(file for name in names for file in (folder / name, beside(folder / name)) if file.is_file())
+        return own_files(folder, getattr(self, "materials", None), getattr(self, "methods_from", None))
 
     @field_validator("outputs")
     @classmethod

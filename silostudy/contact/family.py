@@ -1,17 +1,20 @@
 """What a contact law's row says of itself: functions, coefficients and where they come from, stiffness, damping, losses."""
 
 import hashlib
+from abc import abstractmethod
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from math import isfinite
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any, ClassVar, NamedTuple
 
+from numba.core.registry import cpu_target
 from numba.extending import register_jitable
 
 from silostudy.catalogue import Row
 from silostudy.errors import BadInput, unknown
+from silostudy.soundness import faults_of_function, faults_of_trial
 
 
 class Touch(NamedTuple):
@@ -78,6 +81,20 @@ class Coefficient:
         return float(given[self.field]) if self.prepare is None else self.prepare(given)
 
 
+USUAL = Touch(mass=1.0, radius=0.01, dt=1e-5)
+
+
+def _is_jitable(function: Callable) -> bool:
+    """Whether numba takes a function into the kernels that call it."""
+    context = cpu_target.typing_context
+    context.refresh()
+    try:
+        context.resolve_value_type(function)
+    except ValueError:
+        return False
+    return True
+
+
 @register_jitable
 def no_energy(stretch, c):
     """Energy (J/m) of a law without a spring: zero."""
@@ -103,6 +120,8 @@ class Law(Row):
     dashpot as it acts, the least that a semi-implicit one becomes at touch.dt.
     """
 
+    unit: ClassVar[str]  # of what the function gives
+
     law: Callable
     stiffness: Callable = no_stiffness
     damping: Callable = no_damping
@@ -115,12 +134,27 @@ class Law(Row):
     explicit_key: str = ""  # another row with the same spring, under which the same discs rest; empty: this one
 
     def faults(self) -> Iterator[str]:
+        """What is wrong with the row, in words."""
         yield from super().faults()
+        yield from faults_of_function("law", self.law, self.unit, (), ())
         for one in self.coefficients:
             if not one.unit:
                 yield f"coefficient {one.name}: has no unit"
             if one.own and not (one.fields and one.text):
                 yield f"coefficient {one.name}: needs a field of its own and a text, or says how it is prepared"
+        for name, function in self.compiled.items():
+            if not _is_jitable(function):
+                yield f"{name}: must be decorated with numba's register_jitable"
+        yield from faults_of_trial("law", lambda: self.tried(tuple(1.0 for _ in self.coefficients)))
+
+    @property
+    def compiled(self) -> dict[str, Callable]:
+        """The functions that kernels are built from."""
+        return {"law": self.law, "stiffness": self.stiffness}
+
+    @abstractmethod
+    def tried(self, c: tuple[float, ...]) -> None:
+        """Calls the law on a usual contact."""
 
     @property
     def at_rest(self) -> str:
@@ -154,21 +188,52 @@ class Law(Row):
 class NormalLaw(Law):
     """law(overlap, closing speed, touch, c) -> elastic and total force (N/m); energy(overlap, c) -> J/m."""
 
+    unit: ClassVar[str] = "N m-1"
+
     energy: Callable
     linear: bool = False  # whether the elastic force is proportional to the overlap
     one_size: bool = False  # whether its coefficients hold for discs of one size alone
+
+    @property
+    def compiled(self) -> dict[str, Callable]:
+        """The functions that kernels are built from."""
+        return super().compiled | {"energy": self.energy}
+
+    def tried(self, c: tuple[float, ...]) -> None:
+        """Calls the law on a usual contact."""
+        elastic, total = self.law(1e-6, 0.1, USUAL, c)
+        float(elastic), float(total), float(self.energy(1e-6, c))
 
 
 @dataclass(frozen=True, kw_only=True)
 class TangentialLaw(Law):
     """law(stored, sliding speed, touch, elastic, normal, c) -> stored and total force (N/m)."""
 
+    unit: ClassVar[str] = "N m-1"
+
+    def tried(self, c: tuple[float, ...]) -> None:
+        """Calls the law on a usual contact."""
+        stored, total = self.law(0.0, 0.1, USUAL, 1.0, 1.0, c)
+        float(stored), float(total)
+
 
 @dataclass(frozen=True, kw_only=True)
 class RollingLaw(Law):
     """law(stored, difference of spins, touch, elastic, c) -> moment (N m/m), which it stores where it stores any."""
 
+    unit: ClassVar[str] = "N m m-1"
+
+    def tried(self, c: tuple[float, ...]) -> None:
+        """Calls the law on a usual contact."""
+        float(self.law(0.0, 0.1, USUAL, 1.0, c))
+
 
 @dataclass(frozen=True, kw_only=True)
 class CohesionLaw(Law):
     """law(c) -> attraction (N/m) while in touch."""
+
+    unit: ClassVar[str] = "N m-1"
+
+    def tried(self, c: tuple[float, ...]) -> None:
+        """Calls the law on a usual contact."""
+        float(self.law(c))

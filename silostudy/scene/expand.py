@@ -12,8 +12,7 @@ from pathlib import Path
 from typing import Any
 
 from silostudy.config.fields import Strict
-from silostudy.config.load import read_yaml, study_of, validated
-from silostudy.config.own import OwnMethods
+from silostudy.config.load import own_validated, read_yaml, study_of
 from silostudy.errors import BadInput
 from silostudy.stages import KINDS
 
@@ -58,13 +57,12 @@ def file_as_asked(path: Path, positions: Sequence[int] | None = None) -> Expansi
 def as_asked(content: dict[str, Any], name: str, where: str, folder: Path, positions: Sequence[int] | None = None) -> Expansion:
     """The cases of a study's content; `where` names it in errors, and files it names are looked for in `folder`."""
     study: Any = study_of(content, where, folder)
-    families = study.families if isinstance(study, OwnMethods) else None
     build = KINDS[study.kind].scene_builder(study, folder, where)
     cases, axes = [], [axis.settings() for axis in study.sweep]
     shape = tuple(map(len, axes))
     for position in range(prod(shape)) if positions is None else positions:
         settings = _settings_at(axes, position, where)
-        config = validated(type(study.scene), _applied(content["scene"], settings, where), f"{where} (scene)", families)
+        config = own_validated(type(study.scene), _applied(content["scene"], settings, where), f"{where} (scene)", folder)
         cases.append(Case(identity(config), settings, build(config, settings)))
     return Expansion(study, name, shape, tuple(cases), study.named_files(folder))
 

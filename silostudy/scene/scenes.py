@@ -7,12 +7,13 @@ from pathlib import Path
 from typing import Any
 
 from silostudy.config.dem import DemScene
-from silostudy.config.load import read_yaml, validated
+from silostudy.config.load import own_validated, read_yaml
 from silostudy.config.scenes import ScenesStudy
 from silostudy.packing import PACKINGS
+from silostudy.tables.references import own_files
 
 PARTICLE_STEP = 35e-9  # s: `silostudy explain config/scenes/kiyama-17-18.yaml`, with its looks at rest and discharge
-START = 0.02  # s: building a scenefrom silostudy.packing import PACKINGS
+START = 0.02  # s: building a scene
 
 
 @dataclass(frozen=True)
@@ -27,12 +28,13 @@ class SceneCase:
         """The user's own files that the scene is made from."""
         config = self.config
         names = [config.packing.file] if PACKINGS[config.packing.kind].from_file else []
-        return tuple(self.folder / name for name in [*names, *([config.quake.file] if config.quake else [])])
+        data = (self.folder / name for name in [*names, *([config.quake.file] if config.quake else [])])
+        return (*data, *own_files(self.folder, config.methods_from))
 
 
 def files_of_scene(path: Path) -> tuple[Path, ...]:
     """The user's own files that a scene file names; BadInput lists every mistake of it."""
-    return SceneCase(validated(DemScene, read_yaml(path), str(path)), path.parent).files
+    return SceneCase(own_validated(DemScene, read_yaml(path), str(path), path.parent), path.parent).files
 
 
 def scenes_builder(study: ScenesStudy, folder: Path, where: str) -> Callable[[DemScene, dict], SceneCase]:

@@ -66,7 +66,7 @@ def merge(path: Path, folder: Path, output: Path, memory: float = MEMORY) -> tup
         raise BadInput("plan", str(folder), f"has {len(records.keys)} case(s) in place of {prod(expansion.shape)}")
     parts = parts_of(study)
     sweep = Sweep(axis_names(study), axis_coordinates(study))
-    notes = _promise(path, len(records.keys)) if expansion.asks else {}
+    notes = (_promise(path, len(records.keys)) if expansion.asks else {}) | study.scene.own_methods
     coordinates, sources = parts.call("coordinates", study), parts.call("sources", study)
     frame = assemble(study, study.kind, coordinates, sources=sources, notes=notes, sweep=sweep)
     slabs = _slabs(records.pattern(), frame)

@@ -47,12 +47,27 @@ def beside(file: Path) -> Path:
     return file.with_suffix(".bib")
 
 
-def own_source(source: str, file: Path, where: str) -> str:
+def own_files(folder: Path, *names: str | None) -> tuple[Path, ...]:
+    """The named files of a folder, each with the references beside it where there are any."""
+    files = [folder / name for name in names if name]
+    return tuple(one for file in files for one in (file, beside(file)) if one is file or one.is_file())
+
+
+def own_references(file: Path) -> str:
+    """The text of the references beside a file of the user's own; empty where there are none."""
+    path = beside(file)
+    try:
+        return path.read_text(encoding="utf-8") if path.is_file() else ""
+    except (OSError, UnicodeDecodeError) as error:
+        raise BadInput("file", str(path), f"must be readable BibTeX: {error}") from None
+
+
+def own_source(source: str, file: Path, references_beside: str, where: str) -> str:
     """The source of a row in a user's file, as `cite` takes it.
 
     It is a key of the references beside the file, then of the shipped ones, or a citation in words, which has a blank in it.
     """
-    source, own = " ".join(source.split()), _own_references(beside(file))
+    source, own = " ".join(source.split()), _parsed(references_beside, beside(file))
     if source in own.entries:
         return " ".join(_told(own.entries[source]).split())
     if _in_words(source) or source in references().entries:
@@ -61,10 +76,8 @@ def own_source(source: str, file: Path, where: str) -> str:
     raise BadInput("source", source, told, where)
 
 
-def _own_references(path: Path) -> BibliographyData:
-    if not path.is_file():
-        return BibliographyData()
+def _parsed(text: str, path: Path) -> BibliographyData:
     try:
-        return parse_string(path.read_text(encoding="utf-8"), "bibtex")
-    except (OSError, UnicodeDecodeError, PybtexError) as error:
+        return parse_string(text, "bibtex")
+    except PybtexError as error:
         raise BadInput("file", str(path), "must be readable BibTeX: " + " ".join(str(error).split())) from None

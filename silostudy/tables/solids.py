@@ -7,7 +7,7 @@ from pathlib import Path
 from silostudy.catalogue import Family, Row
 from silostudy.errors import BadInput
 from silostudy.tables.read import HERE, number, rows
-from silostudy.tables.references import own_source
+from silostudy.tables.references import own_references, own_source
 from silostudy.tables.units import split_unit
 
 GRAINS = ("powder", "fine_grain", "coarse_grain")
@@ -95,8 +95,10 @@ def _solid(raw: dict) -> SolidRow:
 
 def own_solids(path: Path) -> Family[SolidRow]:
     """The package's solids with those of a user's file, whose sources may be the user's own."""
-    mine = read_solids(path).values()
-    return SOLIDS.joined(replace(row, source=own_source(row.source, path, f"{path.name}, {row.key}")) for row in mine)
+    mine, references = read_solids(path).values(), own_references(path)
+    return SOLIDS.joined(
+        replace(row, source=own_source(row.source, path, references, f"{path.name}, {row.key}")) for row in mine
+    )
 
 
 def with_unit(name: str) -> str:

@@ -99,7 +99,7 @@ MISTAKES = {
                          "phases\\['filling'\\]: p unknown; known: wall_normal_pressure"),
     "unknown phase": (('"filling"', '"emptying"'), "phases: emptying unknown; known: filling, switch, discharge"),
     "numbers for arrays": (("lateral_pressure_ratio * unit_weight * z", "float(z)"),
-                           "static: fails for arrays of usual values: TypeError: only"),
+                           "static: fails for usual values: TypeError: only"),
     "colour": (("#CC3311", "red"), "colour = 'red': must be #rrggbb"),
     "marker": (("$f$", "star"), "marker = 'star': must be"),
     "no function": (("static=normal_pressure", "static=1.0"), "row frictionless: TypeError: 1.0 is not a callable object"),
