@@ -12,6 +12,7 @@ from silostudy.compute.pressure import pressure_cube
 from silostudy.compute.seismic import seismic_cube
 from silostudy.compute.shell import shell_cube
 from silostudy.compute.uncertainty import uncertainty_cube
+from silostudy.pressure import jenike_mass_flow
 
 SILO = {
     "plan": "circular",
@@ -122,7 +123,7 @@ PARTS = (
     ),
     Part(
         "a method as printed", "pressures",
-        ready(PRESSURE | {"as_printed": ["jenike_mass_flow"]}, pressure_cube), ready(PRESSURE, pressure_cube),
+        ready(PRESSURE | {"as_printed": [jenike_mass_flow.ROW.key]}, pressure_cube), ready(PRESSURE, pressure_cube),
     ),
     Part(
         "scatter of the solid", "pressures",

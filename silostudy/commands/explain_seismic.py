@@ -20,10 +20,10 @@ def explanation(row) -> list[str]:
 def earthquake() -> list[str]:
     """The lines that explain the load case that a shell study's section `earthquake` adds."""
     from silostudy.compute.shell_earthquake import UNCHECKED
-    from silostudy.seismic.rules import MASS_RULES
+    from silostudy.seismic import en1998_4
     from silostudy.tables.references import with_locator
 
-    row = MASS_RULES["en1998_4"]
+    row = en1998_4.ROW
     return [
         "Earthquake on a silo's steel wall (section `earthquake` of a shell study, from a seismic study of the same silo)",
         "  axial     n = M / (pi R^2) beside the static axial wall force: + on the pressed side, - on the lifted side",

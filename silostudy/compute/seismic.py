@@ -18,6 +18,7 @@ from silostudy.seismic.beam import modes
 from silostudy.seismic.demand import demand
 from silostudy.seismic.en1998_4 import contents_share
 from silostudy.seismic.response import transfer
+from silostudy.tables.mass_choices import STATED
 
 CURVES = ("empty", "full", "all_contents")
 BOUNDS = ("lower", "upper")
@@ -44,7 +45,7 @@ def seismic_cube(expansion: Resolved, tell: Callable[[str], None] = lambda text:
 def _labels(study) -> dict[str, list]:
     """Coordinates of the cube's own axes."""
     choices = ("identified",) if study.identification else ()
-    values = {"relative_depth": expand(study.relative_depth), "mass_choice": [*choices, "eighty_percent", "all_contents"]}
+    values = {"relative_depth": expand(study.relative_depth), "mass_choice": [*choices, *STATED]}
     if study.sine:
         values |= {"frequency": expand(study.sine.frequency_Hz), "curve": list(CURVES), "bound": list(BOUNDS)}
     if study.identification:
@@ -56,7 +57,7 @@ def _case(study, scene: Shaken, random: np.random.Generator) -> dict[str, np.nda
     """Everything of one case, by the names of the contract: what the study asks for and no more."""
     unreduced = identify.emptied(scene.tube)
     alpha = stiffness_reduction(scene.empty_frequency or unreduced, unreduced)
-    choices = {"eighty_percent": 0.8, "all_contents": 1.0}
+    choices = dict(STATED)
     found = _given(scene, alpha, unreduced)
     if study.sine is not None:
         found |= _resonance(study.sine, scene, unreduced)

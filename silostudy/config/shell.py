@@ -10,6 +10,7 @@ from silostudy.config.fields import Strict, described
 from silostudy.config.pressure import PressureStudy
 from silostudy.config.scene import CircularSilo, SceneConfig
 from silostudy.config.steel import SiloWall
+from silostudy.tables.mass_choices import MASS_CHOICES, USUAL
 from silostudy.tables.outputs import OUTPUTS
 
 
@@ -24,8 +25,8 @@ class Earthquake(Strict):
     """The seismic study whose demand is laid on the shell beside the static loads."""
 
     study: str = described("name of a seismic study of the same silo, in a file beside this one", "")
-    mass_choice: Literal["identified", "eighty_percent", "all_contents"] = described(
-        "how much of the contents moves with the wall", "", default="eighty_percent"
+    mass_choice: Literal[tuple(MASS_CHOICES)] = described(  # type: ignore[valid-type]
+        "how much of the contents moves with the wall", "", default=USUAL
     )
 
 

@@ -16,9 +16,9 @@ from matplotlib.patches import Patch
 from silostudy.figures.style import PHASE_LINES, look, save, title
 from silostudy.figures.uncertainty_bands import distinct_methods
 from silostudy.tables.measured import Measured, measured_silos
+from silostudy.tables.outputs import output_of
 
-SETS = "en1991_4_"  # rows of one set of characteristic values: the band
-LOCAL = "en1991_4_eccentric"
+(STATIC,) = output_of(__name__).methods
 EDGES = (("wall_normal_pressure_kPa", "upper_kPa"), ("ratio_to_janssen", "upper_ratio"))  # of a band, on either panel
 LINES = 3  # for the handbook's numbers
 SCATTER = "light fill, bar in a method's colour: 5 % to 95 % of the sampled solid, larger phase"
@@ -28,11 +28,11 @@ HATCHES = {"filling": "\\\\\\\\", "switch": "....", "discharge": "////"}
 
 def draw(cube: xr.Dataset, stem: Path, sampled: xr.Dataset | None = None) -> None:
     """Writes the figure and the curves, the bands and the measured points it shows; `sampled`: the uncertainty cube."""
-    static = cube["wall_normal_pressure"].sel(pressure_method="janssen", phase="filling")
+    static = cube["wall_normal_pressure"].sel(pressure_method=STATIC, phase="filling")
     figure, (left, right) = plt.subplots(1, 2, figsize=(12.5, 8.4), sharey=True, width_ratios=(1.3, 1))
     tables = []
     for method in map(str, cube["pressure_method"].values):
-        if not (method.startswith(SETS) and method != LOCAL):
+        if drawn(cube, method) != "set":
             for phase in _phases(cube, method):
                 tables.append(_curve(cube, method, phase, static))
                 _draw_curve((left, right), cube, tables[-1], method, phase)
@@ -54,14 +54,19 @@ def draw(cube: xr.Dataset, stem: Path, sampled: xr.Dataset | None = None) -> Non
     save(figure, pd.concat([*tables, *scatter], ignore_index=True), stem)
 
 
+def drawn(cube: xr.Dataset, method: str) -> str:
+    """How a method is shown: curve, handbook or set."""
+    return str(cube["pressure_method_drawn"].sel(pressure_method=method).values)
+
+
 def _phases(cube: xr.Dataset, method: str) -> list[str]:
     """Phases with a curve of their own: Jenike's filling, and all of 1969, are Janssen's."""
     pressure = cube["wall_normal_pressure"]
-    static = pressure.sel(pressure_method="janssen", phase="filling")
+    static = pressure.sel(pressure_method=STATIC, phase="filling")
     shown = []
     for phase in map(str, cube["phase"].values):
         one = pressure.sel(pressure_method=method, phase=phase)
-        same = method != "janssen" and np.allclose(one, static, rtol=1e-12, atol=0)
+        same = method != STATIC and np.allclose(one, static, rtol=1e-12, atol=0)
         if one.notnull().any() and not same:
             shown.append(phase)
     return shown
@@ -77,9 +82,8 @@ def _curve(cube: xr.Dataset, method: str, phase: str, static: xr.DataArray) -> p
 
 
 def _draw_curve(axes: tuple[Axes, Axes], cube: xr.Dataset, table: pd.DataFrame, method: str, phase: str) -> None:
-    number = str(cube["pressure_method_number"].sel(pressure_method=method).values)
     style = {**look(cube, method), "linestyle": PHASE_LINES[phase], "linewidth": 2.0, "markersize": 6, "markevery": 18}
-    if number or method == "reimbert":  # the handbook's curves: thin, told apart by number and marker
+    if drawn(cube, method) == "handbook":  # thin, told apart by number and marker
         style |= {"linewidth": 0.9, "markersize": 3.5, "alpha": 0.75}
     if phase == "filling":
         style["markerfacecolor"] = "none"
@@ -112,7 +116,7 @@ def _number_ends(axes: Axes, tables: list[pd.DataFrame]) -> None:
 
 def _band(cube: xr.Dataset, phase: str, static: xr.DataArray) -> pd.DataFrame | None:
     """Least and largest wall pressure over the sets of characteristic values."""
-    sets = [m for m in map(str, cube["pressure_method"].values) if m.startswith(SETS) and m != LOCAL]
+    sets = [method for method in map(str, cube["pressure_method"].values) if drawn(cube, method) == "set"]
     if not sets:
         return None
     pressure = cube["wall_normal_pressure"].sel(pressure_method=sets, phase=phase)

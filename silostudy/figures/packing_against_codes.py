@@ -9,7 +9,7 @@ import xarray as xr
 
 from silostudy.figures import ensembles
 from silostudy.figures.style import save
-from silostudy.tables.handbook import table_4_2_5
+from silostudy.tables.handbook import STATIC_COLUMN, table_4_2_5
 from silostudy.tables.kiyama_1983 import WALL_FRICTION
 
 ACTIVE = (1 - 0.5) / (1 + 0.5)  # Rankine's K for the 30 degrees that the source gives its particles
@@ -111,7 +111,7 @@ def _factors(panel, one: xr.Dataset, across: int, shift: float) -> pd.DataFrame:
 def code_factors() -> dict[str, float]:
     """Largest printed discharge pressure of each method of Table 4.2.5 over the largest of static Janssen there."""
     printed = table_4_2_5()
-    static = max(value.wall_normal_pressure for value in printed if value.method == "janssen")
+    static = max(value.wall_normal_pressure for value in printed if value.method == STATIC_COLUMN)
     found: dict[str, float] = {}
     for value in printed:
         if value.phase == "discharge":

@@ -11,9 +11,10 @@ from matplotlib.axes import Axes
 
 from silostudy.figures import rules
 from silostudy.figures.style import look, save, title
+from silostudy.tables.outputs import output_of
 
 DIAMETER, SLENDERNESS = 10.0, 2.0  # the silo of the matrices; the nearest of the study is taken
-RULE, METHOD = "en1993_1_6_2007", "janssen"  # what the curves hold fixed in turn
+(RULE,), (METHOD,) = output_of(__name__).rules, output_of(__name__).methods  # what the curves hold fixed in turn
 
 
 def draw(cube: xr.Dataset, stem: Path) -> None:

@@ -8,6 +8,7 @@ import xarray as xr
 
 from silostudy.figures.shaken import LINES, cases, head, name
 from silostudy.figures.style import save
+from silostudy.tables.mass_choices import MASS_CHOICES
 
 PANELS = {
     "wall_shear_force": ("shear force in the wall (kN)", 1e-3),
@@ -16,7 +17,6 @@ PANELS = {
     "wall_acceleration": ("largest acceleration of the wall (m/s²)", 1.0),
     "seismic_wall_pressure": ("additional wall pressure, EN 1998-4 (kPa)", 1e-3),
 }
-CHOICES = {"identified": "identified", "eighty_percent": "80 %", "all_contents": "all"}
 CASES = (("#0072b2", "o"), ("#d55e00", "s"), ("#009e73", "^"))
 
 
@@ -28,7 +28,7 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
         for dash, choice in zip(LINES, map(str, one["mass_choice"].values), strict=False):
             here = one.sel(mass_choice=choice)
             share = float(here["mass_choice_coefficient"])
-            label = f"{name(one)}: {CHOICES[choice]}, C_eff = {share:.3g},\n"
+            label = f"{name(one)}: {MASS_CHOICES[choice][1]}, C_eff = {share:.3g},\n"
             label += f"base {float(here['base_shear']) / 1e3:.4g} kN, {float(here['base_moment']) / 1e3:.4g} kN m"
             for panel, (variable, (_, factor)) in zip(panels, PANELS.items(), strict=True):
                 panel.plot(here[variable] * factor, one["depth"], color=colour, marker=marker, markevery=6, markersize=4,

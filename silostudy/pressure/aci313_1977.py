@@ -34,4 +34,5 @@ ROW = PressureMethod(
     colour="#009E73",
     marker="^",
     number="3",
+    drawn="handbook",
 )

@@ -31,4 +31,5 @@ ROW = PressureMethod(
     colour="#0072B2",
     marker="<",
     number="5",
+    drawn="handbook",
 )

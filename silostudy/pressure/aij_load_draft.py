@@ -29,4 +29,5 @@ ROW = PressureMethod(
     colour="#56B4E9",
     marker="v",
     number="4",
+    drawn="handbook",
 )

@@ -85,6 +85,7 @@ ROW = PressureMethod(
     colour="#E69F00",
     marker="s",
     number="7",
+    drawn="handbook",
     as_printed={
         "filling": {"wall_normal_pressure": printed_filling_pressure},
         "discharge": {"wall_normal_pressure": printed_discharge_pressure},

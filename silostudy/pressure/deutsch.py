@@ -34,4 +34,5 @@ ROW = PressureMethod(
     colour="#882255",
     marker="*",
     number="11",
+    drawn="handbook",
 )

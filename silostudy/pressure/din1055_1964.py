@@ -109,6 +109,7 @@ ROW = PressureMethod(
     colour="#000080",
     marker="h",
     number="1",
+    drawn="handbook",
     misprinted_table=True,
     equilibrium=("filling", "discharge"),
 )

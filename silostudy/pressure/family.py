@@ -91,6 +91,9 @@ REASONS = (
 )
 IN_SCOPE, NO_QUANTITY, NO_PHASE, NO_PLAN, NO_PROPERTY, OUT_OF_RANGE, ABOVE_CONTACT, NO_HOPPER = range(len(REASONS))
 
+# a curve of its own; a thin one, of the handbook; one edge of a band, of a set of characteristic values
+DRAWN = ("curve", "handbook", "set")
+
 Quantities = Mapping[str, Callable]
 
 
@@ -109,6 +112,7 @@ class PressureMethod(Row):
     not_computed: what the source treats and the method leaves out, for want of checked formulas.
     table_key: method under which the tables keep its own values, where several rows share them.
     number: how the handbook numbers the curve in Fig. 4.2.11; empty where it is not in that figure.
+    drawn: one of DRAWN: how a figure that compares many methods shows it.
     """
 
     phases: Mapping[str, Quantities]
@@ -119,6 +123,7 @@ class PressureMethod(Row):
     colour: str
     marker: str
     number: str = ""
+    drawn: str = "curve"
     as_printed: Mapping[str, Quantities] = field(default_factory=dict)
     misprinted_table: bool = False
     equilibrium: tuple[str, ...] = ()
@@ -144,6 +149,8 @@ class PressureMethod(Row):
         """What is wrong with the row, in words."""
         yield from super().faults()
         yield from faults_of_look(self)
+        if self.drawn not in DRAWN:
+            yield f"drawn = {self.drawn!r}: must be one of {', '.join(DRAWN)}"
         yield from _faults_of_names(self)
         for name, function, unit, place in _functions(self):
             faults = list(faults_of_function(name, function, unit, parameters_of(function), PARAMETERS))

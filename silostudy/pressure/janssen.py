@@ -118,5 +118,6 @@ ROW = PressureMethod(
     colour="#000000",
     marker="o",
     number="6",
+    drawn="handbook",
     equilibrium=("filling",),
 )

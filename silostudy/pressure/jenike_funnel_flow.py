@@ -61,5 +61,6 @@ ROW = PressureMethod(
     colour="#CC79A7",
     marker="d",
     number="9",
+    drawn="handbook",
     equilibrium=("filling",),
 )

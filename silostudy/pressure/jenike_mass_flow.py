@@ -195,6 +195,7 @@ ROW = PressureMethod(
     colour="#D55E00",
     marker="D",
     number="8",
+    drawn="handbook",
     as_printed={"discharge": {"wall_normal_pressure": printed_envelope}},
     equilibrium=("filling",),
 )

@@ -111,5 +111,6 @@ ROW = PressureMethod(
     "50-digit arithmetic and by vertical equilibrium",
     colour="#7f7f7f",
     marker="x",
+    drawn="handbook",
     equilibrium=("filling",),
 )

@@ -28,4 +28,5 @@ ROW = PressureMethod(
     colour="#44AA99",
     marker=">",
     number="10",
+    drawn="handbook",
 )

@@ -30,4 +30,5 @@ ROW = PressureMethod(
     colour="#999933",
     marker="P",
     number="2",
+    drawn="handbook",
 )

@@ -67,15 +67,15 @@ def resting_discs_model(config: StabilityScene) -> Model:
     )  # fmt: skip
 
 
-def network(key: str, radius: float) -> tuple[np.ndarray, np.ndarray, float]:
+def network(arrangement: str, radius: float) -> tuple[np.ndarray, np.ndarray, float]:
     """x, y (m) of the discs where they nearly rest, and the width (m) between the side walls."""
-    if key in ("disc", "column"):
-        number = np.arange(TALL if key == "column" else 1)
+    if arrangement in ("disc", "column"):
+        number = np.arange(TALL if arrangement == "column" else 1)
         return np.full(len(number), 2.0 * radius), radius * (1.0 + 2.0 * number), 4.0 * radius
     gap = 1e-4 * radius
-    pitch = PITCH * radius if key == "rows" else 2.0 * radius * (1.0 - TIGHT)
+    pitch = PITCH * radius if arrangement == "rows" else 2.0 * radius * (1.0 - TIGHT)
     width = 2.0 * (radius + gap) + (ACROSS - 1) * pitch
-    if key == "rows":
+    if arrangement == "rows":
         height = 2.0 * radius + ACROSS * 1.7 * radius
         x, y, _ = rows.place(width=width, height=height, radius=radius, across=ACROSS, gap=gap)
         return x, y, width

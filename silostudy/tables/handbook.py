@@ -6,6 +6,7 @@ from silostudy.tables.constants import STANDARD_GRAVITY
 from silostudy.tables.read import HERE, rows
 
 TONNE_PER_M2 = 1e3 * STANDARD_GRAVITY  # Pa
+STATIC_COLUMN = "janssen"  # of Table 4.2.5: static Janssen
 
 
 @dataclass(frozen=True)

@@ -55,6 +55,11 @@ _TEXT = ("output", "kind", "stage", "demands", *LISTS)
 OUTPUTS: Family[Output] = Family("output", map(_output, rows(HERE / "outputs.csv", text=_TEXT)))
 
 
+def output_of(module: str) -> Output:
+    """The row of the output that a module of figures draws, by the module's dotted name."""
+    return OUTPUTS[module.rpartition(".")[2]]
+
+
 def files_of(key: str, folder: str) -> list[str]:
     """Files of an output in the folder of a study's results: a figure as PNG, SVG and the numbers it shows, a table as CSV."""
     kind = OUTPUTS[key].kind

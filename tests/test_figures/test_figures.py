@@ -107,4 +107,13 @@ def test_every_output_has_its_file():
     for key, row in OUTPUTS.items():
         assert callable(import_module(f"silostudy.figures.{key}").draw)
         assert row.kind in ("figure", "table", "animation")
-        assert row.demands <= {"single_case", "only_axes", "strakes", "hopper", "sine", "identification", "earthquake"}
+        assert row.demands <= {
+            "single_case",
+            "only_axes",
+            "strakes",
+            "hopper",
+            "sine",
+            "identification",
+            "earthquake",
+            "prices",
+        }

@@ -4,7 +4,7 @@ import numpy as np
 from scipy.optimize import minimize_scalar
 
 from silostudy.accuracy.problems.shell_strength import STEEL
-from silostudy.buckling import BUCKLING
+from silostudy.buckling import en1993_4_1
 from silostudy.buckling.thickness import with_thickness
 from silostudy.pressure import jenike_mass_flow
 from silostudy.pressure.family import call
@@ -12,7 +12,7 @@ from silostudy.pressure.quadrature import from_surface
 
 LEVELS = (5, 9, 17, 33, 65, 129, 257, 513, 1025)
 LADDERS = {"even levels": LEVELS}
-RULE, SAFETY = BUCKLING["en1993_4_1_2025"], 1.65
+RULE, SAFETY = en1993_4_1.ROWS[-1], 1.65  # the latest edition
 DEPTH, SILOS = 20.0, 12  # m; silos from stubby to slender, in one call
 RADIUS = np.geomspace(1.6, 8.0, SILOS)[:, None]  # m
 SOLID: dict = {

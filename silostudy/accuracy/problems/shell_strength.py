@@ -4,12 +4,12 @@ from decimal import Decimal, localcontext
 
 import numpy as np
 
-from silostudy.buckling import BUCKLING
+from silostudy.buckling import en1993_4_1
 from silostudy.buckling.family import call
 
 BITS = {32: np.float32, 64: np.float64}
 LADDERS = {"float": tuple(BITS)}
-RULE = BUCKLING["en1993_4_1_2007"]
+RULE = en1993_4_1.ROWS[0]  # the first edition
 SHELLS, MANY = 400, 50  # shells that are compared; how often they stand in the call that is timed
 DIGITS = 50
 STEEL = {"youngs_modulus": 210e9, "yield_stress": 235e6, "fabrication_quality": 25.0, "end_factor": 1.0}

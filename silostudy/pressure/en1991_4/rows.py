@@ -223,6 +223,7 @@ def state(name: str, title: str, colour: str, marker: str) -> PressureMethod:
         colour=colour,
         marker=marker,
         equilibrium=("filling",),
+        drawn="set",
         **COMMON,
     )
 
