@@ -10,6 +10,7 @@ from silostudy.__main__ import main
 from silostudy.choice.expand import expand_file
 from silostudy.choice.fronts import FRONTS
 from silostudy.compute.dem import scene_model
+from silostudy.compute.pressure import pressure_cube
 from silostudy.config.asked import Asked
 from silostudy.config.dem import DemScene
 from silostudy.config.load import read_study, study_of, validated
@@ -18,6 +19,7 @@ from silostudy.dem.stability import chosen_step
 from silostudy.errors import BadInput
 from silostudy.stages import FILE_KINDS
 from tests.conftest import SMALL
+from tests.own import THEORY
 from tests.test_accuracy.test_fronts_packing import ONE
 from tests.test_accuracy.test_fronts_seismic import identifying
 from tests.test_buckling.test_shell import STUDY as SHELL
@@ -199,3 +201,13 @@ def test_a_sweep_whose_base_scene_does_not_ask_tells_of_the_cases_that_do(tmp_pa
     expansion = expand_file(path)
     assert [choice.asked for choice in expansion.choices] == [{"wall_force": 0.2}]
     assert expansion.cases[0].scene.config.march.step_factor == 1.0
+
+
+def test_a_study_keeps_the_user_s_own_methods_when_its_settings_are_chosen(tmp_path):
+    (tmp_path / "mine.py").write_text(THEORY)
+    own = {"methods_from": "mine.py", "methods": ["janssen", "frictionless"], "accuracy": {"wall_force": 0.01}}
+    path = tmp_path / "asking.yaml"
+    path.write_text(yaml.safe_dump(without(SMALL, "depth_m") | own))
+    cube = pressure_cube(expand_file(path))
+    assert cube["pressure_method"].values.tolist() == own["methods"]
+    assert f"'count': {cube.sizes['relative_depth']}" in cube.attrs["accuracy_settings"]
