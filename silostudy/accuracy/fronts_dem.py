@@ -19,12 +19,13 @@ from silostudy.choice.dem import scene_traits
 from silostudy.config.dem import DemScene
 from silostudy.contact import MEASURED as MEASURED_LAWS
 from silostudy.dem.engine import Engine, Explosion
+from silostudy.dem.integrate import PLAIN, SMOOTHED, VERLET
 from silostudy.scene.dem_model import placed, unshaken_scene_model
 from silostudy.tables.kiyama_1983 import DENSITY, NORMAL_STIFFNESS, RADIUS, width_as_steep
 
 STEPS = tuple(2.0 ** (-k / 2) for k in range(9))  # factors of the step that the engine chooses
-COARSE = {"velocity-verlet": STEPS[:7], "17-18": STEPS[::2], "17-19": STEPS[:7:2]}
-FINE = {"17-18": (2.0**-5, 2.0**-6)}  # on fewer fillings
+COARSE = {VERLET.key: STEPS[:7], PLAIN.key: STEPS[::2], SMOOTHED.key: STEPS[:7:2]}
+FINE = {PLAIN.key: (2.0**-5, 2.0**-6)}  # on fewer fillings
 FINEST = {"coarse": 2.0**-6, "fine": 2.0**-7.5}  # factors of the references' steps, by velocity Verlet
 SHARE, REST, PARTS = 0.95, 0.25, 6  # of fillings that keep an error; s to rest; parts of a wall
 MEASURED, UNSEEN = 16, 12  # silos that the front is measured on, and others that the choice is tried on
@@ -75,7 +76,7 @@ def measured(content: dict[str, Any], ladders: Mapping[str, tuple[float, ...]], 
     settings = [(integrator, factor) for integrator, factors in ladders.items() for factor in factors]
     errors, spent = np.empty((len(settings), len(seeds))), np.empty((len(settings), len(seeds)))
     for number, seed in enumerate(seeds):
-        exact, _ = forces(content, ("velocity-verlet", finest), seed)
+        exact, _ = forces(content, (VERLET.key, finest), seed)
         for k, setting in enumerate(settings):
             force, spent[k, number] = forces(content, setting, seed)
             errors[k, number] = np.abs(force - exact).max() / exact.max()

@@ -12,7 +12,7 @@ from silostudy.dem.engine import Engine
 from silostudy.dem.model import Contact, Model
 from silostudy.dem.pieces import Laws
 from silostudy.dem.snapshot import wall_contacts
-from silostudy.packing import PACKINGS
+from silostudy.packing import rows
 from silostudy.scene.plane_silo import FLOOR, HALVES, SIDES, PlaneSilo
 from silostudy.tables.constants import ROUNDED_GRAVITY
 from silostudy.tables.kiyama_1983 import (
@@ -66,8 +66,8 @@ def silo_of_rows(
     width = width_as_steep(across)
     rise = sqrt((2.0 * RADIUS + gap) ** 2 - ((width - 2.0 * (RADIUS + gap)) / (across - 1) / 2.0) ** 2)
     fill = 2.0 * RADIUS + (levels - 0.5) * rise
-    rows = {"width": width, "height": fill, "radius": RADIUS, "across": across, "gap": gap, "offset": offset, "seed": seed}
-    x, y, radii = PACKINGS["rows"].place(**rows)
+    laid = {"width": width, "height": fill, "radius": RADIUS, "across": across, "gap": gap, "offset": offset, "seed": seed}
+    x, y, radii = rows.place(**laid)
     silo = PlaneSilo(width, float(y.max()) + 0.1, slit_share * width)
     return Model(x, y, radii, DENSITY, silo.walls(), contact_of_discs(), contact_with_walls(), STEP, DOWN), silo.slit
 

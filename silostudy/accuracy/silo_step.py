@@ -13,11 +13,12 @@ from silostudy.accuracy.peers import Lammps
 from silostudy.accuracy.silo import LEVELS, silo_of_rows
 from silostudy.contact.family import NormalLaw, TangentialLaw
 from silostudy.dem.engine import Engine, Explosion
+from silostudy.dem.integrate import PLAIN
 from silostudy.dem.model import Model
 from silostudy.scene.plane_silo import inner_width
 from silostudy.tables.kiyama_1983 import ACTIVE, GAPS, RADIUS
 
-REFERENCE_MARCH = "17-18"
+REFERENCE_MARCH = PLAIN.key
 CALM = 1e-4  # m/s: faster discs are not at rest, the step is then too long
 
 

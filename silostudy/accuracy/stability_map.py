@@ -13,6 +13,7 @@ import numpy as np
 from silostudy.accuracy.peers import Lammps
 from silostudy.dem.arrays import Memory
 from silostudy.dem.engine import Engine, Explosion
+from silostudy.dem.integrate import PLAIN
 from silostudy.dem.lanes import U, V, W
 from silostudy.dem.model import Contact, Model
 from silostudy.dem.stability import SAFETY, longest_step
@@ -171,7 +172,7 @@ def our_step(model: Model, rest: Rest, kick: np.ndarray, steps: int, resolution:
 
 def peer_step(calm: Model, model: Model, rest: Rest, kick: np.ndarray, steps: int, resolution: float) -> float:
     """Largest stable step (s) of LAMMPS on the discs of a model, whose integrator and dashpots are its own."""
-    explicit = replace(model, integrator="17-18", pair_contact=_with_laws(model, calm), wall_contact=_with_laws(model, calm))
+    explicit = replace(model, integrator=PLAIN.key, pair_contact=_with_laws(model, calm), wall_contact=_with_laws(model, calm))
     x, y = rest.places.T
     bound = longest_step(replace(explicit, x=x, y=y))
 

@@ -7,10 +7,11 @@ from pathlib import Path
 from silostudy.choice.promise import Choice
 from silostudy.choice.settle import settled
 from silostudy.config.contact import ContactConfig
-from silostudy.config.dem import DemScene, RowsConfig
+from silostudy.config.dem import DemScene
 from silostudy.config.load import own_validated, read_yaml
 from silostudy.contact import MEASURED
 from silostudy.errors import BadInput
+from silostudy.packing import rows
 
 
 def load(path: Path) -> tuple[DemScene, Choice | None]:
@@ -33,7 +34,6 @@ def scene_traits(scene: DemScene) -> dict[str, float]:
     for key, value, measured in _kinds(scene, walls):
         if value != measured:
             raise BadInput("accuracy", scene.accuracy, f"was measured with {key} {measured} alone, not {value}")
-    assert isinstance(scene.packing, RowsConfig)
     assert scene.discs.normal_stiffness_N_m2 is not None
     assert walls.normal_stiffness_N_m2 is not None
     stiffness, mass = scene.discs.normal_stiffness_N_m2, scene.density_kg_m3 * pi * scene.radius_m**2
@@ -52,7 +52,7 @@ def scene_traits(scene: DemScene) -> dict[str, float]:
 def _kinds(scene: DemScene, walls: ContactConfig) -> Iterator[tuple[str, object, object]]:
     """Keys whose values make a scene of the kind that was measured: name, value, the one measured."""
     across, up = scene.gravity_m_s2
-    yield "packing.kind", scene.packing.kind, "rows"
+    yield "packing.kind", scene.packing.kind, rows.ROW.key
     yield "silo.hopper_half_angle_deg", scene.silo.hopper_half_angle_deg, None
     yield "quake", scene.quake, None
     yield "gravity", "straight down" if across == 0 and up < 0 else scene.gravity_m_s2, "straight down"

@@ -14,6 +14,7 @@ import numpy as np
 from silostudy.accuracy.front import cheapest, kept
 from silostudy.accuracy.silo import LEVELS, silo_of_rows
 from silostudy.dem.engine import Engine, Explosion
+from silostudy.dem.integrate import PLAIN, SMOOTHED, VERLET
 from silostudy.dem.model import Model
 from silostudy.scene.plane_silo import inner_width
 from silostudy.tables.kiyama_1983 import ACTIVE
@@ -22,8 +23,8 @@ PARTS, REST = 6, 0.4  # parts of a wall; s to rest
 OFFSET, FILLINGS = 4e-6, 6  # m; every disc starts up to the offset elsewhere
 STEPS = tuple(float(f"{1e-4 * 2.0 ** (-k / 2):.3g}") for k in range(11))  # s
 FINEST, ASKED = 1e-6, (0.2, 0.1, 0.05, 0.02)
-INTEGRATORS = ("17-18", "17-19", "velocity-verlet")
-LOOKS = {"17-18": ("#0072b2", "o"), "17-19": ("#d55e00", "s"), "velocity-verlet": ("#009e73", "^"), "LAMMPS": ("black", "D")}
+INTEGRATORS = (PLAIN.key, SMOOTHED.key, VERLET.key)
+LOOKS = {PLAIN.key: ("#0072b2", "o"), SMOOTHED.key: ("#d55e00", "s"), VERLET.key: ("#009e73", "^"), "LAMMPS": ("black", "D")}
 
 
 def run(chosen) -> None:
@@ -87,17 +88,17 @@ def _in_turn(codes: dict[str, Callable]) -> list[dict]:
     errors: dict[tuple, list[float]] = {rung: [] for rung in spent}
     for seed in range(FILLINGS):
         model, _ = silo_of_rows(ACTIVE, LEVELS, offset=OFFSET, seed=seed)
-        reference = {"velocity-verlet": codes["velocity-verlet"](model, FINEST)[0]}
+        reference = {VERLET.key: codes[VERLET.key](model, FINEST)[0]}
         if "LAMMPS" in codes:
             reference["LAMMPS"] = codes["LAMMPS"](model, FINEST)[0]
-            apart = _error(reference["LAMMPS"], reference["velocity-verlet"])
+            apart = _error(reference["LAMMPS"], reference[VERLET.key])
             print(
                 f"filling {seed}: at {FINEST:g} s the codes are {apart:.1%} apart; each is measured against its own", flush=True
             )
         for code, dt in spent:
             force, seconds = codes[code](model, dt)
             spent[code, dt].append(seconds)
-            errors[code, dt].append(_error(force, reference["LAMMPS" if code == "LAMMPS" else "velocity-verlet"]))
+            errors[code, dt].append(_error(force, reference["LAMMPS" if code == "LAMMPS" else VERLET.key]))
     return [
         {
             "code": code,

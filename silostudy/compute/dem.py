@@ -14,13 +14,14 @@ from silostudy.dem.model import Model
 from silostudy.dem.run import Run
 from silostudy.errors import BadInput
 from silostudy.packing import PACKINGS
+from silostudy.packing.given import place
 from silostudy.scene.dem import events_of
 from silostudy.scene.dem_model import placed, unshaken_scene_model
 
 
 def scene_model(scene: DemScene, folder: Path, where: str = "") -> Model:
     """The engine's model of a scene; BadInput for a start or a step that cannot be."""
-    discs = _given(scene.packing.file, folder) if scene.packing.kind == "given" else placed(scene)
+    discs = _given(scene.packing.file, folder) if PACKINGS[scene.packing.kind].from_file else placed(scene)
     model = unshaken_scene_model(scene, discs, where)
     return model if scene.quake is None else replace(model, quake=_quake(scene, folder, model.dt))
 
@@ -31,7 +32,7 @@ def _given(file: str, folder: Path):
             last = {"snapshot": -1} if "snapshot" in given.dims else {}
             x, y = (given[name].isel(last).to_numpy() for name in ("disc_x", "disc_y"))
             left = np.isfinite(x)
-            return PACKINGS["given"].place(x=x[left], y=y[left], radius=given["disc_radius"].to_numpy()[left])
+            return place(x=x[left], y=y[left], radius=given["disc_radius"].to_numpy()[left])
     except (OSError, KeyError) as error:
         raise BadInput("packing.file", file, f"must be netCDF with disc_x, disc_y, disc_radius ({error})") from None
 

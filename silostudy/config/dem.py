@@ -1,8 +1,10 @@
 """What a user writes to describe one discrete-element scene, in the user's units."""
 
-from typing import Annotated, ClassVar, Literal, Self, TypeAlias
+from functools import reduce
+from operator import or_
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, Self, TypeAlias
 
-from pydantic import Field, model_validator
+from pydantic import Field, create_model, model_validator
 
 from silostudy.catalogue import Family
 from silostudy.config.asked import Asked
@@ -10,7 +12,9 @@ from silostudy.config.contact import ContactConfig
 from silostudy.config.fields import Strict, described
 from silostudy.config.own import OwnMethods
 from silostudy.contact import LAWS
-from silostudy.dem.integrate import INTEGRATORS
+from silostudy.dem.integrate import INTEGRATORS, PLAIN
+from silostudy.packing import PACKINGS
+from silostudy.packing.family import Packing
 from silostudy.tables.constants import ROUNDED_GRAVITY
 
 IntegratorKey: TypeAlias = Literal[tuple(INTEGRATORS)]  # type: ignore[valid-type]
@@ -37,39 +41,25 @@ class BoxConfig(Strict):
         return self
 
 
-class RowsConfig(Strict):
-    """Rows of s and s - 1 discs in turn."""
-
-    kind: Literal["rows"] = described("rows: s and s - 1 discs in turn", "")
-    across: int = described("s, discs in the lowest row", ge=2)
-    fill_height_m: float = described("height up to which rows are laid", "m", gt=0)
-    gap_m: float = described("gap between neighbours at the start", "m", ge=0)
-    offset_m: float = described("random offset of every disc, each way", "m", ge=0, default=0.0)
+def _section(packing: Packing) -> Any:
+    """Model of the section `packing` that chooses this packing and gives what it asks for."""
+    fields: dict[str, Any] = {"kind": (Literal[packing.key], described(f"{packing.key}: {packing.title}", ""))}
+    for one in packing.asks:
+        fields[one.name] = one.kind, described(one.text, one.unit, default=one.default, **one.bounds)
+    return create_model(f"{packing.key.capitalize()}Config", __base__=Strict, __doc__=f"{packing.title}.", **fields)
 
 
-class LooseConfig(Strict):
-    """Discs of random place, to be rained in."""
-
-    kind: Literal["loose"] = described("loose: discs of random place, without contact", "")
-    count: int = described("number of discs", ge=1, le=10_000_000)
-    radius_spread: float = described("radii lie between radius (1 - spread) and radius (1 + spread)", ge=0, lt=1, default=0.0)
-
-
-class GivenConfig(Strict):
-    """Discs from a netCDF file."""
-
-    kind: Literal["given"] = described("given: places and radii from a netCDF file", "")
-    file: str = described("netCDF file with disc_x, disc_y and disc_radius, relative to the scene file", "")
-
-
-PackingConfig = Annotated[RowsConfig | LooseConfig | GivenConfig, Field(discriminator="kind")]
+if TYPE_CHECKING:
+    PackingConfig = Any
+else:
+    PackingConfig = Annotated[reduce(or_, map(_section, PACKINGS.values())), Field(discriminator="kind")]
 
 
 class MarchConfig(Strict):
     """The march in time."""
 
     integrator: IntegratorKey | None = described(
-        "how velocities and places follow from forces; null: for the accuracy", "", default="17-18"
+        "how velocities and places follow from forces; null: for the accuracy", "", default=PLAIN.key
     )
     step_s: float | None = described("time step; null: from the stability bound", "s", gt=0, default=None)
     step_factor: float | None = described(

@@ -7,6 +7,7 @@ from silostudy.config.dem import IntegratorKey
 from silostudy.config.fields import Strict, described
 from silostudy.config.study import BaseStudy
 from silostudy.contact import DEFAULTS, NORMAL
+from silostudy.dem.integrate import PLAIN
 from silostudy.tables import kiyama_1983 as kiyama
 
 LINEAR = tuple(key for key, law in NORMAL.items() if law.linear)
@@ -45,7 +46,7 @@ class PackingMarch(Strict):
     """How forces and motions are computed."""
 
     normal: SpringKey = described("law of the normal force", default=DEFAULTS["normal"])
-    integrator: IntegratorKey = described("how velocities and places follow from forces", default="17-18")
+    integrator: IntegratorKey = described("how velocities and places follow from forces", default=PLAIN.key)
     step_s: float | None = described("time step; null: half the bound of the discs as laid", "s", gt=0, default=None)
 
 

@@ -8,6 +8,7 @@ from silostudy.config.contact import ContactConfig
 from silostudy.config.dem import IntegratorKey
 from silostudy.config.fields import Strict, described
 from silostudy.config.study import BaseStudy
+from silostudy.dem.integrate import PLAIN
 
 NetworkKey = Literal["disc", "column", "rows", "hexagonal"]
 
@@ -23,7 +24,7 @@ class StabilityScene(Strict):
     radius_m: float = described("radius of the discs", "m", gt=0)
     density_kg_m3: float = described("density of the discs", "kg m-3", gt=0)
     discs: ContactConfig = described("contact between discs, and with the walls", "")
-    integrator: IntegratorKey = described("how velocities and places follow from forces", "", default="17-18")
+    integrator: IntegratorKey = described("how velocities and places follow from forces", "", default=PLAIN.key)
 
 
 class SiloTrial(Strict):

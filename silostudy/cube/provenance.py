@@ -9,8 +9,6 @@ from silostudy.stages import FILE_KINDS, STAGES
 from silostudy.tables.references import cite
 
 PACKAGES = ("numpy", "scipy", "xarray", "netCDF4", "numba")
-
-
 CONTRACT = 2  # of names and dimensions in a cube; 1: the dimension of pressure methods was `method`, a keyword of xarray's
 
 

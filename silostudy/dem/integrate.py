@@ -49,36 +49,32 @@ def verlet(rate, held, acceleration, kick, dt):
     return half + acceleration * (0.5 * dt), half, half * dt
 
 
-INTEGRATORS: Family[Integrator] = Family(
-    "integrator",
-    [
-        Integrator(
-            key="17-18",
-            title="Velocity, then position with the new velocity",
-            source="kiyama_fujimura_1983",
-            locator="eqs. (17), (18)",
-            advance=plain,
-            holds=False,
-            order=1,
-        ),
-        Integrator(
-            key="17-19",
-            title="Velocity, then a smoothed increment",
-            source="kiyama_fujimura_1983",
-            locator="eqs. (17), (19)",
-            advance=smoothed,
-            holds=True,
-            order=1,
-        ),
-        Integrator(
-            key="velocity-verlet",
-            title="Velocity Verlet with a predicted velocity for the dashpots",
-            source="allen_tildesley_1987",
-            locator="section 3.2",
-            advance=verlet,
-            holds=True,
-            order=2,
-            half_start=True,
-        ),
-    ],
+PLAIN = Integrator(
+    key="17-18",
+    title="Velocity, then position with the new velocity",
+    source="kiyama_fujimura_1983",
+    locator="eqs. (17), (18)",
+    advance=plain,
+    holds=False,
+    order=1,
 )
+SMOOTHED = Integrator(
+    key="17-19",
+    title="Velocity, then a smoothed increment",
+    source="kiyama_fujimura_1983",
+    locator="eqs. (17), (19)",
+    advance=smoothed,
+    holds=True,
+    order=1,
+)
+VERLET = Integrator(
+    key="velocity-verlet",
+    title="Velocity Verlet with a predicted velocity for the dashpots",
+    source="allen_tildesley_1987",
+    locator="section 3.2",
+    advance=verlet,
+    holds=True,
+    order=2,
+    half_start=True,
+)
+INTEGRATORS: Family[Integrator] = Family("integrator", [PLAIN, SMOOTHED, VERLET])

@@ -8,7 +8,7 @@ from math import isfinite, pi
 import numpy as np
 
 from silostudy.contact import Law
-from silostudy.dem.integrate import INTEGRATORS
+from silostudy.dem.integrate import INTEGRATORS, PLAIN
 from silostudy.dem.pieces import Laws, Pieces
 from silostudy.errors import BadInput, unknown
 
@@ -90,7 +90,7 @@ class Model:
     wall_contact: Contact
     dt: float
     gravity: tuple[float, float]
-    integrator: str = "17-18"
+    integrator: str = PLAIN.key
     quake: np.ndarray | None = None
     watched: bool = False
     booked: bool = False

@@ -1,14 +1,48 @@
-"""What a packing is: one row with a function that lays the discs."""
+"""What a packing is: one row with a function that lays the discs, and what its section in a scene asks of the user."""
 
-from collections.abc import Callable
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from typing import Any
 
 from silostudy.catalogue import Row
 
 
 @dataclass(frozen=True, kw_only=True)
+class PackingField:
+    """What a packing asks its user for: the field in a scene file, and the argument of `place` that it becomes.
+
+    bounds: ge, gt, le, lt; without a default the field must be given.
+    """
+
+    name: str
+    text: str
+    argument: str = ""
+    unit: str = "1"
+    kind: type = float
+    default: Any = ...
+    bounds: Mapping[str, float] = field(default_factory=dict)
+
+
+@dataclass(frozen=True, kw_only=True)
 class Packing(Row):
-    """place(**needs) -> x, y (m) and radius (m) of the discs."""
+    """place(**needs) -> x, y (m) and radius (m) of the discs.
+
+    asks: fields of a scene's section `packing`; the other needs come from the scene (width, radius and seed).
+    count: about how many discs there will be, from the radius (m) and the arguments; spread: argument above 0 of which the
+    radii differ; from_file: the field `file` names a netCDF file that holds all needs.
+    """
 
     place: Callable
     needs: tuple[str, ...]
+    asks: tuple[PackingField, ...]
+    count: Callable[..., float] | None = None
+    spread: str = ""
+    from_file: bool = False
+
+    def arguments(self, section: Any) -> dict[str, Any]:
+        """The arguments of `place` that a section gives."""
+        return {one.argument: getattr(section, one.name) for one in self.asks if one.argument}
+
+    def uneven(self, section: Any) -> bool:
+        """Whether the discs may be of several sizes."""
+        return self.from_file or bool(self.spread and self.arguments(section)[self.spread] > 0)

@@ -3,7 +3,7 @@
 import numpy as np
 
 from silostudy.errors import BadInput
-from silostudy.packing.family import Packing
+from silostudy.packing.family import Packing, PackingField
 
 
 def place(*, x, y, radius):
@@ -22,4 +22,10 @@ ROW = Packing(
     locator="none: the arrangement of an earlier run or another program",
     place=place,
     needs=("x", "y", "radius"),
+    asks=(
+        PackingField(
+            name="file", text="netCDF file with disc_x, disc_y and disc_radius, relative to the scene file", unit="", kind=str
+        ),
+    ),
+    from_file=True,
 )

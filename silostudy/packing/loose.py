@@ -3,7 +3,7 @@
 import numpy as np
 
 from silostudy.errors import BadInput
-from silostudy.packing.family import Packing
+from silostudy.packing.family import Packing, PackingField
 
 ROOM = 2.3  # of the largest radius: side of the square that each disc has for itself
 
@@ -36,4 +36,16 @@ ROW = Packing(
     locator="none: discs of random size and place without contact",
     place=place,
     needs=("width", "count", "radius", "spread", "seed"),
+    asks=(
+        PackingField(name="count", argument="count", text="number of discs", kind=int, bounds={"ge": 1, "le": 10_000_000}),
+        PackingField(
+            name="radius_spread",
+            argument="spread",
+            text="radii lie between radius (1 - spread) and radius (1 + spread)",
+            bounds={"ge": 0, "lt": 1},
+            default=0.0,
+        ),
+    ),
+    count=lambda radius, *, count, **_: count,
+    spread="spread",
 )

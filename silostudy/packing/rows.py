@@ -5,7 +5,7 @@ from math import floor, sqrt
 import numpy as np
 
 from silostudy.errors import BadInput
-from silostudy.packing.family import Packing
+from silostudy.packing.family import Packing, PackingField
 
 
 def place(*, width, height, radius, across, gap, offset=0.0, seed=0):
@@ -43,4 +43,20 @@ ROW = Packing(
     locator="section 5 (1), Fig. 6",
     place=place,
     needs=("width", "height", "radius", "across", "gap", "offset", "seed"),
+    asks=(
+        PackingField(name="across", argument="across", text="s, discs in the lowest row", kind=int, bounds={"ge": 2}),
+        PackingField(
+            name="fill_height_m", argument="height", text="height up to which rows are laid", unit="m", bounds={"gt": 0}
+        ),
+        PackingField(name="gap_m", argument="gap", text="gap between neighbours at the start", unit="m", bounds={"ge": 0}),
+        PackingField(
+            name="offset_m",
+            argument="offset",
+            text="random offset of every disc, each way",
+            unit="m",
+            bounds={"ge": 0},
+            default=0.0,
+        ),
+    ),
+    count=lambda radius, *, across, height, **_: across * height / (1.8 * radius),
 )

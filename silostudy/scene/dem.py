@@ -12,6 +12,7 @@ from silostudy.dem.model import Contact, Wall
 from silostudy.dem.pieces import Laws
 from silostudy.dem.run import Event
 from silostudy.errors import BadInput
+from silostudy.packing import PACKINGS
 from silostudy.scene.plane_silo import FLOOR, HALVES, PlaneSilo
 
 DEEPEST = 0.1  # of a radius: overlap that a start may have (a packing at rest has some)
@@ -88,7 +89,7 @@ def effects(scene: DemScene) -> tuple[Effect, ...]:
     walls = scene.walls or scene.discs
     laws, sliding = scene.discs.laws, (scene.discs.laws["tangential"], walls.laws["tangential"])
     slides = {"discs": scene.discs.tangential, "walls": walls.tangential}
-    uneven = scene.packing.kind == "given" or (scene.packing.kind == "loose" and scene.packing.radius_spread > 0)
+    uneven = PACKINGS[scene.packing.kind].uneven(scene.packing)
     record = scene.record
     return (
         Effect("friction, rotation, history", any(law.acts for law in sliding), f"tangential: {slides}"),

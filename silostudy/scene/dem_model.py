@@ -12,13 +12,8 @@ from silostudy.scene.dem import check_start, contact_of, plane_silo_of
 
 def placed(scene: DemScene):
     """x, y and radius (m) of the discs of a packing that no file gives; y from the lowest point of the silo."""
-    packing, size = scene.packing, {"width": scene.silo.width_m, "radius": scene.radius_m, "seed": scene.seed}
-    if packing.kind == "rows":
-        rows = {"height": packing.fill_height_m, "across": packing.across, "gap": packing.gap_m, "offset": packing.offset_m}
-        x, y, radius = PACKINGS["rows"].place(**size, **rows)
-    else:
-        assert packing.kind == "loose"  # a file's discs are read elsewhere
-        x, y, radius = PACKINGS["loose"].place(**size, count=packing.count, spread=packing.radius_spread)
+    packing, size = PACKINGS[scene.packing.kind], {"width": scene.silo.width_m, "radius": scene.radius_m, "seed": scene.seed}
+    x, y, radius = packing.place(**size, **packing.arguments(scene.packing))
     return x, y + plane_silo_of(scene.silo).bottom, radius
 
 

@@ -81,7 +81,7 @@ def _settings_at(axes: list[list[dict[str, Any]]], position: int, where: str) ->
 
 def identity(config: Strict) -> str:
     """Short hash of a scene's canonical JSON."""
-    return hashlib.sha256(config.model_dump_json().encode()).hexdigest()[:16]
+    return hashlib.sha256(config.model_dump_json(exclude={"methods_from"}).encode()).hexdigest()[:16]  # known by its content
 
 
 def _applied(scene: dict[str, Any], settings: dict[str, Any], where: str) -> dict[str, Any]:

@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from silostudy.config.grains import GrainsScene, GrainsStudy, Shaking
-from silostudy.packing import PACKINGS
+from silostudy.packing import loose, rows
 from silostudy.tables.kiyama_1983 import ACTIVE, GAPS, PASSIVE
 
 ROWS = {"rows_17_18": ACTIVE, "rows_11_12": PASSIVE}  # discs across
@@ -37,9 +37,9 @@ def discs_of(config: GrainsScene, seed: int):
     """Positions (m) and radii (m) of the discs at their start; BadInput for a packing that does not fit its box."""
     width, radius = config.box.width_m, config.grains.radius_m
     height = config.box.slenderness * width
-    if config.packing == "loose":
+    if config.packing == loose.ROW.key:
         count = max(1, round(SOLID_FRACTION * width * height / (pi * radius**2)))
-        return PACKINGS["loose"].place(width=width, count=count, radius=radius, spread=config.grains.radius_spread, seed=seed)
+        return loose.place(width=width, count=count, radius=radius, spread=config.grains.radius_spread, seed=seed)
     across = ROWS[config.packing]
     gap = GAPS[across]
-    return PACKINGS["rows"].place(width=width, height=height, radius=radius, across=across, gap=gap, offset=gap / 3, seed=seed)
+    return rows.place(width=width, height=height, radius=radius, across=across, gap=gap, offset=gap / 3, seed=seed)

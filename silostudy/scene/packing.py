@@ -10,7 +10,7 @@ from silostudy.config.contact import ContactConfig, LineContactConfig
 from silostudy.config.packing import PackingScene, PackingStudy, RowDiscs, SlitSilo
 from silostudy.dem.model import Contact, Wall
 from silostudy.errors import BadInput
-from silostudy.packing import PACKINGS
+from silostudy.packing import rows
 from silostudy.scene.dem import contact_of
 from silostudy.scene.plane_silo import PlaneSilo
 from silostudy.tables.kiyama_1983 import GAPS, WALL_STIFFNESS_RATIO
@@ -68,7 +68,7 @@ def discs_of(study: PackingStudy, config: PackingScene, run: int):
     pitch = (width - 2.0 * (radius + gap)) / max(1, across - 1)
     rise = sqrt(max(0.0, (2.0 * radius + gap) ** 2 - (pitch / 2.0) ** 2))
     levels = rows_of(config)
-    return PACKINGS["rows"].place(
+    return rows.place(
         width=width, height=2.0 * radius + gap + (levels - 0.5) * rise, radius=radius, across=across, gap=gap,
         offset=0.0 if run == 0 else study.offset_m, seed=run,
     )  # fmt: skip

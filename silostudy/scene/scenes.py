@@ -9,6 +9,7 @@ from typing import Any
 from silostudy.config.dem import DemScene
 from silostudy.config.load import own_validated, read_yaml
 from silostudy.config.scenes import ScenesStudy
+from silostudy.packing import PACKINGS
 from silostudy.tables.references import own_files
 
 PARTICLE_STEP = 35e-9  # s: `silostudy explain config/scenes/kiyama-17-18.yaml`, with its looks at rest and discharge
@@ -26,7 +27,7 @@ class SceneCase:
     def files(self) -> tuple[Path, ...]:
         """The user's own files that the scene is made from."""
         config = self.config
-        names = [config.packing.file] if config.packing.kind == "given" else []
+        names = [config.packing.file] if PACKINGS[config.packing.kind].from_file else []
         data = (self.folder / name for name in [*names, *([config.quake.file] if config.quake else [])])
         return (*data, *own_files(self.folder, config.methods_from))
 
@@ -55,12 +56,10 @@ def cost(case: SceneCase) -> float:
 
 
 def _discs(case: SceneCase) -> float:
-    packing, radius = case.config.packing, case.config.radius_m
-    if packing.kind == "loose":
-        return packing.count
-    if packing.kind == "rows":
-        return packing.across * packing.fill_height_m / (1.8 * radius)
-    return (case.folder / packing.file).stat().st_size / 100 if (case.folder / packing.file).is_file() else 1
+    section, packing = case.config.packing, PACKINGS[case.config.packing.kind]
+    if packing.count is not None:
+        return packing.count(case.config.radius_m, **packing.arguments(section))
+    return (case.folder / section.file).stat().st_size / 100 if (case.folder / section.file).is_file() else 1
 
 
 def _duration(config: DemScene) -> float:

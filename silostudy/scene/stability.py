@@ -9,8 +9,9 @@ import numpy as np
 
 from silostudy.config.contact import ContactConfig
 from silostudy.config.stability import StabilityScene, StabilityStudy
+from silostudy.dem.integrate import PLAIN
 from silostudy.dem.model import Model
-from silostudy.packing import PACKINGS
+from silostudy.packing import rows
 from silostudy.scene.dem import contact_of
 from silostudy.scene.plane_silo import PlaneSilo
 from silostudy.tables.constants import ROUNDED_GRAVITY
@@ -43,7 +44,7 @@ def stability_builder(study: StabilityStudy, folder: Path, where: str) -> Callab
     """Builds the scenes of a stability study."""
 
     def build_one(config: StabilityScene, settings: dict[str, Any]) -> RestingDiscs:
-        calm = config.model_copy(update={"discs": calmed(config.discs), "integrator": "17-18"})
+        calm = config.model_copy(update={"discs": calmed(config.discs), "integrator": PLAIN.key})
         return RestingDiscs(config, resting_discs_model(config), resting_discs_model(calm))
 
     return build_one
@@ -76,7 +77,7 @@ def network(key: str, radius: float) -> tuple[np.ndarray, np.ndarray, float]:
     width = 2.0 * (radius + gap) + (ACROSS - 1) * pitch
     if key == "rows":
         height = 2.0 * radius + ACROSS * 1.7 * radius
-        x, y, _ = PACKINGS["rows"].place(width=width, height=height, radius=radius, across=ACROSS, gap=gap)
+        x, y, _ = rows.place(width=width, height=height, radius=radius, across=ACROSS, gap=gap)
         return x, y, width
     level = np.repeat(np.arange(ACROSS), [ACROSS - level % 2 for level in range(ACROSS)])
     number = np.concatenate([np.arange(ACROSS - level % 2) for level in range(ACROSS)])

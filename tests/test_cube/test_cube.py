@@ -93,7 +93,7 @@ def test_half_written_file_never_looks_like_a_result(wheat, tmp_path, monkeypatc
     pytest.param(lambda path: flip(path, 10), id="its head"),
     pytest.param(lambda path: os.truncate(path, 1000), id="cut off"),
     pytest.param(lambda path: edit(path, lambda file: file["depth"].__setitem__(2, 0.126)), id="a number"),
-    pytest.param(lambda path: edit(path, lambda file: file["method_title"].__setitem__(0, "mine")), id="a name"),
+    pytest.param(lambda path: edit(path, lambda file: file["pressure_method_title"].__setitem__(0, "mine")), id="a name"),
 ])  # fmt: skip
 def test_a_damaged_cube_is_known(wheat, tmp_path, break_it, capsys):
     path = tmp_path / "pressure.nc"

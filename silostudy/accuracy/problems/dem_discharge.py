@@ -6,6 +6,7 @@ import numpy as np
 
 from silostudy.accuracy.silo import OPEN, STEP, silo_of_rows, softened
 from silostudy.dem.engine import Engine
+from silostudy.dem.integrate import PLAIN, SMOOTHED, VERLET
 from silostudy.dem.run import Event, Run
 from silostudy.dem.walls import sums_by_wall
 from silostudy.scene.plane_silo import SIDES
@@ -14,8 +15,8 @@ ACROSS, LEVELS, SLIT, GAP, OFFSET = 8, 10, 0.55, 6e-5, 2e-5
 REST, FLOW, WINDOW = 0.3, 0.5, 5e-3  # s
 STEPS = (1e-4, 5e-5, 2.5e-5, 1.25e-5, 6.25e-6)
 LADDERS = {
-    "17-18": STEPS[1:],
-    "17-19": STEPS,
+    PLAIN.key: STEPS[1:],
+    SMOOTHED.key: STEPS,
     "17-18, stiffness / 16": STEPS,
     "members at 2.5e-5 s": (4, 8, 16, 32, 64),
 }
@@ -24,14 +25,14 @@ LADDERS = {
 def prepare(ladder: str, setting: float, members: int):
     """An ensemble of discharges; the seeds of equal members are equal on every rung."""
     if ladder.startswith("members"):
-        return _run("17-18", STEP, 1.0, int(setting))
+        return _run(PLAIN.key, STEP, 1.0, int(setting))
     integrator, *soft = ladder.split(", ")
     return _run(integrator, setting, 1.0 / 16.0 if soft else 1.0, members)
 
 
 def reference(members: int):
     """Four times the members at half the finest step, with seeds of their own."""
-    return _run("velocity-verlet", STEPS[-1] / 2.0, 1.0, 4 * members, first=10_000)()
+    return _run(VERLET.key, STEPS[-1] / 2.0, 1.0, 4 * members, first=10_000)()
 
 
 def _run(integrator: str, dt: float, stiffness: float, members: int, first: int = 0):

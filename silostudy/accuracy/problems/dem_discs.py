@@ -7,7 +7,7 @@ import numpy as np
 from silostudy.accuracy.silo import DOWN, contact_of_discs, contact_with_walls, wall_force
 from silostudy.dem.engine import Engine
 from silostudy.dem.model import Contact, Model
-from silostudy.packing import PACKINGS
+from silostudy.packing import loose
 from silostudy.scene.plane_silo import PlaneSilo
 from silostudy.tables.constants import ROUNDED_GRAVITY
 from silostudy.tables.kiyama_1983 import DENSITY, RADIUS
@@ -32,7 +32,7 @@ def _run(count: int, seeds):
     radius = sqrt(SOLID * SLENDERNESS * WIDTH**2 / (pi * count))
     models = []
     for seed in seeds:
-        x, y, radii = PACKINGS["loose"].place(width=WIDTH, count=count, radius=radius, spread=SPREAD, seed=seed)
+        x, y, radii = loose.place(width=WIDTH, count=count, radius=radius, spread=SPREAD, seed=seed)
         walls = PlaneSilo(WIDTH, 2.0 * float(y.max()), 0.1 * WIDTH).walls()
         dt = STEP_AT[0] * radius / STEP_AT[1]
         models.append(

@@ -8,6 +8,7 @@ import numpy as np
 from silostudy.accuracy.silo import contact_of_discs
 from silostudy.contact.normal import spring_dashpot, spring_dashpot_implicit
 from silostudy.dem.engine import Engine
+from silostudy.dem.integrate import PLAIN, SMOOTHED, VERLET
 from silostudy.dem.lanes import U
 from silostudy.dem.model import Model, Wall
 from silostudy.tables.kiyama_1983 import DENSITY, RADIUS
@@ -15,9 +16,9 @@ from silostudy.tables.kiyama_1983 import DENSITY, RADIUS
 DAMPING_RATIO, SPEED = 0.2, 0.1
 STEPS = (8, 16, 32, 64, 128, 256, 512, 1024, 2048, 4096)
 LADDERS = {
-    "17-18": STEPS,
-    "17-19": STEPS,
-    "velocity-verlet": STEPS,
+    PLAIN.key: STEPS,
+    SMOOTHED.key: STEPS,
+    VERLET.key: STEPS,
     "17-18, dashpot implicit": STEPS,
 }
 

@@ -12,6 +12,7 @@ import numpy as np
 from silostudy.accuracy.silo import STEP, silo_of_rows, softened, wall_force, with_dashpot
 from silostudy.contact.normal import spring_dashpot_implicit
 from silostudy.dem.engine import Engine, Explosion
+from silostudy.dem.integrate import PLAIN, SMOOTHED, VERLET
 from silostudy.dem.lanes import W
 from silostudy.tables.kiyama_1983 import RADIUS
 
@@ -19,9 +20,9 @@ ACROSS, LEVELS, PARTS, REST = 8, 12, 6, 0.6  # discs, rows, parts of a wall, tim
 STEPS = (1.28e-4, 6.4e-5, 3.2e-5, 1.6e-5, 8e-6, 4e-6, 2e-6)
 SINGLE = "17-18, single precision (time of double)"
 LADDERS = {
-    "17-18": STEPS,
-    "17-19": STEPS,
-    "velocity-verlet": STEPS,
+    PLAIN.key: STEPS,
+    SMOOTHED.key: STEPS,
+    VERLET.key: STEPS,
     "17-18, dashpot implicit": STEPS,
     "17-19, dashpot implicit": STEPS,
     "17-18, stiffness / 4": STEPS,
@@ -81,4 +82,4 @@ def step_rounded(engine: Engine, stop: int) -> None:
 
 def reference():
     """Velocity Verlet at a quarter of the finest step."""
-    return prepare("velocity-verlet", STEPS[-1] / 4.0)()
+    return prepare(VERLET.key, STEPS[-1] / 4.0)()
