@@ -37,12 +37,13 @@ def run(chosen: argparse.Namespace) -> None:
     from silostudy.choice.expand import expand, expand_file
     from silostudy.compute.evaluate import methods_of
     from silostudy.compute.pressure import pressure_cube
+    from silostudy.config.pressure import PressureStudy
 
     if chosen.study and chosen.methods_from:
         raise BadInput("--methods-from", str(chosen.methods_from), f"write `methods_from` into {chosen.study}")
     if chosen.study:
         expansion = expand_file(chosen.study)
-        if expansion.study.kind != "pressure" or expansion.shape:
+        if not isinstance(expansion.study, PressureStudy) or expansion.shape:
             raise BadInput("study", str(chosen.study), "must be a pressure study without sweep: compare takes one silo")
     else:
         expansion = expand(_study(chosen), "compare", "compare", Path())
@@ -57,7 +58,9 @@ def run(chosen: argparse.Namespace) -> None:
 
 
 def _study(chosen: argparse.Namespace) -> dict[str, Any]:
-    """The flags as the content of a study file."""
+    """The flags as the content of a study file; what the others are set against is always shown."""
+    from silostudy.pressure import janssen
+
     for flag in ("diameter", "depth", "solid"):
         if getattr(chosen, flag) is None:
             raise BadInput(f"--{flag}", None, f"is missing; give a study file, or {FLAGS}", "compare")
@@ -70,7 +73,7 @@ def _study(chosen: argparse.Namespace) -> dict[str, Any]:
         "effective_friction_angle_deg": chosen.effective_friction_angle,
     }
     own = {name: value for name, value in flags.items() if value is not None}
-    methods = chosen.methods if chosen.methods == "all" else list(dict.fromkeys(["janssen", *chosen.methods]))
+    methods = chosen.methods if chosen.methods == "all" else list(dict.fromkeys([janssen.ROW.key, *chosen.methods]))
     return {
         "kind": "pressure",
         "title": f"{chosen.solid} in a silo of {chosen.diameter:g} m by {chosen.depth:g} m",

@@ -12,7 +12,7 @@ from silostudy.config.fields import expand
 from silostudy.cube.assemble import assemble
 from silostudy.cube.variables import attributes
 from silostudy.scene.seismic import Shaken
-from silostudy.seismic import identify
+from silostudy.seismic import eighty_percent, identify
 from silostudy.seismic.added_mass import mass_ratio, stiffness_reduction, volume_ratio
 from silostudy.seismic.beam import modes
 from silostudy.seismic.demand import demand
@@ -21,6 +21,8 @@ from silostudy.seismic.response import transfer
 
 CURVES = ("empty", "full", "all_contents")
 BOUNDS = ("lower", "upper")
+# how much of the contents moves with the wall, where nothing was identified
+CHOICES = {eighty_percent.ROW.key: float(eighty_percent.eighty_percent(1.0)), "all_contents": 1.0}
 SOURCES = ("sasaki_yoshimura_effective_mass", "nigam_jennings_1969", "en1998_4_2006")
 
 
@@ -44,7 +46,7 @@ def seismic_cube(expansion: Resolved, tell: Callable[[str], None] = lambda text:
 def _labels(study) -> dict[str, list]:
     """Coordinates of the cube's own axes."""
     choices = ("identified",) if study.identification else ()
-    values = {"relative_depth": expand(study.relative_depth), "mass_choice": [*choices, "eighty_percent", "all_contents"]}
+    values = {"relative_depth": expand(study.relative_depth), "mass_choice": [*choices, *CHOICES]}
     if study.sine:
         values |= {"frequency": expand(study.sine.frequency_Hz), "curve": list(CURVES), "bound": list(BOUNDS)}
     if study.identification:
@@ -56,7 +58,7 @@ def _case(study, scene: Shaken, random: np.random.Generator) -> dict[str, np.nda
     """Everything of one case, by the names of the contract: what the study asks for and no more."""
     unreduced = identify.emptied(scene.tube)
     alpha = stiffness_reduction(scene.empty_frequency or unreduced, unreduced)
-    choices = {"eighty_percent": 0.8, "all_contents": 1.0}
+    choices = CHOICES
     found = _given(scene, alpha, unreduced)
     if study.sine is not None:
         found |= _resonance(study.sine, scene, unreduced)

@@ -6,6 +6,7 @@ from pydantic import model_validator
 
 from silostudy.config.fields import Strict, described
 from silostudy.config.study import BaseStudy
+from silostudy.tables.outputs import OUTPUTS
 from silostudy.tables.problems import PROBLEMS
 
 ProblemKey: TypeAlias = Literal[tuple(PROBLEMS)]  # type: ignore[valid-type]
@@ -34,8 +35,9 @@ class AccuracyStudy(BaseStudy):
     def _no_axes(self) -> Self:
         if self.sweep:
             raise ValueError("an accuracy study takes no sweep: its ladders are its axes")
-        if "effect_prices" in self.outputs and not self.scene.prices:
-            raise ValueError("output effect_prices needs scene.prices: true")
+        for key in self.outputs:
+            if "prices" in OUTPUTS[key].demands and not self.scene.prices:
+                raise ValueError(f"output {key} needs scene.prices: true")
         return self
 
     @property

@@ -16,7 +16,9 @@ from matplotlib.patches import Patch
 from silostudy.figures.style import PHASE_LINES, look, save, title
 from silostudy.figures.uncertainty_bands import distinct_methods
 from silostudy.tables.measured import Measured, measured_silos
+from silostudy.tables.outputs import OUTPUTS
 
+(STATIC,) = OUTPUTS["comparison_today"].methods  # what the others are set against
 SETS = "en1991_4_"  # rows of one set of characteristic values: the band
 LOCAL = "en1991_4_eccentric"
 EDGES = (("wall_normal_pressure_kPa", "upper_kPa"), ("ratio_to_janssen", "upper_ratio"))  # of a band, on either panel
@@ -28,7 +30,7 @@ HATCHES = {"filling": "\\\\\\\\", "switch": "....", "discharge": "////"}
 
 def draw(cube: xr.Dataset, stem: Path, sampled: xr.Dataset | None = None) -> None:
     """Writes the figure and the curves, the bands and the measured points it shows; `sampled`: the uncertainty cube."""
-    static = cube["wall_normal_pressure"].sel(pressure_method="janssen", phase="filling")
+    static = cube["wall_normal_pressure"].sel(pressure_method=STATIC, phase="filling")
     figure, (left, right) = plt.subplots(1, 2, figsize=(12.5, 8.4), sharey=True, width_ratios=(1.3, 1))
     tables = []
     for method in map(str, cube["pressure_method"].values):
@@ -57,11 +59,11 @@ def draw(cube: xr.Dataset, stem: Path, sampled: xr.Dataset | None = None) -> Non
 def _phases(cube: xr.Dataset, method: str) -> list[str]:
     """Phases with a curve of their own: Jenike's filling, and all of 1969, are Janssen's."""
     pressure = cube["wall_normal_pressure"]
-    static = pressure.sel(pressure_method="janssen", phase="filling")
+    static = pressure.sel(pressure_method=STATIC, phase="filling")
     shown = []
     for phase in map(str, cube["phase"].values):
         one = pressure.sel(pressure_method=method, phase=phase)
-        same = method != "janssen" and np.allclose(one, static, rtol=1e-12, atol=0)
+        same = method != STATIC and np.allclose(one, static, rtol=1e-12, atol=0)
         if one.notnull().any() and not same:
             shown.append(phase)
     return shown

@@ -10,7 +10,9 @@ from matplotlib.ticker import MaxNLocator
 
 from silostudy.figures.style import PHASE_LINES, look, save, title
 from silostudy.tables.constants import STANDARD_GRAVITY
+from silostudy.tables.outputs import OUTPUTS
 
+(STATIC,) = OUTPUTS["fig_4_2_11"].methods  # what the others are set against
 KPA_PER_T_M2 = STANDARD_GRAVITY
 
 
@@ -36,7 +38,7 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
 
 def _curves(cube: xr.Dataset) -> pd.DataFrame:
     """Long table of every curve drawn: all the methods in the cube, Jenike's also with the source's slip."""
-    static = cube["wall_normal_pressure"].sel(pressure_method="janssen", phase="filling")
+    static = cube["wall_normal_pressure"].sel(pressure_method=STATIC, phase="filling")
     parts = []
     for method in map(str, cube["pressure_method"].values):
         for phase in _phases_shown(cube, method):
@@ -70,7 +72,7 @@ def _style(cube: xr.Dataset, first: pd.Series) -> dict:
     return {
         **look(cube, first.pressure_method),
         "linestyle": ":" if printed else PHASE_LINES[first.phase],
-        "linewidth": 2.2 if first.pressure_method == "janssen" else 1.3,
+        "linewidth": 2.2 if first.pressure_method == STATIC else 1.3,
         "markersize": 4.5,
         "markerfacecolor": "none" if first.phase == "filling" or printed else None,
         "markevery": 24,

@@ -8,13 +8,15 @@ import pandas as pd
 import xarray as xr
 
 from silostudy.figures.style import save
+from silostudy.tables.outputs import OUTPUTS
 
+(METHOD,) = OUTPUTS["jenike_charts"].methods
 MARKERS = "osD^v<>P"
 
 
 def draw(cube: xr.Dataset, stem: Path) -> None:
     """Writes both charts and their numbers; a line for each wall friction angle."""
-    one = cube.sel(pressure_method="jenike_1969").transpose("half_angle", "hopper_friction", ...)
+    one = cube.sel(pressure_method=METHOD).transpose("half_angle", "hopper_friction", ...)
     panels = {
         "i_1": one["unloaded_peak_position"].sel({"phase": "filling"}),
         "q_2": one["radial_force_coefficient"].sel({"phase": "discharge"}),

@@ -11,9 +11,11 @@ from matplotlib.axes import Axes
 
 from silostudy.figures import rules
 from silostudy.figures.style import look, save, title
+from silostudy.tables.outputs import OUTPUTS
 
 DIAMETER, SLENDERNESS = 10.0, 2.0  # the silo of the matrices; the nearest of the study is taken
-RULE, METHOD = "en1993_1_6_2007", "janssen"  # what the curves hold fixed in turn
+_ROW = OUTPUTS["required_thickness"]
+(RULE,), (METHOD,) = _ROW.rules, _ROW.methods  # what the curves hold fixed in turn
 
 
 def draw(cube: xr.Dataset, stem: Path) -> None:
