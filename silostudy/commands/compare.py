@@ -58,7 +58,9 @@ def run(chosen: argparse.Namespace) -> None:
 
 
 def _study(chosen: argparse.Namespace) -> dict[str, Any]:
-    """The flags as the content of a study file."""
+    """The flags as the content of a study file; what the others are set against is always shown."""
+    from silostudy.pressure import janssen
+
     for flag in ("diameter", "depth", "solid"):
         if getattr(chosen, flag) is None:
             raise BadInput(f"--{flag}", None, f"is missing; give a study file, or {FLAGS}", "compare")
@@ -70,7 +72,6 @@ def _study(chosen: argparse.Namespace) -> dict[str, Any]:
         "hopper_wall_friction": chosen.hopper_wall_friction,
         "effective_friction_angle_deg": chosen.effective_friction_angle,
     }
-    from silostudy.pressure import janssen
 
     own = {name: value for name, value in flags.items() if value is not None}
     methods = chosen.methods if chosen.methods == "all" else list(dict.fromkeys([janssen.ROW.key, *chosen.methods]))

@@ -11,10 +11,11 @@ if TYPE_CHECKING:
 
 def add(sub) -> None:
     command = sub.add_parser(
-        "explain", help="explain a method, a rule, or a discrete-element scene: which effects it calls for and their price"
+        "explain",
+        help="explain a method, a rule, a contact law, or a discrete-element scene: which effects it calls for and their price",
     )
     what = (
-        "see `silostudy list methods`, `buckling` and `mass-rules`; earthquake: that on a shell; accuracy: who may ask for it; "
+        "see `silostudy list methods`, `buckling`, `laws` and `mass-rules`; earthquake (on a shell); accuracy (who may ask); "
         "or a scene file (*.yaml)"
     )
     command.add_argument("method", help=what)
@@ -50,49 +51,24 @@ def scene_explanation(name: str) -> list[str]:
 
 
 def explanation(key: str, known: "Families") -> list[str]:
-    """The lines that explain a pressure method, a buckling rule or an effective mass rule; BadInput lists the known ones."""
+    """The lines that explain a method, a rule, a contact law, or a topic; BadInput lists the known ones."""
     from silostudy.buckling import BUCKLING, RIVALS
-    from silostudy.commands import explain_accuracy, explain_buckling, explain_seismic
+    from silostudy.commands import explain_accuracy, explain_buckling, explain_law, explain_pressure, explain_seismic
+    from silostudy.contact import LAWS
     from silostudy.errors import unknown
     from silostudy.pressure import PRESSURE
-    from silostudy.pressure.family import PARAMETERS
     from silostudy.seismic.rules import MASS_RULES
-    from silostudy.tables.handbook import errata
-    from silostudy.tables.references import with_locator
 
-    if key == explain_seismic.EARTHQUAKE:
-        return explain_seismic.earthquake()
-    if key == explain_accuracy.KEY:
-        return explain_accuracy.explanation()
-    if key in MASS_RULES:
-        return explain_seismic.explanation(MASS_RULES[key])
-    rules, methods = {**known[BUCKLING.name], **known[RIVALS.name]}, known[PRESSURE.name]
-    if key in rules:
-        return explain_buckling.explanation(rules[key])
-    if key not in methods:
-        raise unknown("method or rule", key, [*methods, *rules, *MASS_RULES, explain_seismic.EARTHQUAKE, explain_accuracy.KEY])
-    row = methods[key]
-    lines = [f"{row.title} ({row.key})", f"  formula   {row.formula}", f"  range     {row.validity}"]
-    lines.append(f"  plans     {', '.join(sorted(row.plans))}")
-    for phase, quantities in row.phases.items():
-        lines.append(f"  {phase:9} gives {', '.join(quantities)}")
-    for phase, quantities in row.hopper.items():
-        lines.append(f"  {phase:9} gives on the hopper wall {', '.join(quantities)}")
-    for phase, quantities in row.totals.items():
-        lines.append(f"  {phase:9} gives for the silo {', '.join(quantities)}")
-    lines += [f"  {quantity} with {values}" for quantity, values in row.values.items()]
-    lines.append("  symbols   z depth below the equivalent surface (m)")
-    lines += [f"            {symbol}: {name} ({unit})" for name, (unit, symbol, _) in PARAMETERS.items() if name in row.needs]
-    if row.equilibrium:
-        lines.append(f"  weight = vertical pressure + wall friction, to rounding, in {' and '.join(row.equilibrium)}")
-    lines += [f"  not computed: {what}" for what in row.not_computed]
-    lines.append(f"  source    {with_locator(row.source, row.locator)}")
-    for erratum in (erratum for erratum in errata() if erratum.method == key):
-        lines.append(f"  error of the source, {erratum.place}: printed {erratum.printed}; right: {erratum.right}")
-        lines.append(f"            known because {erratum.evidence}")
-    if row.has_misprint:
-        lines.append(f"  to see the print's own reading, list the method under `as_printed` in a study: [{key}]")
-    return lines
+    topics = {explain_seismic.EARTHQUAKE: explain_seismic.earthquake, explain_accuracy.KEY: explain_accuracy.explanation}
+    if key in topics:
+        return topics[key]()
+    families = [(known[PRESSURE.name], explain_pressure), (known[BUCKLING.name], explain_buckling)]
+    families += [(known[RIVALS.name], explain_buckling), (MASS_RULES, explain_seismic)]
+    families += [(known[family.name], explain_law) for family in LAWS.values()]
+    found = [told.explanation(family[key]) for family, told in families if key in family]
+    if not found:
+        raise unknown("method, rule or law", key, dict.fromkeys([*(key for family, _ in families for key in family), *topics]))
+    return [line for lines in found for line in lines]
 
 
 def priced(price) -> str:

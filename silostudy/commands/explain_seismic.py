@@ -20,10 +20,9 @@ def explanation(row) -> list[str]:
 def earthquake() -> list[str]:
     """The lines that explain the load case that a shell study's section `earthquake` adds."""
     from silostudy.compute.shell_earthquake import UNCHECKED
-    from silostudy.seismic import en1998_4
+    from silostudy.seismic.en1998_4 import ROW
     from silostudy.tables.references import with_locator
 
-    row = en1998_4.ROW
     return [
         "Earthquake on a silo's steel wall (section `earthquake` of a shell study, from a seismic study of the same silo)",
         "  axial     n = M / (pi R^2) beside the static axial wall force: + on the pressed side, - on the lifted side",
@@ -33,5 +32,5 @@ def earthquake() -> list[str]:
         "  symbols   M bending moment of the tube (N m), R mid-wall radius (m), gamma unit weight (N m-3), h_b depth (m),",
         "            d_c inner diameter (m), a (m s-2): peaks over time, added to every phase as if they came at once",
         f"  not done  {UNCHECKED}",
-        f"  source    {with_locator(row.source, row.locator)}",
+        f"  source    {with_locator(ROW.source, ROW.locator)}",
     ]

@@ -4,6 +4,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from silostudy.catalogue import Family
     from silostudy.config.own_rows import Families
 
 
@@ -16,7 +17,8 @@ def families(chosen) -> "Families":
     """The families that a user's rows may join, by name, with those of the file that a call names."""
     from silostudy.buckling import BUCKLING, RIVALS
     from silostudy.config.own_rows import joined
+    from silostudy.contact import LAWS
     from silostudy.pressure import PRESSURE
 
-    shipped = (PRESSURE, BUCKLING, RIVALS)
+    shipped: tuple[Family, ...] = (PRESSURE, BUCKLING, RIVALS, *LAWS.values())
     return joined(shipped, chosen.methods_from) if chosen.methods_from else {family.name: family for family in shipped}

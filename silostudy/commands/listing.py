@@ -7,7 +7,8 @@ from silostudy.commands.families import add_methods_from, families
 
 def add(sub) -> None:
     command = sub.add_parser(
-        "list", help="list kinds of study, methods, rules, solids, walls, records, studies, outputs, problems or accuracies"
+        "list",
+        help="list kinds of study, methods, rules, laws, solids, walls, records, studies, outputs, problems or accuracies",
     )
     command.add_argument("what", choices=LISTS)
     command.add_argument("--studies", type=Path, default=Path("config/studies"), help="folder of study files")
@@ -42,6 +43,15 @@ def _buckling(chosen):
     known = families(chosen)
     for row in (*known[BUCKLING.name].values(), *known[RIVALS.name].values()):
         yield f"{row.key:28}", f"{row.title:26}", f"{row.source}, {row.locator}"
+
+
+def _laws(chosen):
+    from silostudy.contact import LAWS
+
+    known = families(chosen)
+    for section, family in LAWS.items():
+        for row in known[family.name].values():
+            yield f"{section:10}", f"{row.key:24}", f"{row.title:40}", f"{row.source}, {row.locator}"
 
 
 def _mass_rules(chosen):
@@ -113,6 +123,7 @@ LISTS = {
     "kinds": _kinds,
     "methods": _methods,
     "buckling": _buckling,
+    "laws": _laws,
     "mass-rules": _mass_rules,
     "solids": _solids,
     "walls": _walls,

@@ -13,7 +13,7 @@ from silostudy.tables.constants import STANDARD_GRAVITY
 from silostudy.tables.outputs import output_of
 
 KPA_PER_T_M2 = STANDARD_GRAVITY
-(STATIC,) = output_of(__name__).methods
+(STATIC,) = output_of(__name__).methods  # what the others are set against
 
 
 def draw(cube: xr.Dataset, stem: Path) -> None:

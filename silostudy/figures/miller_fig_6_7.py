@@ -8,11 +8,14 @@ import xarray as xr
 
 from silostudy.figures.miller_points import points, scatter
 from silostudy.figures.style import save
+from silostudy.tables.outputs import output_of
+
+(RULE,) = output_of(__name__).rules
 
 
 def draw(cube: xr.Dataset, stem: Path) -> None:
     """Writes the figure and its numbers."""
-    rule = cube.sel({"rule": "miller1977"})
+    rule = cube.sel({"rule": RULE})
     tests = points(cube).assign(elastic_ratio=(rule["elastic_buckling_stress"] / rule["yield_stress"]).values)
     x, y = cube["chart_elastic_ratio"].values, cube["chart_strength_ratio"].values
     figure, axes = plt.subplots(1, 2, figsize=(12, 5.6), sharey=True)

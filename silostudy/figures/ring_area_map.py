@@ -7,7 +7,9 @@ import xarray as xr
 
 from silostudy.figures.rules import making
 from silostudy.figures.style import save
+from silostudy.tables.outputs import output_of
 
+(RULE,) = output_of(__name__).rules
 LEVELS = [20, 30, 50, 75, 100, 125, 150, 175, 200]
 LENGTHS = (2.0, 4.0, 8.0)
 MAKING = 1  # the middle one: fabricated
@@ -15,7 +17,7 @@ MAKING = 1  # the middle one: fabricated
 
 def draw(cube: xr.Dataset, stem: Path) -> None:
     """Writes the map and its numbers; ring areas below 0.06 do not count and are left out."""
-    cube = cube.sel({"rule": "miller1977"}).isel(steel=0, making=min(MAKING, cube.sizes["making"] - 1))
+    cube = cube.sel({"rule": RULE}).isel(steel=0, making=min(MAKING, cube.sizes["making"] - 1))
     cube = cube.sel(ring_area_ratio=cube["ring_area_ratio"] >= 0.06)
     figure, axes = plt.subplots(1, len(LENGTHS), figsize=(4.6 * len(LENGTHS), 5), sharey=True)
     for panel, length in zip(axes, LENGTHS, strict=True):

@@ -31,6 +31,7 @@ for study in STUDIES:
                     code=stamp("figures/style", *(f"figures/{key}" for key in keys)),
                     folder=RESULTS / study,
                     drawings=keys,
+                    shown=[" ".join((*OUTPUTS[key].methods, *OUTPUTS[key].rules)) for key in keys],
                 log:
                     RESULTS / study / f"logs/draw-{stage}.log",
                 shell:

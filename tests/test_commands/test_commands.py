@@ -12,6 +12,7 @@ from silostudy.cube.io import read
 from silostudy.pressure import PRESSURE
 from silostudy.tables.asked import quantities
 from tests.conftest import ROOT
+from tests.own import BOTH, LAW
 
 WHEAT = str(ROOT / "config/studies/wheat-silo.yaml")
 
@@ -140,3 +141,46 @@ def test_a_stage_that_a_study_does_not_have_is_refused(tmp_path, capsys):
     assert main(["packing", study, str(tmp_path / "packing.nc")]) == 2
     assert "kind = 'pressure': has no stage packing; its stages: pressure" in capsys.readouterr().err
     assert not (tmp_path / "packing.nc").exists()
+
+
+def test_a_users_own_file_is_listed_explained_and_compared(capsys, tmp_path):
+    (tmp_path / "mine.py").write_text(BOTH)
+    (tmp_path / "law.py").write_text(LAW)
+    mine, law = ("--methods-from", tmp_path / "mine.py"), ("--methods-from", tmp_path / "law.py")
+    assert "frictionless " in said(capsys, "list", "methods", *mine)
+    assert "a_fifth " in said(capsys, "list", "buckling", *mine)
+    assert re.search(r"^normal +stiffer +A stiffer spring", said(capsys, "list", "laws", *law), re.MULTILINE)
+    told = said(capsys, "explain", "frictionless", *mine)
+    assert "  formula   p_h = K gamma z" in told
+    assert told.count("J. Doe, Notes on a smooth silo, 2026, page 3") == 1
+    assert "takes     stiffening (1), positive: from stiffening" in said(capsys, "explain", "stiffer", *law)
+    silo = ("--diameter", 5, "--depth", 18, "--solid", "wheat_benchmark")
+    table = said(capsys, "compare", *silo, "--methods", "frictionless", *mine)
+    own = next(line for line in table.splitlines() if line.startswith("frictionless, filling"))
+    assert "63.55" in own  # K gamma z at 18 m
+    assert said(capsys, "compare", *silo, "--methods", "frictionles", *mine, status=2).count("\n") == 1
+    assert "unknown; known: janssen" in said(capsys, "explain", "frictionless", status=2)
+    assert "write `methods_from` into" in said(capsys, "compare", WHEAT, *mine, status=2)
+
+
+def test_a_law_is_explained_in_every_family_that_has_its_key(capsys):
+    told = said(capsys, "explain", "spring-slider")
+    assert "rolling_stiffness (N), zero or more: from rolling_stiffness_N" in told
+    assert "tangential_stiffness (N m-2)" in told
+
+
+def test_own_solids_cite_their_own_source(capsys, tmp_path, study):
+    """In words, or from a .bib beside the file; a lone word that is no key is refused before anything is computed."""
+    path = tmp_path / "small.yaml"
+    path.write_text(yaml.safe_dump(study | {"materials": "mine.csv", "scene": study["scene"] | {"solid": "mine"}}))
+    head = "solid,grain,unit_weight_kN_m3,internal_friction_angle_deg,wall_friction,source,locator\n"
+    for source, printed in (("own shear tests 2025", "own shear tests 2025"), ("doe", "Smooth silos. 2026.")):
+        (tmp_path / "mine.csv").write_text(f"{head}mine,fine_grain,7.0,28,0.4,{source},page 1\n")
+        (tmp_path / "mine.bib").write_text("@book{doe, author={J. Doe}, title={Smooth silos}, year=2026}")
+        said(capsys, "check", path)
+        said(capsys, "pressure", path, tmp_path / "pressure.nc")
+        assert printed in said(capsys, "cite", tmp_path / "pressure.nc")
+    (tmp_path / "mine.csv").write_text(f"{head}mine,fine_grain,7.0,28,0.4,doe2025,page 1\n")
+    assert "mine.csv, mine: source = 'doe2025': no key of references.bib or of mine.bib" in said(
+        capsys, "check", path, status=2
+    )
