@@ -33,13 +33,15 @@ class AnySilo(Strict):
         default=None,
     )
     top_cone_height_m: float = described(
-        "height of the heap above the highest wall contact; the equivalent flat surface lies a third of it up",
+        "height of the heap above the highest wall contact; 0: a level surface. The equivalent flat surface lies a third of "
+        "it up, over a slot half of it, over a rectangle between",
         "m",
         ge=0,
         default=0.0,
     )
     hopper: Hopper | None = described("the hopper; null: a flat bottom", "", default=None)
-    eccentricity_m: float = described("eccentricity of heap or outlet, whichever is larger", "m", ge=0, default=0.0)
+    filling_eccentricity_m: float = described("distance of the heap's top from the axis", "m", ge=0, default=0.0)
+    outlet_eccentricity_m: float = described("distance of the outlet's middle from the axis", "m", ge=0, default=0.0)
     channel_half_angle_deg: float | None = described(
         "half angle of the flow channel from the vertical, for funnel flow; null: not known", "deg", gt=0, lt=90, default=None
     )
@@ -136,8 +138,15 @@ class SceneConfig(Strict):
     )
     wall_friction_end: Literal["mean", "upper"] = described(
         "upper: the unsafe end for buckling of a steel wall: roughness factor + 0.05 on Pieper's roughness groups, else wall "
-        "friction and lateral pressure ratio times their spreads a_mu and a_K",
+        "friction and lateral pressure ratio times their spreads a_mu and a_K. Methods that vary them themselves (EN 1991-4's "
+        "sets, Pieper for buckling) keep their own",
         "",
         default="mean",
+    )
+    characteristic_friction: Literal["capped", "uncapped"] = described(
+        "capped: in EN 1991-4's sets of characteristic values mu is at most tan(phi) of the set; uncapped: it is not (public "
+        "programs disagree)",
+        "",
+        default="capped",
     )
     properties: SolidProperties = described("values that replace the table's", "", default=SolidProperties())

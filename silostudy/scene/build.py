@@ -61,6 +61,7 @@ def build(config: SceneConfig, solids: Family[SolidRow], where: str = "") -> Sce
         wall=WALLS[config.wall] if config.wall else None,
         lateral_pressure_ratio_rule=config.lateral_pressure_ratio_rule,
         wall_friction_end=config.wall_friction_end,
+        characteristic_friction=config.characteristic_friction,
         own=own,
         hopper_wall=WALLS[config.silo.hopper.wall] if config.silo.hopper and config.silo.hopper.wall else None,
     )
@@ -97,6 +98,7 @@ def _silo(config: AnySilo, where: str) -> Silo:
         wall_depth=depth,
         top_cone_height=config.top_cone_height_m,
         hopper=hopper,
-        eccentricity=config.eccentricity_m,
+        filling_eccentricity=config.filling_eccentricity_m,
+        outlet_eccentricity=config.outlet_eccentricity_m,
         channel_half_angle=radians(config.channel_half_angle_deg or nan),
     )
