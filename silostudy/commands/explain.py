@@ -72,7 +72,7 @@ def explanation(key: str, known: "Families") -> list[str]:
     if key not in methods:
         raise unknown("method or rule", key, [*methods, *rules, *MASS_RULES, explain_seismic.EARTHQUAKE, explain_accuracy.KEY])
     row = methods[key]
-    lines = [f"{row.title} ({row.key})", f"  formula   {row.formula}", f"  range     {row.validity}"]
+    lines = [f"{row.title} ({row.key})", f"  formula   {row.formula}", f"  range     {row.range}"]
     lines.append(f"  plans     {', '.join(sorted(row.plans))}")
     for phase, quantities in row.phases.items():
         lines.append(f"  {phase:9} gives {', '.join(quantities)}")

@@ -58,7 +58,7 @@ def limit_variables(expansion: Expansion, methods: list[AskedMethod]) -> dict:
     for m, method in enumerate(methods):
         parameters = gather(expansion, method)
         for p, phase in enumerate(expansion.study.phases):
-            for limit in reversed(method.row.limits):
+            for limit in reversed(method.row.limits) if method.functions(phase) else ():
                 if limit.holds_for("wall_normal_pressure", phase) and not limit.measure.of_depth:
                     broken = np.broadcast_to(limit.broken(None, parameters), (*expansion.shape, 1))[..., 0]
                     found[m, p] = np.where(broken, words.index(limit.words()), found[m, p])

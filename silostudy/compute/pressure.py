@@ -21,7 +21,16 @@ from silostudy.compute.evaluate import (
 )
 from silostudy.compute.hopper import hopper_variables, total_variables
 from silostudy.cube.assemble import assemble
-from silostudy.pressure.family import IN_SCOPE, NO_PHASE, NO_QUANTITY, OUT_OF_RANGE, QUANTITIES, USED_FOR, call
+from silostudy.pressure.family import (
+    IN_SCOPE,
+    NO_PHASE,
+    NO_QUANTITY,
+    OUT_OF_RANGE,
+    QUANTITIES,
+    USED_FOR,
+    USUAL_QUANTITIES,
+    call,
+)
 
 HANDED = ("unit_weight", "internal_friction_angle", "wall_friction", "lateral_pressure_ratio", "poisson_ratio")
 HANDED_IF_KNOWN = (
@@ -40,7 +49,7 @@ def pressure_cube(expansion: Resolved) -> xr.Dataset:
     methods = methods_of(expansion)
     z = depths_in_metres(expansion)
     shape = (len(methods), len(expansion.study.phases), *z.shape)
-    values = {name: np.full(shape, np.nan) for name in (*QUANTITIES, "overpressure_factor")}
+    values = {name: np.full(shape, np.nan) for name in (*offered(methods), "overpressure_factor")}
     scopes = {name: np.full(shape, NO_PHASE, dtype=np.int8) for name in values}
     handed = {name: np.full(shape[:1] + shape[2:-1], np.nan) for name in (*HANDED, *HANDED_IF_KNOWN, "wall_friction_capped")}
     for m, method in enumerate(methods):
@@ -48,8 +57,8 @@ def pressure_cube(expansion: Resolved) -> xr.Dataset:
         _note(handed, m, parameters, shape[2:-1])
         for p, phase in enumerate(expansion.study.phases):
             found = evaluate(method, phase, z, parameters)
-            for name, (value, scope) in found.items():
-                values[name][m, p], scopes[name][m, p] = value, scope
+            for name in values.keys() & found.keys():
+                values[name][m, p], scopes[name][m, p] = found[name]
     return _assemble(expansion, methods, z, values, scopes, handed)
 
 
@@ -69,6 +78,12 @@ def silent_cube(expansion: Resolved) -> xr.Dataset:
     data |= {"phase": list(expansion.study.phases), "depth": z, "relative_depth": np.array([0.25, 0.5, 0.75, 1.0])}
     data |= limit_variables(expansion, methods)
     return assemble(expansion.study, "pressure", data, sources=[], sweep=sweep_of(expansion))
+
+
+def offered(methods: list[AskedMethod]) -> list[str]:
+    """The quantities of the cylinder that a cube holds: the usual ones, and what else a method of the study gives."""
+    given = {name for method in methods for functions in method.row.phases.values() for name in functions}
+    return [name for name in QUANTITIES if name in USUAL_QUANTITIES or name in given]
 
 
 def depths_in_metres(expansion: Resolved) -> np.ndarray:

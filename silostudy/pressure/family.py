@@ -19,6 +19,7 @@ QUANTITIES = {
     "axial_wall_force": "N m-1",
     "accompanying_wall_pressure": "Pa",
 }
+USUAL_QUANTITIES = ("wall_normal_pressure", "wall_friction_traction", "vertical_pressure", "axial_wall_force")
 # on the hopper wall, over the height above the hopper's apex
 HOPPER_QUANTITIES = {
     "hopper_normal_pressure": "Pa",
@@ -209,7 +210,8 @@ class PressureMethod(Row):
         def within(z, **given):
             return np.where(broken(self.limits, name, phase, z, given), np.nan, call(function, z, given))
 
-        limiting = [asked for limit in self.limits for asked in parameters_of(limit.measure.of)]
+        here = (limit.measure.of for limit in self.limits if limit.holds_for(name, phase))
+        limiting = [asked for measure in here for asked in parameters_of(measure)]
         return asking(within, (*parameters_of(function), *limiting), first_line(function))
 
     def faults(self) -> Iterator[str]:

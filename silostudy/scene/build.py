@@ -10,6 +10,7 @@ from silostudy.catalogue import Family
 from silostudy.config.pressure import PressureStudy
 from silostudy.config.scene import AnySilo, SceneConfig
 from silostudy.errors import BadInput
+from silostudy.scene.possible import require_possible
 from silostudy.scene.scene import Scene, solid_parameters
 from silostudy.scene.silo import Hopper, Silo
 from silostudy.tables.solids import SOLIDS, SolidRow, own_solids
@@ -68,6 +69,7 @@ def build(config: SceneConfig, solids: Family[SolidRow], where: str = "") -> Sce
     if scene.wall is None and "wall_friction" not in own and isnan(scene.solid.wall_friction):
         allowed = f"solid {config.solid} has no wall friction of its own: choose a wall kind ({', '.join(WALLS)})"
         raise BadInput("scene.wall", None, f"{allowed} or give scene.properties.wall_friction", where)
+    require_possible(scene, where)
     if scene.wall_friction_end == "upper" and not scene.on_roughness_group and not _spreads_known(scene):
         allowed = "needs one of Pieper's roughness groups as wall, or scene.properties.a_mu and a_K"
         raise BadInput("scene.wall_friction_end", "upper", allowed, where)

@@ -8,7 +8,7 @@ import numpy as np
 
 from silostudy.pressure.family import PressureMethod
 from silostudy.scene.silo import Silo
-from silostudy.tables.solids import CATEGORIES, RANGES, SolidRow
+from silostudy.tables.solids import CATEGORIES, PROPERTIES, SolidRow
 from silostudy.tables.walls import WallRow
 
 PIEPER_BUCKLING = 0.05  # added to the roughness factor where the shell may buckle
@@ -77,7 +77,7 @@ def upper_friction(scene: Scene, values: dict[str, float]) -> dict[str, float]:
 
 
 def _table_values(row: SolidRow) -> dict[str, float]:
-    names = [name for name in RANGES if name not in ("wall_friction_angle", "i_phi", *CATEGORIES)]
+    names = [name for name in PROPERTIES if name not in ("wall_friction_angle", "i_phi", *CATEGORIES)]
     return {"i_phi": nan, "powder": float(row.grain == "powder"), **{name: getattr(row, name) for name in names}}
 
 

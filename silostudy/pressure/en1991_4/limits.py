@@ -39,7 +39,7 @@ def _lower_ratio(*, lateral_pressure_ratio, a_K):
 
 CONTACT_SHARE = asking(
     _contact_share,
-    ("contact_depth", "cylinder_depth", "diameter", "hydraulic_radius", *FRICTION),
+    (*FRICTION, "contact_depth", "cylinder_depth", "diameter", "hydraulic_radius"),
     _contact_share.__doc__ or "",
     None,
 )
