@@ -11,10 +11,11 @@ from scipy.integrate import quad
 
 from silostudy.accuracy.trial import Trial, cpu_seconds, front_row
 from silostudy.choice.expand import expand
-from silostudy.choice.pressure import LEVELS, parameters_of_scenes
+from silostudy.choice.pressure import LEVELS
 from silostudy.pressure import PRESSURE
 from silostudy.pressure.family import call
 from silostudy.scene.expand import Expansion
+from silostudy.scene.scene import parameters_of_scenes
 from silostudy.tables.solids import SOLIDS
 from silostudy.tables.walls import WALLS
 
@@ -110,10 +111,10 @@ def spoken(expansion: Expansion) -> Iterator[tuple[Mapping[str, Callable], dict[
     scene = expansion.cases[0].scene
     for key in expansion.study.method_keys:
         row = PRESSURE[key]
-        parameters = {name: value[0, 0] for name, value in parameters_of_scenes([scene], row.table_key or key).items()}
+        parameters = {name: value[0, 0] for name, value in parameters_of_scenes([scene], row).items()}
         for phase in expansion.study.phases:
             if phase in row.phases and scene.silo.plan in row.plans:
-                yield row.phases[phase], parameters
+                yield row.bounded(phase), parameters
 
 
 def errors(each: list, quantity: Quantity) -> np.ndarray:

@@ -1,13 +1,13 @@
 """Numbers of a pressure study's scenes on which the errors of its depth levels and samples hang: see choice/fronts.py."""
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from math import log
 
 import numpy as np
 
 from silostudy.pressure import PRESSURE
 from silostudy.pressure.family import call
-from silostudy.scene.scene import Scene, geometry_parameters, solid_parameters
+from silostudy.scene.scene import Scene, parameters_of_scenes, solid_parameters
 
 LEVELS = 257  # of the look at each curve
 JUMP = 5.0  # how many times its neighbours a difference must be
@@ -44,20 +44,14 @@ def curves_of(study, scenes: Sequence[Scene]) -> Iterator[dict[str, np.ndarray]]
     z = depth * np.linspace(0.0, 1.0, LEVELS)
     for key in study.method_keys:
         row = study.family(PRESSURE)[key]
-        parameters = parameters_of_scenes(scenes, row.table_key or key)
-        covered = np.array([[one.silo.plan in row.plans] for one in scenes])
+        parameters = parameters_of_scenes(scenes, row)
+        covered = np.isin(parameters["plan"], list(row.plans))
         for phase in study.phases:
-            functions: Mapping[str, Callable] = row.phases.get(phase, {})
+            functions = row.bounded(phase)
             with np.errstate(all="ignore"):  # unknown parameters are NaN
                 found = {name: np.asarray(call(function, z, parameters)) for name, function in functions.items()}
             if found:
                 yield {name: np.where(covered, np.broadcast_to(value, z.shape), np.nan) for name, value in found.items()}
-
-
-def parameters_of_scenes(scenes: Sequence[Scene], key: str) -> dict[str, np.ndarray]:
-    """Every parameter that a method may ask for, in SI, shape (scene, 1)."""
-    each = [{**geometry_parameters(one), **solid_parameters(one, key)} for one in scenes]
-    return {name: np.array([[one[name]] for one in each]) for name in each[0]}
 
 
 def integral_number(curve: np.ndarray) -> np.ndarray:

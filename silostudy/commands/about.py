@@ -3,14 +3,19 @@
 
 def pressures(expansion) -> list[str]:
     """How much a study of pressures computes."""
+    from silostudy.compute.pressure import silent_cube
+    from silostudy.cube.silence import silences
+
     study = expansion.study
     methods = len(study.method_keys) + len(study.as_printed)
     values = len(expansion.cases) * methods * len(study.phases) * len(study.depths)
-    return [f"{methods} method(s) x {len(study.phases)} phase(s) x {len(study.depths)} depths: {values} values a quantity"]
+    lines = [f"{methods} method(s) x {len(study.phases)} phase(s) x {len(study.depths)} depths: {values} values a quantity"]
+    return [*lines, *(f"note: {line}" for line in silences(silent_cube(expansion)))]
 
 
 def cautions(expansion) -> list[str]:
     """What a study's author should know although it is no mistake."""
+    from silostudy.scene.possible import unusual
     from silostudy.scene.scene import solid_parameters
 
     found: dict[str, int] = {}
@@ -24,7 +29,19 @@ def cautions(expansion) -> list[str]:
             if parameters[name] != parameters[name]:
                 text = f"{case.scene.solid.key} on {wall}: no {name} in the tables; methods that need it are masked"
                 found[text] = 1
-    return [f"note: {text}" for text in found]
+        found |= dict.fromkeys(unusual(case.scene), 1)
+    return [f"note: {text}" for text in (*found, *_switches(expansion))]
+
+
+def _switches(expansion) -> list[str]:
+    """Which methods a switch of the scene leaves as they are."""
+    from silostudy.pressure import PRESSURE
+
+    rows = [expansion.study.family(PRESSURE)[key] for key in expansion.study.method_keys]
+    keep = [row.key for row in rows if "wall_friction" in row.varies]
+    if keep and any(case.scene.wall_friction_end == "upper" for case in expansion.cases):
+        return [f"wall_friction_end: upper does not move {', '.join(keep)}: they vary the wall friction themselves"]
+    return []
 
 
 def shaking(expansion) -> list[str]:

@@ -84,13 +84,11 @@ def _sweep(cases: int):
     """Depths (cases, DEPTHS) and parameters (cases, 1) of silos of every size, with the proportions that charts ask for."""
     import numpy as np
 
-    from silostudy.pressure.one_silo import LATERAL_PRESSURE_RATIO, SLENDERNESS, WALL_FRICTION
-
     diameter = np.linspace(3, 20, cases)[:, None]
-    depth = SLENDERNESS * diameter
+    depth = 3.6 * diameter
     given = {"unit_weight": 7845.32, "internal_friction_angle": 0.5236, "poisson_ratio": 0.4, "powder": 0.0, "i_phi": 0.548}
     given |= EXTRA
-    given |= {"wall_friction": WALL_FRICTION, "lateral_pressure_ratio": LATERAL_PRESSURE_RATIO, "top_cone_height": 0.0}
+    given |= {"wall_friction": 0.44, "lateral_pressure_ratio": 0.45, "top_cone_height": 0.0, "contact_depth": 0.0}
     sizes = {"diameter": diameter, "hydraulic_radius": diameter / 4, "cylinder_depth": depth, "outlet_depth": 1.1 * depth}
     constant = {name: np.full_like(diameter, value) for name, value in given.items()}
     return depth * np.linspace(0.02, 1, DEPTHS), {**constant, **sizes}

@@ -37,6 +37,7 @@ def run(chosen: argparse.Namespace) -> None:
     from silostudy.choice.expand import expand, expand_file
     from silostudy.compute.evaluate import methods_of
     from silostudy.compute.pressure import pressure_cube
+    from silostudy.cube.silence import silences
     from silostudy.stages.pressure import KIND
 
     if chosen.study and chosen.methods_from:
@@ -49,7 +50,8 @@ def run(chosen: argparse.Namespace) -> None:
         expansion = expand(_study(chosen), "compare", "compare", Path())
     cube = pressure_cube(expansion)
     balanced = {method.label: method.row.equilibrium for method in methods_of(expansion)}
-    print("\n".join([*table(cube, balanced), *hopper_table(cube), *values_used(cube), *cautions(expansion)]))
+    lines = [*table(cube, balanced), *silences(cube), *hopper_table(cube), *values_used(cube), *cautions(expansion)]
+    print("\n".join(lines))
     if chosen.figure:
         from silostudy.figures.comparison_today import draw
 
@@ -163,7 +165,7 @@ def _limit(cube: "xr.Dataset") -> str:
 
 
 def values_used(cube: "xr.Dataset") -> list[str]:
-    """The characteristic values behind the methods that have them: which of upper and lower, and the means they come from."""
+    """The characteristic values behind the methods that have them, as numbers, with a mark where mu was cut to tan(phi)."""
     from math import degrees
 
     lines = []
@@ -175,4 +177,24 @@ def values_used(cube: "xr.Dataset") -> list[str]:
                 mean += f", {label} {float(one[name]):.3g}" if name in one else ""
             mean += f", a_mu {float(one['a_mu']):.3g}" if "a_mu" in one else ""
             lines.append(f"{method}: {text} (means: {mean}; unit weight {float(one['unit_weight']) / 1e3:.2f} kN/m3)")
+            lines += [f"  {line}" for line in _numbers_used(one)]
     return lines
+
+
+def _numbers_used(one: "xr.Dataset") -> list[str]:
+    """A line for each different set of values: what is reckoned with them, mu, K and phi."""
+    from math import degrees
+
+    found: dict[str, list[str]] = {}
+    for phase in map(str, one["phase"].values):
+        for quantity in map(str, one["used_for"].values):
+            values = one.sel(phase=phase, used_for=quantity)
+            mu, k, phi = (
+                float(values[f"used_{name}"]) for name in ("wall_friction", "lateral_pressure_ratio", "internal_friction_angle")
+            )
+            if isfinite(mu):
+                cut = float(values["used_wall_friction_uncapped"])
+                capped = f" (cut from {cut:.3g} to tan phi)" if bool(values["used_wall_friction_capped"]) else ""
+                text = f"mu {mu:.3g}{capped}, K {k:.3g}, phi {degrees(phi):.1f} deg"
+                found.setdefault(text, []).append(f"{quantity} ({phase})")
+    return [f"{text}: {', '.join(what)}" for text, what in found.items()]

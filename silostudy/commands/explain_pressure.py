@@ -7,7 +7,7 @@ def explanation(row) -> list[str]:
     from silostudy.tables.handbook import errata
     from silostudy.tables.references import with_locator
 
-    lines = [f"{row.title} ({row.key})", f"  formula   {row.formula}", f"  range     {row.validity}"]
+    lines = [f"{row.title} ({row.key})", f"  formula   {row.formula}", f"  range     {row.range}"]
     lines.append(f"  plans     {', '.join(sorted(row.plans))}")
     for phase, quantities in row.phases.items():
         lines.append(f"  {phase:9} gives {', '.join(quantities)}")

@@ -14,13 +14,15 @@ from silostudy.pressure.family import (
     NO_PLAN,
     NO_PROPERTY,
     OUT_OF_RANGE,
+    QUANTITIES,
     REASONS,
     PressureMethod,
     call,
     parameters_of,
 )
+from silostudy.pressure.limits import broken
 from silostudy.scene.expand import Expansion
-from silostudy.scene.scene import geometry_parameters, solid_parameters
+from silostudy.scene.scene import parameters_of_scenes
 
 AS_PRINTED = "_as_printed"
 
@@ -60,27 +62,24 @@ def sources_of(expansion: Expansion) -> list[str]:
 
 
 def gather(expansion: Expansion, method: AskedMethod) -> dict[str, np.ndarray]:
-    """Every parameter a method may ask for, in SI, shape (axes..., 1)."""
-    key, printed = method.row.table_key or method.row.key, method.as_printed
-    each = [{**geometry_parameters(case.scene), **solid_parameters(case.scene, key, printed)} for case in expansion.cases]
-    return {name: np.array([one[name] for one in each]).reshape(*expansion.shape, 1) for name in each[0]}
+    """Every parameter a method may ask for, in SI, and the plan's shape: arrays of shape (axes..., 1)."""
+    each = parameters_of_scenes([case.scene for case in expansion.cases], method.row, method.as_printed)
+    return {name: values.reshape(*expansion.shape, 1) for name, values in each.items()}
 
 
-def plans(expansion: Expansion) -> np.ndarray:
-    """Plan shape of every case, shape (axes..., 1)."""
-    return np.array([case.scene.silo.plan for case in expansion.cases]).reshape(*expansion.shape, 1)
-
-
-def masked(function: Callable, place: np.ndarray | None, parameters: Mapping, plan_covered: np.ndarray) -> tuple:
+def masked(row: PressureMethod, quantity: str, phase: str, function: Callable, place, parameters: Mapping) -> tuple:
     """Values with NaN where the method does not speak, and why not (first reason that applies); no place: a total."""
     names = parameters_of(function)
+    plan_covered = np.isin(parameters["plan"], list(row.covers(quantity)))
     known = np.logical_and.reduce([np.isfinite(parameters[name]) for name in names])
     no_hopper = np.isnan(parameters["hopper_half_angle"]) & ("hopper_half_angle" in names)
-    with np.errstate(divide="ignore", invalid="ignore"):  # unknown parameters are NaN and are masked below
+    with np.errstate(all="ignore"):  # unknown or impossible parameters are masked below
         value = np.asarray(call(function, place, parameters))
+    beyond = broken(row.limits, quantity, phase, place if quantity in QUANTITIES else None, parameters)
     shape = np.broadcast_shapes(value.shape, plan_covered.shape, *([] if place is None else [place.shape]))
     value = np.broadcast_to(value, shape)
-    reasons = [(~plan_covered, NO_PLAN), (no_hopper, NO_HOPPER), (~known, NO_PROPERTY), (np.isnan(value), OUT_OF_RANGE)]
+    reasons = [(~plan_covered, NO_PLAN), (no_hopper, NO_HOPPER), (~known, NO_PROPERTY)]
+    reasons.append((np.isnan(value) | beyond, OUT_OF_RANGE))
     conditions = [np.broadcast_to(condition, shape) for condition, _ in reasons]
     scope = np.select(conditions, [code for _, code in reasons], IN_SCOPE).astype(np.int8)
     return np.where(scope == IN_SCOPE, value, np.nan), scope
@@ -89,7 +88,7 @@ def masked(function: Callable, place: np.ndarray | None, parameters: Mapping, pl
 def above_contact(found: tuple, z: np.ndarray, parameters: Mapping) -> tuple:
     """Values on the cylinder, masked above the highest contact of solid and wall."""
     value, scope = found
-    above = (z < parameters["top_cone_height"] / 3) & ~np.isin(scope, [NO_PLAN, NO_PROPERTY])
+    above = (z < parameters["contact_depth"]) & ~np.isin(scope, [NO_PLAN, NO_PROPERTY])
     return np.where(above, np.nan, value), np.where(above, np.int8(ABOVE_CONTACT), scope)
 
 

@@ -4,7 +4,7 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from silostudy.compute.evaluate import AskedMethod, gather, masked, plans, with_reasons
+from silostudy.compute.evaluate import AskedMethod, gather, masked, with_reasons
 from silostudy.config.fields import expand
 from silostudy.cube.variables import attributes
 from silostudy.pressure import hopper_shape, mass_flow
@@ -14,7 +14,6 @@ from silostudy.pressure.family import (
     NO_PHASE,
     NO_QUANTITY,
     TOTALS,
-    WITH_HOPPER,
     PressureMethod,
     call,
     parameters_of,
@@ -50,7 +49,7 @@ def _variables(expansion, methods, names, evaluate, *last_shape) -> dict:
     values = {name: np.full(shape, np.nan) for name in names}
     scopes = {name: np.full(shape, NO_PHASE, dtype=np.int8) for name in names}
     for m, method in enumerate(methods):
-        parameters = gather(expansion, method) | {"plan": plans(expansion)}
+        parameters = gather(expansion, method)
         for p, phase in enumerate(expansion.study.phases):
             for name, (value, scope) in evaluate(method.row, phase, parameters).items():
                 values[name][m, p], scopes[name][m, p] = value, scope
@@ -73,18 +72,15 @@ def _totals(row: PressureMethod, phase: str, offered: list[str], parameters: Map
         if name not in functions:
             found[name] = np.nan, np.int8(NO_QUANTITY)
             continue
-        of_hopper = "hopper_half_angle" in parameters_of(functions[name])
-        covered = np.isin(parameters["plan"], list(row.plans & WITH_HOPPER if of_hopper else row.plans))
-        value, scope = masked(functions[name], None, parameters, covered)
+        value, scope = masked(row, name, phase, functions[name], None, parameters)
         found[name] = value[..., 0], scope[..., 0]
     return found
 
 
 def _of_wall(row: PressureMethod, phase: str, x: np.ndarray, parameters: Mapping) -> dict[str, tuple]:
     functions = row.hopper.get(phase, {})
-    covered = np.isin(parameters["plan"], list(row.plans & WITH_HOPPER))
     return {
-        name: masked(functions[name], x, parameters, covered) if name in functions else (np.nan, np.int8(NO_QUANTITY))
+        name: masked(row, name, phase, functions[name], x, parameters) if name in functions else (np.nan, np.int8(NO_QUANTITY))
         for name in (HOPPER_QUANTITIES if phase in row.phases else ())
     }
 
@@ -101,8 +97,14 @@ def balanced(row: PressureMethod, phase: str, parameters: Mapping) -> dict[str, 
     weight = parameters["unit_weight"] * _contents(parameters)
     wall = _wall_force(row, phase, parameters)
     missing = 1 - (wall + ring + outlet) / (weight[..., 0] + transition)
-    scope = np.where((scope == IN_SCOPE) & np.isnan(missing), np.int8(NO_QUANTITY), scope)
-    return {name: (value, scope) for name, value in zip(BALANCE, (weight[..., 0], wall, missing), strict=True)}
+    scope = np.where(scope == IN_SCOPE, _of_wall_scope(row, phase, parameters), scope)
+    found = (np.broadcast_to(value, scope.shape) for value in (weight[..., 0], wall, missing))
+    return {name: (np.where(scope == IN_SCOPE, value, np.nan), scope) for name, value in zip(BALANCE, found, strict=True)}
+
+
+def _of_wall_scope(row: PressureMethod, phase: str, parameters: Mapping) -> np.ndarray:
+    """Why the hopper wall's normal pressure is masked, at its top."""
+    return _of_wall(row, phase, heights(parameters)[0], parameters)["hopper_normal_pressure"][1][..., 0]
 
 
 def _contents(parameters: Mapping) -> np.ndarray:

@@ -7,6 +7,8 @@ import xarray as xr
 
 from silostudy.choice.expand import Resolved
 from silostudy.compute.axes import sweep_of
+from silostudy.compute.behind import limit_variables, used_variables
+from silostudy.compute.channel import channel_variables
 from silostudy.compute.evaluate import (
     AskedMethod,
     above_contact,
@@ -14,13 +16,21 @@ from silostudy.compute.evaluate import (
     masked,
     method_coordinates,
     methods_of,
-    plans,
     sources_of,
     with_reasons,
 )
 from silostudy.compute.hopper import hopper_variables, total_variables
 from silostudy.cube.assemble import assemble
-from silostudy.pressure.family import IN_SCOPE, NO_PHASE, NO_QUANTITY, OUT_OF_RANGE, QUANTITIES, call
+from silostudy.pressure.family import (
+    IN_SCOPE,
+    NO_PHASE,
+    NO_QUANTITY,
+    OUT_OF_RANGE,
+    QUANTITIES,
+    USED_FOR,
+    USUAL_QUANTITIES,
+    call,
+)
 
 HANDED = ("unit_weight", "internal_friction_angle", "wall_friction", "lateral_pressure_ratio", "poisson_ratio")
 HANDED_IF_KNOWN = (
@@ -39,17 +49,41 @@ def pressure_cube(expansion: Resolved) -> xr.Dataset:
     methods = methods_of(expansion)
     z = depths_in_metres(expansion)
     shape = (len(methods), len(expansion.study.phases), *z.shape)
-    values = {name: np.full(shape, np.nan) for name in (*QUANTITIES, "overpressure_factor")}
+    values = {name: np.full(shape, np.nan) for name in (*offered(methods), "overpressure_factor")}
     scopes = {name: np.full(shape, NO_PHASE, dtype=np.int8) for name in values}
     handed = {name: np.full(shape[:1] + shape[2:-1], np.nan) for name in (*HANDED, *HANDED_IF_KNOWN, "wall_friction_capped")}
     for m, method in enumerate(methods):
         parameters = gather(expansion, method)
         _note(handed, m, parameters, shape[2:-1])
         for p, phase in enumerate(expansion.study.phases):
-            found = evaluate(method, phase, z, parameters, plans(expansion))
-            for name, (value, scope) in found.items():
-                values[name][m, p], scopes[name][m, p] = value, scope
+            found = evaluate(method, phase, z, parameters)
+            for name in values.keys() & found.keys():
+                values[name][m, p], scopes[name][m, p] = found[name]
     return _assemble(expansion, methods, z, values, scopes, handed)
+
+
+def silent_cube(expansion: Resolved) -> xr.Dataset:
+    """Wall pressures at the quarters of the depth alone, for what is told of silent methods before computing."""
+    methods = methods_of(expansion)
+    heights = np.array([case.scene.silo.cylinder_depth for case in expansion.cases]).reshape(expansion.shape)
+    z = heights[..., None] * np.array([0.25, 0.5, 0.75, 1.0])
+    shape = (len(methods), len(expansion.study.phases), *z.shape)
+    value, scope = np.full(shape, np.nan), np.full(shape, NO_PHASE, dtype=np.int8)
+    for m, method in enumerate(methods):
+        parameters = gather(expansion, method)
+        for p, phase in enumerate(expansion.study.phases):
+            if found := evaluate(method, phase, z, parameters):
+                value[m, p], scope[m, p] = found["wall_normal_pressure"]
+    data = {"wall_normal_pressure": value, **with_reasons({"wall_normal_pressure": scope}), **method_coordinates(methods)}
+    data |= {"phase": list(expansion.study.phases), "depth": z, "relative_depth": np.array([0.25, 0.5, 0.75, 1.0])}
+    data |= limit_variables(expansion, methods)
+    return assemble(expansion.study, "pressure", data, sources=[], sweep=sweep_of(expansion))
+
+
+def offered(methods: list[AskedMethod]) -> list[str]:
+    """The quantities of the cylinder that a cube holds: the usual ones, and what else a method of the study gives."""
+    given = {name for method in methods for functions in method.row.phases.values() for name in functions}
+    return [name for name in QUANTITIES if name in USUAL_QUANTITIES or name in given]
 
 
 def depths_in_metres(expansion: Resolved) -> np.ndarray:
@@ -61,7 +95,7 @@ def depths_in_metres(expansion: Resolved) -> np.ndarray:
     return heights[..., None] * depths
 
 
-def evaluate(method: AskedMethod, phase: str, z: np.ndarray, parameters: Mapping, plan: np.ndarray) -> dict[str, tuple]:
+def evaluate(method: AskedMethod, phase: str, z: np.ndarray, parameters: Mapping) -> dict[str, tuple]:
     """quantity -> (values, scope flags) of one method in one phase; empty where the method does not cover the phase."""
     row, functions = method.row, method.functions(phase)
     if not functions:
@@ -69,7 +103,7 @@ def evaluate(method: AskedMethod, phase: str, z: np.ndarray, parameters: Mapping
     found = {}
     for name in QUANTITIES:
         if name in functions:
-            value = masked(functions[name], z, parameters, np.isin(plan, list(row.plans)))
+            value = masked(row, name, phase, functions[name], z, parameters)
             found[name] = above_contact(value, z, parameters)
         else:
             found[name] = np.nan, np.int8(NO_QUANTITY)
@@ -94,7 +128,9 @@ def _assemble(expansion: Resolved, methods: list[AskedMethod], z, values, scopes
             data[name] = value.astype(np.int8) if name == "wall_friction_capped" else value
     for name in ("hydraulic_radius", "cylinder_depth"):
         data[name] = np.array([getattr(case.scene.silo, name) for case in expansion.cases]).reshape(expansion.shape)
-    data |= depth_coordinates(study, z) | total_variables(expansion, methods)
+    data["contact_depth"] = np.array([case.scene.silo.contact_depth for case in expansion.cases]).reshape(expansion.shape)
+    data |= depth_coordinates(study, z) | total_variables(expansion, methods) | channel_variables(expansion, methods, z)
+    data |= used_variables(expansion, methods) | limit_variables(expansion, methods) | {"used_for": list(USED_FOR)}
     if study.hopper_position is not None:
         data |= hopper_variables(expansion, methods)
     notes = {**expansion.promise, **study.own_methods}

@@ -12,7 +12,7 @@ import xarray as xr
 from scipy.stats import qmc, sobol_indices, uniform
 
 from silostudy.choice.expand import Resolved
-from silostudy.compute.evaluate import AskedMethod, gather, method_coordinates, methods_of, plans, sources_of
+from silostudy.compute.evaluate import AskedMethod, gather, method_coordinates, methods_of, sources_of
 from silostudy.compute.pressure import depth_coordinates, depths_in_metres, evaluate
 from silostudy.cube.assemble import assemble
 from silostudy.scene.scene import solid_parameters
@@ -49,7 +49,7 @@ def _pressure_of(expansion: Resolved, method: AskedMethod, phase: str, z: np.nda
     def pressure(points: np.ndarray) -> np.ndarray:
         changed = scattered(parameters, base, points)
         depths = np.broadcast_to(z, (len(points), z.size))
-        return evaluate(method, phase, depths, changed, plans(expansion))["wall_normal_pressure"][0]
+        return evaluate(method, phase, depths, changed)["wall_normal_pressure"][0]
 
     return pressure
 

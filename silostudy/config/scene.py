@@ -1,11 +1,18 @@
 """What a user writes to describe one silo with its contents, in the user's units."""
 
-from typing import Annotated, Literal, Self, TypeAlias
+from typing import Annotated, Any, Literal, Self, TypeAlias
 
 from pydantic import Field, model_validator
 
 from silostudy.config.fields import Strict, described
+from silostudy.tables.ranges import WRITTEN
 from silostudy.tables.walls import WALLS
+
+
+def possible(written: str) -> dict[str, Any]:
+    """The ends of a quantity's physical range, as the models take them."""
+    return WRITTEN[written].constraints
+
 
 WallKey: TypeAlias = Literal[tuple(WALLS)]  # type: ignore[valid-type]
 
@@ -13,7 +20,7 @@ WallKey: TypeAlias = Literal[tuple(WALLS)]  # type: ignore[valid-type]
 class Hopper(Strict):
     """A hopper below the cylinder."""
 
-    half_angle_deg: float = described("hopper half angle from the vertical", "deg", gt=0, lt=90)
+    half_angle_deg: float = described("hopper half angle from the vertical", "deg", **possible("half_angle_deg"))
     outlet_width_m: float = described("inner width (diameter) of the outlet; 0: the apex", "m", ge=0, default=0.0)
     wall: WallKey | None = described("wall kind of the hopper; null: as the cylinder's", "", default=None)
 
@@ -24,22 +31,24 @@ class AnySilo(Strict):
     cylinder_depth_m: float | None = described(
         "depth of the vertical part, from the highest contact of solid and wall to the transition",
         "m",
-        gt=0,
         default=None,
+        **possible("cylinder_depth_m"),
     )
     slenderness: float | None = described(
         "cylinder depth over the diameter of the circle inscribed in the plan, in place of cylinder_depth_m",
-        gt=0,
         default=None,
+        **possible("slenderness"),
     )
     top_cone_height_m: float = described(
-        "height of the heap above the highest wall contact; the equivalent flat surface lies a third of it up",
+        "height of the heap above the highest wall contact; 0: a level surface. The equivalent flat surface lies a third of "
+        "it up, over a slot half of it, over a rectangle between",
         "m",
         ge=0,
         default=0.0,
     )
     hopper: Hopper | None = described("the hopper; null: a flat bottom", "", default=None)
-    eccentricity_m: float = described("eccentricity of heap or outlet, whichever is larger", "m", ge=0, default=0.0)
+    filling_eccentricity_m: float = described("distance of the heap's top from the axis", "m", ge=0, default=0.0)
+    outlet_eccentricity_m: float = described("distance of the outlet's middle from the axis", "m", ge=0, default=0.0)
     channel_half_angle_deg: float | None = described(
         "half angle of the flow channel from the vertical, for funnel flow; null: not known", "deg", gt=0, lt=90, default=None
     )
@@ -55,22 +64,22 @@ class CircularSilo(AnySilo):
     """A circular cylinder."""
 
     plan: Literal["circular"] = described("shape of the plan", "")
-    diameter_m: float = described("inner diameter", "m", gt=0)
+    diameter_m: float = described("inner diameter", "m", **possible("diameter_m"))
 
 
 class SquareSilo(AnySilo):
     """A square cell."""
 
     plan: Literal["square"] = described("shape of the plan", "")
-    width_m: float = described("inner side", "m", gt=0)
+    width_m: float = described("inner side", "m", **possible("diameter_m"))
 
 
 class RectangularSilo(AnySilo):
     """A rectangular cell."""
 
     plan: Literal["rectangular"] = described("shape of the plan", "")
-    width_m: float = described("shorter inner side", "m", gt=0)
-    length_m: float = described("longer inner side", "m", gt=0)
+    width_m: float = described("shorter inner side", "m", **possible("diameter_m"))
+    length_m: float = described("longer inner side", "m", **possible("diameter_m"))
 
     @model_validator(mode="after")
     def _ordered(self) -> Self:
@@ -84,38 +93,45 @@ class PolygonalSilo(AnySilo):
 
     plan: Literal["polygonal"] = described("shape of the plan", "")
     sides: int = described("number of sides", ge=3, le=1000)
-    inscribed_diameter_m: float = described("diameter of the inscribed circle (across the flats)", "m", gt=0)
+    inscribed_diameter_m: float = described(
+        "diameter of the inscribed circle (across the flats)", "m", **possible("diameter_m")
+    )
 
 
 class SlotSilo(AnySilo):
     """A long slot between two parallel walls, end walls left out: plane flow, with a wedge below."""
 
     plan: Literal["slot"] = described("shape of the plan", "")
-    width_m: float = described("inner width between the walls", "m", gt=0)
+    width_m: float = described("inner width between the walls", "m", **possible("diameter_m"))
     length_m: float = described("stretch of the slot that forces are counted over", "m", gt=0, default=1.0)
 
 
 Silo = Annotated[CircularSilo | SquareSilo | RectangularSilo | PolygonalSilo | SlotSilo, Field(discriminator="plan")]
 
 
+def replacing(written: str, text: str, unit: str) -> Any:
+    """A property that may replace the table's, within its physical range."""
+    return described(text, unit, default=None, **possible(written))
+
+
 class SolidProperties(Strict):
     """Values that replace the table's for the solid of this study."""
 
-    unit_weight_kN_m3: float | None = described("unit weight", "kN m-3", gt=0, le=1000, default=None)
-    internal_friction_angle_deg: float | None = described("internal friction angle", "deg", gt=0, lt=90, default=None)
-    wall_friction: float | None = described("wall friction coefficient; replaces the wall kind's", ge=0, default=None)
-    lateral_pressure_ratio: float | None = described("lateral pressure ratio K = p_h / p_v", ge=0, default=None)
-    poisson_ratio: float | None = described("Poisson's ratio of the solid", ge=0, lt=0.5, default=None)
-    hopper_wall_friction: float | None = described("wall friction coefficient of the hopper", ge=0, default=None)
-    unit_weight_lower_kN_m3: float | None = described("lower unit weight", "kN m-3", gt=0, le=1000, default=None)
-    effective_friction_angle_deg: float | None = described(
-        "effective angle of friction in flow (Jenike's delta)", "deg", gt=0, lt=90, default=None
+    unit_weight_kN_m3: float | None = replacing("unit_weight_kN_m3", "unit weight", "kN m-3")
+    internal_friction_angle_deg: float | None = replacing("internal_friction_angle_deg", "internal friction angle", "deg")
+    wall_friction: float | None = replacing("wall_friction", "wall friction coefficient; replaces the wall kind's", "1")
+    lateral_pressure_ratio: float | None = replacing("lateral_pressure_ratio", "lateral pressure ratio K = p_h / p_v", "1")
+    poisson_ratio: float | None = replacing("poisson_ratio", "Poisson's ratio of the solid", "1")
+    hopper_wall_friction: float | None = replacing("hopper_wall_friction", "wall friction coefficient of the hopper", "1")
+    unit_weight_lower_kN_m3: float | None = replacing("unit_weight_lower_kN_m3", "lower unit weight", "kN m-3")
+    effective_friction_angle_deg: float | None = replacing(
+        "effective_friction_angle_deg", "effective angle of friction in flow (Jenike's delta)", "deg"
     )
-    repose_angle_deg: float | None = described("angle of repose", "deg", gt=0, lt=90, default=None)
-    a_phi: float | None = described("spread of the friction angle: upper over mean", ge=1, le=10, default=None)
-    a_K: float | None = described("spread of the lateral pressure ratio: upper over mean", ge=1, le=10, default=None)
-    a_mu: float | None = described("spread of the wall friction: upper over mean", ge=1, le=10, default=None)
-    patch_factor: float | None = described("patch load factor C_op of EN 1991-4", ge=0, le=10, default=None)
+    repose_angle_deg: float | None = replacing("repose_angle_deg", "angle of repose", "deg")
+    a_phi: float | None = replacing("a_phi", "spread of the friction angle: upper over mean", "1")
+    a_K: float | None = replacing("a_K", "spread of the lateral pressure ratio: upper over mean", "1")
+    a_mu: float | None = replacing("a_mu", "spread of the wall friction: upper over mean", "1")
+    patch_factor: float | None = replacing("patch_factor", "patch load factor C_op of EN 1991-4", "1")
 
 
 class SceneConfig(Strict):
@@ -136,8 +152,15 @@ class SceneConfig(Strict):
     )
     wall_friction_end: Literal["mean", "upper"] = described(
         "upper: the unsafe end for buckling of a steel wall: roughness factor + 0.05 on Pieper's roughness groups, else wall "
-        "friction and lateral pressure ratio times their spreads a_mu and a_K",
+        "friction and lateral pressure ratio times their spreads a_mu and a_K. Methods that vary them themselves (EN 1991-4's "
+        "sets, Pieper for buckling) keep their own",
         "",
         default="mean",
+    )
+    characteristic_friction: Literal["capped", "uncapped"] = described(
+        "capped: in EN 1991-4's sets of characteristic values mu is at most tan(phi) of the set; uncapped: it is not (public "
+        "programs disagree)",
+        "",
+        default="capped",
     )
     properties: SolidProperties = described("values that replace the table's", "", default=SolidProperties())

@@ -4,7 +4,8 @@ import numpy as np
 
 from silostudy.pressure import janssen
 from silostudy.pressure.family import CIRCULAR, PressureMethod
-from silostudy.pressure.one_silo import same_proportions
+from silostudy.pressure.limits import Limit, Measure
+from silostudy.pressure.one_silo import PROPORTIONS
 
 ZONE_ENDS = (1.45, 1.55, 1.65, 1.75, 1.75)  # inferred from Table 4.2.5 column 3 (H/D = 3.6)
 
@@ -16,8 +17,16 @@ def overpressure_factor(z, *, internal_friction_angle, diameter, cylinder_depth)
     """
     top = diameter * np.tan(internal_friction_angle)
     zone = 4 * (z - top) / (cylinder_depth - top)
-    covered = same_proportions(diameter, cylinder_depth) & (zone >= 0) & (top < cylinder_depth)
-    return np.where(covered, np.interp(zone, range(5), ZONE_ENDS), np.nan)
+    return np.interp(zone, range(5), ZONE_ENDS)
+
+
+BELOW_THE_TOP_ZONE = Limit(
+    measure=Measure(
+        "z/(D tan phi)", "1", lambda z, *, diameter, internal_friction_angle: z / (diameter * np.tan(internal_friction_angle))
+    ),
+    least=1.0,
+    why="the source shows no other rows of the code's table",
+)
 
 
 ROW = PressureMethod(
@@ -30,7 +39,8 @@ ROW = PressureMethod(
     static=janssen.normal_pressure,
     plans=CIRCULAR,
     formula="p_h = C_d(z) times Janssen; C_d 1.45 at H1 = D tan phi, 1.55, 1.65, 1.75, 1.75 at the ends of four equal zones",
-    validity="only H/D = 3.6, below H1: the source shows no other rows of the code's table; masked elsewhere",
+    limits=(PROPORTIONS, BELOW_THE_TOP_ZONE),
+    validity="zones and factors inferred from one silo's column",
     colour="#009E73",
     marker="^",
     number="3",

@@ -7,10 +7,10 @@ cylinder and r_c as the hydraulic radius (with it the initial state is in vertic
 import numpy as np
 
 from silostudy.pressure import janssen
-from silostudy.pressure.family import CIRCULAR, SLOT, PressureMethod, asking, first_line, parameters_of
+from silostudy.pressure.family import CIRCULAR, SLOT, USUAL_PHASES, PressureMethod, asking, first_line, parameters_of
+from silostudy.pressure.limits import SLENDERNESS, Limit
 
 LEAST_RATIO = 0.35
-SQUAT = 1.0  # h_b / d_c below which the account gives no pressures
 GIVEN = ("unit_weight", "hydraulic_radius", "wall_friction", "internal_friction_angle")
 
 
@@ -22,13 +22,12 @@ def lateral_ratio(wall_friction, internal_friction_angle):
 
 
 def flow_factor(*, cylinder_depth, diameter, slot):
-    """c_nf (1), flow over initial pressure; NaN for squat containers.
+    """c_nf (1), flow over initial pressure.
 
     Source: as3774_1996, second-hand: max((7.6 (h_b/d_c)^0.06 - 6.4) c_c, 1.2 c_c), c_c 1 axisymmetric, 1.2 planar.
     """
     slenderness, plane = cylinder_depth / diameter, np.where(slot == 1, 1.2, 1.0)
-    factor = np.maximum(7.6 * slenderness**0.06 - 6.4, 1.2) * plane
-    return np.where(slenderness >= SQUAT, factor, np.nan)
+    return np.maximum(7.6 * slenderness**0.06 - 6.4, 1.2) * plane
 
 
 def friction_factor(*, slot):
@@ -40,11 +39,10 @@ def _initial(quantity):
     def function(z, **given):
         ratio = lateral_ratio(given["wall_friction"], given["internal_friction_angle"])
         own = {name: given[name] for name in ("unit_weight", "hydraulic_radius", "wall_friction")}
-        value = janssen.STATE[quantity](z, **own, lateral_pressure_ratio=ratio)
-        return np.where(given["cylinder_depth"] / given["diameter"] >= SQUAT, value, np.nan)
+        return janssen.STATE[quantity](z, **own, lateral_pressure_ratio=ratio)
 
     doc = f"{first_line(janssen.STATE[quantity])} Source: as3774_1996, second-hand."
-    return asking(function, (*GIVEN, "cylinder_depth", "diameter"), doc)
+    return asking(function, GIVEN, doc)
 
 
 INITIAL = {quantity: _initial(quantity) for quantity in janssen.STATE}
@@ -78,7 +76,9 @@ ROW = PressureMethod(
     not_computed=("squat containers, hoppers, eccentric flow, upper and lower values of the properties, rapid filling",),
     formula="p_ni = gamma r_c/mu (1 - exp(-z/z_o)), z_o = r_c/(mu k), k from phi and mu; flow times "
     "max(7.6 (h_b/d_c)^0.06 - 6.4, 1.2) c_c, friction times 1.2 (planar 1.4)",
-    validity="h_b/d_c >= 1, properties as handed over; second-hand: the printed standard was not seen; no published numbers: "
+    limits=(Limit(measure=SLENDERNESS, least=1.0, why="the account gives no pressures of squat containers"),),
+    used={phase: janssen.for_state({"lateral_pressure_ratio": lateral_ratio}) for phase in USUAL_PHASES},
+    validity="properties as handed over; second-hand: the printed standard was not seen; no published numbers: "
     "checked in 50-digit arithmetic and by equilibrium",
     colour="#FDB863",
     marker="8",

@@ -70,6 +70,10 @@ def printed_discharge_pressure(z, *, unit_weight, hydraulic_radius, wall_frictio
     return -unit_weight * hydraulic_radius / swapped * np.expm1(-z / b)
 
 
+USED = {
+    phase: janssen.for_state({"lateral_pressure_ratio": ratio})
+    for phase, ratio in (("filling", filling_ratio), ("discharge", discharge_ratio))
+}
 ROW = PressureMethod(
     key="caquot",
     rank=30,
@@ -81,6 +85,7 @@ ROW = PressureMethod(
     plans=CIRCULAR,
     formula="p_h = gamma D / (4 tan phi_o) (1 - exp(-z/b)), b = (D/2) j / sin(2 phi_o) in filling, i in place of j in "
     "discharge, i = 1/j = (1 - sin phi_i sqrt(1 - m^2)) / (1 + sin phi_i sqrt(1 - m^2)), m = tan phi_o / tan phi_i",
+    used=USED,
     validity="circular plan; p_v with K = R / (mu b), the ratio that equilibrium asks for (the source's is misprinted)",
     colour="#E69F00",
     marker="s",

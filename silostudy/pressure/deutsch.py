@@ -4,20 +4,18 @@ import numpy as np
 
 from silostudy.pressure import janssen
 from silostudy.pressure.family import CIRCULAR, PressureMethod
-from silostudy.pressure.one_silo import same_friction, same_proportions
+from silostudy.pressure.one_silo import FRICTION, PROPORTIONS
 from silostudy.tables.charts import chart
 
 DEPTHS, RATIOS = chart("deutsch")  # p / (gamma D) over z / D
 
 
-def design_pressure(z, *, unit_weight, wall_friction, lateral_pressure_ratio, diameter, cylinder_depth):
+def design_pressure(z, *, unit_weight, diameter):
     """Horizontal wall pressure (Pa) in discharge at depth z (m): nearly hydrostatic, then levelling off.
 
     Source: silo_handbook, section 4.2.2 (j) and Table 4.2.5 column 11.
     """
-    scope = same_proportions(diameter, cylinder_depth) & same_friction(wall_friction, lateral_pressure_ratio)
-    pressure = unit_weight * diameter * np.interp(z / diameter, DEPTHS, RATIOS)
-    return np.where(scope, pressure, np.nan)
+    return unit_weight * diameter * np.interp(z / diameter, DEPTHS, RATIOS)
 
 
 ROW = PressureMethod(
@@ -30,7 +28,8 @@ ROW = PressureMethod(
     static=janssen.normal_pressure,
     plans=CIRCULAR,
     formula="p_h = 0.9592 gamma z down to 1.5 D, then a chart up to 1.972 gamma D from 2.7 D downward",
-    validity="only the silo of the chart (H/D = 3.6, mu = 0.44, K = 0.45); masked elsewhere",
+    limits=(PROPORTIONS, *FRICTION),
+    validity="only the silo of the chart; masked elsewhere",
     colour="#882255",
     marker="*",
     number="11",

@@ -8,7 +8,8 @@ height is 1.2 D; for a plan other than a circle D stands for 4 R (a square's sid
 import numpy as np
 
 from silostudy.pressure import janssen
-from silostudy.pressure.family import CELLS, PressureMethod
+from silostudy.pressure.family import CELLS, USUAL_PHASES, PressureMethod
+from silostudy.pressure.limits import Limit, Measure
 from silostudy.tables.din1055_1964 import COEFFICIENTS
 
 RELIEVED_HEIGHT = 1.2  # in diameters above the outlet
@@ -70,23 +71,35 @@ def discharge_pressure(z, *, unit_weight, hydraulic_radius, internal_friction_an
     return np.where(z <= start, full(z, **own), relieved)
 
 
-def _above_relief(name):
-    full = UNRELIEVED[name]
+def _own(function, phase):
+    def parameter(*, internal_friction_angle, powder):
+        return function(internal_friction_angle, powder, phase)
 
-    def quantity(z, *, unit_weight, hydraulic_radius, internal_friction_angle, powder, outlet_depth):
-        value = full(
-            z,
-            unit_weight=unit_weight,
-            hydraulic_radius=hydraulic_radius,
-            internal_friction_angle=internal_friction_angle,
-            powder=powder,
-        )
-        return np.where(z <= relief_depth(hydraulic_radius, outlet_depth), value, np.nan)
-
-    quantity.__doc__ = f"{full.__doc__} NaN in the relieved part, for which the source gives p_h only."
-    return quantity
+    parameter.__doc__ = function.__doc__
+    return parameter
 
 
+USED = {
+    phase: janssen.for_state(
+        {
+            "lateral_pressure_ratio": _own(lambda phi, powder, at: lateral_pressure_ratio(powder, at), phase),
+            "wall_friction": _own(wall_friction, phase),
+            "wall_friction_uncapped": _own(wall_friction, phase),
+        },
+    )
+    for phase in USUAL_PHASES
+}
+ABOVE_RELIEF = Limit(
+    measure=Measure(
+        "z - (total depth - 4.8 R)",
+        "m",
+        lambda z, *, hydraulic_radius, outlet_depth: z - relief_depth(hydraulic_radius, outlet_depth),
+    ),
+    most=0.0,
+    phases=("discharge",),
+    quantities=tuple(name for name in janssen.STATE if name != "wall_normal_pressure"),
+    why="in the relieved part the source gives the wall pressure only",
+)
 ROW = PressureMethod(
     key="din1055_1964",
     rank=80,
@@ -97,15 +110,17 @@ ROW = PressureMethod(
         "filling": FILLING,
         "discharge": {
             "wall_normal_pressure": discharge_pressure,
-            **{name: _above_relief(name) for name in UNRELIEVED if name != "wall_normal_pressure"},
+            **{name: function for name, function in UNRELIEVED.items() if name != "wall_normal_pressure"},
         },
     },
     static=FILLING["wall_normal_pressure"],
     plans=CELLS,
     formula="Janssen with K = 0.5, mu = tan(0.75 phi) in filling and K = 1, mu = tan(0.6 phi) in discharge (powders: "
     "mu = tan phi in both); in discharge straight from 1.2 D above the outlet to the filling pressure at the outlet",
+    limits=(ABOVE_RELIEF,),
+    used=USED,
     validity="grain class decides between mean particle sizes above 0.2 mm and below 0.06 mm; between them the source is "
-    "silent; friction traction, vertical pressure and axial force are masked in the relieved part",
+    "silent",
     colour="#000080",
     marker="h",
     number="1",

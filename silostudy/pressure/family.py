@@ -7,6 +7,7 @@ from inspect import Parameter, Signature, signature
 import numpy as np
 
 from silostudy.catalogue import Row
+from silostudy.pressure.limits import Limit, broken
 from silostudy.soundness import faults_of_function, faults_of_look, faults_of_trial
 
 PHASES = ("filling", "switch", "discharge")
@@ -16,7 +17,9 @@ QUANTITIES = {
     "wall_friction_traction": "Pa",
     "vertical_pressure": "Pa",
     "axial_wall_force": "N m-1",
+    "accompanying_wall_pressure": "Pa",
 }
+USUAL_QUANTITIES = ("wall_normal_pressure", "wall_friction_traction", "vertical_pressure", "axial_wall_force")
 # on the hopper wall, over the height above the hopper's apex
 HOPPER_QUANTITIES = {
     "hopper_normal_pressure": "Pa",
@@ -24,7 +27,7 @@ HOPPER_QUANTITIES = {
     "hopper_vertical_pressure": "Pa",
     "switch_force": "N",
 }
-# one number for the whole silo
+# one number for the whole silo; the last ones are the numbers behind the others
 TOTALS = {
     "transition_force": "N",
     "ring_force": "N",
@@ -38,7 +41,41 @@ TOTALS = {
     "patch_depth": "m",
     "patch_height": "m",
     "patch_resultant": "N",
+    "band_pressure": "Pa",
+    "slenderness_class": "1",
+    "normal_pressure_increase": "1",
+    "wall_friction_increase": "1",
+    "patch_load_factor": "1",
+    "hopper_steep": "1",
+    "hopper_effective_friction": "1",
+    "hopper_pressure_ratio": "1",
+    "hopper_exponent": "1",
 }
+# on the wall of a silo in large eccentric discharge, by the size of the flow channel
+CHANNEL_SIZES = (0.25, 0.40, 0.60)  # k_c: radius of the channel over that of the silo
+CHANNEL_QUANTITIES = {
+    "channel_normal_pressure": "Pa",
+    "channel_friction_traction": "Pa",
+    "static_normal_pressure": "Pa",
+    "static_friction_traction": "Pa",
+    "adjacent_normal_pressure": "Pa",
+    "adjacent_friction_traction": "Pa",
+}
+CHANNEL_TOTALS = {"channel_half_width": "rad", "channel_eccentricity": "m", "channel_radius": "m"}
+# values that a method reckons with, after caps and factors, by what it reckons
+USED = {
+    "unit_weight": "N m-3",
+    "internal_friction_angle": "rad",
+    "wall_friction": "1",
+    "wall_friction_uncapped": "1",
+    "lateral_pressure_ratio": "1",
+}
+ON_HOPPER = "hopper"
+USED_FOR = (*QUANTITIES, ON_HOPPER)
+OF_HOPPER = frozenset(
+    {"transition_force", "ring_force", "outlet_force", "peak_height", "unloaded_peak_position", "radial_force_coefficient"}
+    | {name for name in TOTALS if name.startswith("hopper_")}
+)
 PLANS = ("circular", "square", "rectangular", "polygonal", "slot")
 SLOT = frozenset({"slot"})
 ANY_PLAN = frozenset(PLANS)
@@ -58,6 +95,7 @@ PARAMETERS = {
     "cylinder_depth": ("m", "H", 18.0),
     "outlet_depth": ("m", "total depth", 20.0),
     "top_cone_height": ("m", "h", 0.0),
+    "contact_depth": ("m", "h_o", 0.0),
     "powder": ("1", "grain class", 0.0),
     "i_phi": ("1", "i", 0.548),
     "unit_weight_lower": ("N m-3", "gamma lower", 7000.0),
@@ -74,7 +112,10 @@ PARAMETERS = {
     "hopper_half_angle": ("rad", "theta, beta", 0.4),
     "hopper_wall_friction": ("1", "mu_h = tan phi'", 0.3),
     "outlet_width": ("m", "B", 0.5),
-    "eccentricity": ("m", "e", 0.5),
+    "filling_eccentricity": ("m", "e_f", 0.5),
+    "outlet_eccentricity": ("m", "e_o", 0.5),
+    "sets_capped": ("1", "mu of every set <= tan phi", 1.0),
+    "channel_size": ("1", "k_c", 0.4),
     "channel_half_angle": ("rad", "of the flow channel", 0.15),
 }
 
@@ -108,7 +149,12 @@ class PressureMethod(Row):
     equilibrium: phases in which weight = vertical pressure + wall friction holds to rounding.
     hopper: phase -> quantity -> function(x, *, parameters), x the height (m) above the hopper's apex.
     totals: phase -> name of TOTALS -> function(*, parameters).
+    limits: the method's range as data; beyond it values are masked.
+    plans_of: plans of quantities that do not cover all of the method's.
+    channel: phase -> name of CHANNEL_QUANTITIES or CHANNEL_TOTALS -> function([z,] *, channel_size, parameters).
     values: which quantity is computed with which characteristic values, where they differ from those handed over.
+    used: phase -> what is reckoned -> parameter of USED -> function(*, parameters), where it is not the value handed over.
+    varies: parameters that the method itself takes at several values: no switch of the scene moves them.
     not_computed: what the source treats and the method leaves out, for want of checked formulas.
     table_key: method under which the tables keep its own values, where several rows share them.
     number: how the handbook numbers the curve in Fig. 4.2.11; empty where it is not in that figure.
@@ -129,7 +175,12 @@ class PressureMethod(Row):
     equilibrium: tuple[str, ...] = ()
     hopper: Mapping[str, Quantities] = field(default_factory=dict)
     totals: Mapping[str, Quantities] = field(default_factory=dict)
+    limits: tuple[Limit, ...] = ()
+    plans_of: Mapping[str, frozenset[str]] = field(default_factory=dict)
+    channel: Mapping[str, Quantities] = field(default_factory=dict)
     values: Mapping[str, str] = field(default_factory=dict)
+    used: Mapping[str, Mapping[str, Quantities]] = field(default_factory=dict)
+    varies: frozenset[str] = frozenset()
     not_computed: tuple[str, ...] = ()
     table_key: str = ""
 
@@ -140,10 +191,33 @@ class PressureMethod(Row):
 
     @property
     def needs(self) -> frozenset[str]:
-        """Names of all parameters that its functions ask for."""
-        tables = (*self.phases.values(), *self.hopper.values(), *self.totals.values())
+        """Names of all parameters that its functions and its limits ask for."""
+        tables = (*self.phases.values(), *self.hopper.values(), *self.totals.values(), *self.channel.values())
         functions = [self.static, *(function for quantities in tables for function in quantities.values())]
+        functions += [limit.measure.of for limit in self.limits]
         return frozenset(name for function in functions for name in parameters_of(function))
+
+    @property
+    def range(self) -> str:
+        """The limits in words, then what else there is to say of the method's range."""
+        return "; ".join((*dict.fromkeys(limit.words() for limit in self.limits), self.validity))
+
+    def covers(self, quantity: str) -> frozenset[str]:
+        """Plans for which the method gives a quantity; below a circle lies a cone, below a slot a wedge."""
+        plans = self.plans_of.get(quantity, self.plans)
+        return plans & WITH_HOPPER if quantity in HOPPER_QUANTITIES or quantity in OF_HOPPER else plans
+
+    def bounded(self, phase: str) -> Quantities:
+        """quantity -> function in a phase, NaN beyond the method's limits."""
+        return {name: self._bounded(name, phase, function) for name, function in self.phases.get(phase, {}).items()}
+
+    def _bounded(self, name: str, phase: str, function: Callable) -> Callable:
+        def within(z, **given):
+            return np.where(broken(self.limits, name, phase, z, given), np.nan, call(function, z, given))
+
+        here = (limit.measure.of for limit in self.limits if limit.holds_for(name, phase))
+        limiting = [asked for measure in here for asked in parameters_of(measure)]
+        return asking(within, (*parameters_of(function), *limiting), first_line(function))
 
     def faults(self) -> Iterator[str]:
         """What is wrong with the row, in words."""
@@ -165,11 +239,19 @@ def _faults_of_names(row: PressureMethod) -> Iterator[str]:
         *((f"phases[{phase!r}]", found, QUANTITIES) for phase, found in row.phases.items()),
         *((f"hopper[{phase!r}]", found, HOPPER_QUANTITIES) for phase, found in row.hopper.items()),
         *((f"totals[{phase!r}]", found, TOTALS) for phase, found in row.totals.items()),
+        *((f"channel[{phase!r}]", found, CHANNEL_QUANTITIES | CHANNEL_TOTALS) for phase, found in row.channel.items()),
+        *((f"used[{phase!r}]", found, USED_FOR) for phase, found in row.used.items()),
+        *((f"used[{phase!r}]", each, USED) for phase, found in row.used.items() for each in found.values()),
+        ("varies", row.varies, PARAMETERS),
+        ("plans_of", row.plans_of, QUANTITIES | HOPPER_QUANTITIES | TOTALS),
     ):
         if strange := [one for one in given if one not in known]:
             yield f"{name}: {', '.join(map(str, strange))} unknown; known: {', '.join(known)}"
     if not row.plans or not row.phases:
         yield "plans and phases must not be empty"
+    spread = {"a_mu": "wall_friction", "a_K": "lateral_pressure_ratio"}
+    if switched := [spread[name] for name in spread if name in row.needs and spread[name] not in row.varies]:
+        yield f"varies: must name {', '.join(switched)}, whose spread the method asks for"
     for phase, found in row.phases.items():
         if "wall_normal_pressure" not in found:
             yield f"phases[{phase!r}]: must give wall_normal_pressure"
@@ -182,9 +264,12 @@ def _functions(row: PressureMethod) -> Iterator[tuple[str, Callable, str, str | 
         (row.phases, QUANTITIES, "z"),
         (row.hopper, HOPPER_QUANTITIES, "x"),
         (row.totals, TOTALS, None),
+        (row.channel, CHANNEL_QUANTITIES, "z"),
+        (row.channel, CHANNEL_TOTALS, None),
     ):
         for phase, found in tables.items():
-            yield from ((f"{name} in {phase}", function, units.get(name, ""), place) for name, function in found.items())
+            here = {name: function for name, function in found.items() if tables is not row.channel or name in units}
+            yield from ((f"{name} in {phase}", function, units.get(name, ""), place) for name, function in here.items())
 
 
 def _tried(function: Callable, place: str | None) -> None:

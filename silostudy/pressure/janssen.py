@@ -2,7 +2,7 @@
 
 from collections.abc import Callable
 
-from silostudy.pressure.family import ANY_PLAN, PressureMethod, asking, call, parameters_of
+from silostudy.pressure.family import ANY_PLAN, PressureMethod, Quantities, asking, call, parameters_of
 from silostudy.pressure.saturation import saturation, saturation_deficit
 
 
@@ -103,6 +103,12 @@ STATE = {
     "vertical_pressure": vertical_pressure,
     "axial_wall_force": axial_wall_force,
 }
+
+
+def for_state(used: Quantities) -> dict[str, Quantities]:
+    """The same values used for every quantity of Janssen's state."""
+    return dict.fromkeys(STATE, used)
+
 
 ROW = PressureMethod(
     key="janssen",

@@ -21,8 +21,13 @@ SHAPE = ("diameter", "perimeter", "hopper_half_angle", "slot")
 
 
 def initial_field(*, hopper_half_angle, hopper_wall_friction, slot):
-    """Slope (1) of the initial wall pressure: over unit weight and height above the apex. Source: radial_field."""
-    return initial_slope(hopper_half_angle, hopper_wall_friction, INITIAL_RATIO, slot)
+    """Slope (1) of the initial wall pressure: over unit weight and height above the apex; NaN where no field exists.
+
+    Source: radial_field.  Many mass-flow hoppers have none: the wall is too smooth to hold a peaked field, whose peak would
+    sink to the apex.
+    """
+    slope = initial_slope(hopper_half_angle, hopper_wall_friction, INITIAL_RATIO, slot)
+    return np.where(np.isfinite(slope), slope, np.nan)
 
 
 def flow_field(*, hopper_half_angle, hopper_wall_friction, effective_friction_angle, slot):
@@ -158,8 +163,9 @@ ROW = PressureMethod(
     formula="cylinder: Janssen; hopper: p_n = gamma h (1 + Q_c/W) / [T (1 + m i)] at i times the hopper's height h, straight "
     "to zero at the apex and the transition, s i (1 + m i) T = 1 + Q_c/W, T = 1 + mu/tan(theta), s the slope of the radial "
     "field; beyond i = 1 a ring force P = Q_c - Q_n at the transition",
-    validity="mass flow in a cone or wedge: in flow masked where no arched radial field exists (a cone beyond the mass-flow "
-    "limit); initial field with K = 0.8 as the share of the radial stress, an assumption: the source names K without "
+    validity="hopper: in flow masked where no arched radial field exists (a cone beyond the mass-flow limit), in filling and "
+    "at the switch where no peaked one does (a smooth wall, as in many mass-flow hoppers: jenike_mass_flow has another initial "
+    "state); initial field with K = 0.8 as the share of the radial stress, an assumption: the source names K without "
     "defining it; no published numbers (the source's charts Figs. 5 and 6 are lost in the copy read): checked by vertical "
     "equilibrium, by the stress-field equations on a finer mesh and against the mass-flow limit",
     colour="#B2182B",

@@ -11,6 +11,7 @@ import numpy as np
 from silostudy.pressure import janssen
 from silostudy.pressure.family import CIRCULAR, PressureMethod, asking, parameters_of
 from silostudy.pressure.jenike_mass_flow import envelope_pressure
+from silostudy.pressure.limits import SLENDERNESS, Limit, Measure
 
 SHALLOW, TALL = 2.0, 5.0  # H / D
 
@@ -25,8 +26,29 @@ def _pressure(z, **given):
     transition = effective_transition(**{name: given[name] for name in parameters_of(effective_transition)})
     static = janssen.normal_pressure(z, **{name: given[name] for name in parameters_of(janssen.normal_pressure)})
     own = {name: given[name] for name in parameters_of(envelope_pressure)} | {"cylinder_depth": np.maximum(transition, z)}
-    above = (slenderness >= TALL) & (z <= transition)
-    return np.select([slenderness <= SHALLOW, above], [static, envelope_pressure(z, **own)], np.nan)
+    return np.where(slenderness <= SHALLOW, static, envelope_pressure(z, **own))
+
+
+def _below_transition(z, *, cylinder_depth, diameter, outlet_depth, channel_half_angle):
+    """How far below the effective transition (m); 0 in shallow bins, whose channel never reaches the wall."""
+    below = z - effective_transition(diameter=diameter, outlet_depth=outlet_depth, channel_half_angle=channel_half_angle)
+    return np.where(cylinder_depth / diameter <= SHALLOW, 0.0, below)
+
+
+LIMITS = (
+    Limit(
+        measure=SLENDERNESS,
+        gap=(SHALLOW, TALL),
+        phases=("discharge",),
+        why="the design equations between are not in the abstract read",
+    ),
+    Limit(
+        measure=Measure("z - effective transition, for h_c/d_c > 2,", "m", _below_transition),
+        most=0.0,
+        phases=("discharge",),
+        why="below it the source's equations were not at hand",
+    ),
+)
 
 
 GIVEN = (
@@ -53,6 +75,7 @@ ROW = PressureMethod(
     plans=CIRCULAR,
     not_computed=("the peak at the effective transition, and bins with 2 < H/D < 5: design equations not in the abstract",),
     formula="H/D <= 2: Janssen; H/D >= 5: strain energy of mass flow above the effective transition; masked elsewhere",
+    limits=LIMITS,
     validity="needs the half angle of the flow channel, which the source leaves to the solid and its handling; no published "
     "numbers: checked against the mass-flow method",
     colour="#E78AC3",

@@ -8,7 +8,8 @@ import numpy as np
 
 from silostudy.pressure import janssen
 from silostudy.pressure.family import CIRCULAR, PressureMethod
-from silostudy.pressure.one_silo import same_friction, same_proportions
+from silostudy.pressure.limits import RELATIVE_DEPTH, Limit
+from silostudy.pressure.one_silo import FRICTION, PROPORTIONS
 from silostudy.tables.charts import chart
 
 DEPTHS, FACTORS = chart("jenike_funnel_flow")
@@ -16,14 +17,14 @@ STRAIGHT_FROM = DEPTHS[-2]
 
 
 def chart_factor(relative_depth):
-    """Overpressure factor on Janssen (1) read off the chart at z/D; NaN above its first point.
+    """Overpressure factor on Janssen (1) read off the chart at z/D.
 
     Source: silo_handbook, Table 4.2.5 column 9.
     """
-    return np.interp(relative_depth, DEPTHS[:-1], FACTORS[:-1], left=np.nan)
+    return np.interp(relative_depth, DEPTHS[:-1], FACTORS[:-1])
 
 
-def envelope_pressure(z, *, unit_weight, hydraulic_radius, wall_friction, lateral_pressure_ratio, diameter, cylinder_depth):
+def envelope_pressure(z, *, unit_weight, hydraulic_radius, wall_friction, lateral_pressure_ratio, diameter):
     """Horizontal wall pressure (Pa) in discharge at depth z (m).
 
     Source: silo_handbook, section 4.2.2 (d) and Table 4.2.5 column 9.
@@ -41,9 +42,7 @@ def envelope_pressure(z, *, unit_weight, hydraulic_radius, wall_friction, latera
     start, end = STRAIGHT_FROM * diameter, DEPTHS[-1] * diameter
     at_start, at_end = FACTORS[-2] * static(start), FACTORS[-1] * static(end)
     straight = at_start + (at_end - at_start) * (z - start) / (end - start)
-    pressure = np.where(z <= start, chart_factor(z / diameter) * static(z), straight)
-    scope = same_proportions(diameter, cylinder_depth) & same_friction(wall_friction, lateral_pressure_ratio)
-    return np.where(scope, pressure, np.nan)
+    return np.where(z <= start, chart_factor(z / diameter) * static(z), straight)
 
 
 ROW = PressureMethod(
@@ -57,7 +56,12 @@ ROW = PressureMethod(
     plans=CIRCULAR,
     formula="p_h = C(z/D) times Janssen, C read off a chart (2.07 at 0.7 D, 2.73 at 2.1 D, 2.06 at 2.9 D), then "
     "straight to 1.29 times Janssen at 3.6 D",
-    validity="discharge: only the silo of the chart (H/D = 3.6, mu = 0.44, K = 0.45, z >= 0.7 D); masked elsewhere",
+    limits=(
+        PROPORTIONS,
+        *FRICTION,
+        Limit(measure=RELATIVE_DEPTH, least=float(DEPTHS[0]), phases=("discharge",), why="the chart's first point"),
+    ),
+    validity="discharge: only the silo of the chart; masked elsewhere",
     colour="#CC79A7",
     marker="d",
     number="9",

@@ -10,7 +10,8 @@ with S = Janssen's at z_s and p = nu / (1 - nu) S at the transition.  Solving fo
 In a long slot the strain energy is that of plane strain, (1 - nu)(S^2 + p^2) - 2 nu S p: S'' = (S - k gamma b) / b^2, so that
 M = 1 and k stands for 2 nu.  In the hopper the initial pressure is the straight line of section 4.5.3: every slice carries
 its own weight and passes the stress above it on, so that the mean stress grows by gamma per metre and
-p = (S_t + gamma (h - x)) / (1 + mu / tan theta).
+p = (S_t + gamma (h - x)) / (1 + mu / tan theta).  While the switch travels up the hopper, the flow field of section 4.5.2
+stands below it and this initial state above: what this passes down more than that takes up is a ring force at the switch.
 
 It neither overflows in deep silos nor cancels in shallow ones, and holds for mu -> 0 and nu -> 0.5.
 """
@@ -21,6 +22,7 @@ import numpy as np
 
 from silostudy.pressure import hopper_shape, janssen
 from silostudy.pressure.family import WITH_HOPPER, PressureMethod, asking, call, parameters_of
+from silostudy.pressure.jenike_1969 import OF_STATE, SHAPE, State, flow_field
 from silostudy.pressure.saturation import saturation
 
 
@@ -164,6 +166,21 @@ def outlet_force(
     return stress * section
 
 
+def _switch_force(x, **given):
+    """Ring force (N) on the wall while the switch stands at height x (m)."""
+    initial = call(hopper_vertical_pressure, x, given) * hopper_shape.area(x, **{name: given[name] for name in SHAPE})
+    return np.maximum(initial - State(flow_field, given).field_force(x), 0.0)
+
+
+SWITCH = {
+    "switch_force": asking(
+        _switch_force,
+        (*OF_STATE, *parameters_of(flow_field), *parameters_of(hopper_vertical_pressure)),
+        "Ring force (N) on the wall while the switch stands at height x (m), from the straight-line initial state to the flow "
+        "field. Source: silo_handbook, sections 4.5.3 (initial state) and 4.5.2 (flow field and switch).",
+        "x",
+    )
+}
 HOPPER = {
     "hopper_normal_pressure": _hopper_wall(
         lambda mu: 1.0, "Wall normal pressure (Pa) at height x (m) before flow. Source: silo_handbook, section 4.5.3."
@@ -182,20 +199,23 @@ ROW = PressureMethod(
     locator="section 4.2.2 (d)",
     phases={
         "filling": janssen.STATE,
+        "switch": janssen.STATE,
         "discharge": {"wall_normal_pressure": envelope_pressure, "wall_friction_traction": envelope_traction},
     },
-    hopper={"filling": HOPPER},
+    hopper={"filling": HOPPER, "switch": SWITCH},
     totals={"filling": {"transition_force": janssen.transition_force, "outlet_force": outlet_force}},
     static=janssen.normal_pressure,
     plans=WITH_HOPPER,
     formula="p(z_s) = [gamma b (1 - 2 nu k)(1 - sech L) + S (k + tanh(L)/M)] / (1 + k M tanh L), b = R / mu, "
     "L = (H - z_s) / (b M), M = sqrt(2 (1 - nu)), k = nu / (1 - nu), S Janssen's vertical pressure at z_s",
-    validity="circular cylinder or long slot above a mass-flow hopper; each depth at its own switch level, so the "
+    validity="circular cylinder or long slot above a mass-flow hopper; in the hopper before flow the straight line of section "
+    "4.5.3, at the switch from it to the flow field of section 4.5.2, masked where that does not exist; each "
+    "depth at its own switch level, so the "
     "envelope is no single state (vertical pressure and axial force stay masked)",
     colour="#D55E00",
     marker="D",
     number="8",
     drawn="handbook",
     as_printed={"discharge": {"wall_normal_pressure": printed_envelope}},
-    equilibrium=("filling",),
+    equilibrium=("filling", "switch"),
 )

@@ -11,7 +11,7 @@ Model law: similar prismatic cells have pressures and depths in proportion to th
 import numpy as np
 
 from silostudy.pressure import janssen
-from silostudy.pressure.family import CELLS, PressureMethod, asking, first_line
+from silostudy.pressure.family import CELLS, USUAL_PHASES, PressureMethod, Quantities, asking, first_line
 
 FLOUR_RATIO = {"filling": 0.31, "discharge": 0.47}
 GENERAL_RATIO = {"filling": 1.0, "discharge": 1.5}  # times 1 - sin(phi)
@@ -36,11 +36,12 @@ def lateral_ratio(phase, *, internal_friction_angle, powder):
 
 
 def wall_friction_of(phase, extra, *, wall_friction, internal_friction_angle):
-    """Wall friction (1) of a phase: tan(C phi), in discharge tan(0.8 C phi), C larger by `extra`.
+    """Wall friction (1) of a phase: tan(C phi), in discharge tan(0.8 C phi), C larger by `extra` and at most 1.
 
     Source: silo_handbook, section 4.5.1 (4).
     """
-    return np.tan(ANGLE_SHARE[phase] * (np.arctan(wall_friction) + extra * internal_friction_angle))
+    angle = np.minimum(np.arctan(wall_friction) + extra * internal_friction_angle, internal_friction_angle)
+    return np.tan(ANGLE_SHARE[phase] * angle)
 
 
 def model_law(pressure, depth, *, hydraulic_radius, other_hydraulic_radius):
@@ -71,6 +72,22 @@ def _state(quantity, phase, weight, extra):
     return asking(function, GIVEN, f"{first_line(janssen.STATE[quantity])} Source: silo_handbook, section 4.5.1.")
 
 
+def _used(phase, weight, extra):
+    """What a phase reckons with in place of the values handed over."""
+
+    def friction(*, wall_friction, internal_friction_angle):
+        return wall_friction_of(phase, extra, wall_friction=wall_friction, internal_friction_angle=internal_friction_angle)
+
+    def uncapped(*, wall_friction_uncapped, internal_friction_angle):
+        return np.tan(ANGLE_SHARE[phase] * (np.arctan(wall_friction_uncapped) + extra * internal_friction_angle))
+
+    def ratio(*, internal_friction_angle, powder):
+        return lateral_ratio(phase, internal_friction_angle=internal_friction_angle, powder=powder)
+
+    each: Quantities = {"wall_friction": friction, "wall_friction_uncapped": uncapped, "lateral_pressure_ratio": ratio}
+    return janssen.for_state({**each, "unit_weight": weight})
+
+
 def _row(key, title, weight, extra, colour, marker) -> PressureMethod:
     def phase(name):
         return {quantity: _state(quantity, name, weight, extra) for quantity in janssen.STATE}
@@ -86,6 +103,8 @@ def _row(key, title, weight, extra, colour, marker) -> PressureMethod:
         phases={"filling": filling, "discharge": phase("discharge")},
         totals={"filling": totals, "discharge": totals},
         static=filling["wall_normal_pressure"],
+        used={name: _used(name, weight, extra) for name in USUAL_PHASES},
+        varies=frozenset({"wall_friction"}) if extra else frozenset(),
         plans=CELLS,
         table_key="pieper_flour",
         not_computed=(
@@ -96,9 +115,9 @@ def _row(key, title, weight, extra, colour, marker) -> PressureMethod:
         formula="Janssen with gamma (2 max + min)/3 in a large silo, (max + 2 min)/3 in a small one; lambda 0.31 and 0.47 for "
         "flour; mu = tan(C phi) in filling, tan(0.8 C phi) in discharge, C by roughness",
         validity="needs a lower and an upper unit weight; the flour's lambda serves every powder (not soya flour: the source "
-        "warns); averages over 0.7 widths of height, not local peaks; the row for buckling adds its 0.05 itself: not to be "
-        "joined with wall_friction_end: upper; the formulas are the source's but no published numbers were at hand: checked "
-        "in 50-digit arithmetic",
+        "warns); averages over 0.7 widths of height, not local peaks; the row for buckling adds its 0.05 itself, and "
+        "wall_friction_end: upper does not move it; the formulas are the source's but no published numbers were at "
+        "hand: checked in 50-digit arithmetic",
         colour=colour,
         marker=marker,
         equilibrium=("filling", "discharge"),

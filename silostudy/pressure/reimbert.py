@@ -10,6 +10,7 @@ import numpy as np
 
 from silostudy.pressure import janssen
 from silostudy.pressure.family import CIRCULAR, PressureMethod
+from silostudy.pressure.limits import Limit, Measure
 
 
 def active_ratio(internal_friction_angle):
@@ -18,10 +19,14 @@ def active_ratio(internal_friction_angle):
 
 
 def relative_depth(y, *, hydraulic_radius, wall_friction, internal_friction_angle, top_cone_height):
-    """y / c (1) with c = D / (4 mu k) - h/3; NaN where the cone is so high that c <= 0."""
+    """y / c (1) with c = D / (4 mu k) - h/3."""
     friction = wall_friction * active_ratio(internal_friction_angle)
-    length = hydraulic_radius - friction * top_cone_height / 3
-    return np.where(length > 0, friction * y / np.where(length > 0, length, 1.0), np.nan)
+    return friction * y / (hydraulic_radius - friction * top_cone_height / 3)
+
+
+def _cone_over_constant(*, hydraulic_radius, wall_friction, internal_friction_angle, top_cone_height):
+    """(h/3) / (R / (mu k)) (1)."""
+    return wall_friction * active_ratio(internal_friction_angle) * top_cone_height / 3 / hydraulic_radius
 
 
 def normal_pressure(z, *, unit_weight, hydraulic_radius, wall_friction, internal_friction_angle, top_cone_height):
@@ -107,6 +112,8 @@ ROW = PressureMethod(
     plans=CIRCULAR,
     formula="p_h = p_max (1 - (1 + y/c)^-2), p_max = gamma D / (4 mu), c = D / (4 mu tan^2(45 - phi/2)) - h/3, "
     "p_v = gamma (y / (1 + y/c) + h/3), y = z - h/3",
+    limits=(Limit(measure=Measure("mu k h/(3 R)", "1", _cone_over_constant), below=1.0, why="a heap so high that c vanishes"),),
+    used={"filling": janssen.for_state({"lateral_pressure_ratio": active_ratio})},
     validity="circular plan only (the source gives no others); no published numbers: checked against the formula in "
     "50-digit arithmetic and by vertical equilibrium",
     colour="#7f7f7f",

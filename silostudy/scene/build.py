@@ -10,6 +10,7 @@ from silostudy.catalogue import Family
 from silostudy.config.pressure import PressureStudy
 from silostudy.config.scene import AnySilo, SceneConfig
 from silostudy.errors import BadInput
+from silostudy.scene.possible import require_possible
 from silostudy.scene.scene import Scene, solid_parameters
 from silostudy.scene.silo import Hopper, Silo
 from silostudy.tables.solids import SOLIDS, SolidRow, own_solids
@@ -61,12 +62,14 @@ def build(config: SceneConfig, solids: Family[SolidRow], where: str = "") -> Sce
         wall=WALLS[config.wall] if config.wall else None,
         lateral_pressure_ratio_rule=config.lateral_pressure_ratio_rule,
         wall_friction_end=config.wall_friction_end,
+        characteristic_friction=config.characteristic_friction,
         own=own,
         hopper_wall=WALLS[config.silo.hopper.wall] if config.silo.hopper and config.silo.hopper.wall else None,
     )
     if scene.wall is None and "wall_friction" not in own and isnan(scene.solid.wall_friction):
         allowed = f"solid {config.solid} has no wall friction of its own: choose a wall kind ({', '.join(WALLS)})"
         raise BadInput("scene.wall", None, f"{allowed} or give scene.properties.wall_friction", where)
+    require_possible(scene, where)
     if scene.wall_friction_end == "upper" and not scene.on_roughness_group and not _spreads_known(scene):
         allowed = "needs one of Pieper's roughness groups as wall, or scene.properties.a_mu and a_K"
         raise BadInput("scene.wall_friction_end", "upper", allowed, where)
@@ -97,6 +100,7 @@ def _silo(config: AnySilo, where: str) -> Silo:
         wall_depth=depth,
         top_cone_height=config.top_cone_height_m,
         hopper=hopper,
-        eccentricity=config.eccentricity_m,
+        filling_eccentricity=config.filling_eccentricity_m,
+        outlet_eccentricity=config.outlet_eccentricity_m,
         channel_half_angle=radians(config.channel_half_angle_deg or nan),
     )

@@ -1,10 +1,14 @@
 """One silo with its wall and contents, and the parameters that a pressure method is handed."""
 
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass, field
 from math import cos, isnan, nan, sin, tan
 
+import numpy as np
+
+from silostudy.pressure.family import PressureMethod
 from silostudy.scene.silo import Silo
-from silostudy.tables.solids import CATEGORIES, RANGES, SolidRow
+from silostudy.tables.solids import CATEGORIES, PROPERTIES, SolidRow
 from silostudy.tables.walls import WallRow
 
 PIEPER_BUCKLING = 0.05  # added to the roughness factor where the shell may buckle
@@ -24,6 +28,7 @@ class Scene:
     hopper_wall: WallRow | None = None
     lateral_pressure_ratio_rule: str | None = None
     wall_friction_end: str = "mean"
+    characteristic_friction: str = "capped"
     own: dict[str, float] = field(default_factory=dict)
 
     @property
@@ -32,10 +37,11 @@ class Scene:
         return self.wall is not None and self.wall.rule == "angle_ratio" and "wall_friction" not in self.own
 
 
-def solid_parameters(scene: Scene, method: str, as_printed: bool = False) -> dict[str, float]:
+def solid_parameters(scene: Scene, method: str, as_printed: bool = False, varies: Collection[str] = ()) -> dict[str, float]:
     """Properties (SI) of the solid and its wall as a method takes them; NaN for what is not known.
 
-    Order: the table, then the method's own values, then its misprints (on request), then the user's.
+    Order: the table, then the method's own values, then its misprints (on request), then the user's.  What the method itself
+    varies, the scene's end of the wall friction leaves as it is.
     """
     row = scene.solid
     printed = row.as_printed.get(method, {}) if as_printed else {}
@@ -46,9 +52,10 @@ def solid_parameters(scene: Scene, method: str, as_printed: bool = False) -> dic
     rule = scene.lateral_pressure_ratio_rule
     if "lateral_pressure_ratio" not in scene.own and (rule or isnan(values["lateral_pressure_ratio"])):
         values["lateral_pressure_ratio"] = K_RULES[rule or "rankine"](phi)
-    if scene.wall_friction_end == "upper":
+    if scene.wall_friction_end == "upper" and "wall_friction" not in varies:
         values |= upper_friction(scene, values)
-    values["hopper_wall_friction"] = capped(_hopper_friction(scene, values), phi)
+    values["hopper_wall_friction_uncapped"] = _hopper_friction(scene, values)
+    values["hopper_wall_friction"] = capped(values["hopper_wall_friction_uncapped"], phi)
     values["wall_friction_uncapped"] = values["wall_friction"]
     values["wall_friction"] = capped(values["wall_friction"], phi)
     return values
@@ -70,7 +77,7 @@ def upper_friction(scene: Scene, values: dict[str, float]) -> dict[str, float]:
 
 
 def _table_values(row: SolidRow) -> dict[str, float]:
-    names = [name for name in RANGES if name not in ("wall_friction_angle", "i_phi", *CATEGORIES)]
+    names = [name for name in PROPERTIES if name not in ("wall_friction_angle", "i_phi", *CATEGORIES)]
     return {"i_phi": nan, "powder": float(row.grain == "powder"), **{name: getattr(row, name) for name in names}}
 
 
@@ -109,6 +116,19 @@ def geometry_parameters(scene: Scene) -> dict[str, float]:
         "slot": float(silo.plan == "slot"),
         "hopper_half_angle": silo.hopper.half_angle if silo.hopper else nan,
         "outlet_width": silo.hopper.outlet_width if silo.hopper else nan,
-        "eccentricity": silo.eccentricity,
+        "contact_depth": silo.contact_depth,
+        "filling_eccentricity": silo.filling_eccentricity,
+        "outlet_eccentricity": silo.outlet_eccentricity,
+        "sets_capped": float(scene.characteristic_friction == "capped"),
         "channel_half_angle": silo.channel_half_angle,
     }
+
+
+def parameters_of_scenes(scenes: Sequence[Scene], row: PressureMethod, as_printed: bool = False) -> dict[str, np.ndarray]:
+    """Every parameter that a method may ask for, in SI, and the plan's shape under `plan`: arrays of shape (scene, 1)."""
+    key = row.table_key or row.key
+    each = [
+        {"plan": one.silo.plan, **geometry_parameters(one), **solid_parameters(one, key, as_printed, row.varies)}
+        for one in scenes
+    ]
+    return {name: np.array([[one[name]] for one in each]) for name in each[0]}

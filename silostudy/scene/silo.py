@@ -27,7 +27,8 @@ class Silo:
     sides: int = 0
     top_cone_height: float = 0.0
     hopper: Hopper | None = None
-    eccentricity: float = 0.0  # of the heap or the outlet, whichever is larger
+    filling_eccentricity: float = 0.0  # of the heap
+    outlet_eccentricity: float = 0.0
     channel_half_angle: float = nan  # of the flow channel in funnel flow (rad)
 
     @property
@@ -54,9 +55,20 @@ class Silo:
         return self.diameter / (2 if self.plan == "slot" else 4)
 
     @property
+    def contact_depth(self) -> float:
+        """Depth (m) of the highest wall contact below the equivalent flat surface, to which the heap levels out.
+
+        A third of a cone's or pyramid's height, half of a ridge's; a rectangle's hip roof of one slope lies between.
+        """
+        if self.plan == "slot":
+            return self.top_cone_height / 2
+        ends = self.diameter / self.length if self.plan == "rectangular" else 1.0
+        return self.top_cone_height * (3 - ends) / 6
+
+    @property
     def cylinder_depth(self) -> float:
-        """Depth (m) of the transition below the equivalent flat surface: the heap counts for a third of its height."""
-        return self.wall_depth + self.top_cone_height / 3
+        """Depth (m) of the transition below the equivalent flat surface."""
+        return self.wall_depth + self.contact_depth
 
     @property
     def outlet_depth(self) -> float:

@@ -1,11 +1,12 @@
 """Stored solids: the handbook's tables, and a user's own file in the same columns."""
 
 from dataclasses import dataclass, field, fields, replace
-from math import isnan, nan, pi, tan
+from math import isnan, nan, tan
 from pathlib import Path
 
 from silostudy.catalogue import Family, Row
 from silostudy.errors import BadInput
+from silostudy.tables.ranges import BY_QUANTITY
 from silostudy.tables.read import HERE, number, rows
 from silostudy.tables.references import own_references, own_source
 from silostudy.tables.units import split_unit
@@ -13,24 +14,23 @@ from silostudy.tables.units import split_unit
 GRAINS = ("powder", "fine_grain", "coarse_grain")
 CATEGORIES = ("d1", "d2", "d3")  # wall categories in which EN 1991-4 gives a solid its wall friction
 REQUIRED = ("unit_weight", "internal_friction_angle")
-# property -> (least, greatest, may the ends be reached, unit), in SI
-RANGES = {
-    "unit_weight": (0.0, 1e6, False, "N m-3"),
-    "unit_weight_lower": (0.0, 1e6, False, "N m-3"),
-    "internal_friction_angle": (0.0, pi / 2, False, "rad"),
-    "wall_friction_angle": (0.0, pi / 2, False, "rad"),
-    "wall_friction": (0.0, 10.0, True, "1"),
-    "lateral_pressure_ratio": (0.0, 10.0, True, "1"),
-    "poisson_ratio": (0.0, 0.5, False, "1"),
-    "i_phi": (0.0, 1.0, True, "1"),
-    "effective_friction_angle": (0.0, pi / 2, False, "rad"),
-    "repose_angle": (0.0, pi / 2, False, "rad"),
-    "a_phi": (1.0, 10.0, True, "1"),
-    "a_K": (1.0, 10.0, True, "1"),
-    "a_mu": (1.0, 10.0, True, "1"),
-    "patch_factor": (0.0, 10.0, True, "1"),
-    **dict.fromkeys(CATEGORIES, (0.0, 10.0, True, "1")),
-}
+PROPERTIES = (
+    "unit_weight",
+    "unit_weight_lower",
+    "internal_friction_angle",
+    "wall_friction_angle",
+    "wall_friction",
+    "lateral_pressure_ratio",
+    "poisson_ratio",
+    "i_phi",
+    "effective_friction_angle",
+    "repose_angle",
+    "a_phi",
+    "a_K",
+    "a_mu",
+    "patch_factor",
+    *CATEGORIES,
+)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -61,14 +61,13 @@ class SolidRow(Row):
     as_printed: dict[str, dict[str, float]] = field(default_factory=dict)
 
 
-def check_property(name: str, value: float, where: str, written: str | None = None) -> None:
-    """BadInput unless a property of a solid lies in its physical range."""
-    low, high, closed, unit = RANGES[name]
-    if isnan(value) or not (low <= value <= high if closed else low < value < high):
-        ends = f"from {low:g} to {high:g}" if closed else f"between {low:g} and {high:g} (ends excluded)"
-        if unit == "rad":
-            ends, value = "between 0 and 90 degrees (ends excluded)", value * 180 / pi
-        raise BadInput(written or name, value, f"must lie {ends}{'' if unit in ('1', 'rad') else ' ' + unit}", where)
+def check_property(name: str, value: float, where: str) -> None:
+    """BadInput unless a property of a solid (SI) lies in its physical range."""
+    written, known = BY_QUANTITY[name]
+    shown, low, high = value / split_unit(written)[2], known.least, known.greatest
+    if isnan(value) or not (low < shown < high if known.open else low <= shown <= high):
+        ends = f"between {low:g} and {high:g} (ends excluded)" if known.open else f"from {low:g} to {high:g}"
+        raise BadInput(written, shown, f"must lie {ends}", where)
 
 
 def read_solids(path: Path) -> Family[SolidRow]:
@@ -88,7 +87,7 @@ def _solid(raw: dict) -> SolidRow:
             raise BadInput(name, None, f"is missing (write the unit into the column, e.g. {with_unit(name)})", where)
     if values.get("grain") not in GRAINS:
         raise BadInput("grain", values.get("grain"), f"must be one of {', '.join(GRAINS)}", where)
-    for name in RANGES.keys() & values.keys():
+    for name in PROPERTIES & values.keys():
         check_property(name, values[name], where)
     return SolidRow(key=raw["solid"], **{"title": raw["solid"], **values})
 
@@ -103,11 +102,11 @@ def own_solids(path: Path) -> Family[SolidRow]:
 
 def with_unit(name: str) -> str:
     """A column name that carries a usual unit."""
-    return name + {"N m-3": "_kN_m3", "rad": "_deg", "1": ""}[RANGES[name][3]]
+    return BY_QUANTITY[name][0]
 
 
 def known_columns() -> list[str]:
-    return ["solid", "title", "grain", *map(with_unit, RANGES), "source", "locator", "remark"]
+    return ["solid", "title", "grain", *map(with_unit, PROPERTIES), "source", "locator", "remark"]
 
 
 def _with_method_values(family: Family[SolidRow], path: Path) -> Family[SolidRow]:

@@ -9,9 +9,9 @@ from scipy.integrate import quad
 
 from silostudy.errors import BadInput
 from silostudy.pressure import PRESSURE, hopper_shape
-from silostudy.pressure.en1991_4 import cylinder, eccentric, hopper
+from silostudy.pressure.en1991_4 import cylinder, eccentric, hopper, patch
 from silostudy.pressure.en1991_4.characteristic import characteristic
-from silostudy.pressure.family import call
+from silostudy.pressure.family import CHANNEL_SIZES, call
 from silostudy.tables.solids import SOLIDS
 from tests.test_pressure.test_hoppers import BIN
 
@@ -122,28 +122,27 @@ def test_discharge_factors_by_class(slenderness, normal, friction):
     assert value("axial_wall_force", "discharge", **scene) / value("axial_wall_force", **scene) == pytest.approx(friction)
 
 
-def test_retaining_silos_and_places_above_the_heap_are_masked():
-    assert np.isnan(value("wall_normal_pressure", cylinder_depth=2.0, z=1.5))
-    contact = 2.5 / 3 * np.tan(BIN["repose_angle"])
-    assert np.isnan(value("wall_normal_pressure", cylinder_depth=6.0, z=0.99 * contact))
-    assert value("wall_normal_pressure", cylinder_depth=6.0, z=1.01 * contact) > 0
+def test_places_above_the_heap_are_masked():
+    assert np.isnan(value("wall_normal_pressure", cylinder_depth=6.0, contact_depth=0.5, z=0.49))
+    assert value("wall_normal_pressure", cylinder_depth=6.0, contact_depth=0.5, z=0.51) > 0
 
 
 @pytest.mark.parametrize("depth", [3.0, 4.5, 7.0, 9.9])
-def test_squat_friction_adds_up_to_the_axial_force(depth):
-    contact = 2.5 / 3 * np.tan(BIN["repose_angle"])
-    integral = quad(lambda z: value("wall_friction_traction", cylinder_depth=depth, z=z), contact, depth, epsrel=1e-11)[0]
-    assert value("axial_wall_force", cylinder_depth=depth, z=depth) == pytest.approx(integral, rel=1e-9, abs=0)
+@pytest.mark.parametrize("contact", [0.0, 0.55])
+def test_squat_friction_adds_up_to_the_axial_force(depth, contact):
+    scene = {"cylinder_depth": depth, "contact_depth": contact}
+    integral = quad(lambda z: value("wall_friction_traction", **scene, z=z), contact, depth, epsrel=1e-11)[0]
+    assert value("axial_wall_force", **scene, z=depth) == pytest.approx(integral, rel=1e-9, abs=0)
 
 
 def test_patch_loads():
     given_ = {"patch_factor": 0.5, "eccentricity": 0.5, "diameter": 5.0}
     exponential = 1 - np.exp(-1.5 * (2.4 - 1))
     expected = 0.21 * 0.5 * (1 + 2 * 0.2**2) * exponential
-    assert cylinder.patch_factor_filling(**given_, cylinder_depth=12.0) == pytest.approx(expected)
-    assert cylinder.patch_factor_discharge(**given_, cylinder_depth=12.0) == pytest.approx(2 * expected)
-    assert cylinder.patch_factor_discharge(**given_, cylinder_depth=5.5) == pytest.approx(0.272 * 0.5 * (0.1 + 0.2))
-    assert cylinder.patch_factor_filling(**given_, cylinder_depth=3.0) == 0.0
+    assert patch.patch_factor_filling(**given_, cylinder_depth=12.0) == pytest.approx(expected)
+    assert patch.patch_factor_discharge(**given_, cylinder_depth=12.0) == pytest.approx(2 * expected)
+    assert patch.patch_factor_discharge(**given_, cylinder_depth=5.5) == pytest.approx(0.272 * 0.5 * (0.1 + 0.2))
+    assert patch.patch_factor_filling(**given_, cylinder_depth=3.0) == 0.0
     totals = PRESSURE["en1991_4"].totals["filling"]
     depth = float(call(totals["patch_depth"], None, SLENDER))
     mu, k, _ = characteristic("wall_normal", **{name: SLENDER[name] for name in PROPERTIES})
@@ -168,9 +167,9 @@ def test_hopper_ratios():
 
 @pytest.mark.parametrize("quantity", ["normal_pressure", "friction_traction", "vertical_pressure"])
 def test_shallow_hoppers_discharge_as_they_fill(quantity):
-    """Where tan(beta) reaches (1 - K)/(2 mu) with the discharge's upper K and lower mu, and in no steeper hopper."""
+    """Where tan(beta) reaches (1 - K)/(2 mu) with the lower K and lower mu, in filling and discharge, and in no steeper one."""
     row, x = PRESSURE["en1991_4"].hopper, np.array([0.3, 1.0])
-    k, mu = SLENDER["lateral_pressure_ratio"] * SLENDER["a_K"], SLENDER["hopper_wall_friction"] / SLENDER["a_mu"]
+    k, mu = SLENDER["lateral_pressure_ratio"] / SLENDER["a_K"], SLENDER["hopper_wall_friction"] / SLENDER["a_mu"]
     limit = np.arctan((1 - k) / (2 * mu))
     for share, same in ((0.999, False), (1.001, True), (1.3, True)):
         scene = SLENDER | {"hopper_half_angle": share * limit}
@@ -185,7 +184,7 @@ def test_hopper_pressure_starts_from_the_largest_vertical_load():
     assert float(p_v[0]) == pytest.approx(value("vertical_pressure", z=12.0), rel=1e-12)
 
 
-@pytest.mark.parametrize("size", eccentric.CHANNEL_SIZES)
+@pytest.mark.parametrize("size", CHANNEL_SIZES)
 def test_eccentric_channel_by_geometry(size):
     """Area and contact lengths of the channel against counting points and against the two circles' crossing."""
     radius, mu, phi = 2.5, 0.3, np.radians(35)

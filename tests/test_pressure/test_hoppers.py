@@ -7,10 +7,11 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.integrate import solve_bvp, solve_ivp
 
+from silostudy.compute.evaluate import masked
 from silostudy.compute.hopper import balanced
 from silostudy.pressure import PRESSURE, hopper_shape, janssen, radial_field
 from silostudy.pressure.en1991_4 import hopper
-from silostudy.pressure.family import call
+from silostudy.pressure.family import IN_SCOPE, OUT_OF_RANGE, call
 from silostudy.pressure.jenike_1969 import INITIAL_RATIO, State, flow_field, initial_field
 from silostudy.pressure.mass_flow import PATTERNS, flow_pattern, limit_angle
 from silostudy.scene.silo import Silo
@@ -21,7 +22,7 @@ BIN = {
     "hopper_half_angle": np.radians(20), "hopper_wall_friction": np.tan(np.radians(18)),
     "effective_friction_angle": np.radians(45), "outlet_width": 0.6, "internal_friction_angle": np.radians(35),
     "poisson_ratio": 0.3, "repose_angle": np.radians(35), "a_phi": 1.1, "a_K": 1.1, "a_mu": 1.15, "patch_factor": 0.5,
-    "eccentricity": 0.5,
+    "filling_eccentricity": 0.5, "outlet_eccentricity": 0.5, "contact_depth": 0.0, "top_cone_height": 0.0, "sets_capped": 1.0,
 }  # fmt: skip
 WITH_BALANCE = [(row.key, phase) for row in PRESSURE.values() for phase, total in row.totals.items() if "outlet_force" in total]
 
@@ -75,14 +76,20 @@ def test_the_balance_is_met_by_many_scenes_and_could_fail():
     assert call(heavier, 1.0, BIN | {"unit_weight": 9e3}) > 1.1 * call(heavier, 1.0, BIN)
 
 
-def test_wedges_by_en_1991_4_are_masked():
-    wedge = BIN | {"slot": 1.0, "circular": 0.0, "perimeter": 2.0, "length": 1.0, "hydraulic_radius": 2.5}
-    for phase in ("filling", "discharge"):
-        for function in PRESSURE["en1991_4"].hopper[phase].values():
-            assert np.isnan(call(function, np.array([1.0, 5.0]), wedge)).all()
+WEDGE = BIN | {"slot": 1.0, "circular": 0.0, "perimeter": 2.0, "length": 1.0, "hydraulic_radius": 2.5}
 
 
-def test_the_wedge_exponent_that_is_left_out_breaks_equilibrium():
+@pytest.mark.parametrize("phase", ["filling", "discharge"])
+@pytest.mark.parametrize("angle", [10.0, 18.0, 35.0, 55.0])
+@pytest.mark.parametrize("outlet", [0.0, 0.6])
+def test_wedges_by_en_1991_4_carry_contents_and_load(phase, angle, outlet):
+    scene = one(WEDGE | {"hopper_half_angle": np.radians(angle), "outlet_width": outlet})
+    missing, scope = balanced(PRESSURE["en1991_4"], phase, scene)["hopper_balance"]
+    assert scope == IN_SCOPE
+    assert abs(float(missing)) < 1e-12
+
+
+def test_the_wedge_exponent_of_programs_breaks_equilibrium():
     """S (F T) - 2 with S = 1 against slices, d(p_v x)/dx = F T p_v - gamma x, which ask for F T - 1: by a long way."""
     weight, top, ft = 8e4, 5e4, 1.4
     share = np.linspace(0.1, 1, 2001)
@@ -123,7 +130,7 @@ def test_switch_arrives_with_the_ring_force_of_flow():
 def test_peak_without_load_is_the_sources_formula():
     """p = gamma D / [2 (1 + m i)(tan theta + tan phi')], cone and wedge."""
     for slot, perimeter in ((0.0, np.pi * 5), (1.0, 2.0)):
-        scene = BIN | {"slot": slot, "perimeter": perimeter}
+        scene = BIN | {"slot": slot, "perimeter": perimeter, "hopper_wall_friction": 0.6}
         state = State(initial_field, scene, loaded=0.0)
         spread = np.tan(scene["hopper_half_angle"]) + scene["hopper_wall_friction"]
         peak = scene["unit_weight"] * 5.0 / (2 * (1 + (1 - slot) * state.peak) * spread)
@@ -228,12 +235,27 @@ def test_steep_smooth_fields_tend_to_slices():
     assert found == pytest.approx(0.8 / (1.6 * t - 3), rel=1e-3, abs=0)
 
 
-def test_no_peaked_field_in_smooth_flat_hoppers_puts_the_peak_at_the_apex():
-    scene = BIN | {"hopper_half_angle": np.radians(40), "hopper_wall_friction": 0.2}
-    state = State(initial_field, scene)
-    assert np.isinf(state.slope)
-    assert state.peak == 0
-    assert state.normal_pressure(np.array([0.0]))[0] == state.largest
+@pytest.mark.parametrize("name", ["hopper_normal_pressure", "hopper_friction_traction", "hopper_vertical_pressure"])
+def test_without_a_peaked_field_the_initial_state_is_masked(name):
+    """The wall of a flat or smooth hopper holds none: the peak would sink to the apex."""
+    row, x = PRESSURE["jenike_1969"], np.array([[0.0, 0.5, 2.0]])
+    for half_angle, friction in ((40.0, 0.2), (80.0, 0.3), (20.0, np.tan(np.radians(15)))):
+        scene = one(BIN | {"hopper_half_angle": np.radians(half_angle), "hopper_wall_friction": friction})
+        assert np.isinf(radial_field.initial_slope(np.radians(half_angle), friction, INITIAL_RATIO, 0.0))
+        value, scope = masked(row, name, "filling", row.hopper["filling"][name], x, scene)
+        assert np.isnan(value).all()
+        assert set(scope.ravel()) == {OUT_OF_RANGE}
+    assert np.isfinite(masked(row, name, "filling", row.hopper["filling"][name], x, one(BIN))[0]).all()
+
+
+def test_the_switch_starts_from_the_straight_line_where_that_is_asked_for():
+    """Ring force + what flow takes up = the straight-line initial state's force, at every height."""
+    x = np.array([1.0, 4.0])
+    ring = call(PRESSURE["jenike_mass_flow"].hopper["switch"]["switch_force"], x, BIN)
+    initial = call(PRESSURE["jenike_mass_flow"].hopper["filling"]["hopper_vertical_pressure"], x, BIN)
+    area = np.pi / 4 * (2 * x * np.tan(BIN["hopper_half_angle"])) ** 2
+    assert ring + State(flow_field, BIN).field_force(x) == pytest.approx(initial * area, rel=1e-12)
+    assert (ring > 0).all()
 
 
 @pytest.mark.parametrize("delta", [30, 40, 50, 60])
@@ -257,7 +279,7 @@ def test_flow_pattern_keeps_the_designers_margin():
 
 
 def test_beyond_the_limit_flow_is_masked_and_filling_is_not():
-    scene = one(BIN | {"hopper_half_angle": np.radians(45)})
+    scene = one(BIN | {"hopper_half_angle": np.radians(20), "hopper_wall_friction": 0.6})
     row = PRESSURE["jenike_1969"]
     assert np.isnan(call(row.totals["discharge"]["ring_force"], None, scene)).all()
     assert np.isfinite(call(row.totals["filling"]["outlet_force"], None, scene)).all()

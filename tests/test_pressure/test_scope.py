@@ -13,7 +13,7 @@ def reasons(cube, quantity="wall_normal_pressure", **where):
 
 
 def test_every_masked_value_has_a_reason_and_every_other_none(wheat):
-    for quantity in QUANTITIES:
+    for quantity in QUANTITIES.keys() & wheat.keys():
         masked = np.isnan(wheat[quantity].values)
         assert np.array_equal(masked, wheat[f"{quantity}_scope"].values != 0)
         assert masked.any()

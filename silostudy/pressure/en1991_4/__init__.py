@@ -4,6 +4,6 @@ The printed standard was not seen.  What stands here agrees in two or more publi
 published numbers; what comes from one program only says so.
 """
 
-from silostudy.pressure.en1991_4 import eccentric, rows
+from silostudy.pressure.en1991_4 import eccentric_rows, rows
 
-ROWS = (*rows.ROWS, eccentric.ROW)
+ROWS = (*rows.ROWS, eccentric_rows.ROW)

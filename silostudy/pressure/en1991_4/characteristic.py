@@ -2,7 +2,10 @@
 
 import numpy as np
 
-PROPERTIES = ("internal_friction_angle", "wall_friction", "lateral_pressure_ratio", "a_phi", "a_K", "a_mu")
+from silostudy.pressure.family import asking
+
+PROPERTIES = ("internal_friction_angle", "wall_friction", "lateral_pressure_ratio", "a_phi", "a_K", "a_mu", "sets_capped")
+VARIED = frozenset({"internal_friction_angle", "wall_friction", "lateral_pressure_ratio", "hopper_wall_friction"})
 SIGNS = {1: "upper", 0: "mean", -1: "lower"}
 # set -> which value of wall friction, lateral pressure ratio and internal friction angle it takes
 SETS = {
@@ -12,18 +15,39 @@ SETS = {
     "vertical_load": (-1, -1, 1),
     "hopper_filling": (-1, -1, -1),
     "hopper_discharge": (-1, 1, 1),
+    "channel": (-1, 1, 1),
 }
 
 
-def characteristic(name, *, internal_friction_angle, wall_friction, lateral_pressure_ratio, a_phi, a_K, a_mu):
-    """(mu (1), K (1), phi (rad)) of a set, mu at most tan(phi).
+def characteristic(name, *, internal_friction_angle, wall_friction, lateral_pressure_ratio, a_phi, a_K, a_mu, sets_capped=1.0):
+    """(mu (1), K (1), phi (rad)) of a set; mu at most tan(phi) of the set, unless the sets are asked for uncapped.
 
-    Source: en1991_4_2006 (printed standard not seen; agrees in two or more public programs).
+    Source: en1991_4_2006 (printed standard not seen; agrees in two or more public programs, but for the cap: one of four
+    programs has it).
     """
     mu_sign, k_sign, phi_sign = SETS[name]
     phi = internal_friction_angle * a_phi**phi_sign
-    mu = np.minimum(wall_friction * a_mu**mu_sign, np.tan(phi))
-    return mu, lateral_pressure_ratio * a_K**k_sign, phi
+    mu = wall_friction * a_mu**mu_sign
+    return np.where(sets_capped == 1, np.minimum(mu, np.tan(phi)), mu), lateral_pressure_ratio * a_K**k_sign, phi
+
+
+def used(name, wall_friction="wall_friction"):
+    """Parameter -> function(*, parameters) that gives a set's value; wall_friction: whose, the cylinder's or the hopper's."""
+
+    def value(place, cap=None):
+        def function(**given):
+            given = given | {"wall_friction": given[wall_friction]} | ({} if cap is None else {"sets_capped": cap})
+            return characteristic(name, **{one: given[one] for one in PROPERTIES})[place]
+
+        names = [wall_friction if one == "wall_friction" else one for one in PROPERTIES]
+        return asking(function, names, f"A value of the set {name} (1).", None)
+
+    return {
+        "wall_friction": value(0),
+        "wall_friction_uncapped": value(0, cap=0.0),
+        "lateral_pressure_ratio": value(1),
+        "internal_friction_angle": value(2),
+    }
 
 
 def described(name: str) -> str:

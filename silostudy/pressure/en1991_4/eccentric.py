@@ -1,17 +1,14 @@
 """Large eccentric discharge of EN 1991-4:2006: a flow channel along the wall of a circular silo.
 
-Printed standard not seen; agrees in two or more public programs.  Three sizes of channel are looked at, r_c = k_c r.
+Printed standard not seen; agrees in two or more public programs.  Three sizes of channel are looked at, r_c = k_c r: each is a
+load case.  theta counts from the channel's axis: the channel within theta_c, the adjacent zone to 2 theta_c, beyond it the
+static zone.  Neither theta_c nor e_c hangs on the outlet's actual eccentricity.
 """
 
 import numpy as np
 
 from silostudy.errors import BadInput
 from silostudy.pressure import janssen
-from silostudy.pressure.en1991_4.characteristic import PROPERTIES, characteristic
-from silostudy.pressure.family import CIRCULAR, PressureMethod, asking
-
-CHANNEL_SIZES = (0.25, 0.40, 0.60)  # k_c
-GIVEN = ("unit_weight", "hydraulic_radius", "diameter", *PROPERTIES)
 
 
 def channel(radius, size, mu, phi):
@@ -31,64 +28,34 @@ def channel(radius, size, mu, phi):
     return theta, np.arcsin(np.minimum(np.sin(theta) / size, 1.0)), eccentricity * radius
 
 
-def channel_pressure(z, *, unit_weight, radius, size, mu, k, phi):
-    """p_hce (Pa) on the wall of the flow channel at depth z (m).
+def section(radius, size, mu, phi):
+    """(A_c (m2), U_wc (m), U_sc (m)): area of the channel, its contact with the wall and with the solid at rest.
 
-    Source: en1991_4_2006: Janssen in the channel, rubbing on the wall over U_wc = 2 theta r with mu and on the resting
-    solid over U_sc = 2 r_c (pi - psi) with tan(phi); A_c = (pi - psi) r_c^2 + theta r^2 - r r_c sin(psi - theta).
+    Source: en1991_4_2006: A_c = (pi - psi) r_c^2 + theta r^2 - r r_c sin(psi - theta), U_wc = 2 theta r,
+    U_sc = 2 r_c (pi - psi).
     """
     theta, psi, _ = channel(radius, size, mu, phi)
     inner = size * radius
     area = (np.pi - psi) * inner**2 + theta * radius**2 - radius * inner * np.sin(psi - theta)
-    resistance = 2 * theta * radius * mu + 2 * inner * (np.pi - psi) * np.tan(phi)
+    return area, 2 * theta * radius, 2 * inner * (np.pi - psi)
+
+
+def channel_pressure(z, *, unit_weight, radius, size, mu, k, phi):
+    """p_hce (Pa) on the wall of the flow channel at depth z (m).
+
+    Source: en1991_4_2006: Janssen in the channel, rubbing on the wall over U_wc with mu and on the resting solid over U_sc
+    with tan(phi).
+    """
+    area, wall, inner = section(radius, size, mu, phi)
+    resistance = wall * mu + inner * np.tan(phi)
     return janssen.normal_pressure(
         z, unit_weight=unit_weight, hydraulic_radius=area / resistance, wall_friction=1.0, lateral_pressure_ratio=k
     )
 
 
-def edge_pressure(z, *, static, moving):
-    """p_hae (Pa) beside the channel, from theta to 2 theta: 2 p_hse - p_hce. Source: en1991_4_2006."""
+def adjacent_pressure(*, static, moving):
+    """p_hae (Pa) beside the channel, from theta_c to 2 theta_c: 2 p_hse - p_hce. Source: en1991_4_2006.
+
+    With it the mean round the ring is the static pressure.
+    """
     return 2 * static - moving
-
-
-def _largest_edge_pressure(z, **given):
-    mu, k, phi = characteristic("wall_normal", **{name: given[name] for name in PROPERTIES})
-    weight = {"unit_weight": given["unit_weight"]}
-    static = janssen.normal_pressure(
-        z, **weight, hydraulic_radius=given["hydraulic_radius"], wall_friction=mu, lateral_pressure_ratio=k
-    )
-    moving = [
-        channel_pressure(z, **weight, radius=given["diameter"] / 2, size=size, mu=mu, k=k, phi=phi) for size in CHANNEL_SIZES
-    ]
-    return edge_pressure(z, static=static, moving=np.min(moving, axis=0))
-
-
-ROW = PressureMethod(
-    key="en1991_4_eccentric",
-    rank=160,
-    title="EN 1991-4:2006, large eccentric discharge",
-    source="en1991_4_2006",
-    locator="as public programs carry it (printed standard not seen)",
-    phases={
-        "discharge": {
-            "wall_normal_pressure": asking(
-                _largest_edge_pressure,
-                GIVEN,
-                "Wall normal pressure (Pa) beside the flow channel at depth z (m), the largest of three channel sizes. "
-                "Source: en1991_4_2006.",
-            )
-        }
-    },
-    static=janssen.normal_pressure,
-    plans=CIRCULAR,
-    values={"wall_normal_pressure": "mu lower, K upper, phi lower, unit weight upper"},
-    not_computed=("when this load case is asked for (eccentricity, action assessment class): the user chooses",),
-    formula="p_hae = 2 p_hse - p_hce beside a channel r_c = k_c r, k_c in 0.25, 0.40, 0.60; p_hse Janssen of the whole silo, "
-    "p_hce Janssen of the channel",
-    validity="circular silos; local pressure on the stretch of wall from theta to 2 theta; which characteristic values the "
-    "standard takes here was not verified (those for the wall pressure are used); printed standard not seen; no published "
-    "numbers: checked against geometry",
-    colour="#D6604D",
-    marker="+",
-    table_key="en1991_4",
-)

@@ -1,10 +1,11 @@
-"""Steep and shallow conical hoppers of EN 1991-4:2006, x the height above the apex.
+"""Steep and shallow hoppers of EN 1991-4:2006, x the height above the apex: cones and, with S = 1, wedges.
 
-Printed standard not seen; agrees in two or more public programs, but for discharge in shallow hoppers (as filling: one
-program, sandtes_silo).  Left out because not verified: the bottom load magnifier C_b on the vertical load (public programs
-take 1.0 and 1.2), pyramids, the alternative reference method; and wedges: their exponent as programs carry it,
-S (F mu cot(beta) + F) - 2 with S = 1, takes 2 off where the equilibrium of slices takes S off, and the wall of a wedge would
-carry 1.7 times contents and load (5 m slot, 12 m deep, 18 degrees).
+Printed standard not seen; agrees in two or more public programs, but for discharge in shallow hoppers (as filling: two
+programs of three) and the exponent, on which programs disagree: n = S (F mu cot(beta) + F) - S is the equilibrium of slices,
+and what their own filling rule and AS 3774 come to; "- 2" is the same for S = 2 alone, and lets the wall of a wedge carry 1.6
+to 2.1 times contents and load.
+Left out because not verified: the bottom load magnifier C_b on the vertical load (public programs take 1.0 and 1.2), pyramids,
+the alternative reference method.
 """
 
 import numpy as np
@@ -13,18 +14,19 @@ from scipy.special import exprel
 from silostudy.pressure.hopper_shape import steepness
 
 PRESSURE_LOSS = 0.2
+QUANTITIES = ("normal_pressure", "friction_traction", "vertical_pressure")
 
 
 def effective_friction(half_angle, mu, k):
-    """mu_heff (1): mu where the hopper is steep, tan(beta) < (1 - K)/(2 mu), else (1 - K)/(2 tan beta).
-
-    Source: en1991_4_2006.
-    """
+    """mu_heff (1): mu where the hopper is steep, else (1 - K)/(2 tan beta). Source: en1991_4_2006."""
     return np.where(is_steep(half_angle, mu, k), mu, (1 - k) / (2 * np.tan(half_angle)))
 
 
 def is_steep(half_angle, mu, k):
-    """Whether wall friction is fully mobilised. Source: en1991_4_2006: tan(beta) < (1 - K)/(2 mu)."""
+    """Whether wall friction is fully mobilised, by the lower K and mu_h: one class for filling and discharge.
+
+    Source: en1991_4_2006: tan(beta) < (1 - K)/(2 mu); which K and mu: two programs of three.
+    """
     return 2 * mu * np.tan(half_angle) < 1 - k
 
 
@@ -56,6 +58,9 @@ def vertical_pressure(share, *, weight, exponent, top):
     return np.where(share > 0, value, np.where(np.isfinite(at_apex), at_apex, np.nan))
 
 
-def exponent(ratio, half_angle, mu):
-    """n (1): S (F mu cot(beta) + F) - 2, S = 2 for a cone. Source: en1991_4_2006."""
-    return 2 * ratio * steepness(half_angle, mu) - 2
+def exponent(ratio, half_angle, mu, slot):
+    """n (1): S (F mu cot(beta) + F) - S, S = 2 for a cone, 1 for a wedge.
+
+    Source: en1991_4_2006, by the equilibrium of slices (programs that print "- 2" for a wedge are not in equilibrium).
+    """
+    return (2 - slot) * (ratio * steepness(half_angle, mu) - 1)

@@ -1,0 +1,53 @@
+"""Which methods of a cube give no wall pressure, and why: for tables in the terminal and for figures."""
+
+import numpy as np
+import xarray as xr
+
+from silostudy.cube.contract import SCOPE
+
+PRESSURE = "wall_normal_pressure"
+DEPTHS = ("depth", "relative_depth")
+NOT_COVERED, OUT_OF_RANGE = "phase_not_covered", "outside_published_range"
+
+
+def silences(cube: xr.Dataset) -> list[str]:
+    """A line for every method and phase that gives no wall pressure in some case, with the reasons.
+
+    A phase that a method's source does not treat is told where the method gives nothing in any other.
+    """
+    lines = []
+    for method in map(str, cube["pressure_method"].values):
+        one = cube.sel(pressure_method=method)
+        phases = [phase for phase in map(str, cube["phase"].values) if _reasons(one.sel(phase=phase)) != [NOT_COVERED]]
+        lines += [f"{method}, {phase}: {text}" for phase in phases if (text := _silence(one.sel(phase=phase)))]
+        if not phases:
+            lines.append(f"{method}: gives nothing: {', '.join(map(str, cube['phase'].values))} not covered by its source")
+    return lines
+
+
+def _silence(one: xr.Dataset) -> str:
+    """What is told of a method in a phase; empty where it speaks in every case."""
+    silent = _silent(one)
+    if not silent.any():
+        return ""
+    count = f" in {int(silent.sum())} of {silent.size} cases" if silent.ndim else ""
+    limits = [f"out of its range, {words}" for words in _limits(one, silent)]
+    reasons = [reason.replace("_", " ") for reason in _reasons(one) if not (limits and reason == OUT_OF_RANGE)]
+    return f"gives nothing{count}: {'; '.join([*reasons, *limits])}"
+
+
+def _silent(one: xr.Dataset) -> xr.DataArray:
+    return one[PRESSURE].isnull().all([dim for dim in DEPTHS if dim in one[PRESSURE].dims])
+
+
+def _reasons(one: xr.Dataset) -> list[str]:
+    """Flags of the cases in which a method is silent."""
+    flags = one[PRESSURE + SCOPE]
+    here = flags.values[np.broadcast_to(_silent(one).values[..., None], flags.shape)]
+    return [flags.attrs["flag_meanings"].split()[flag] for flag in np.unique(here)]
+
+
+def _limits(one: xr.Dataset, silent: xr.DataArray) -> list[str]:
+    """The limits that these cases break, in words."""
+    numbers = np.unique(one["limit_broken"].values[silent.values])
+    return [str(one["limit"].values[number]) for number in numbers if number > 0]

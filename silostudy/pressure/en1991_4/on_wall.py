@@ -1,0 +1,102 @@
+"""EN 1991-4:2006 on the cylinder's wall: each quantity with a set of characteristic values, as functions of a method."""
+
+import numpy as np
+
+from silostudy.pressure.en1991_4 import cylinder
+from silostudy.pressure.en1991_4.characteristic import PROPERTIES, characteristic, used
+from silostudy.pressure.family import asking
+
+STATE = ("unit_weight", "hydraulic_radius", "diameter", "cylinder_depth", "repose_angle", "contact_depth")
+CYLINDER = (*STATE, *PROPERTIES)
+INCREASE = {
+    "wall_normal_pressure": cylinder.NORMAL_INCREASE,
+    "wall_friction_traction": cylinder.FRICTION_INCREASE,
+    "axial_wall_force": cylinder.FRICTION_INCREASE,
+    "accompanying_wall_pressure": 0.0,
+}
+# the set of each quantity that is unfavourable for it; what presses on the wall while the axial force acts follows the force
+DESIGN_SETS = {
+    "wall_normal_pressure": "wall_normal",
+    "wall_friction_traction": "wall_friction",
+    "axial_wall_force": "wall_friction",
+    "vertical_pressure": "vertical_load",
+    "accompanying_wall_pressure": "wall_friction",
+}
+SEEN = "Source: en1991_4_2006 (printed standard not seen; agrees in two or more public programs)."
+DOCS = {
+    "wall_normal_pressure": "Wall normal pressure (Pa) at depth z (m).",
+    "wall_friction_traction": "Wall friction traction (Pa) at depth z (m).",
+    "axial_wall_force": "Axial wall force per metre of perimeter (N/m, compression positive) at depth z (m).",
+    "vertical_pressure": "Mean vertical pressure (Pa) at depth z (m).",
+    "accompanying_wall_pressure": "Wall pressure (Pa) after filling in the state of the axial wall force, at depth z (m).",
+}
+
+
+def take(given, names):
+    """The named parameters out of all that were handed over."""
+    return {name: given[name] for name in names}
+
+
+def filled(z, set_name, given):
+    """(p_h, p_v, mu) after filling with a set's characteristic values."""
+    mu, k, _ = characteristic(set_name, **take(given, PROPERTIES))
+    return *cylinder.pressures(z, mu=mu, k=k, **take(given, STATE)), mu
+
+
+def read_off(quantity, z, set_name, given):
+    """One quantity of a filling state; the axial force is the friction integrated, R (gamma z - p_v)."""
+    p_h, p_v, mu = filled(z, set_name, given)
+    weight = given["unit_weight"] * z
+    return {
+        "wall_normal_pressure": p_h,
+        "wall_friction_traction": mu * p_h,
+        "axial_wall_force": given["hydraulic_radius"] * (weight - p_v),
+        "vertical_pressure": p_v,
+        "accompanying_wall_pressure": p_h,
+    }[quantity]
+
+
+def on_cylinder(quantity, set_name, phase):
+    """A method function for one quantity with one set, increased in discharge."""
+
+    def function(z, **given):
+        value = read_off(quantity, z, set_name, given)
+        if phase == "discharge":
+            value = value * cylinder.discharge_factor(INCREASE[quantity], **take(given, ("diameter", "cylinder_depth")))
+        return value
+
+    return asking(function, CYLINDER, f"{DOCS[quantity]} {SEEN}")
+
+
+def phases(sets):
+    """phase -> quantity -> function, with the set of each quantity; p_v in discharge was not verified."""
+    return {
+        "filling": {quantity: on_cylinder(quantity, name, "filling") for quantity, name in sets.items()},
+        "discharge": {q: on_cylinder(q, name, "discharge") for q, name in sets.items() if q in INCREASE},
+    }
+
+
+def used_by(sets):
+    """phase -> quantity -> parameter -> function: the characteristic values of each quantity's set."""
+    each = {quantity: used(name) for quantity, name in sets.items()}
+    return {"filling": each, "discharge": each}
+
+
+def numbers(phase):
+    """The slenderness class (1), and in discharge C_h and C_w (1)."""
+    found = {"slenderness_class": cylinder.slenderness_class}
+    if phase == "discharge":
+        for name, increase in (
+            ("normal_pressure_increase", cylinder.NORMAL_INCREASE),
+            ("wall_friction_increase", cylinder.FRICTION_INCREASE),
+        ):
+            found[name] = _factor(increase)
+    return found
+
+
+def _factor(increase):
+    def function(*, diameter, cylinder_depth):
+        return cylinder.discharge_factor(np.float64(increase), diameter=diameter, cylinder_depth=cylinder_depth)
+
+    function.__doc__ = cylinder.discharge_factor.__doc__
+    return function
