@@ -111,7 +111,13 @@ def implicit_damping(touch, c, moved=1.0):
 
 
 @register_jitable
+def pressing(normal):
+    """The part of a normal force (N/m) that friction takes: none of one that pulls."""
+    return normal if normal > 0.0 else 0.0
+
+
+@register_jitable
 def clamp(value, cap):
-    """value held between -cap and +cap."""
+    """value held between -cap and +cap, cap being zero or more."""
     low = value if value > -cap else -cap
     return low if low < cap else cap

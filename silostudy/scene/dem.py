@@ -8,9 +8,9 @@ import numpy as np
 from silostudy.config.contact import ContactConfig
 from silostudy.config.dem import BoxConfig, DemScene, EventConfig
 from silostudy.contact.family import Given
+from silostudy.dem.events import Event
 from silostudy.dem.model import Contact, Wall
 from silostudy.dem.pieces import Laws
-from silostudy.dem.run import Event
 from silostudy.errors import BadInput
 from silostudy.packing import PACKINGS
 from silostudy.scene.plane_silo import FLOOR, HALVES, PlaneSilo

@@ -19,7 +19,8 @@ from silostudy.config.dem import DemScene, QuakeConfig
 from silostudy.config.load import validated
 from silostudy.cube.io import read, write
 from silostudy.dem.engine import Engine
-from silostudy.dem.run import Event, Run
+from silostudy.dem.events import Event
+from silostudy.dem.run import Run
 from silostudy.dem.stability import longest_step
 from silostudy.errors import BadInput
 from silostudy.scene.dem import effects
