@@ -49,7 +49,6 @@ def displacement(engine) -> float:
     return float(ways / scale) if scale > 0.0 else np.inf
 
 
-IN_USE = {"source": "cundall_strack_1979", "locator": "none: a ratio in general use"}
 REST: Family[Criterion] = Family(
     "criterion of rest",
     [
@@ -58,14 +57,16 @@ REST: Family[Criterion] = Family(
             title="Mean force left over on a disc over mean contact force",
             measure=unbalanced_force,
             below=1e-4,
-            **IN_USE,
+            source="cundall_strack_1979",
+            locator="none: a ratio in general use",
         ),
         Criterion(
             key="kinetic-over-potential",
             title="Kinetic energy over the energy that lifts every disc by its radius",
             measure=kinetic_over_potential,
             below=1e-9,
-            **IN_USE,
+            source="cundall_strack_1979",
+            locator="none: a ratio in general use",
         ),
         Criterion(
             key="displacement",
