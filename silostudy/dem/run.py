@@ -95,6 +95,16 @@ class Run:
             self.recording.snapshots.append(self.snapshot())
         self._act_where_due()
 
+    def why_waiting(self) -> str:
+        """How far the event that the time limit came before was from its trigger."""
+        event = self.recording.waiting
+        assert event is not None
+        if event.trigger == "rest":
+            return f"{self.rest.criterion.measure(self.engine):.3g}, to be at rest: {self.rest}"
+        if event.trigger == "discharged":
+            return f"a share of {self.dropped / self.full:.3g} has left"
+        return f"due at {self._due() * self.engine.model.dt:.6g} s"
+
     def insert(self, event: Event) -> None:
         """Put an event before the one that the run waits for."""
         self.events = (*self.events[: self.next_event], event, *self.events[self.next_event :])
