@@ -56,8 +56,8 @@ def run_ensemble(chosen, scene, choice, outputs: list[Path]) -> None:
     with ThreadPoolExecutor(os.cpu_count()) as pool:
         for member, task in tqdm(pool.map(one, range(len(outputs))), total=len(outputs), unit=" scenes", file=sys.stderr):
             keep(task, member, choice, outputs[member.seed])
-            if why := trouble(task):
-                failed.append(f"seed {member.seed}: {why}")
+            if task.trouble:
+                failed.append(f"seed {member.seed}: {task.trouble}")
     print(f"{scene.title}: {len(outputs)} scenes -> {outputs[0]} ... {outputs[-1].name}")
     if failed:
         print("\n".join(failed), file=sys.stderr)
@@ -74,9 +74,9 @@ def run_one(chosen, scene, choice, output: Path) -> None:
         carry_through(task, scene, checkpoint_of(scene, output), tell)
     keep(task, scene, choice, output)
     print(f"{scene.title}: {task.engine.step} steps of {model.dt:.3g} s, {where_discs_are(task)} -> {output}")
-    if why := trouble(task):
+    if task.trouble:
         key, value = ("march.limit_s", scene.march.limit_s) if task.recording.waiting else ("march.step_s", model.dt)
-        raise BadInput(key, value, f"{why}; what was recorded is in {output}")
+        raise BadInput(key, value, f"{task.trouble}; what was recorded is in {output}")
 
 
 def _model(chosen, scene):
@@ -125,14 +125,6 @@ def where_discs_are(task) -> str:
     left = task.recording.left
     gone = ", ".join(f"{count} {way}" for way, count in left.items() if count)
     return f"{task.engine.n} of {len(task.engine.model.x)} discs still there" + (f" ({gone})" if gone else "")
-
-
-def trouble(task) -> str:
-    """Why a run did not come to its stop; empty where it did."""
-    record = task.recording
-    if record.explosion is not None:
-        return str(record.explosion)
-    return f"the time limit came before the event `{record.waiting}`: {task.why_waiting()}" if record.waiting else ""
 
 
 class progress:

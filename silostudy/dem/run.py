@@ -95,10 +95,16 @@ class Run:
             self.recording.snapshots.append(self.snapshot())
         self._act_where_due()
 
-    def why_waiting(self) -> str:
-        """How far the event that the time limit came before was from its trigger."""
+    @property
+    def trouble(self) -> str:
+        """Why the run did not come to its stop; empty where it did."""
+        if self.recording.explosion is not None:
+            return str(self.recording.explosion)
         event = self.recording.waiting
-        assert event is not None
+        return f"the time limit came before the event `{event}`: {self._standing(event)}" if event else ""
+
+    def _standing(self, event: Event) -> str:
+        """How far an event is from its trigger."""
         if event.trigger == "rest":
             return f"{self.rest.criterion.measure(self.engine):.3g}, to be at rest: {self.rest}"
         if event.trigger == "discharged":
