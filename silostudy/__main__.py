@@ -3,6 +3,7 @@
 import argparse
 import sys
 from collections.abc import Sequence
+from pathlib import Path
 
 from silostudy import __version__
 from silostudy.commands import (
@@ -19,7 +20,10 @@ from silostudy.commands import (
     sweeps,
 )
 from silostudy.errors import BadInput
+from silostudy.files import check_output, check_writable
 
+OUTPUT, STEMS = "output", ("stem", "figure")  # arguments that name what a command writes: a file, files without their ending
+STOPPED = 130  # status of a command that the user stopped
 ROOMS = (listing, explain, compare, cite, studies, stages, drawing, sweeps, dem, fronts, bench)
 
 
@@ -37,11 +41,25 @@ def main(arguments: Sequence[str] | None = None) -> int:
     """Runs one sub-command; bad input is one line a mistake on stderr and status 2."""
     chosen = parser().parse_args(arguments)
     try:
+        check_outputs(chosen)
         chosen.run(chosen)
     except BadInput as error:
         print("\n".join(f"silostudy: {line}" for line in str(error).split("\n")), file=sys.stderr)
         return 2
+    except KeyboardInterrupt:
+        print("silostudy: stopped", file=sys.stderr)
+        return STOPPED
     return 0
+
+
+def check_outputs(chosen) -> None:
+    """BadInput for an output that cannot be written, before anything is computed."""
+    given = vars(chosen)
+    if given.get(OUTPUT) is not None:
+        check_output(given[OUTPUT], [path for name, path in given.items() if name != OUTPUT and isinstance(path, Path)])
+    for name in STEMS:
+        if given.get(name) is not None:
+            check_writable(given[name].parent)
 
 
 if __name__ == "__main__":

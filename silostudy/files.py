@@ -1,8 +1,10 @@
 """Writing files so that a half-written one never looks like a result."""
 
 import fcntl
+import glob
 import hashlib
 import os
+import platform
 import tempfile
 import time
 from collections.abc import Callable, Iterable
@@ -25,7 +27,9 @@ class replacing:
     def __enter__(self) -> Path:
         try:
             self.path.parent.mkdir(parents=True, exist_ok=True)
-            handle, name = tempfile.mkstemp(prefix=f".{self.path.name}.", suffix=self.path.suffix, dir=self.path.parent)
+            _sweep_up(self.path)
+            prefix = f"{_mark(self.path)}{os.getpid()}."
+            handle, name = tempfile.mkstemp(prefix=prefix, suffix=self.path.suffix, dir=self.path.parent)
         except OSError as error:
             raise BadInput("results folder", str(self.path.parent), f"cannot be written ({error.strerror})") from None
         os.close(handle)
@@ -40,6 +44,20 @@ class replacing:
             self.temporary.replace(self.path)
         else:
             self.temporary.unlink(missing_ok=True)
+
+
+def _mark(path: Path) -> str:
+    """How the names of this machine's temporary files beside a path begin, before the number of their process."""
+    return f".{path.name}.{hashlib.sha256(platform.node().encode()).hexdigest()[:8]}-"
+
+
+def _sweep_up(path: Path) -> None:
+    """Removes temporary files beside a path whose process was killed."""
+    mark = _mark(path)
+    for left in path.parent.glob(f"{glob.escape(mark)}*"):
+        process = left.name.removeprefix(mark).split(".")[0]
+        if process.isdecimal() and not Path(f"/proc/{process}").exists() and Path("/proc/self").exists():
+            left.unlink(missing_ok=True)
 
 
 def seal(path: Path) -> None:
@@ -106,6 +124,15 @@ def check_writable(folder: Path) -> None:
     nearest = next(place for place in (folder, *folder.absolute().parents) if place.exists())
     if not nearest.is_dir() or not os.access(nearest, os.W_OK):
         raise BadInput("results folder", str(folder), "cannot be written")
+
+
+def check_output(path: Path, read: Iterable[Path] = ()) -> None:
+    """BadInput unless a file can be written there, without writing it, and it is none of the files that are read."""
+    check_writable(path.parent)
+    if path.is_dir():
+        raise BadInput("output", str(path), "is a folder: name a file in it")
+    if any(path.exists() and other.exists() and path.samefile(other) for other in read):
+        raise BadInput("output", str(path), "is read by this very command: name another file")
 
 
 def check_there(files: Iterable[Path]) -> None:

@@ -38,7 +38,7 @@ def scene_traits(scene: DemScene) -> dict[str, float]:
     assert walls.normal_stiffness_N_m2 is not None
     stiffness, mass = scene.discs.normal_stiffness_N_m2, scene.density_kg_m3 * pi * scene.radius_m**2
     gap = scene.packing.gap_m * stiffness / (-scene.gravity_m_s2[1] * mass)
-    direct, ratio = scene.discs.normal_damping_N_s_m2, scene.discs.damping_ratio or 0.0
+    direct, ratio = scene.discs.normal_damping_N_s_m2, _ratio(scene.discs)
     return {
         "fall": gap * sqrt(0.5 * scene.packing.fill_height_m / scene.radius_m),
         "damping_ratio": direct / (2.0 * sqrt(mass * stiffness)) if direct is not None else ratio,
@@ -47,6 +47,13 @@ def scene_traits(scene: DemScene) -> dict[str, float]:
         "disc_friction": scene.discs.sliding_friction,
         "wall_friction": walls.sliding_friction,
     }
+
+
+def _ratio(discs: ContactConfig) -> float:
+    """Damping ratio (1) of a disc's mass, which a pair's reduced mass is half of."""
+    if discs.restitution is not None:
+        return discs.laws["normal"].damped(discs.restitution) / sqrt(2.0)
+    return discs.damping_ratio or 0.0
 
 
 def _kinds(scene: DemScene, walls: ContactConfig) -> Iterator[tuple[str, object, object]]:

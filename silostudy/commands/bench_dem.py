@@ -38,7 +38,8 @@ class Ours:
 
     def __init__(self, model, threads=1):
         from silostudy.dem.engine import Engine
-        from silostudy.dem.run import Event, Run
+        from silostudy.dem.events import Event
+        from silostudy.dem.run import Run
 
         self.engine = Engine(model, threads=threads)
         self.task = Run(self.engine, (Event("time", 1e9, "stop"),), limit=1e9)

@@ -14,60 +14,117 @@ def add(sub) -> None:
 
 
 def run(chosen) -> None:
-    run_ensemble(chosen) if chosen.seeds else run_one(chosen)
+    from silostudy.choice.dem import load
+    from silostudy.errors import BadInput
+    from silostudy.files import check_output
+    from silostudy.scene.scenes import files_of_scene
+
+    scene, choice = load(chosen.scene)
+    output = chosen.output or Path("results/dem") / f"{chosen.scene.stem}.nc"
+    read = (chosen.scene, *files_of_scene(chosen.scene))
+    if chosen.seeds is None:
+        check_output(output, read)
+        run_one(chosen, scene, choice, output)
+        return
+    if chosen.seeds < 1:
+        raise BadInput("--seeds", chosen.seeds, "must be 1 or more")
+    outputs = [output.with_name(f"{output.stem}-{seed}.nc") for seed in range(chosen.seeds)]
+    for each in outputs:
+        check_output(each, read)
+    run_ensemble(chosen, scene, choice, outputs)
 
 
-def run_ensemble(chosen) -> None:
+def run_ensemble(chosen, scene, choice, outputs: list[Path]) -> None:
     """Runs scenes with the seeds 0, 1, ... at once, a thread a core, each into a file of its own."""
     import os
     from concurrent.futures import ThreadPoolExecutor
 
     from tqdm import tqdm
 
-    from silostudy.choice.dem import load
-    from silostudy.compute.dem import carry_through, run_of, scene_model
-    from silostudy.compute.dem_cube import cube_of
-    from silostudy.cube.io import write
+    from silostudy.compute.dem import carry_through, run_of
+    from silostudy.errors import BadInput
 
-    scene, choice = load(chosen.scene)
-    output = chosen.output or Path("results/dem") / f"{chosen.scene.stem}.nc"
+    _check_seeds(chosen, scene)
 
     def one(seed: int):
         member = scene.model_copy(update={"seed": seed})
-        task = run_of(member, scene_model(member, chosen.scene.parent, str(chosen.scene)))
-        carry_through(task, member, None, lambda step: None)
+        task = run_of(member, _model(chosen, member))
+        carry_through(task, member, checkpoint_of(member, outputs[seed]), lambda step: None)
         return member, task
 
+    failed = []
     with ThreadPoolExecutor(os.cpu_count()) as pool:
-        for member, task in tqdm(pool.map(one, range(chosen.seeds)), total=chosen.seeds, unit=" scenes", file=sys.stderr):
-            write(cube_of(task, member, choice), output.with_name(f"{output.stem}-{member.seed}.nc"))
-    print(f"{scene.title}: {chosen.seeds} scenes -> {output.with_name(output.stem)}-*.nc")
+        for member, task in tqdm(pool.map(one, range(len(outputs))), total=len(outputs), unit=" scenes", file=sys.stderr):
+            keep(task, member, choice, outputs[member.seed])
+            if task.trouble:
+                failed.append(f"seed {member.seed}: {task.trouble}")
+    print(f"{scene.title}: {len(outputs)} scenes -> {outputs[0]} ... {outputs[-1].name}")
+    if failed:
+        print("\n".join(failed), file=sys.stderr)
+        raise BadInput("--seeds", len(outputs), f"{len(failed)} did not come to their end; what they recorded is kept")
 
 
-def run_one(chosen) -> None:
-    from silostudy.choice.dem import load
-    from silostudy.compute.dem import carry_through, run_of, scene_model
-    from silostudy.compute.dem_cube import cube_of
-    from silostudy.cube.io import write
+def run_one(chosen, scene, choice, output: Path) -> None:
+    from silostudy.compute.dem import carry_through, run_of
     from silostudy.errors import BadInput
 
-    scene, choice = load(chosen.scene)
-    output = chosen.output or Path("results/dem") / f"{chosen.scene.stem}.nc"
-    model = scene_model(scene, chosen.scene.parent, str(chosen.scene))
+    model = _model(chosen, scene)
     task = run_of(scene, model, threads=chosen.threads)
-    checkpoint = output.with_suffix(".checkpoint") if scene.record.checkpoint_every_s else None
     with progress(task) as tell:
-        carry_through(task, scene, checkpoint, tell)
+        carry_through(task, scene, checkpoint_of(scene, output), tell)
+    keep(task, scene, choice, output)
+    print(f"{scene.title}: {task.engine.step} steps of {model.dt:.3g} s, {where_discs_are(task)} -> {output}")
+    if task.trouble:
+        key, value = ("march.limit_s", scene.march.limit_s) if task.recording.waiting else ("march.step_s", model.dt)
+        raise BadInput(key, value, f"{task.trouble}; what was recorded is in {output}")
+
+
+def _model(chosen, scene):
+    from silostudy.compute.dem import scene_model
+
+    return scene_model(scene, chosen.scene.parent, str(chosen.scene))
+
+
+def _check_seeds(chosen, scene) -> None:
+    """BadInput where the seed changes nothing: the members would be one."""
+    import numpy as np
+
+    from silostudy.errors import BadInput
+
+    one, other = (_model(chosen, scene.model_copy(update={"seed": seed})) for seed in (0, 1))
+    if all(np.array_equal(getattr(one, name), getattr(other, name)) for name in ("x", "y", "radius")):
+        raise BadInput(
+            "--seeds", chosen.seeds, f"the packing {scene.packing.kind} is the same for every seed", str(chosen.scene)
+        )
+
+
+def checkpoint_of(scene, output: Path) -> Path | None:
+    """File of the checkpoints of a run into this output, where the scene asks for them."""
+    return output.with_suffix(".checkpoint") if scene.record.checkpoint_every_s else None
+
+
+def keep(task, scene, choice, output: Path) -> None:
+    """Write what a run recorded; only then its checkpoint goes."""
+    from silostudy.compute.dem_cube import cube_of
+    from silostudy.compute.paraview import export
+    from silostudy.cube.io import write
+
     write(cube_of(task, scene, choice), output)
     if scene.record.paraview:
-        from silostudy.compute.paraview import export
-
         export(task, output.with_suffix(""))
-    print(
-        f"{scene.title}: {task.engine.step} steps of {model.dt:.3g} s, {task.engine.n} of {len(model.x)} discs left -> {output}"
-    )
-    if task.recording.explosion is not None:
-        raise BadInput("march.step_s", model.dt, f"{task.recording.explosion}; what was recorded is in {output}")
+    if checkpoint := checkpoint_of(scene, output):
+        checkpoint.unlink(missing_ok=True)
+    missed = [time for time in scene.record.snapshots_s if time > task.engine.time + 0.5 * task.engine.model.dt]
+    if missed:
+        times = ", ".join(f"{time:g}" for time in missed)
+        print(f"silostudy: {output}: no snapshots at {times} s: the run ended before", file=sys.stderr)
+
+
+def where_discs_are(task) -> str:
+    """How many discs are left in the silo, and how the others left it."""
+    left = task.recording.left
+    gone = ", ".join(f"{count} {way}" for way, count in left.items() if count)
+    return f"{task.engine.n} of {len(task.engine.model.x)} discs still there" + (f" ({gone})" if gone else "")
 
 
 class progress:

@@ -15,7 +15,7 @@ from silostudy.dem.run import Run
 from silostudy.errors import BadInput
 from silostudy.packing import PACKINGS
 from silostudy.packing.given import place
-from silostudy.scene.dem import events_of
+from silostudy.scene.dem import events_of, rest_of
 from silostudy.scene.dem_model import placed, unshaken_scene_model
 
 
@@ -64,13 +64,26 @@ def run_of(scene: DemScene, model: Model, *, threads: int = 1) -> Run:
         events_of(scene),
         limit=scene.march.limit_s,
         window=max(1, round(window / dt)) if window else 0,
-        snapshots=tuple(round(time / dt) for time in record.snapshots_s),
+        snapshots=_steps_of(record.snapshots_s, dt),
         stress_edges=edges,
+        rest=rest_of(scene),
     )
 
 
+def _steps_of(times: tuple[float, ...], dt: float) -> tuple[int, ...]:
+    """Steps at which snapshots are taken; BadInput for two in one step."""
+    steps = [round(time / dt) for time in times]
+    for number, step in enumerate(steps):
+        if step in steps[:number]:
+            raise BadInput("record.snapshots_s", times[number], f"falls into the same step of {dt:.3g} s as another")
+    return tuple(steps)
+
+
 def carry_through(run: Run, scene: DemScene, checkpoint: Path | None, tell: Callable[[int], None]) -> None:
-    """Run to the end, saving checkpoints as the scene asks; goes on from the checkpoint where there is one."""
+    """Run to the end, saving checkpoints as the scene asks; goes on from the checkpoint where there is one.
+
+    The last one stays: whoever has written the result takes it away.
+    """
     if checkpoint is not None:
         resume(run, scene, checkpoint)
     every = scene.record.checkpoint_every_s
@@ -82,4 +95,3 @@ def carry_through(run: Run, scene: DemScene, checkpoint: Path | None, tell: Call
         run.go(until=(run.engine.step // steps + 1) * steps, tell=tell)
         if not run.done:
             save(run, scene, checkpoint)
-    checkpoint.unlink(missing_ok=True)

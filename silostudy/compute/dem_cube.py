@@ -33,9 +33,10 @@ def cube_of(run: Run, scene: DemScene, choice: Choice | None = None) -> xr.Datas
         "time_step_s": model.dt,
         "steps": run.engine.step,
         "discs_left": run.engine.n,
+        **{f"discs_{way}": count for way, count in record.left.items()},
     }
-    if record.explosion is not None:
-        notes["stopped"] = str(record.explosion)
+    if run.trouble:
+        notes["stopped"] = run.trouble
     return assemble(scene, "dem", kept, sources=sources_of(model), notes=notes)
 
 
@@ -51,11 +52,13 @@ def _windows(run: Run) -> dict[str, np.ndarray]:
         return {}
     data = {"window_time": np.array(record.window_time)}
     if model.watched:
-        force = np.array(record.window)
-        for way, name in enumerate(("normal", "shear")):
+        force, cells = np.array(record.window), _cells(model)
+        length = np.where(cells["wall_cell_length"] > 0.0, cells["wall_cell_length"], np.nan)  # an end has none
+        for way, (name, stress) in enumerate((("normal", "pressure"), ("shear", "shear_stress"))):
             for k, what in enumerate(("mean", "min", "max")):
                 data[f"wall_{name}_force_{what}"] = force[:, :, way, k]
-        data |= _cells(model)
+                data[f"wall_{stress}_{what}"] = force[:, :, way, k] / length
+        data |= cells
     if model.booked:
         data |= {"energy": np.array(record.energy), "energy_entry": np.array(ENTRIES)}
     return data

@@ -12,9 +12,10 @@ from silostudy.compute.grains_model import base_motion, shaken_box_model
 from silostudy.cube.assemble import assemble
 from silostudy.dem.checkpoint import checkpoint, restore
 from silostudy.dem.engine import Engine
+from silostudy.dem.events import Event
 from silostudy.dem.lanes import U, V, Y
 from silostudy.dem.model import Model
-from silostudy.dem.run import Event, Run
+from silostudy.dem.run import Run
 from silostudy.dem.stability import check_step
 from silostudy.dem.walls import sums_by_wall
 from silostudy.scene.expand import Expansion

@@ -11,9 +11,10 @@ from silostudy.config.packing import PackingScene, PackingStudy
 from silostudy.dem.change import swap_walls
 from silostudy.dem.checkpoint import checkpoint, restore
 from silostudy.dem.engine import Engine
+from silostudy.dem.events import Event
 from silostudy.dem.lanes import U, V, Y
 from silostudy.dem.model import Model
-from silostudy.dem.run import Event, Run
+from silostudy.dem.run import Run
 from silostudy.dem.stability import SAFETY, longest_step
 from silostudy.scene.packing import contacts_of, discs_of, packing_walls
 from silostudy.scene.plane_silo import FLOOR, HALVES
@@ -97,7 +98,7 @@ def discharge(
     engine.clear_window()
     window = round(WINDOW / engine.model.dt)
     run = Run(engine, (Event("time", NEVER, "stop"),), limit=NEVER, window=window)
-    _list_contacts(engine)
+    engine.list_contacts()
     watch(run)
     swap_walls(engine, FLOOR, HALVES)
     samples = round(study.discharge_s / WINDOW / SAMPLE)
@@ -108,7 +109,7 @@ def discharge(
         run.go(until=k * SAMPLE * window)
         if run.recording.explosion is not None:
             raise run.recording.explosion
-        _list_contacts(engine)
+        engine.list_contacts()
         found.passed[k], found.places[k] = _passed(run, found), engine.places
         watch(run)
         _look_for_stop(study, config, run, found, k, quiet)
@@ -136,11 +137,6 @@ def _look_for_stop(study, config, run: Run, found: Discharge, k: int, quiet: int
         found.removed.append((k * SAMPLE * WINDOW, arch.roof))
         found.stopped = False
         run.insert(Event("after", 0.0, "remove", (arch.roof,)))
-
-
-def _list_contacts(engine: Engine) -> None:
-    """Have the list of contacts made without a step: discs that were dropped or walls that changed have emptied it."""
-    engine.step_to(engine.step)
 
 
 def _passed(run: Run, found: Discharge) -> int:

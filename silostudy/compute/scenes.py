@@ -4,6 +4,7 @@ import numpy as np
 
 from silostudy.compute.dem import carry_through, run_of, scene_model
 from silostudy.config.scenes import ScenesStudy
+from silostudy.dem.leaving import SPILT
 from silostudy.dem.run import Run
 from silostudy.dem.walls import sums_by_wall
 from silostudy.scene.plane_silo import FLOOR, HALVES, HOPPER, SIDES
@@ -35,7 +36,8 @@ def measure(study: ScenesStudy, case: SceneCase) -> Numbers:
     carry_through(run, scene, None, lambda step: None)
     if run.recording.explosion is not None:
         raise run.recording.explosion
-    opening, end = run.recording.happened[0][0], run.engine.time
+    (first, trigger, _), end = run.recording.happened[0], run.engine.time
+    opening = np.nan if trigger == "limit" else first
     resting, largest = forces(run, opening)
     return {
         "discs_at_start": np.array(len(run.engine.model.x)),
@@ -46,6 +48,8 @@ def measure(study: ScenesStudy, case: SceneCase) -> Numbers:
         "resting_normal_force": resting,
         "largest_normal_force": largest,
         "mass_let_out": np.array(run.dropped),
+        "mass_spilt": np.array(run.recording.lost[SPILT]),
+        "limit_reached": np.array(float(run.recording.waiting is not None)),
         "mean_discharge_rate": np.array(run.dropped / (end - opening) if end > opening else np.nan),
     }
 
@@ -53,14 +57,16 @@ def measure(study: ScenesStudy, case: SceneCase) -> Numbers:
 def forces(run: Run, opening: float) -> tuple[np.ndarray, np.ndarray]:
     """Normal force (N/m) on side walls and on the bottom: (mean of the last window before `opening` (s), largest mean after).
 
-    NaN where no forces were recorded, or none before or after.
+    Of whole windows: a mean over less is no match for them.  NaN where no forces were recorded, or none before or after, or
+    no event came.
     """
     record, model = run.recording, run.engine.model
-    if not model.watched or not record.window:
+    whole = np.isclose(np.diff(record.window_time, prepend=0.0), run.window * model.dt)
+    if not model.watched or not whole.any() or np.isnan(opening):
         return np.full(2, np.nan), np.full(2, np.nan)
-    each = sums_by_wall(model, np.array(record.window)[:, :, 0, 0], axis=1)
+    each = sums_by_wall(model, np.array(record.window)[whole, :, 0, 0], axis=1)
     sums = np.column_stack([_together(each, (*HOPPER, *SIDES)), _together(each, (FLOOR, *HALVES))])
-    before = np.searchsorted(record.window_time, opening + 1e-9)
+    before = np.searchsorted(np.array(record.window_time)[whole], opening + 1e-9)
     missing = np.full(2, np.nan)
     return (sums[before - 1] if before else missing), (sums[before:].max(axis=0) if before < len(sums) else missing)
 

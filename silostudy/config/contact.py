@@ -74,12 +74,21 @@ class ContactConfig(Strict):
     cohesion: CohesionKey = described("law of cohesion", "", default=DEFAULTS["cohesion"])
     normal_stiffness_N_m2: float | None = described("normal stiffness", "N m-2", gt=0, default=None)
     line_contact: LineContactConfig | None = described(
-        "elastic line contact, in place of normal_stiffness_N_m2", "", default=None
+        "elastic line contact, of radius_m where discs differ in size, in place of normal_stiffness_N_m2",
+        "",
+        default=None,
     )
     normal_damping_N_s_m2: float | None = described("normal dashpot", "N s m-2", ge=0, default=None)
     damping_ratio: float | None = described(
-        "normal dashpot over the critical one 2 sqrt(m K) of a disc's mass and stiffness, in place of normal_damping_N_s_m2",
+        "normal dashpot over the critical one 2 sqrt(m K) of a disc's mass and stiffness, in place of normal_damping_N_s_m2; "
+        "m is each disc's own at a wall, and between discs of several sizes twice the pair's reduced mass",
         ge=0,
+        default=None,
+    )
+    restitution: float | None = described(
+        "speed after over speed before a head-on impact, of every pair and at walls, in place of normal_damping_N_s_m2",
+        gt=1e-3,
+        le=1,
         default=None,
     )
     stiffness_ratio: float = described("s, tangential over normal stiffness; dashpots have its root", ge=0, default=0.25)
@@ -110,9 +119,13 @@ class ContactConfig(Strict):
             for group in (group for one in law.coefficients for group in one.fields):
                 given = sum(getattr(self, field) is not None for field in group)
                 if len(group) > 1 and given != 1:
-                    raise ValueError(f"give either {' or '.join(group)}, and not both")
+                    raise ValueError(
+                        f"give either {' or '.join(group)}, and not {'both' if len(group) == 2 else 'more than one'}"
+                    )
                 if not given:
                     raise ValueError(f"the law {law.key} needs the key {group[0]}")
+        if self.restitution is not None and self.laws["normal"].damped is None:
+            raise ValueError(f"restitution differs with the speed under the law {self.normal}: give damping_ratio instead")
         return self
 
     @model_serializer(mode="wrap")

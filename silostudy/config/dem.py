@@ -12,11 +12,15 @@ from silostudy.config.contact import ContactConfig
 from silostudy.config.fields import Strict, described
 from silostudy.config.own import OwnMethods
 from silostudy.contact import LAWS
+from silostudy.dem.events import TRIGGERS
 from silostudy.dem.integrate import INTEGRATORS, PLAIN
+from silostudy.dem.rest import REST
 from silostudy.packing import PACKINGS
 from silostudy.packing.family import Packing
 from silostudy.tables.constants import ROUNDED_GRAVITY
 
+CriterionKey: TypeAlias = Literal[tuple(REST)]  # type: ignore[valid-type]
+TriggerKey: TypeAlias = Literal[tuple(TRIGGERS)]  # type: ignore[valid-type]
 IntegratorKey: TypeAlias = Literal[tuple(INTEGRATORS)]  # type: ignore[valid-type]
 
 
@@ -69,12 +73,23 @@ class MarchConfig(Strict):
     limit_s: float = described("time at which the run ends at the latest", "s", gt=0)
 
 
+class RestConfig(Strict):
+    """When the discs count as at rest."""
+
+    criterion: CriterionKey = described(
+        "unbalanced-force: mean force left over on a disc over mean contact force; kinetic-over-potential: kinetic energy over "
+        "the energy that lifts every disc by its radius; displacement: mean displacement of a step over dt^2 g, Kiyama and "
+        "Fujimura's own, which loose discs keep from",
+        "",
+        default="unbalanced-force",
+    )
+    below: float | None = described("what it must come below; null: the criterion's own", gt=0, default=None)
+
+
 class EventConfig(Strict):
     """One event: it waits for the event before it, then for its trigger, then acts."""
 
-    when: Literal["time", "after", "rest", "discharged"] = described(
-        "time: s from the start; after: s from the event before; rest: at rest; discharged: share of the mass", ""
-    )
+    when: TriggerKey = described("; ".join(f"{row.key}: {row.title}" for row in TRIGGERS.values()), "")
     value: float = described("seconds or share that the trigger takes", "", ge=0, default=0.0)
     do: Literal["open_slit", "remove_disc", "set_gravity", "set_friction", "stop"] = described("what happens", "")
     disc: int | None = described("number of the disc to remove", "", ge=0, default=None)
@@ -91,6 +106,9 @@ class EventConfig(Strict):
             raise ValueError("set_gravity needs gravity_m_s2")
         if self.do == "set_friction" and self.disc_friction is None and self.wall_friction is None:
             raise ValueError("set_friction needs disc_friction or wall_friction")
+        most = TRIGGERS[self.when].most
+        if most is not None and self.value > most:
+            raise ValueError(f"value must be a share, {most:g} or less, where when is {self.when}")
         return self
 
 
@@ -98,9 +116,14 @@ class RecordConfig(Strict):
     """What is recorded; everything is off unless asked for."""
 
     wall_force_window_s: float | None = described(
-        "wall forces of every step, as mean, minimum and maximum over windows of this length", "s", gt=0, default=None
+        "wall forces of every step, as mean, minimum and maximum over windows of this length; the last ends with the run",
+        "s",
+        gt=0,
+        default=None,
     )
-    snapshots_s: tuple[float, ...] = described("times at which places and force chains are written", "s", default=())
+    snapshots_s: tuple[Annotated[float, Field(ge=0)], ...] = described(
+        "times at which places and force chains are written; 0: the start", "s", default=()
+    )
     stress_cells: tuple[int, int] | None = described("cells across and up of the coarse-grained stress", default=None)
     energy: bool = described("whether the energy ledger is kept", "", default=False)
     paraview: bool = described("whether the snapshots are also written for ParaView", "", default=False)
@@ -130,14 +153,27 @@ class DemScene(Asked, OwnMethods):
     gravity_m_s2: tuple[float, float] = described("gravity, x and y (up)", "m s-2", default=(0.0, -ROUNDED_GRAVITY))
     quake: QuakeConfig | None = described("acceleration of the box", "", default=None)
     march: MarchConfig = described("the march in time", "")
+    rest: RestConfig = described("what `when: rest` waits for", "", default=RestConfig())
     events: tuple[EventConfig, ...] = described("what happens, in order; the last is a stop", "", min_length=1)
     record: RecordConfig = described("what is recorded", "", default=RecordConfig())
-    seed: int = described("seed of the random numbers", ge=0, default=0)
+    seed: int = described("seed of the random numbers; beyond 2^53 numbers of a sweep coincide", ge=0, le=2**53, default=0)
 
     @model_validator(mode="after")
     def _one_step(self) -> Self:
         if self.accuracy is not None and self.march.step_s is not None:
             raise ValueError("give either accuracy or march.step_s, and not both")
+        return self
+
+    @model_validator(mode="after")
+    def _recorded_in_time(self) -> Self:
+        limit, window = self.march.limit_s, self.record.wall_force_window_s
+        if window is not None and window > limit:
+            raise ValueError(f"record.wall_force_window_s = {window:g} must not be longer than march.limit_s = {limit:g}")
+        for time in self.record.snapshots_s:
+            if time > limit:
+                raise ValueError(f"record.snapshots_s = {time:g} lies beyond march.limit_s = {limit:g}")
+        if len(set(self.record.snapshots_s)) < len(self.record.snapshots_s):
+            raise ValueError("record.snapshots_s names a time twice")
         return self
 
     @model_validator(mode="after")

@@ -27,11 +27,18 @@ class Touch(NamedTuple):
 
 @dataclass(frozen=True)
 class Given:
-    """What a contact's coefficients are made from: the fields of its section in a scene, radius (m), density (kg/m3)."""
+    """What a contact's coefficients are made from: the fields of its section in a scene, radius (m), density (kg/m3).
+
+    normal: the law of its normal force; wall: whether the other body is a wall; uneven: whether the discs differ in size, so
+    that dashpots have to follow the masses of each pair.
+    """
 
     fields: Mapping[str, Any]
     radius: float
     density: float
+    normal: "NormalLaw"
+    wall: bool = False
+    uneven: bool = False
 
     def __getitem__(self, field: str) -> Any:
         if field not in self.fields:
@@ -186,13 +193,17 @@ class Law(Row):
 
 @dataclass(frozen=True, kw_only=True)
 class NormalLaw(Law):
-    """law(overlap, closing speed, touch, c) -> elastic and total force (N/m); energy(overlap, c) -> J/m."""
+    """law(overlap, closing speed, touch, c) -> elastic and total force (N/m); energy(overlap, c) -> J/m.
+
+    damped(restitution) -> dashpot over 2 sqrt(m K), m the reduced mass; None where no restitution holds at every speed.
+    """
 
     unit: ClassVar[str] = "N m-1"
 
     energy: Callable
     linear: bool = False  # whether the elastic force is proportional to the overlap
     one_size: bool = False  # whether its coefficients hold for discs of one size alone
+    damped: Callable[[float], float] | None = None
 
     @property
     def compiled(self) -> dict[str, Callable]:

@@ -12,7 +12,7 @@ from silostudy.contact.curve import PRINTED_CONSTANTS, secant
 from silostudy.contact.family import Coefficient, Given
 
 STIFFNESS = ("normal_stiffness_N_m2", "line_contact")  # fields of which one is given
-DAMPING = ("normal_damping_N_s_m2", "damping_ratio")
+DAMPING = ("normal_damping_N_s_m2", "damping_ratio", "restitution")
 RATIO = ("stiffness_ratio",)
 
 
@@ -27,10 +27,24 @@ def normal_stiffness(given: Given) -> float:
 
 
 def normal_damping(given: Given) -> float:
-    """Normal dashpot (N s/m per m): the scene's own, or its ratio to the critical one of a disc's mass and stiffness."""
+    """Normal dashpot (N s/m per m): the scene's own, or of equal discs its ratio to the critical one of their mass."""
     direct, ratio = given["normal_damping_N_s_m2"], given["damping_ratio"] or 0.0
+    if direct is not None or given.uneven:
+        return direct or 0.0
     mass = given.density * pi * given.radius**2
-    return direct if direct is not None else 2.0 * ratio * sqrt(mass * normal_stiffness(given))
+    return 2.0 * ratio * sqrt(mass * normal_stiffness(given))
+
+
+def normal_damping_root(given: Given) -> float:
+    """Normal dashpot by the root of the reduced mass: for a restitution, and for a damping ratio of discs of several sizes.
+
+    A damping ratio is of a disc's mass: the reduced one at a wall, and twice the reduced one between discs.
+    """
+    restitution, ratio = given["restitution"], given["damping_ratio"] if given.uneven else None
+    if restitution is not None:
+        assert given.normal.damped is not None  # the configuration asks
+        return 2.0 * given.normal.damped(restitution) * sqrt(normal_stiffness(given))
+    return 2.0 * (ratio or 0.0) * sqrt(normal_stiffness(given) * (1.0 if given.wall else 2.0))
 
 
 def tangential_stiffness(given: Given) -> float:
@@ -43,19 +57,25 @@ def tangential_damping(given: Given) -> float:
     return normal_damping(given) * sqrt(given["stiffness_ratio"])
 
 
+def tangential_damping_root(given: Given) -> float:
+    """Tangential dashpot by the root of the reduced mass: the normal one by the root of the ratio of stiffnesses."""
+    return normal_damping_root(given) * sqrt(given["stiffness_ratio"])
+
+
 def friction(given: Given) -> float:
     """Coefficient of sliding friction (1)."""
     return given["sliding_friction"]
 
 
-def nothing(given: Given) -> float:
-    """Zero: no field of a scene gives it yet."""
-    return 0.0
-
-
 DASHPOT = (
     Coefficient(name="normal_damping", unit="N s m-2", fields=(DAMPING,), prepare=normal_damping, damping_power=1.0),
-    Coefficient(name="normal_damping_root", unit="N s m-2 (kg m-1)-1/2", prepare=nothing, damping_power=1.0),
+    Coefficient(
+        name="normal_damping_root",
+        unit="N s m-2 (kg m-1)-1/2",
+        fields=(DAMPING,),
+        prepare=normal_damping_root,
+        damping_power=1.0,
+    ),
 )
 NORMAL = (
     Coefficient(
@@ -71,7 +91,13 @@ DRAG = (
         prepare=tangential_damping,
         damping_power=1.0,
     ),
-    Coefficient(name="tangential_damping_root", unit="N s m-2 (kg m-1)-1/2", prepare=nothing, damping_power=1.0),
+    Coefficient(
+        name="tangential_damping_root",
+        unit="N s m-2 (kg m-1)-1/2",
+        fields=(DAMPING, RATIO),
+        prepare=tangential_damping_root,
+        damping_power=1.0,
+    ),
 )
 FRICTION = Coefficient(name="sliding_friction", unit="1", fields=(("sliding_friction",),), prepare=friction)
 SLIDER = (
@@ -111,7 +137,13 @@ def implicit_damping(touch, c, moved=1.0):
 
 
 @register_jitable
+def pressing(normal):
+    """The part of a normal force (N/m) that friction takes: none of one that pulls."""
+    return normal if normal > 0.0 else 0.0
+
+
+@register_jitable
 def clamp(value, cap):
-    """value held between -cap and +cap."""
+    """value held between -cap and +cap, cap being zero or more."""
     low = value if value > -cap else -cap
     return low if low < cap else cap

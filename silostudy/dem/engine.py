@@ -10,7 +10,7 @@ from silostudy.dem.kernel import kernel
 from silostudy.dem.lanes import U, V, W, X, Y
 from silostudy.dem.ledger import empty
 from silostudy.dem.model import Model
-from silostudy.dem.neighbours import KEPT_PAIRS, KEPT_WALLS, harvest
+from silostudy.dem.neighbours import GHOSTS, KEPT_PAIRS, KEPT_WALLS, harvest
 from silostudy.dem.part import Part
 from silostudy.dem.sweep import EXPLODED, FRESH, REMEMBERED, SHORT_OF_ROOM, STALE
 from silostudy.dem.walls import cells_of, shape_of
@@ -175,6 +175,13 @@ class Engine:
                     part.grow()
                     self.said[part.number] = REMEMBERED
             self._widen_record()
+
+    def list_contacts(self) -> None:
+        """Have the lists made without a step, and the threads' copies of each other's discs stand where those are."""
+        self.step_to(self.step)
+        for part in self.parts:
+            ghosts = part.scratch.ghost[: part.scratch.counts[GHOSTS]]
+            self.discs.rows[self.base(part) :][: len(ghosts), : W + 1] = self.discs.rows[ghosts, : W + 1]
 
     def _widen_record(self) -> None:
         self.ledger = self._ledger()

@@ -1,6 +1,10 @@
 """The energy ledger: where the energy of a scene is, and where it went, booked contact by contact at every step.
 
-Kinetic + potential + elastic + dashpots + sliding + carried out = start + worked in by the base + created by the step.
+Kinetic + potential + elastic + dashpots + sliding + carried out
+= start + worked in by the base + by changes of gravity + created by the step.
+Sliding is the work of friction at contacts that slip, and what springs held when their contact opened; a dashpot of a
+contact that slips is part of that friction, and only where the contact sticks is its loss the dashpots'.
+Carried out is what discs that are gone had, and the springs of contacts with a disc or a wall that was taken away.
 `created` is what the finite step itself adds or takes (work of the elastic forces over a step less the energy they
 lose); it is booked from its own definition, so the balance is a check of every force, torque and move.
 """
@@ -15,15 +19,17 @@ from silostudy.dem.force import gather_pass, response
 from silostudy.dem.integrate import INTEGRATORS
 from silostudy.dem.lanes import FX, FY, TORQUE, U, V, W, X, Y
 
-ENTRIES = ("kinetic", "potential", "elastic", "dashpot", "sliding", "carried_out", "base", "created")
-KINETIC, POTENTIAL, ELASTIC, DASHPOT, SLIDING, CARRIED_OUT, BASE, CREATED, WORK, BRAKING, SHAKING, BEGUN, TURNOVER = range(13)
+ENTRIES = ("kinetic", "potential", "elastic", "dashpot", "sliding", "carried_out", "base", "gravity", "created")
+KINETIC, POTENTIAL, ELASTIC, DASHPOT, SLIDING, CARRIED_OUT, BASE, GRAVITY, CREATED = range(len(ENTRIES))
+WORK, BRAKING, RUBBING, SHAKING, BEGUN, TURNOVER = range(len(ENTRIES), len(ENTRIES) + 6)
+NO_LIMIT = 1e200  # N/m: a normal force under which nothing slips
 
 
 def empty(rows: np.ndarray, room: int, wall_room: int) -> Ledger:
     """A ledger for this many contacts, nothing booked; no room at all where the scene asks for none."""
     asked = room > 0
     return Ledger(
-        account=np.zeros(13),
+        account=np.zeros(TURNOVER + 1),
         mean=aligned(*(rows.shape if asked else (0, 8))),
         lanes=aligned(6, LANES if asked else 0),
         pair_stored=np.zeros(room),
@@ -36,7 +42,7 @@ def empty(rows: np.ndarray, room: int, wall_room: int) -> Ledger:
 def balance(account: np.ndarray) -> float:
     """Sum (J/m) that stays what it was at the start."""
     held = account[[KINETIC, POTENTIAL, ELASTIC, DASHPOT, SLIDING, CARRIED_OUT]].sum()
-    return float(held - account[BASE] - account[CREATED])
+    return float(held - account[[BASE, GRAVITY, CREATED]].sum())
 
 
 def carry_out(engine, gone: np.ndarray) -> None:
@@ -49,6 +55,19 @@ def carry_out(engine, gone: np.ndarray) -> None:
     account[CARRIED_OUT] += kinetic + potential
     account[POTENTIAL] -= potential
     account[KINETIC] -= kinetic
+
+
+def take_springs(engine, energy: float) -> None:
+    """Book the elastic energy (J/m) of contacts with a body that is taken away."""
+    engine.ledger.account[CARRIED_OUT] += energy
+    engine.ledger.account[ELASTIC] -= energy
+
+
+def change_gravity(engine, gravity: tuple[float, float]) -> None:
+    """Book what another gravity (m/s2) adds to the potential energy of discs where they are."""
+    change = np.subtract(gravity, engine.gravity)
+    work = -float((engine.mass * (engine.discs.rows[: engine.n, [X, Y]] @ change)).sum())
+    engine.ledger.account[[POTENTIAL, GRAVITY]] += work
 
 
 @register_jitable
@@ -76,14 +95,15 @@ def of_slip(trial, held, stiffness):
 
 
 def contact_book(space, laws, *, unequal, flat):
-    """Function that gives elastic energy, sliding loss, power of elastic and of all forces of the contacts of a list."""
+    """Function that gives, of the contacts of a list: elastic energy, loss of springs that slid, power of the elastic
+    forces, and power that dashpots take where contacts stick and where they slip."""
     gathered, facing, rates, answer = gather_pass(space, flat=flat), space.facing, space.rates(unequal), response(laws)
     slide_stiffness, roll_stiffness, cohesion_law = laws.tangential.stiffness, laws.rolling.stiffness, laws.cohesion.law
-    energy, slides, rolls = laws.normal.energy, laws.slides, laws.rolls
+    energy, slides, rolls, tangential_law = laws.normal.energy, laws.slides, laws.rolls, laws.tangential.law
 
     @piece(space, laws, unequal, flat)
     def book(rows, ledger, contacts, shape, count, old_stored, old_rolled, dt, c, lanes):
-        elastic_energy = slid = elastic_power = power = 0.0
+        elastic_energy = slid = elastic_power = braking = rubbing = 0.0
         a, b, m = contacts.arm[0], contacts.other[0], contacts.mass[0]
         for start in range(0, count, LANES):
             many = min(LANES, count - start)
@@ -112,9 +132,19 @@ def contact_book(space, laws, *, unequal, flat):
                     elastic_energy += of_spring(moment, roll_spring)
                     slid += of_slip(turned - roll_spring * dt * rolling, moment, roll_spring)
                 nearing, along, turning = rates(ledger.lanes, k, normal, a, b)  # on average over the step
-                elastic_power += (pull - elastic) * nearing + held * along + moment * turning
-                power += (pull - push) * nearing + drag * along + moment * turning
-        return elastic_energy, slid, elastic_power, power
+                elastic_power += (pull - elastic) * nearing + held * along
+                braking += (push - elastic) * nearing
+                if rolls:
+                    elastic_power += moment * turning
+                else:
+                    braking -= moment * turning
+                lost = (held - drag) * along
+                _, unlimited = tangential_law(stored, sliding, touch, NO_LIMIT, NO_LIMIT, c[1])
+                if drag != unlimited or (drag == 0.0 and held != 0.0):  # a coefficient of zero slips at any force
+                    rubbing += lost
+                else:
+                    braking += lost
+        return elastic_energy, slid, elastic_power, braking, rubbing
 
     return book
 
@@ -164,11 +194,13 @@ def book_pass(pieces):
             account[CREATED] += account[WORK] + potential - account[POTENTIAL] + elastic - account[ELASTIC] + slid
             account[SLIDING] += slid
             account[DASHPOT] += account[BRAKING]
+            account[SLIDING] += account[RUBBING]
             account[BASE] += account[SHAKING]
             account[TURNOVER] += abs(kinetic - account[KINETIC]) + abs(potential - account[POTENTIAL])
         account[KINETIC], account[POTENTIAL], account[ELASTIC] = kinetic, potential, elastic
         account[WORK] = falling + (pair[2] + wall[2]) * kick  # what the forces will do while the discs move
-        account[BRAKING] = (pair[2] + wall[2] - pair[3] - wall[3]) * kick
+        account[BRAKING] = (pair[3] + wall[3]) * kick
+        account[RUBBING] = (pair[4] + wall[4]) * kick
         account[SHAKING] = shaking
         account[BEGUN] = 1.0
 

@@ -2,62 +2,45 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
-from math import inf
 
 import numpy as np
 
 from silostudy.dem.change import keep_discs, set_friction, swap_walls
 from silostudy.dem.checkpoint import checkpoint, restore
 from silostudy.dem.engine import Engine, Explosion
-from silostudy.dem.lanes import U, V, W, Y
-from silostudy.dem.ledger import ENTRIES, carry_out
-from silostudy.dem.snapshot import pair_contacts, stress, wall_contacts
+from silostudy.dem.events import Event
+from silostudy.dem.lanes import W
+from silostudy.dem.leaving import DISCHARGED, REMOVED, SPILT, WAYS, below, outside, spilt
+from silostudy.dem.ledger import ENTRIES, carry_out, change_gravity, take_springs
+from silostudy.dem.rest import PAPER, Rest
+from silostudy.dem.snapshot import held_energy, pair_contacts, stress, wall_contacts
 from silostudy.errors import BadInput
 
 CHECK_EVERY = 200  # steps between looks at rest, discharge and drop-outs: counted from the start, so chunks do not matter
-REST = 1e-8  # of dt^2 g: mean displacement in a step of a packing at rest, Kiyama & Fujimura (1983), note 3
-TRIGGERS = ("time", "after", "rest", "discharged")
-ACTIONS = ("open", "remove", "gravity", "friction", "stop")
-
-
-@dataclass(frozen=True)
-class Event:
-    """One event: it waits for its turn, then for its trigger, then acts.
-
-    trigger: time (s from the start), after (s from the event before), rest, discharged (share of the mass).
-    action: open (wall, walls that replace it), remove (label or x, y), gravity (x, y), friction (pair, wall), stop.
-    """
-
-    trigger: str
-    value: float
-    action: str
-    what: tuple = ()
-
-    def __post_init__(self):
-        if self.trigger not in TRIGGERS:
-            raise BadInput("trigger", self.trigger, f"unknown; known: {', '.join(TRIGGERS)}")
-        if self.action not in ACTIONS:
-            raise BadInput("action", self.action, f"unknown; known: {', '.join(ACTIONS)}")
 
 
 @dataclass
 class Recording:
     """What a run has recorded: windows of wall forces, discharge, snapshots, the events that happened."""
 
-    window_time: list[float] = field(default_factory=list)  # s, end of each window
+    window_time: list[float] = field(default_factory=list)  # s, end of each window; the last may be shorter
     window: list[np.ndarray] = field(default_factory=list)  # (cells, 2, 3): mean, least, largest
     energy: list[np.ndarray] = field(default_factory=list)  # J/m, entries of the ledger, with each window
     discharge_time: list[float] = field(default_factory=list)
     discharged: list[float] = field(default_factory=list)  # kg/m
+    left: dict[str, int] = field(default_factory=lambda: dict.fromkeys(WAYS, 0))  # discs that are gone, by their way
+    lost: dict[str, float] = field(default_factory=lambda: dict.fromkeys(WAYS, 0.0))  # their mass, kg/m
     snapshots: list[dict[str, np.ndarray]] = field(default_factory=list)
     happened: list[tuple[float, str, str]] = field(default_factory=list)  # time, trigger, action
     explosion: Explosion | None = None
+    waiting: Event | None = None  # what the time limit came before
 
 
 class Run:
     """Carries an engine through events until a stop, or at most to a time limit (s).
 
     window: steps over which wall forces are gathered, snapshots: steps at which contacts are read; both off by default.
+    rest: what the trigger `rest` waits for.
     """
 
     def __init__(
@@ -69,34 +52,64 @@ class Run:
         window: int = 0,
         snapshots: tuple[int, ...] = (),
         stress_edges: tuple[np.ndarray, np.ndarray] | None = None,
+        rest: Rest = PAPER,
     ):
         if not events or events[-1].action != "stop":
             raise BadInput("events", [event.action for event in events], "the last event must be a stop")
         self.engine, self.events, self.window, self.snapshots = engine, events, window, snapshots
-        self.stress_edges = stress_edges
+        self.stress_edges, self.rest = stress_edges, rest
         self.recording, self.last = Recording(), round(limit / engine.model.dt)
-        self.next_event, self.since, self.dropped = 0, 0, 0.0
+        self.next_event, self.since, self.opened = 0, 0, engine.step
         self.full = float(engine.model.mass.sum())
-        self.floor = min(min(wall.start[1], wall.end[1]) for wall in engine.model.walls) if engine.model.walls else -inf
+        (self.left, self.floor), (self.right, _) = outside(engine.model)
 
     @property
     def done(self) -> bool:
-        """Whether the stop has happened or a disc ran away."""
-        return self.next_event == len(self.events) or self.recording.explosion is not None
+        """Whether the stop has happened, the time limit came, or a disc ran away."""
+        record = self.recording
+        return self.next_event == len(self.events) or record.waiting is not None or record.explosion is not None
+
+    @property
+    def dropped(self) -> float:
+        """Mass (kg/m) that has left through the opening."""
+        return self.recording.lost[DISCHARGED]
 
     def go(self, *, until: int | None = None, tell: Callable[[int], None] = lambda step: None) -> Recording:
         """Run to the stop, or to `until` steps; `tell` hears the step now and then."""
-        if self.engine.step == 0:
-            self._act_where_due()
-        while not self.done and (until is None or self.engine.step < until):
-            try:
+        try:
+            if self.engine.step == 0:
+                self._begin()
+            while not self.done and (until is None or self.engine.step < until):
                 self.engine.step_to(self._next_stop(until))
-            except Explosion as explosion:
-                self.recording.explosion = explosion
-                break
-            self._look()
-            tell(self.engine.step)
+                self._look()
+                tell(self.engine.step)
+        except Explosion as explosion:
+            self.recording.explosion = explosion
+        if self.done and not self.recording.explosion:
+            self._close_window()
         return self.recording
+
+    def _begin(self) -> None:
+        """A snapshot of the start, where one is asked for, and the events that are due at once."""
+        if 0 in self.snapshots and not self.recording.snapshots:
+            self.recording.snapshots.append(self.snapshot())
+        self._act_where_due()
+
+    @property
+    def trouble(self) -> str:
+        """Why the run did not come to its stop; empty where it did."""
+        if self.recording.explosion is not None:
+            return str(self.recording.explosion)
+        event = self.recording.waiting
+        return f"the time limit came before the event `{event}`: {self._standing(event)}" if event else ""
+
+    def _standing(self, event: Event) -> str:
+        """How far an event is from its trigger."""
+        if event.trigger == "rest":
+            return f"{self.rest.criterion.measure(self.engine):.3g}, to be at rest: {self.rest}"
+        if event.trigger == "discharged":
+            return f"a share of {self.dropped / self.full:.3g} has left"
+        return f"due at {self._due() * self.engine.model.dt:.6g} s"
 
     def insert(self, event: Event) -> None:
         """Put an event before the one that the run waits for."""
@@ -128,7 +141,7 @@ class Run:
         self._act_where_due()
         if step >= self.last and not self.done:
             self.recording.happened.append((self.engine.time, "limit", "stop"))
-            self.next_event = len(self.events)
+            self.recording.waiting = self.events[self.next_event]
 
     def _act_where_due(self) -> None:
         while not self.done and self._triggered(self.events[self.next_event]):
@@ -139,77 +152,92 @@ class Run:
             return self.engine.step >= self._due()
         if self.engine.step % CHECK_EVERY or not self.engine.step:  # discs that have not moved yet are not at rest
             return False
-        return self.at_rest() if event.trigger == "rest" else self.dropped >= event.value * self.full
-
-    def at_rest(self) -> bool:
-        """Whether the mean displacement of a step is below the paper's limit in both directions."""
-        dt = self.engine.model.dt
-        limit = REST * dt * dt * float(np.hypot(*self.engine.gravity))
-        return all(np.abs(self.engine.column(lane)).mean() * dt < limit for lane in (U, V))
+        return self.rest.holds(self.engine) if event.trigger == "rest" else self.dropped >= event.value * self.full
 
     def _act(self, event: Event) -> None:
-        if event.action == "open":
-            swap_walls(self.engine, event.what[0], event.what[1:])
-        elif event.action == "remove":
-            kept = np.ones(self.engine.n, bool)
-            kept[self._disc(event.what)] = False
-            self._take_out(kept)
-        elif event.action == "gravity":
-            self.engine.gravity = (float(event.what[0]), float(event.what[1]))
-        elif event.action == "friction":
-            set_friction(self.engine, pair=event.what[0], wall=event.what[1])
-        self.recording.happened.append((self.engine.time, event.trigger, event.action))
-        self.since = self.engine.step
+        engine, action = self.engine, event.action
+        if action == "open":
+            self._take_away(lambda: swap_walls(engine, event.what[0], event.what[1:]))
+        elif action == "remove":
+            action = self._remove(event.what)
+        elif action == "gravity":
+            gravity = float(event.what[0]), float(event.what[1])
+            change_gravity(engine, gravity)
+            engine.gravity = gravity
+        elif action == "friction":
+            set_friction(engine, pair=event.what[0], wall=event.what[1])
+        self.recording.happened.append((engine.time, event.trigger, action))
+        self.since = engine.step
         self.next_event += 1
 
-    def _disc(self, what: tuple) -> int:
-        """The engine's number of a disc given by its label, or by a place (m) that it is nearest to."""
+    def _remove(self, what: tuple) -> str:
+        """Take a disc out; says what happened, which is nothing where the disc has left before."""
+        disc = self._disc(what)
+        if disc is None:
+            return "remove nothing: the disc had left"
+        gone = np.arange(self.engine.n) == disc
+        self._take_away(lambda: self._take_out(gone, REMOVED))
+        return "remove"
+
+    def _take_away(self, change: Callable[[], None]) -> None:
+        """Make a change, and book the springs of the contacts that it ends."""
+        if not self.engine.model.booked:
+            change()
+            return
+        before = held_energy(self.engine)
+        change()
+        take_springs(self.engine, before - held_energy(self.engine))
+
+    def _disc(self, what: tuple) -> int | None:
+        """The engine's number of a disc given by its label, or by a place (m) that it is nearest to; None: it is gone."""
         if len(what) == 1:
             found = np.flatnonzero(self.engine.labels == what[0])
-            if not len(found):
-                raise BadInput("remove", what[0], "no such disc is left")
-            return int(found[0])
+            return int(found[0]) if len(found) else None
         place = self.engine.discs.rows[: self.engine.n, :2]
-        return int(np.argmin(np.hypot(*(place - np.asarray(what)).T)))
+        return int(np.argmin(np.hypot(*(place - np.asarray(what)).T))) if len(place) else None
 
     def _drop(self) -> None:
         """Count and drop discs wholly below the floor that touch nothing any more."""
-        engine = self.engine
-        below = np.flatnonzero(engine.column(Y) < self.floor - engine.radius)
-        kept = np.ones(engine.n, bool)
-        place, radius = engine.discs.rows[: engine.n, :2], engine.radius
-        for i in below:
-            gap = np.hypot(*(place - place[i]).T) - radius - radius[i]
-            gap[i] = inf
-            kept[i] = bool((gap <= 0.0).any())
-        if not kept.all():
-            self._take_out(kept)
+        gone = below(self.engine, self.floor)
+        beside = gone & spilt(self.engine, self.left, self.right)
+        labels = self.engine.labels.copy()
+        for way, which in ((DISCHARGED, labels[gone & ~beside]), (SPILT, labels[beside])):
+            if len(which):
+                self._take_out(np.isin(self.engine.labels, which), way)
 
-    def _take_out(self, kept: np.ndarray) -> None:
-        self.dropped += float(self.engine.mass[~kept].sum())
-        carry_out(self.engine, ~kept)
-        keep_discs(self.engine, kept)
-        self.recording.discharge_time.append(self.engine.time)
-        self.recording.discharged.append(self.dropped)
+    def _take_out(self, gone: np.ndarray, way: str) -> None:
+        record = self.recording
+        record.left[way] += int(gone.sum())
+        record.lost[way] += float(self.engine.mass[gone].sum())
+        carry_out(self.engine, gone)
+        keep_discs(self.engine, ~gone)
+        if way == DISCHARGED:
+            record.discharge_time.append(self.engine.time)
+            record.discharged.append(self.dropped)
 
     def _close_window(self) -> None:
+        """Keep the window of wall forces up to now, the last of a run also where it is not full."""
+        steps = self.engine.step - self.opened
+        if not self.window or not steps:
+            return
         window = self.engine.record.window.copy()
-        window[:, :, 0] /= self.window
+        window[:, :, 0] /= steps
         self.recording.window_time.append(self.engine.time)
         self.recording.window.append(window)
         self.recording.energy.append(self.engine.ledger.account[: len(ENTRIES)].copy())
         self.engine.clear_window()
+        self.opened = self.engine.step
 
     def checkpoint(self) -> dict:
         """Everything that going on depends on: the engine's arrays, where the events stand, and what was recorded."""
-        stand = {"next_event": self.next_event, "since": self.since, "dropped": self.dropped}
+        stand = {name: getattr(self, name) for name in ("next_event", "since", "opened")}
         return {"engine": checkpoint(self.engine), "stand": stand, "recording": self.recording}
 
     def restore(self, saved: dict) -> None:
         """Go on from a checkpoint of the same scene."""
         restore(self.engine, saved["engine"])
-        self.next_event, self.since = saved["stand"]["next_event"], saved["stand"]["since"]
-        self.dropped, self.recording = saved["stand"]["dropped"], saved["recording"]
+        vars(self).update(saved["stand"])
+        self.recording = saved["recording"]
 
     def snapshot(self) -> dict[str, np.ndarray]:
         """Places, velocities and force chains now."""

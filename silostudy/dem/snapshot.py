@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass
 from functools import cache
+from math import hypot
 
 import numpy as np
 from numba import njit
@@ -11,6 +12,7 @@ from silostudy.dem.cache import named
 from silostudy.dem.cells import OPTIONS
 from silostudy.dem.force import force_pass
 from silostudy.dem.lanes import FORCE_X, FORCE_Y, X, Y
+from silostudy.dem.ledger import of_spring
 from silostudy.dem.pieces import Laws
 from silostudy.dem.plane import Dimension
 from silostudy.dem.walls import nearest
@@ -41,7 +43,7 @@ def reader(space: Dimension, laws: Laws, unequal: bool, flat: bool):
     return njit(**OPTIONS)(named(read, repr((space, laws, unequal, flat))))
 
 
-def _forces(engine, part, laws, contacts, count, flat, c):
+def _forces(engine, laws, contacts, count, flat, c):
     out = np.zeros((4, count))
     lanes = aligned(6, LANES)
     pieces = engine.model.pieces
@@ -53,11 +55,12 @@ def _forces(engine, part, laws, contacts, count, flat, c):
 
 def pair_contacts(engine) -> Contacts:
     """Every touching pair once, in the order of the engine's own numbers, first before second."""
+    engine.list_contacts()
     columns = []
     for part in engine.parts:
         last = engine.blocks_of(part)
         count = int(part.pairs.begin[last + 1])
-        out = _forces(engine, part, engine.model.pair_contact.laws, part.pairs, count, False, engine.contacts[0].ordered)
+        out = _forces(engine, engine.model.pair_contact.laws, part.pairs, count, False, engine.contacts[0].ordered)
         lo, _ = engine.bounds(part.number)
         first, second = (engine.true_number(part, column[:count]) for column in part.pairs[:2])
         touching = ((out[FORCE_X] != 0.0) | (out[FORCE_Y] != 0.0)) & (first >= lo)
@@ -72,10 +75,11 @@ def pair_contacts(engine) -> Contacts:
 
 def wall_contacts(engine) -> Contacts:
     """Every disc that touches a wall, with the number of the wall."""
+    engine.list_contacts()
     columns = []
     for part in engine.parts:
         count = int(part.near.begin[0])
-        out = _forces(engine, part, engine.model.wall_contact.laws, part.near, count, True, engine.contacts[1].ordered)
+        out = _forces(engine, engine.model.wall_contact.laws, part.near, count, True, engine.contacts[1].ordered)
         touching = (out[FORCE_X] != 0.0) | (out[FORCE_Y] != 0.0)
         columns.append(np.vstack([part.near.first[:count], part.near.second[:count], out[:2]])[:, touching])
     first, second, fx, fy = np.hstack(columns)
@@ -84,6 +88,42 @@ def wall_contacts(engine) -> Contacts:
     away = np.array([nearest(engine.walls.shape, wall, *xy)[:2] for wall, xy in zip(q, place, strict=True)])
     x, y = (place - away.reshape(-1, 2)).T
     return Contacts(engine.labels[i], q, x, y, fx, fy)
+
+
+def held_energy(engine) -> float:
+    """Elastic energy (J/m) of all contacts now, in their springs and in their attraction; of one thread's lists."""
+    engine.list_contacts()
+    (part,) = engine.parts
+    place, radius = engine.discs.rows[: engine.n, [X, Y]], engine.radius
+    i, j, *histories = _listed(part.pairs, int(part.pairs.begin[engine.blocks_of(part) + 1]), engine.n)
+    pairs = radius[i] + radius[j] - np.hypot(*(place[i] - place[j]).T)
+    total = _energy(engine.contacts[0], pairs, *histories)
+    i, q, *histories = _listed(part.near, int(part.near.begin[0]), engine.n)
+    away = [hypot(*nearest(engine.walls.shape, wall, *xy)[:2]) for wall, xy in zip(q, place[i], strict=True)]
+    return total + _energy(engine.contacts[1], radius[i] - np.array(away), *histories)
+
+
+def _listed(contacts, count: int, n: int):
+    """First, second, and both histories (zero where none is kept) of a list, without what pads it."""
+    first, second, *histories = (
+        column[:count] for column in (contacts.first, contacts.second, contacts.stored, contacts.rolled)
+    )
+    real = first < n
+    kept = (history if len(history) else np.zeros(count) for history in histories)
+    return [column[real] for column in (first, second, *kept)]
+
+
+def _energy(contact, overlaps, stored, rolled) -> float:
+    """Energy (J/m) of the contacts of a list that touch."""
+    normal, tangential, rolling, cohesion = zip(contact.rows, contact.ordered, strict=True)
+    total = 0.0
+    for depth, held, turned in zip(overlaps, stored, rolled, strict=True):
+        if depth <= 0.0:
+            continue
+        total += normal[0].energy(depth, normal[1]) - cohesion[0].law(cohesion[1]) * depth
+        for (law, c), force in ((tangential, held), (rolling, turned)):
+            total += of_spring(force, law.stiffness(depth, c))
+    return float(total)
 
 
 def stress(engine, edges_x: np.ndarray, edges_y: np.ndarray) -> np.ndarray:

@@ -25,6 +25,7 @@ HALVINGS = 50
 SOFTEST = 1e-3  # of the largest stiffness: a slow mode
 SAFETY = 0.5  # of the bound, when the engine chooses the step: flow makes contacts that the start does not have
 DENSEST = 0.8  # of the bound of six contacts a disc: the most that a start without contacts will come to
+HOPELESS = 1e-4  # of the step that undamped springs bear with an integrator that keeps their energy
 NEAR = 0.05  # of a radius: gaps smaller than this count as contacts, since they close at once
 DEEP = 0.02  # of a radius: the overlap at which a curved law's slope is taken
 
@@ -74,9 +75,40 @@ def chosen_step(model: Model) -> float:
 
     Rounded down to two digits: the last bits of an eigenvalue differ between machines and must not reach the run.
     """
-    step = min(SAFETY * longest_step(model), DENSEST * longest_step(_densest(model)))
+    step = min(SAFETY * standing(model, longest_step(model)), DENSEST * longest_step(_densest(model)))
     unit = 10.0 ** (floor(log10(step)) - 1)
     return float(f"{floor(0.999 * step / unit) * unit:.2g}")
+
+
+def packed_bound(model: Model) -> float:
+    """Longest stable time step (s) of a scene whatever its discs come to: of its start, and of the densest packing."""
+    return standing(model, min(longest_step(model), longest_step(_densest(model))))
+
+
+def standing(model: Model, bound: float) -> float:
+    """The bound (s); BadInput where an integrator that feeds energy into undamped springs leaves next to nothing of it."""
+    plain = 2.0 / sqrt(_extremes(model, _network(model), bound).stiffness)
+    if bound > HOPELESS * plain:
+        return bound
+    springs = ", ".join(_undamped(model)) or "the least damped contact"
+    allowed = f"feeds energy into springs without a dashpot ({springs}): stable up to {bound:.2g} s only; take another, or damp"
+    raise BadInput("march.integrator", model.integrator, allowed)
+
+
+def _undamped(model: Model) -> list[str]:
+    """The springs of a model that have no dashpot: of which contact, which law."""
+    one = np.array([0])
+    return [
+        f"{name} {row.key}"
+        for name, contact, other in (("discs", model.pair_contact, one), ("walls", model.wall_contact, None))
+        for row, k, d in zip(
+            contact.rows[:3],
+            _stiffness(contact, model, one, other, 0.0),
+            _damping(contact, model, one, other, 0.0),
+            strict=True,
+        )
+        if k.any() and not d.any()
+    ]
 
 
 def _densest(model: Model) -> Model:

@@ -7,10 +7,12 @@ import numpy as np
 
 from silostudy.config.contact import ContactConfig
 from silostudy.config.dem import BoxConfig, DemScene, EventConfig
+from silostudy.contact import NO_TANGENTIAL, TANGENTIAL, spring
 from silostudy.contact.family import Given
+from silostudy.dem.events import Event
 from silostudy.dem.model import Contact, Wall
 from silostudy.dem.pieces import Laws
-from silostudy.dem.run import Event
+from silostudy.dem.rest import REST, Rest
 from silostudy.errors import BadInput
 from silostudy.packing import PACKINGS
 from silostudy.scene.plane_silo import FLOOR, HALVES, PlaneSilo
@@ -34,23 +36,70 @@ def plane_silo_of(config: BoxConfig) -> PlaneSilo:
     return PlaneSilo(config.width_m, config.height_m, config.slit_width_m, half_angle, config.lid)
 
 
-def contact_of(config: ContactConfig, radius: float, density: float) -> Contact:
-    """Laws and coefficients in SI, each prepared as its law says."""
-    given = Given(config.model_dump(), radius, density)
+def contact_of(
+    config: ContactConfig, radius: float, density: float, *, wall: bool = False, uneven: bool = False, slippery: bool = False
+) -> Contact:
+    """Laws and coefficients in SI, each prepared as its law says.
+
+    wall: whether of discs and walls; uneven: whether discs differ in size; slippery: whether friction of zero stays so, and
+    its law is left out.
+    """
+    laws = config.laws
+    if slippery and config.sliding_friction == 0.0 and spring.FRICTION in laws["tangential"].coefficients:
+        laws |= {"tangential": TANGENTIAL[NO_TANGENTIAL]}
+    given = Given(config.model_dump(), radius, density, laws["normal"], wall, uneven)
     coefficients: dict[str, float] = {}
-    for law in config.laws.values():
+    for law in laws.values():
         coefficients |= law.prepared(given)
-    return Contact(Laws(**config.laws), coefficients)
+    return Contact(Laws(**laws), coefficients)
 
 
-def events_of(scene: DemScene) -> tuple[Event, ...]:
-    """Events in the engine's words."""
+def contacts_of(scene: DemScene, radii: np.ndarray) -> tuple[Contact, Contact]:
+    """Contacts between discs of these radii (m), and of discs and walls; stiffness and damping of their own radius if equal."""
+    uneven = bool(np.ptp(radii) > 0.0)
+    radius = scene.radius_m if uneven else float(radii[0])
+    changed = [event for event in scene.events if event.do == "set_friction"]
+    rubs = any(event.disc_friction is not None for event in changed), any(event.wall_friction is not None for event in changed)
+    configs = scene.discs, scene.walls or scene.discs
+    between, wall = (
+        contact_of(config, radius, scene.density_kg_m3, wall=at_wall, uneven=uneven, slippery=not rubs[at_wall])
+        for at_wall, config in zip((False, True), configs, strict=True)
+    )
+    return between, wall
+
+
+def events_of(scene: DemScene, where: str = "") -> tuple[Event, ...]:
+    """Events in the engine's words; BadInput for a friction that no law of the scene takes."""
     beside = HALVES if scene.silo.hopper_half_angle_deg is None else ()
     found = []
-    for event in scene.events:
+    for number, event in enumerate(scene.events):
         action, what = _action(event, beside)
+        if action == "friction":
+            _check_friction(scene, what, f"events.{number}", where)
         found.append(Event(event.when, event.value, action, what))
     return tuple(found)
+
+
+def _check_friction(scene: DemScene, what: tuple, key: str, where: str) -> None:
+    for field, value, config in zip(
+        ("disc_friction", "wall_friction"), what, (scene.discs, scene.walls or scene.discs), strict=True
+    ):
+        law = config.laws["tangential"]
+        if value is not None and spring.FRICTION not in law.coefficients:
+            raise BadInput(f"{key}.{field}", value, f"the tangential law {law.key} takes no friction", where)
+
+
+def rest_of(scene: DemScene) -> Rest:
+    """The criterion of rest."""
+    criterion = REST[scene.rest.criterion]
+    return Rest(criterion, criterion.below if scene.rest.below is None else scene.rest.below)
+
+
+def check_events(scene: DemScene, count: int, where: str = "") -> None:
+    """BadInput for an event that takes out a disc that `count` discs do not have."""
+    for number, event in enumerate(scene.events):
+        if event.disc is not None and event.disc >= count:
+            raise BadInput(f"events.{number}.disc", event.disc, f"must be below {count}, the number of discs", where)
 
 
 def _action(event: EventConfig, beside: tuple[str, ...]) -> tuple[str, tuple]:
@@ -65,7 +114,10 @@ def _action(event: EventConfig, beside: tuple[str, ...]) -> tuple[str, tuple]:
 
 
 def check_start(walls: tuple[Wall, ...], x, y, radius, where: str = "") -> None:
-    """BadInput where two discs overlap by more than a tenth of a radius, or a disc's centre lies outside the walls."""
+    """BadInput where two discs overlap by more than a tenth of a radius, or a disc's centre lies outside the walls.
+
+    Above the highest wall is outside too: a disc that falls over a wall is lost to the silo.
+    """
     from scipy.spatial import cKDTree
 
     pairs = cKDTree(np.c_[x, y]).query_pairs(2.0 * radius.max(), output_type="ndarray").reshape(-1, 2)
@@ -82,19 +134,31 @@ def check_start(walls: tuple[Wall, ...], x, y, radius, where: str = "") -> None:
         out = np.flatnonzero((along >= 0.0) & (along <= length) & (inside < (1.0 - DEEPEST) * radius) & wall.live)
         if len(out):
             raise BadInput("packing", f"disc {out[0]}", f"starts in or beyond the wall {wall.name}", where)
+    ends = np.array([end for wall in walls for end in (wall.start, wall.end)])
+    (left, low), (right, high) = ends.min(axis=0), ends.max(axis=0)
+    out = np.flatnonzero((x < left) | (x > right) | (y < low) | (y > high))
+    if len(out):
+        worst = out[np.argmax(y[out])]
+        place = f"starts at x {x[worst]:.4g} m, y {y[worst]:.4g} m, outside walls from x {left:.4g} to {right:.4g} m and y "
+        raise BadInput("packing", f"disc {worst}", f"{place}{low:.4g} to {high:.4g} m", where)
+
+
+def _law(name: str, family: str, contacts: dict[str, Contact]) -> Effect:
+    """The effect of a family of laws, which discs or walls or both may call for."""
+    rows = {where: getattr(contact.laws, family) for where, contact in contacts.items()}
+    said = ", ".join(f"{where}.{family}: {row.key}" for where, row in rows.items())
+    return Effect(name, any(row.acts for row in rows.values()), said)
 
 
 def effects(scene: DemScene) -> tuple[Effect, ...]:
     """Every effect the engine knows: whether this scene calls for it, and the key that says so."""
-    walls = scene.walls or scene.discs
-    laws, sliding = scene.discs.laws, (scene.discs.laws["tangential"], walls.laws["tangential"])
-    slides = {"discs": scene.discs.tangential, "walls": walls.tangential}
+    contacts = dict(zip(("discs", "walls"), contacts_of(scene, np.array([scene.radius_m])), strict=True))
     uneven = PACKINGS[scene.packing.kind].uneven(scene.packing)
     record = scene.record
     return (
-        Effect("friction, rotation, history", any(law.acts for law in sliding), f"tangential: {slides}"),
-        Effect("rolling resistance", laws["rolling"].acts, f"discs.rolling: {scene.discs.rolling}"),
-        Effect("cohesion", laws["cohesion"].acts, f"discs.cohesion: {scene.discs.cohesion}"),
+        _law("friction, rotation, history", "tangential", contacts),
+        _law("rolling resistance", "rolling", contacts),
+        _law("cohesion", "cohesion", contacts),
         Effect("discs of several sizes", uneven, f"packing.kind: {scene.packing.kind}"),
         Effect("shaking", scene.quake is not None, "quake"),
         Effect("wall forces every step", record.wall_force_window_s is not None, "record.wall_force_window_s"),

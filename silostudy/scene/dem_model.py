@@ -4,10 +4,10 @@ from dataclasses import replace
 
 from silostudy.config.dem import DemScene
 from silostudy.dem.model import Model
-from silostudy.dem.stability import chosen_step, longest_step
+from silostudy.dem.stability import chosen_step, packed_bound
 from silostudy.errors import BadInput
 from silostudy.packing import PACKINGS
-from silostudy.scene.dem import check_start, contact_of, plane_silo_of
+from silostudy.scene.dem import check_events, check_start, contacts_of, plane_silo_of
 
 
 def placed(scene: DemScene):
@@ -23,7 +23,8 @@ def unshaken_scene_model(scene: DemScene, discs, where: str = "") -> Model:
     assert integrator is not None, "march.integrator is not chosen yet"
     walls, (x, y, radius) = plane_silo_of(scene.silo).walls(scene.silo.wall_cells), discs
     check_start(walls, x, y, radius, where)
-    contacts = [contact_of(config, scene.radius_m, scene.density_kg_m3) for config in (scene.discs, scene.walls or scene.discs)]
+    check_events(scene, len(x), where)
+    contacts = contacts_of(scene, radius)
     model = Model(
         x=x, y=y, radius=radius, density=scene.density_kg_m3, walls=walls, pair_contact=contacts[0], wall_contact=contacts[1],
         dt=scene.march.step_s or 1.0, gravity=scene.gravity_m_s2, integrator=integrator,
@@ -36,8 +37,8 @@ def _step(scene: DemScene, model: Model, where: str) -> float:
     if scene.march.step_s is None:
         assert scene.march.step_factor is not None, "march.step_factor is not chosen yet"
         return scene.march.step_factor * chosen_step(model)
-    bound = longest_step(model)
+    bound = packed_bound(model)
     if scene.march.step_s > bound and not scene.march.beyond_stability:
-        allowed = f"beyond the stability bound {bound:.4g} s; shorten it, or set march.beyond_stability"
+        allowed = f"beyond the stability bound {bound:.4g} s of its densest packing; shorten it, or set march.beyond_stability"
         raise BadInput("march.step_s", scene.march.step_s, allowed, where)
     return scene.march.step_s

@@ -53,7 +53,7 @@ def stability_builder(study: StabilityStudy, folder: Path, where: str) -> Callab
 def calmed(discs: ContactConfig) -> ContactConfig:
     """The same contact with explicit dashpots of CALMING; the spring of a slider is the same in all of them."""
     laws = {family: law.at_rest for family, law in discs.laws.items()}
-    return discs.model_copy(update={**laws, "normal_damping_N_s_m2": None, "damping_ratio": CALMING})
+    return discs.model_copy(update={**laws, "normal_damping_N_s_m2": None, "restitution": None, "damping_ratio": CALMING})
 
 
 def resting_discs_model(config: StabilityScene) -> Model:

@@ -7,8 +7,9 @@ import pytest
 
 from silostudy.dem.arrays import LANES
 from silostudy.dem.engine import Engine, Explosion
+from silostudy.dem.events import Event
 from silostudy.dem.model import Wall
-from silostudy.dem.run import Event, Run
+from silostudy.dem.run import Run
 from silostudy.dem.stability import longest_step
 from silostudy.errors import BadInput
 from silostudy.packing import PACKINGS

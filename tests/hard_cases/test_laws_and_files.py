@@ -12,9 +12,9 @@ from silostudy.contact import NORMAL, TANGENTIAL, curve
 from silostudy.contact.family import Touch
 from silostudy.cube.io import read, write
 from silostudy.cube.variables import attributes as of_the_contract
+from silostudy.dem.events import Event
 from silostudy.dem.model import Contact
 from silostudy.dem.pieces import Laws
-from silostudy.dem.run import Event
 from silostudy.errors import BadInput
 from silostudy.files import replacing
 from silostudy.packing import PACKINGS

@@ -4,9 +4,10 @@ import numpy as np
 import pytest
 
 from silostudy.dem.engine import Engine
+from silostudy.dem.events import Event
 from silostudy.dem.ledger import CARRIED_OUT, CREATED, DASHPOT, KINETIC, SLIDING, TURNOVER, balance
 from silostudy.dem.pieces import Laws
-from silostudy.dem.run import Event, Run
+from silostudy.dem.run import Run
 
 from .scenes import box, contact, free, rows, silo
 

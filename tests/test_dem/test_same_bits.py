@@ -7,7 +7,8 @@ import pytest
 
 from silostudy.dem.checkpoint import checkpoint, restore
 from silostudy.dem.engine import Engine
-from silostudy.dem.run import Event, Run
+from silostudy.dem.events import Event
+from silostudy.dem.run import Run
 
 from .scenes import rows, silo
 

@@ -19,7 +19,8 @@ from silostudy.config.dem import DemScene, QuakeConfig
 from silostudy.config.load import validated
 from silostudy.cube.io import read, write
 from silostudy.dem.engine import Engine
-from silostudy.dem.run import Event, Run
+from silostudy.dem.events import Event
+from silostudy.dem.run import Run
 from silostudy.dem.stability import longest_step
 from silostudy.errors import BadInput
 from silostudy.scene.dem import effects
@@ -84,7 +85,8 @@ def test_the_cube_holds_what_was_asked(small, tmp_path):
 
 def test_the_stress_carries_the_weight():
     """At rest the vertical stress at the floor, times its area, is near the floor's force."""
-    scene = scene_of(events=[{"when": "rest", "do": "stop"}], march__limit_s=3.0, record__snapshots_s=[1.2])
+    stop = {"events": [{"when": "rest", "do": "stop"}], "rest": {"criterion": "displacement"}}
+    scene = scene_of(**stop, march__limit_s=3.0, record__snapshots_s=[1.2])
     run = carried(scene)
     (snapshot,) = run.recording.snapshots
     floor = snapshot["walls"][snapshot["walls"][:, 1] == 0][:, 5].sum()

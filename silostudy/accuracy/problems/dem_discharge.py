@@ -6,8 +6,9 @@ import numpy as np
 
 from silostudy.accuracy.silo import OPEN, STEP, silo_of_rows, softened
 from silostudy.dem.engine import Engine
+from silostudy.dem.events import Event
 from silostudy.dem.integrate import PLAIN, SMOOTHED, VERLET
-from silostudy.dem.run import Event, Run
+from silostudy.dem.run import Run
 from silostudy.dem.walls import sums_by_wall
 from silostudy.scene.plane_silo import SIDES
 

@@ -4,7 +4,7 @@ from math import sqrt
 
 from numba.extending import register_jitable
 
-from silostudy.contact import spring
+from silostudy.contact import restitution, spring
 from silostudy.contact.family import NormalLaw
 from silostudy.contact.sources import KIYAMA
 
@@ -33,6 +33,7 @@ ROW = NormalLaw(
     damping=spring.damping,
     coefficients=spring.NORMAL,
     linear=True,
+    damped=restitution.ratio_where_cut,
     dissipates=("dashpot",),
     measured=True,
 )

@@ -4,7 +4,7 @@ from math import sqrt
 
 from numba.extending import register_jitable
 
-from silostudy.contact import spring
+from silostudy.contact import restitution, spring
 from silostudy.contact.family import NormalLaw
 from silostudy.contact.normal import spring_dashpot
 from silostudy.contact.sources import KIYAMA
@@ -32,6 +32,7 @@ ROW = NormalLaw(
     damping=spring.damping,
     coefficients=spring.NORMAL,
     linear=True,
+    damped=restitution.ratio_where_pulled,
     dissipates=("dashpot",),
     explicit_key=spring_dashpot.ROW.key,
 )

@@ -13,10 +13,11 @@ from silostudy.contact.tangential import spring_slider
 def law(stored, sliding, touch, elastic, normal, c):
     """Stored and total tangential force (N/m); spring and dashpot together stay below friction times normal force.
 
-    Cundall & Strack (1979), slip check of the law FORD; c = (stiffness, damping, damping by root of mass, friction).
+    Cundall & Strack (1979), slip check of the law FORD, where a dashpot that pulls leaves nothing to rub;
+    c = (stiffness, damping, damping by root of mass, friction).
     """
     dashpot = -(c[1] + c[2] * sqrt(touch.mass)) * sliding
-    total = spring.clamp(stored - c[0] * touch.dt * sliding + dashpot, c[3] * normal)
+    total = spring.clamp(stored - c[0] * touch.dt * sliding + dashpot, c[3] * spring.pressing(normal))
     return total - dashpot, total
 
 

@@ -11,11 +11,11 @@ from silostudy.contact.family import TangentialLaw
 
 @register_jitable
 def law(stored, sliding, touch, elastic, normal, c):
-    """Tangential force (N/m) of a dashpot capped by friction times the normal force; nothing is stored.
+    """Tangential force (N/m) of a dashpot capped by friction times the normal force that presses; nothing is stored.
 
     Haff & Werner (1986); c = (damping, damping by root of mass, friction).
     """
-    return 0.0, spring.clamp(-(c[0] + c[1] * sqrt(touch.mass)) * sliding, c[2] * normal)
+    return 0.0, spring.clamp(-(c[0] + c[1] * sqrt(touch.mass)) * sliding, c[2] * spring.pressing(normal))
 
 
 def damping(touch, c):
