@@ -26,10 +26,10 @@ MAY_IMPORT = {
     "contact": set(),
     "packing": set(),
     "dem": {"contact", "packing"},
-    "config": {"tables", "pressure", "buckling", "contact", "dem"},
+    "config": {"tables", "pressure", "buckling", "contact", "dem", "packing"},
     "scene": {"config", "tables", "pressure", "seismic", "contact", "packing", "dem"},
     "cube": {"tables"},
-    "choice": {"scene", "config", "contact", "tables", "pressure", "seismic"},
+    "choice": {"scene", "config", "contact", "packing", "tables", "pressure", "seismic"},
     "compute": {"choice", "scene", "config", "tables", "pressure", "buckling", "seismic", "cube", "contact", "packing", "dem"},
     "sweep": {"compute", "choice", "scene", "config", "cube"},
     "accuracy": {
