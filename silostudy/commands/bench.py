@@ -71,7 +71,7 @@ def _measure(row) -> dict:
 EXTRA = {
     "unit_weight_lower": 7000.0,
     "slot": 0.0,
-    "circular": 1.0,
+    "sets_capped": 1.0,
     "repose_angle": 0.6,
     "a_phi": 1.12,
     "a_K": 1.11,

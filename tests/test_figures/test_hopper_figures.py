@@ -39,7 +39,7 @@ BIN = {
             "plan": "circular",
             "diameter_m": 4.0,
             "cylinder_depth_m": 10.0,
-            "hopper": {"half_angle_deg": 18.0, "outlet_width_m": 0.5, "wall": "d1"},
+            "hopper": {"half_angle_deg": 18.0, "outlet_width_m": 0.5, "wall": "d2"},
         },
         "solid": "wheat_e1",
         "wall": "d2",
