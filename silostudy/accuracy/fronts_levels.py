@@ -13,7 +13,7 @@ from silostudy.accuracy.trial import Trial, cpu_seconds, front_row
 from silostudy.choice.expand import expand
 from silostudy.choice.pressure import LEVELS
 from silostudy.pressure import PRESSURE
-from silostudy.pressure.family import call
+from silostudy.pressure.calls import call
 from silostudy.scene.expand import Expansion
 from silostudy.scene.scene import parameters_of_scenes
 from silostudy.tables.solids import SOLIDS

@@ -14,7 +14,7 @@ from silostudy.accuracy.trial import Trial, cpu_seconds, front_row
 from silostudy.choice.choose import choose
 from silostudy.choice.pressure import spread_number
 from silostudy.pressure import janssen
-from silostudy.pressure.family import call
+from silostudy.pressure.calls import call
 
 POWERS = tuple(range(6, 17))
 MEASURED, UNSEEN, SEEDS, SHARE = 30, 40, 20, 0.95  # solids, other solids, sequences for each; share of them that must meet it

@@ -6,7 +6,7 @@ from math import log
 import numpy as np
 
 from silostudy.pressure import PRESSURE
-from silostudy.pressure.family import call
+from silostudy.pressure.calls import call
 from silostudy.scene.scene import Scene, parameters_of_scenes, solid_parameters
 
 LEVELS = 257  # of the look at each curve

@@ -50,7 +50,7 @@ def run_pressure(chosen) -> None:
 
 def _measure(row) -> dict:
     """Pressures a second of one method's wall pressure: a whole sweep in one call, and the same formula in a loop."""
-    from silostudy.pressure.family import call
+    from silostudy.pressure.calls import call
 
     phase = next(reversed(row.phases))
     function = row.phases[phase]["wall_normal_pressure"]

@@ -5,7 +5,8 @@ from collections.abc import Mapping
 import numpy as np
 
 from silostudy.compute.evaluate import AskedMethod, gather
-from silostudy.pressure.family import ON_HOPPER, USED, USED_FOR, PressureMethod, Quantities, call, parameters_of
+from silostudy.pressure.calls import call, parameters_of
+from silostudy.pressure.family import ON_HOPPER, USED, USED_FOR, PressureMethod, Quantities
 from silostudy.scene.expand import Expansion
 
 INSIDE = "within all limits"

@@ -7,6 +7,7 @@ import numpy as np
 
 from silostudy.cube.variables import flags
 from silostudy.pressure import PRESSURE
+from silostudy.pressure.calls import call, parameters_of
 from silostudy.pressure.family import (
     ABOVE_CONTACT,
     IN_SCOPE,
@@ -17,8 +18,6 @@ from silostudy.pressure.family import (
     QUANTITIES,
     REASONS,
     PressureMethod,
-    call,
-    parameters_of,
 )
 from silostudy.pressure.limits import broken
 from silostudy.scene.expand import Expansion

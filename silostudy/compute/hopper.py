@@ -8,16 +8,8 @@ from silostudy.compute.evaluate import AskedMethod, gather, masked, with_reasons
 from silostudy.config.fields import expand
 from silostudy.cube.variables import attributes
 from silostudy.pressure import hopper_shape, mass_flow
-from silostudy.pressure.family import (
-    HOPPER_QUANTITIES,
-    IN_SCOPE,
-    NO_PHASE,
-    NO_QUANTITY,
-    TOTALS,
-    PressureMethod,
-    call,
-    parameters_of,
-)
+from silostudy.pressure.calls import call, parameters_of
+from silostudy.pressure.family import HOPPER_QUANTITIES, IN_SCOPE, NO_PHASE, NO_QUANTITY, TOTALS, PressureMethod
 from silostudy.pressure.quadrature import hopper_wall_force
 from silostudy.scene.expand import Expansion
 

@@ -21,6 +21,7 @@ from silostudy.compute.evaluate import (
 )
 from silostudy.compute.hopper import hopper_variables, total_variables
 from silostudy.cube.assemble import assemble
+from silostudy.pressure.calls import call
 from silostudy.pressure.family import (
     IN_SCOPE,
     NO_PHASE,
@@ -29,7 +30,6 @@ from silostudy.pressure.family import (
     QUANTITIES,
     USED_FOR,
     USUAL_QUANTITIES,
-    call,
 )
 
 HANDED = ("unit_weight", "internal_friction_angle", "wall_friction", "lateral_pressure_ratio", "poisson_ratio")

@@ -7,7 +7,8 @@ cylinder and r_c as the hydraulic radius (with it the initial state is in vertic
 import numpy as np
 
 from silostudy.pressure import janssen
-from silostudy.pressure.family import CIRCULAR, SLOT, USUAL_PHASES, PressureMethod, asking, first_line, parameters_of
+from silostudy.pressure.calls import asking, first_line, parameters_of
+from silostudy.pressure.family import CIRCULAR, SLOT, USUAL_PHASES, PressureMethod
 from silostudy.pressure.limits import SLENDERNESS, Limit
 
 LEAST_RATIO = 0.35

@@ -1,12 +1,12 @@
 """What a pressure method is: one row that says which quantity it gives in which phase, from which parameters."""
 
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
-from inspect import Parameter, Signature, signature
 
 import numpy as np
 
 from silostudy.catalogue import Row
+from silostudy.pressure.calls import asking, call, first_line, parameters_of
 from silostudy.pressure.limits import Limit, broken
 from silostudy.soundness import faults_of_function, faults_of_look, faults_of_trial
 
@@ -279,28 +279,3 @@ def _tried(function: Callable, place: str | None) -> None:
     with np.errstate(all="ignore"):
         found = call(function, where, usual)
     np.broadcast_to(np.asarray(found, dtype=float), (2, 1) if where is None else where.shape)
-
-
-def parameters_of(function: Callable) -> tuple[str, ...]:
-    """The keyword parameters of a method function, in order (all but the depth z or the height x)."""
-    return tuple(name for name in signature(function).parameters if name not in ("z", "x"))
-
-
-def asking(function: Callable, names: Iterable[str], doc: str, place: str | None = "z") -> Callable:
-    """The function of (place, **parameters) with its parameters and docstring spelled out, as a method's table needs it."""
-    first = [Parameter(place, Parameter.POSITIONAL_OR_KEYWORD)] if place else []
-    keywords = [Parameter(name, Parameter.KEYWORD_ONLY) for name in dict.fromkeys(names)]
-    function.__doc__ = doc
-    setattr(function, "__signature__", Signature([*first, *keywords]))  # noqa: B010
-    return function
-
-
-def first_line(function: Callable) -> str:
-    """What a function gives: the first line of its docstring."""
-    return (function.__doc__ or "").splitlines()[0]
-
-
-def call(function: Callable, place, available: Mapping):
-    """The function at a depth or height (None: it has no place), handed the available parameters that it asks for."""
-    handed = {name: available[name] for name in parameters_of(function)}
-    return function(**handed) if place is None else function(place, **handed)

@@ -2,7 +2,8 @@
 
 from collections.abc import Callable
 
-from silostudy.pressure.family import ANY_PLAN, PressureMethod, Quantities, asking, call, parameters_of
+from silostudy.pressure.calls import asking, call, parameters_of
+from silostudy.pressure.family import ANY_PLAN, PressureMethod, Quantities
 from silostudy.pressure.saturation import saturation, saturation_deficit
 
 

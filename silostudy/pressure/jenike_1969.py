@@ -12,7 +12,8 @@ from collections.abc import Callable
 import numpy as np
 
 from silostudy.pressure import hopper_shape, janssen
-from silostudy.pressure.family import WITH_HOPPER, PressureMethod, asking, call, parameters_of
+from silostudy.pressure.calls import asking, call, parameters_of
+from silostudy.pressure.family import WITH_HOPPER, PressureMethod
 from silostudy.pressure.radial_field import flow_slope, initial_slope
 
 INITIAL_RATIO = 0.8  # K of the source's Fig. 5

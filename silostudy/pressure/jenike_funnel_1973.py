@@ -9,7 +9,8 @@ peak at the effective transition itself and the bins between have design equatio
 import numpy as np
 
 from silostudy.pressure import janssen
-from silostudy.pressure.family import CIRCULAR, PressureMethod, asking, parameters_of
+from silostudy.pressure.calls import asking, parameters_of
+from silostudy.pressure.family import CIRCULAR, PressureMethod
 from silostudy.pressure.jenike_mass_flow import envelope_pressure
 from silostudy.pressure.limits import SLENDERNESS, Limit, Measure
 

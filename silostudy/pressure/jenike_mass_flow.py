@@ -21,7 +21,8 @@ from collections.abc import Callable
 import numpy as np
 
 from silostudy.pressure import hopper_shape, janssen
-from silostudy.pressure.family import WITH_HOPPER, PressureMethod, asking, call, parameters_of
+from silostudy.pressure.calls import asking, call, parameters_of
+from silostudy.pressure.family import WITH_HOPPER, PressureMethod
 from silostudy.pressure.jenike_1969 import OF_STATE, SHAPE, State, flow_field
 from silostudy.pressure.saturation import saturation
 

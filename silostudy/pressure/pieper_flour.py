@@ -11,7 +11,8 @@ Model law: similar prismatic cells have pressures and depths in proportion to th
 import numpy as np
 
 from silostudy.pressure import janssen
-from silostudy.pressure.family import CELLS, USUAL_PHASES, PressureMethod, Quantities, asking, first_line
+from silostudy.pressure.calls import asking, first_line
+from silostudy.pressure.family import CELLS, USUAL_PHASES, PressureMethod, Quantities
 
 FLOUR_RATIO = {"filling": 0.31, "discharge": 0.47}
 GENERAL_RATIO = {"filling": 1.0, "discharge": 1.5}  # times 1 - sin(phi)

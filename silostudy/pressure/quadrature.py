@@ -5,7 +5,7 @@ from collections.abc import Callable, Mapping
 import numpy as np
 
 from silostudy.pressure import hopper_shape
-from silostudy.pressure.family import parameters_of
+from silostudy.pressure.calls import parameters_of
 
 NODES, REACH = 81, 3.3  # of the double-exponential rule: points, and where its variable ends
 

@@ -6,8 +6,8 @@ import pytest
 
 from silostudy.errors import BadInput
 from silostudy.pressure import PRESSURE, hopper_shape, radial_field
+from silostudy.pressure.calls import call
 from silostudy.pressure.en1991_4 import hopper
-from silostudy.pressure.family import call
 from silostudy.pressure.jenike_1969 import State, initial_field
 from silostudy.pressure.jenike_mass_flow import envelope_pressure
 from silostudy.pressure.limits import broken

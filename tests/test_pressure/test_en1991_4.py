@@ -9,9 +9,10 @@ from scipy.integrate import quad
 
 from silostudy.errors import BadInput
 from silostudy.pressure import PRESSURE, hopper_shape
+from silostudy.pressure.calls import call
 from silostudy.pressure.en1991_4 import cylinder, eccentric, hopper, patch
 from silostudy.pressure.en1991_4.characteristic import characteristic
-from silostudy.pressure.family import CHANNEL_SIZES, call
+from silostudy.pressure.family import CHANNEL_SIZES
 from silostudy.tables.solids import SOLIDS
 from tests.test_pressure.test_hoppers import BIN
 

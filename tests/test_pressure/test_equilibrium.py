@@ -6,7 +6,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from silostudy.pressure import PRESSURE
-from silostudy.pressure.family import call
+from silostudy.pressure.calls import call
 
 CLAIMS = [(row.key, phase) for row in PRESSURE.values() for phase in row.equilibrium]
 

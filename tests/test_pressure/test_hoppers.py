@@ -10,8 +10,9 @@ from scipy.integrate import solve_bvp, solve_ivp
 from silostudy.compute.evaluate import masked
 from silostudy.compute.hopper import balanced
 from silostudy.pressure import PRESSURE, hopper_shape, janssen, radial_field
+from silostudy.pressure.calls import call
 from silostudy.pressure.en1991_4 import hopper
-from silostudy.pressure.family import IN_SCOPE, OUT_OF_RANGE, call
+from silostudy.pressure.family import IN_SCOPE, OUT_OF_RANGE
 from silostudy.pressure.jenike_1969 import INITIAL_RATIO, State, flow_field, initial_field
 from silostudy.pressure.mass_flow import PATTERNS, flow_pattern, limit_angle
 from silostudy.scene.silo import Silo

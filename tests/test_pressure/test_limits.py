@@ -7,7 +7,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from silostudy.pressure import PRESSURE, janssen
-from silostudy.pressure.family import call
+from silostudy.pressure.calls import call
 from silostudy.pressure.jenike_mass_flow import envelope_pressure
 from silostudy.pressure.saturation import saturation, saturation_deficit
 

@@ -6,7 +6,7 @@ import pytest
 
 from silostudy.compute.pressure import pressure_cube
 from silostudy.pressure import PRESSURE, as3774_1996, janssen, pieper_flour
-from silostudy.pressure.family import call
+from silostudy.pressure.calls import call
 from silostudy.pressure.jenike_funnel_1973 import effective_transition
 from silostudy.tables.walls import WALLS
 from tests.conftest import expanded

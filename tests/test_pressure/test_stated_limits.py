@@ -10,7 +10,8 @@ from scipy.optimize import brentq
 from silostudy.__main__ import main
 from silostudy.compute.evaluate import masked
 from silostudy.pressure import PRESSURE
-from silostudy.pressure.family import IN_SCOPE, OUT_OF_RANGE, PARAMETERS, parameters_of
+from silostudy.pressure.calls import parameters_of
+from silostudy.pressure.family import IN_SCOPE, OUT_OF_RANGE, PARAMETERS
 
 # a silo that lies within every limit of every method but those of single ones below
 USUAL = {name: value for name, (_, _, value) in PARAMETERS.items()} | {

@@ -4,7 +4,7 @@ import numpy as np
 from scipy.optimize import minimize_scalar
 
 from silostudy.pressure import janssen, jenike_mass_flow
-from silostudy.pressure.family import call
+from silostudy.pressure.calls import call
 
 LEVELS = (3, 5, 9, 17, 33, 65, 129, 257, 513, 1025)
 LADDERS = {"even levels": LEVELS}

@@ -3,7 +3,7 @@
 import numpy as np
 
 from silostudy.pressure import hopper_shape
-from silostudy.pressure.family import call
+from silostudy.pressure.calls import call
 from silostudy.pressure.jenike_1969 import ROW
 from silostudy.pressure.quadrature import double_exponential, hopper_wall_force
 

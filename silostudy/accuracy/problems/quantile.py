@@ -5,7 +5,7 @@ from scipy.optimize import brentq
 from scipy.stats import qmc
 
 from silostudy.pressure import janssen
-from silostudy.pressure.family import call
+from silostudy.pressure.calls import call
 
 SAMPLES = tuple(2**k for k in range(4, 17, 2))
 LADDERS = {"Sobol sequence, scrambled": SAMPLES, "random": SAMPLES}

@@ -7,7 +7,7 @@ from silostudy.accuracy.problems.shell_strength import STEEL
 from silostudy.buckling import en1993_4_1
 from silostudy.buckling.thickness import with_thickness
 from silostudy.pressure import jenike_mass_flow
-from silostudy.pressure.family import call
+from silostudy.pressure.calls import call
 from silostudy.pressure.quadrature import from_surface
 
 LEVELS = (5, 9, 17, 33, 65, 129, 257, 513, 1025)

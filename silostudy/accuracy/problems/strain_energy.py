@@ -4,7 +4,7 @@ from decimal import Decimal, localcontext
 
 import numpy as np
 
-from silostudy.pressure.family import call
+from silostudy.pressure.calls import call
 from silostudy.pressure.jenike_mass_flow import envelope_pressure
 
 BITS = {32: np.float32, 64: np.float64}

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from silostudy.pressure.family import asking
+from silostudy.pressure.calls import asking
 
 PROPERTIES = ("internal_friction_angle", "wall_friction", "lateral_pressure_ratio", "a_phi", "a_K", "a_mu", "sets_capped")
 VARIED = frozenset({"internal_friction_angle", "wall_friction", "lateral_pressure_ratio", "hopper_wall_friction"})

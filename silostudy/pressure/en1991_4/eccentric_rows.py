@@ -3,10 +3,11 @@
 import numpy as np
 
 from silostudy.pressure import janssen
+from silostudy.pressure.calls import asking
 from silostudy.pressure.en1991_4 import cylinder, eccentric, limits
 from silostudy.pressure.en1991_4.characteristic import PROPERTIES, VARIED, characteristic, described, used
 from silostudy.pressure.en1991_4.on_wall import CYLINDER, STATE, take
-from silostudy.pressure.family import CHANNEL_SIZES, CIRCULAR, PressureMethod, asking
+from silostudy.pressure.family import CHANNEL_SIZES, CIRCULAR, PressureMethod
 
 STATIC, MOVING = "wall_normal", "channel"  # sets of characteristic values: of the solid at rest, and in the channel
 ONE_MU = "Source: en1991_4_2006, wall friction from one program."

@@ -3,10 +3,10 @@
 import numpy as np
 
 from silostudy.pressure import hopper_shape
+from silostudy.pressure.calls import asking
 from silostudy.pressure.en1991_4 import hopper
 from silostudy.pressure.en1991_4.characteristic import PROPERTIES, characteristic
 from silostudy.pressure.en1991_4.on_wall import CYLINDER, SEEN, filled, take
-from silostudy.pressure.family import asking
 
 SHAPE = ("diameter", "perimeter", "hopper_half_angle", "slot")
 WALL = (*PROPERTIES, "hopper_half_angle", "hopper_wall_friction", "slot")

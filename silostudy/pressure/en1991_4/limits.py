@@ -3,8 +3,8 @@
 import numpy as np
 
 from silostudy.pressure import hopper_shape
+from silostudy.pressure.calls import asking
 from silostudy.pressure.en1991_4.cylinder import SLENDER
-from silostudy.pressure.family import asking
 from silostudy.pressure.limits import DIAMETER, SLENDERNESS, Limit, Measure
 
 RETAINING = 0.4  # h_c / d_c

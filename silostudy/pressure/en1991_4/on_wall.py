@@ -2,9 +2,9 @@
 
 import numpy as np
 
+from silostudy.pressure.calls import asking
 from silostudy.pressure.en1991_4 import cylinder
 from silostudy.pressure.en1991_4.characteristic import PROPERTIES, characteristic, used
-from silostudy.pressure.family import asking
 
 STATE = ("unit_weight", "hydraulic_radius", "diameter", "cylinder_depth", "repose_angle", "contact_depth")
 CYLINDER = (*STATE, *PROPERTIES)

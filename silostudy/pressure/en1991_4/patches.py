@@ -4,10 +4,11 @@ from functools import reduce
 
 import numpy as np
 
+from silostudy.pressure.calls import asking
 from silostudy.pressure.en1991_4 import patch
 from silostudy.pressure.en1991_4.characteristic import PROPERTIES, characteristic
 from silostudy.pressure.en1991_4.on_wall import CYLINDER, SEEN, on_cylinder, take
-from silostudy.pressure.family import CIRCULAR, asking
+from silostudy.pressure.family import CIRCULAR
 
 SIZES = ("diameter", "cylinder_depth")
 # the thin-walled patch leans on a circle; a band goes round any other plan
