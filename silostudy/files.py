@@ -83,6 +83,11 @@ def as_written(path: Path) -> bool:
     return not path.exists() or not _seal_of(path).exists() or _digest(path) == _sealed(path)[0]
 
 
+def known_again(path: Path) -> bool:
+    """Whether a file is sealed and its bytes are those that were sealed."""
+    return _seal_of(path).exists() and as_written(path)
+
+
 def held_when_written(path: Path) -> str:
     """The digest of what a sealed file held when it was written; empty where none was kept."""
     return "".join(_sealed(path)[1:])

@@ -37,8 +37,17 @@ def _digest(*arrays: np.ndarray) -> str:
 
 def save(run: Run, scene: DemScene, checkpoint: Path) -> None:
     """Write a checkpoint of where the run stands."""
+    content = pickle.dumps((made_of(run, scene), run.checkpoint()))
     with replacing(checkpoint) as temporary:
-        temporary.write_bytes(pickle.dumps((made_of(run, scene), run.checkpoint())))
+        temporary.write_bytes(hashlib.sha256(content).digest() + content)
+
+
+def _whole(raw: bytes) -> bytes:
+    """The content of a checkpoint whose checksum stands in front; nothing else is unpickled, for that would run it."""
+    size = hashlib.sha256().digest_size
+    if hashlib.sha256(raw[size:]).digest() != raw[:size]:
+        raise ValueError("not what was written")
+    return raw[size:]
 
 
 def resume(run: Run, scene: DemScene, checkpoint: Path) -> None:
@@ -46,7 +55,7 @@ def resume(run: Run, scene: DemScene, checkpoint: Path) -> None:
     if not checkpoint.exists():
         return
     try:
-        then, saved = pickle.loads(checkpoint.read_bytes())
+        then, saved = pickle.loads(_whole(checkpoint.read_bytes()))
         now = made_of(run, scene)
         other = [part for part in now if then.get(part) != now[part]]
     except Exception as error:  # a file cut short or of another kind fails in any way

@@ -5,47 +5,26 @@ from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
-import xarray as xr
 
 from silostudy.compute.checkpoints import resume, save
+from silostudy.compute.dem_files import given_discs, quake_steps
 from silostudy.config.dem import DemScene
 from silostudy.dem.engine import Engine
 from silostudy.dem.model import Model
 from silostudy.dem.run import Run
 from silostudy.errors import BadInput
 from silostudy.packing import PACKINGS
-from silostudy.packing.given import place
 from silostudy.scene.dem import events_of, rest_of
 from silostudy.scene.dem_model import placed, unshaken_scene_model
 
 
 def scene_model(scene: DemScene, folder: Path, where: str = "") -> Model:
     """The engine's model of a scene; BadInput for a start or a step that cannot be."""
-    discs = _given(scene.packing.file, folder) if PACKINGS[scene.packing.kind].from_file else placed(scene)
+    discs = given_discs(scene.packing.file, folder) if PACKINGS[scene.packing.kind].from_file else placed(scene)
     model = unshaken_scene_model(scene, discs, where)
-    return model if scene.quake is None else replace(model, quake=_quake(scene, folder, model.dt))
-
-
-def _given(file: str, folder: Path):
-    try:
-        with xr.open_dataset(folder / file) as given:
-            last = {"snapshot": -1} if "snapshot" in given.dims else {}
-            x, y = (given[name].isel(last).to_numpy() for name in ("disc_x", "disc_y"))
-            left = np.isfinite(x)
-            return place(x=x[left], y=y[left], radius=given["disc_radius"].to_numpy()[left])
-    except (OSError, KeyError) as error:
-        raise BadInput("packing.file", file, f"must be netCDF with disc_x, disc_y, disc_radius ({error})") from None
-
-
-def _quake(scene: DemScene, folder: Path, dt: float) -> np.ndarray:
-    """Acceleration of the box at every step, between the points of its record; none after its end."""
-    assert scene.quake is not None
-    try:
-        time, *ways = np.loadtxt(folder / scene.quake.file, delimiter=",", skiprows=1, unpack=True, ndmin=2)
-    except (OSError, ValueError) as error:
-        raise BadInput("quake.file", scene.quake.file, f"must be CSV with time_s, x_m_s2, y_m_s2 ({error})") from None
-    steps = np.arange(int(time[-1] / dt) + 2) * dt
-    return np.column_stack([np.interp(steps, time, way, right=0.0) for way in ways])
+    if scene.quake is None:
+        return model
+    return replace(model, quake=quake_steps(scene.quake.file, folder, dt=model.dt, limit=scene.march.limit_s))
 
 
 def run_of(scene: DemScene, model: Model, *, threads: int = 1) -> Run:

@@ -88,14 +88,16 @@ def _answers(bank: identify.Bank, measured: np.ndarray, refinement: int, random:
         *(identify.vertex(phase, fine), identify.least(phase[::refinement], coarse)),
     ]
     estimate = identify.estimate(bank, wanted, random)
+    wider = estimate.uncertainty + (refinement - 1) * estimate.contributions[-1]
     return {
         "candidate_frequency": bank.first_frequency,
         "amplitude_error": amplitude,
         "phase_error": phase,
         "phase_error_as_printed": phase_error_as_printed(bank.known, wanted),
         "effective_mass_coefficient": np.array(found),
-        "uncertainty": estimate.uncertainty,
-        "coarse_uncertainty": estimate.uncertainty + (refinement - 1) * estimate.contributions[-1],
+        "candidate_end": np.array([identify.end_of(one, fine) for one in found]),
+        "uncertainty": identify.stated(found[0], estimate.uncertainty, fine),
+        "coarse_uncertainty": identify.stated(found[1], wider, fine),
         "uncertainty_contribution": estimate.contributions,
     }
 

@@ -32,7 +32,8 @@ def seismic_cube(expansion: Resolved, tell: Callable[[str], None] = lambda text:
     for number, case in enumerate(expansion.cases):
         found.append(_case(study, case.scene, np.random.default_rng([study.seed, number])))
         shares = ", ".join(f"{share:.3f}" for share in found[-1]["mass_choice_coefficient"])
-        tell(f"case {number + 1} of {len(expansion.cases)}: demand for C_eff = {shares}")
+        ends = "; the identified one is an end of the candidates" if found[-1].get("candidate_end", [0])[0] else ""
+        tell(f"case {number + 1} of {len(expansion.cases)}: demand for C_eff = {shares}{ends}")
     data: dict = stacked(found, expansion.shape) | _labels(study)
     data["depth"] = data["depth"], {**attributes("depth"), "long_name": "depth below the top of the contents"}
     sources = [*SOURCES, *(case.scene.source for case in expansion.cases if case.scene.source)]

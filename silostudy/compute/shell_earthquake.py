@@ -45,6 +45,9 @@ def earthquake_told(one: xr.Dataset) -> dict[str, str | float]:
         "earthquake": one.attrs["title"],
         "earthquake_base_motion": str(one["base_motion"].values),
         "earthquake_mass_coefficient": float(one["mass_choice_coefficient"]),
+        "earthquake_mass_coefficient_end": int(one["candidate_end"][0])
+        if str(one["mass_choice"].values) == "identified"
+        else 0,
         "earthquake_base_shear_N": float(one["base_shear"]),
         "earthquake_base_moment_N_m": float(one["base_moment"]),
     }

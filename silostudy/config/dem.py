@@ -133,7 +133,11 @@ class RecordConfig(Strict):
 class QuakeConfig(Strict):
     """Acceleration of the box."""
 
-    file: str = described("CSV file with columns time_s, x_m_s2, y_m_s2, relative to the scene file", "")
+    file: str = described(
+        "CSV file whose first line names its columns, time_s (equal steps), x_m_s2, y_m_s2, relative to the scene file; "
+        "the box is at rest before and after",
+        "",
+    )
 
 
 class DemScene(Asked, OwnMethods):

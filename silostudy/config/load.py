@@ -40,7 +40,7 @@ def read_yaml(path: Path) -> dict[str, Any]:
     try:
         with path.open(encoding="utf-8") as stream:
             content = yaml.load(stream, _NoTwins)
-    except (OSError, UnicodeDecodeError, yaml.YAMLError) as error:
+    except Exception as error:  # dates and tags that are none come out of yaml as any error
         raise BadInput("file", str(path), "must be readable YAML: " + " ".join(str(error).split())) from None
     if not isinstance(content, dict):
         raise BadInput("file", str(path), "must hold `key: value` lines")

@@ -53,16 +53,23 @@ class Series(Strict):
 
     file: str | None = described("the file, relative to the study file", "", default=None)
     format: Form = described(
-        "obspy: K-NET, KiK-net and all that obspy reads; peer_at2; two_columns: time (s) and acceleration", "", default="obspy"
+        "obspy: K-NET, KiK-net and all that obspy reads; peer_at2; two_columns: equally spaced times (s) and accelerations",
+        "",
+        default="obspy",
     )
     acceleration_unit: Unit | None = described(
-        "unit in the file; null where the file says it (K-NET, PEER AT2)", "", default=None
+        "unit in the file, refused where the file says another; null where the file says it (K-NET, PEER AT2)", "", default=None
+    )
+    channel: str | None = described(
+        "which of several traces in an obspy file, by its channel or NET.STA.LOC.CHA; null: the only one", "", default=None
     )
 
     @model_validator(mode="after")
     def _unit_stated(self) -> Self:
         if self.file and self.format == "two_columns" and self.acceleration_unit is None:
             raise ValueError("two_columns needs acceleration_unit: g, gal or m_s2")
+        if self.channel is not None and not (self.file and self.format == "obspy"):
+            raise ValueError("channel goes with a file of format obspy")
         return self
 
 
@@ -113,7 +120,8 @@ class SeismicScene(Strict):
     wall: TubeMaterial = described("material of the wall", "")
     contents: Contents = described("the stored solid", "")
     empty_frequency_Hz: float | None = described(
-        "measured first frequency of the empty tube: gives the stiffness reduction; null: the whole stiffness",
+        "measured first frequency of the empty tube, not above that of its whole stiffness: gives the stiffness reduction; "
+        "null: the whole stiffness",
         "Hz",
         gt=0,
         default=None,
@@ -143,7 +151,9 @@ class Sine(Strict):
 class Identification(Strict):
     """How the effective mass coefficient is found from a measured response, and how sure that is."""
 
-    coefficients: Range = described("effective mass coefficients to try")
+    coefficients: Range = described(
+        "effective mass coefficients to try; an answer at their end is flagged and its uncertainty is infinite"
+    )
     refinement: int | None = described("finer steps in each of theirs; null: for the accuracy", ge=1, le=1000, default=10)
     shown_coefficients: Numbers = described("coefficients whose histories and spectra are kept and drawn")
     band_Hz: tuple[float, float] = described("band of the likeness indices", "Hz")

@@ -7,9 +7,12 @@ import xarray as xr
 
 from silostudy.cube.contract import check
 from silostudy.cube.fingerprint import fingerprint
+from silostudy.cube.netcdf import opened
 from silostudy.cube.provenance import CONTRACT
 from silostudy.errors import BadInput
 from silostudy.files import replacing
+
+SAID = ("title", "source", "references", "study", "study_hash", "sweep_axes")  # in words, of every cube
 
 
 def write(cube: xr.Dataset, path: Path) -> None:
@@ -38,18 +41,15 @@ def _may_be_masked(variable: xr.DataArray) -> bool:
 
 def read(path: Path) -> xr.Dataset:
     """A checked cube, loaded into memory; BadInput where the file is no cube, or one of another contract."""
-    try:
-        with xr.open_dataset(path) as cube:
-            _of_this_contract(cube, path)
-            return check(cube.load())
-    except (OSError, ValueError) as error:
-        if isinstance(error, BadInput):
-            raise
-        raise BadInput("cube", str(path), f"must be a netCDF file of this package ({error})") from None
-
-
-def _of_this_contract(cube: xr.Dataset, path: Path) -> None:
-    maker, contract = str(cube.attrs.get("source", "")), int(cube.attrs.get("cube_contract", 1))
-    if maker.startswith("silostudy") and contract != CONTRACT:
-        told = f"was written by {maker} with names and dimensions of contract {contract}, and not {CONTRACT}"
+    cube = opened(path, "cube")
+    lost = [name for name in SAID if not isinstance(cube.attrs.get(name), str)]
+    if lost or not cube.attrs["source"].startswith("silostudy"):
+        raise BadInput("cube", str(path), f"must be a file of this package: it does not say its {', '.join(lost) or 'source'}")
+    contract = str(cube.attrs.get("cube_contract", 1))
+    if contract != str(CONTRACT):
+        told = f"was written by {cube.attrs['source']} with names and dimensions of contract {contract}, and not {CONTRACT}"
         raise BadInput("cube", str(path), f"{told}: compute it again")
+    try:
+        return check(cube)
+    except BadInput as error:
+        raise BadInput(error.field, error.value, error.allowed, str(path)) from None

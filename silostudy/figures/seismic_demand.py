@@ -6,7 +6,7 @@ import matplotlib.pyplot as plt
 import pandas as pd
 import xarray as xr
 
-from silostudy.figures.shaken import LINES, cases, head, name
+from silostudy.figures.shaken import LINES, answer, cases, head, name
 from silostudy.figures.style import save
 from silostudy.tables.mass_choices import MASS_CHOICES
 
@@ -28,7 +28,8 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
         for dash, choice in zip(LINES, map(str, one["mass_choice"].values), strict=False):
             here = one.sel(mass_choice=choice)
             share = float(here["mass_choice_coefficient"])
-            label = f"{name(one)}: {MASS_CHOICES[choice][1]}, C_eff = {share:.3g},\n"
+            told = answer(one, "amplitude_error") if choice == "identified" else f"{share:.3g}"
+            label = f"{name(one)}: {MASS_CHOICES[choice][1]}, C_eff = {told},\n"
             label += f"base {float(here['base_shear']) / 1e3:.4g} kN, {float(here['base_moment']) / 1e3:.4g} kN m"
             for panel, (variable, (_, factor)) in zip(panels, PANELS.items(), strict=True):
                 panel.plot(here[variable] * factor, one["depth"], color=colour, marker=marker, markevery=6, markersize=4,

@@ -7,7 +7,7 @@ import numpy as np
 import pandas as pd
 import xarray as xr
 
-from silostudy.figures.shaken import MEASURED, cases, head, kind, name
+from silostudy.figures.shaken import MEASURED, answer, cases, head, kind, name
 from silostudy.figures.style import save
 
 WINDOW = 1.5  # s about the largest measured value; the whole history would be a band of ink
@@ -24,7 +24,7 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     for column, one in zip(panels.T, columns, strict=True):
         one = one.isel(sample=_window(one))
         _column(column, one, shown)
-        column[0].set_title(f"{name(one)}\nC_eff found: {float(one['effective_mass_coefficient'][0]):.3f}", fontsize=9)
+        column[0].set_title(f"{name(one)}\nC_eff found: {answer(one, 'amplitude_error')}", fontsize=9)
         tables.append(_numbers(one).assign(case=str(one["case"].values)))
     for panel in panels[:, 0]:
         panel.set_ylabel("acceleration (m/s²)", fontsize=7)

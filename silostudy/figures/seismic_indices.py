@@ -3,10 +3,11 @@
 from pathlib import Path
 
 import matplotlib.pyplot as plt
+import numpy as np
 import pandas as pd
 import xarray as xr
 
-from silostudy.figures.shaken import cases, head, name, printed, style
+from silostudy.figures.shaken import answer, cases, head, name, printed, style
 from silostudy.figures.style import save
 
 INDICES = {
@@ -57,12 +58,14 @@ def _answers(panel, one: xr.Dataset, source) -> None:
     keys, values = one["identification"].values, one["effective_mass_coefficient"].values
     found = {str(key): float(value) for key, value in zip(keys, values, strict=True)}
     lines = [
-        f"least e_A: {found['amplitude_error']:.3f} ± {float(one['uncertainty']):.3f}; coarse "
-        f"{found['amplitude_error_coarse']:.2f} ± {float(one['coarse_uncertainty']):.2f}",
-        f"least e_P: {found['phase_error']:.3f}; coarse {found['phase_error_coarse']:.2f}",
+        f"least e_A: {answer(one, 'amplitude_error', 'uncertainty')}",
+        f"   coarse: {answer(one, 'amplitude_error_coarse', 'coarse_uncertainty', 2)}",
+        f"least e_P: {answer(one, 'phase_error')}; coarse {answer(one, 'phase_error_coarse', places=2)}",
     ]
     apart = abs(found["amplitude_error"] - found["phase_error"])
-    lines.append(f"e_A and e_P {'agree' if apart <= float(one['uncertainty']) else 'DISAGREE'}: {apart:.3f} apart")
+    known = np.isfinite(float(one["uncertainty"]))  # an open interval judges nothing
+    judged = ("agree" if apart <= float(one["uncertainty"]) else "DISAGREE") if known else "are not judged"
+    lines.append(f"e_A and e_P {judged}: {apart:.3f} apart")
     if source:
         lines.append(f"source, really measured: {source.effective_mass_coefficient:.2f}, f1 = {source.full_frequency:g} Hz")
         lines.append(f"(implies contents of {source.implied_mass_ratio:.2f} wall masses)")

@@ -64,13 +64,19 @@ def _trials(panel, table: pd.DataFrame, coverage: float) -> None:
 def _contributions(panel, one: xr.Dataset) -> None:
     """Half-widths that add up to the uncertainty of the study's own answer, and the coarse step beside them."""
     parts = dict(zip(map(str, one["contribution"].values), map(float, one["uncertainty_contribution"].values), strict=True))
-    coarse = float(one["coarse_uncertainty"]) - float(one["uncertainty"]) + parts["step"]
+    fine, coarse = float(one["uncertainty"]), float(one["coarse_uncertainty"])
+    steps = coarse - fine + parts["step"] if np.isfinite(coarse) else np.nan
     labels = [*(NAMES[key] for key in parts), "coarse step", "stated, fine", "stated, coarse"]
-    values = [*parts.values(), coarse, float(one["uncertainty"]), float(one["coarse_uncertainty"])]
+    values = [value if np.isfinite(value) else 0.0 for value in (*parts.values(), steps, fine, coarse)]
+    told = [f"{value:.4f}" for value in parts.values()] + [_open(value) for value in (steps, fine, coarse)]
     places = np.arange(len(values))[::-1]
     panel.barh(places, values, color=["#56b4e9"] * (len(values) - 2) + ["#0072b2"] * 2, edgecolor="black", linewidth=0.5)
-    for place, value in zip(places, values, strict=True):
-        panel.text(value, place, f" {value:.4f}", va="center", fontsize=7)
+    for place, value, text in zip(places, values, told, strict=True):
+        panel.text(value, place, f" {text}", va="center", fontsize=7)
     panel.set_yticks(places, labels, fontsize=8)
     panel.set(xlabel="half-width of the study's own answer", xlim=(0, 1.2 * max(values)))
     panel.grid(axis="y", visible=False)
+
+
+def _open(half_width: float) -> str:
+    return f"{half_width:.4f}" if np.isfinite(half_width) else "open: reaches an end of the candidates"

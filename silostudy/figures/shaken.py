@@ -43,6 +43,17 @@ def printed(cube: xr.Dataset, one: xr.Dataset) -> PrintedTest | None:
     return printed_at(float(np.abs(one["base_acceleration"]).max()))
 
 
+def answer(one: xr.Dataset, key: str, half_width: str = "", places: int = 3) -> str:
+    """A coefficient found, with its uncertainty where one is stated; one at the end of the candidates is said to be so."""
+    here = one.sel(identification=key)
+    text, end = f"{float(here['effective_mass_coefficient']):.{places}f}", int(here["candidate_end"])
+    if end:
+        return f"{text}, {'lowest' if end < 0 else 'highest'} candidate: may lie beyond"
+    if half_width and np.isinf(one[half_width]):
+        return f"{text}, to beyond the candidates"
+    return f"{text} ± {float(one[half_width]):.{places}f}" if half_width else text
+
+
 def style(number: int) -> dict:
     """Line of the n-th curve: colour and dashes."""
     return {"linestyle": LINES[number % len(LINES)], "color": COLOURS[number % len(COLOURS)]}

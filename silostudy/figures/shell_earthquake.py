@@ -93,7 +93,10 @@ def _needed(cube: xr.Dataset) -> xr.Dataset:
 
 def _head(cube: xr.Dataset) -> str:
     told = cube.attrs
-    moved = f"C_eff = {told['earthquake_mass_coefficient']:.2f}: base shear {told['earthquake_base_shear_N'] / 1e6:.2f} MN, "
+    end = {-1: " (lowest candidate)", 1: " (highest candidate)"}.get(told["earthquake_mass_coefficient_end"], "")
+    moved = (
+        f"C_eff = {told['earthquake_mass_coefficient']:.2f}{end}: base shear {told['earthquake_base_shear_N'] / 1e6:.2f} MN, "
+    )
     moved += f"base moment {told['earthquake_base_moment_N_m'] / 1e6:.1f} MN m"
     base = "\n".join(textwrap.wrap(f"base: {told['earthquake_base_motion']}; {moved}", 150))
     return f"{told['title']} (dashed: static; full: with the earthquake)\n{base}\ncharacteristic values; no combination factors"

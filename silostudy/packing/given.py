@@ -24,7 +24,10 @@ ROW = Packing(
     needs=("x", "y", "radius"),
     asks=(
         PackingField(
-            name="file", text="netCDF file with disc_x, disc_y and disc_radius, relative to the scene file", unit="", kind=str
+            name="file",
+            text="netCDF file with disc_x, disc_y, disc_radius (m; its last snapshot), relative to the scene file",
+            unit="",
+            kind=str,
         ),
     ),
     from_file=True,

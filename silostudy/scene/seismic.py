@@ -10,6 +10,7 @@ from silostudy.config.seismic import Imitation, Motion, SeismicScene, SeismicStu
 from silostudy.config.seismic import Tube as TubeConfig
 from silostudy.errors import BadInput
 from silostudy.seismic.beam import Tube
+from silostudy.seismic.identify import emptied
 from silostudy.seismic.readers import read_known, read_record
 from silostudy.seismic.records import Record, compressed, in_band, scaled, without_baseline
 from silostudy.tables.records import RECORDS
@@ -38,11 +39,12 @@ def seismic_builder(study: SeismicStudy, folder: Path, where: str) -> Callable[[
     """Builds the scenes of a seismic study; BadInput for a file that cannot be read or does not fit the study."""
 
     def build_one(config: SeismicScene, settings: dict[str, Any]) -> Shaken:
-        base, measured = _base(config.motion, folder), config.measured
+        base, measured, tube = _base(config.motion, folder), config.measured, _tube(config)
+        _check_frequencies(study, config, tube, where)
         if study.identification:
             _check_band(study.identification.band_Hz, base, where)
         return Shaken(
-            tube=_tube(config),
+            tube=tube,
             empty_frequency=config.empty_frequency_Hz,
             damping_ratio=config.damping_ratio,
             base=base,
@@ -59,6 +61,19 @@ def _check_band(band: tuple[float, float], base: Record, where: str) -> None:
     if band[1] > 0.5 / base.dt:
         allowed = f"must end below {0.5 / base.dt:g} Hz, half the sampling rate of the base motion"
         raise BadInput("identification.band_Hz", list(band), allowed, where)
+
+
+def _check_frequencies(study: SeismicStudy, config: SeismicScene, tube: Tube, where: str) -> None:
+    """BadInput for an empty tube measured to be stiffer than its whole stiffness, by more than its frequency's rounding."""
+    whole, asked, sine = emptied(tube), study.identification, study.sine
+    measured = [
+        ("scene.empty_frequency_Hz", config.empty_frequency_Hz, asked.empty_frequency_rounding_Hz if asked else 0.0),
+        ("sine.empty_frequency_Hz", sine.empty_frequency_Hz if sine else None, sine.rounding_Hz if sine else 0.0),
+    ]
+    for key, frequency, rounding in measured:
+        if frequency is not None and frequency - rounding > whole * (1 + 1e-9):
+            allowed = f"must not be above {whole:.4g} Hz, the empty tube's with its whole stiffness: silo and wall are softer"
+            raise BadInput(key, frequency, allowed, where)
 
 
 def _tube(config: SeismicScene) -> Tube:
@@ -100,4 +115,4 @@ def _measured(series: Series, folder: Path, base: Record) -> Record:
 
 def _read(series: Series, folder: Path) -> Record:
     assert series.file is not None  # callers come here only with a file
-    return read_record(folder / series.file, series.format, series.acceleration_unit)
+    return read_record(folder / series.file, series.format, series.acceleration_unit, series.channel)

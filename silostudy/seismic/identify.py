@@ -108,6 +108,21 @@ def vertex(values: np.ndarray, coefficients: np.ndarray) -> float:
     return float(coefficients[place] + (step * (before - after) / (2 * slope) if slope > 0 else 0.0))
 
 
+def end_of(answer: float, coefficients: np.ndarray) -> int:
+    """-1 or 1 (1) for an answer that is the lowest or the highest of the candidates, beyond which the truth may lie; else 0."""
+    return int(answer >= coefficients[-1]) - int(answer <= coefficients[0])
+
+
+def stated(answer: float, half_width: float, coefficients: np.ndarray) -> float:
+    """The half-width (1) of an answer; infinite where it reaches an end of the candidates: nothing was tried beyond.
+
+    A lowest candidate of 0 bounds the answer as well as a mass does.
+    """
+    open_below = answer - half_width <= coefficients[0] and coefficients[0] > 0
+    open_above = answer + half_width >= coefficients[-1]
+    return np.inf if open_below or open_above or end_of(answer, coefficients) else half_width
+
+
 def estimate(bank: Bank, measured: np.ndarray, random: np.random.Generator) -> Estimate:
     """The coefficient by E_A from the transform of a measured response, with what each of CONTRIBUTIONS does to it."""
     question = bank.question

@@ -2,45 +2,73 @@
 
 import csv
 import math
-from collections.abc import Iterable
+import re
+from collections.abc import Iterable, Mapping
 from pathlib import Path
 
 from silostudy.errors import BadInput
-from silostudy.tables.units import split_unit
+from silostudy.tables.units import SUFFIXES, split_unit
 
 HERE = Path(__file__).parent
 TEXT = {"title", "source", "locator", "remark"}
+NUMBER = re.compile(r"[+-]?(\d+(\.\d*)?|\.\d+)([eEdD][+-]?\d{1,3})?", re.ASCII)  # D: an exponent as Fortran writes it
 
 
-def rows(path: Path, text: Iterable[str] = ()) -> list[dict]:
+def rows(path: Path, text: Iterable[str] = (), units: Mapping[str, str] | None = None) -> list[dict]:
     """Rows of a CSV as dicts: columns in `text` stay text, the others become SI numbers without the unit in the name.
 
+    units: quantity -> the SI unit that the unit in its column's name must come to.
     Empty cells of number columns are left out.  Lines that start with # are remarks.
     Raises BadInput (file, line, column) for a cell that is no number, a missing file, or a row without source or locator.
     """
-    try:
-        lines = path.read_text(encoding="utf-8").splitlines()
-    except (OSError, UnicodeDecodeError) as error:
-        raise BadInput("file", str(path), f"must be a readable CSV table ({error})") from None
+    lines = text_of(path).splitlines()
     kept = [(number, line) for number, line in enumerate(lines, 1) if line.strip() and not line.startswith("#")]
-    reader = csv.DictReader(line for _, line in kept)
+    if not kept:
+        raise BadInput("file", str(path), "must be a CSV table: it holds not even a header")
+    (first, header), *rest = kept
+    text, where = TEXT | set(text), f"{path.name} line {first}"
+    head = _cells(header, where)
+    _check_head(head, text, units or {}, where)
     found = []
-    for (number, _), raw in zip(kept[1:], reader, strict=True):
-        where = f"{path.name} line {number}"
-        _require_cells(raw, where)
-        found.append({**_converted(raw, TEXT | set(text), where), "where": where})
+    for line_number, line in rest:
+        where = f"{path.name} line {line_number}"
+        raw = _row(head, _cells(line, where), where)
+        found.append({**_converted(raw, text, where), "where": where})
     return found
 
 
-def _require_cells(raw: dict, where: str) -> None:
-    if None in raw or None in raw.values():
-        raise BadInput("row", list(filter(None, raw.values())), "has more or fewer cells than the header", where)
+def _cells(line: str, where: str) -> list[str]:
+    try:
+        return next(csv.reader([line], strict=True))
+    except csv.Error as error:
+        raise BadInput("row", short(line), f"must be a line of CSV ({error})", where) from None
+
+
+def _check_head(head: list[str], text: set[str], units: Mapping[str, str], where: str) -> None:
+    """BadInput for a quantity that stands in two columns, or in a unit that is none of its own."""
+    read: dict[str, str] = {}
+    for column in head:
+        quantity, unit, _ = (column, "", 1.0) if column in text else split_unit(column)
+        if quantity in read:
+            raise BadInput("column", column, f"says the same as the column {read[quantity]!r}", where)
+        if quantity in units and unit != units[quantity]:
+            endings = [suffix for suffix, (known, _) in SUFFIXES.items() if known == units[quantity]]
+            allowed = f"must end in its unit: {', '.join(endings)}" if endings else "has no unit"
+            raise BadInput("column", column, f"{quantity} {allowed}", where)
+        read[quantity] = column
+
+
+def _row(head: list[str], cells: list[str], where: str) -> dict[str, str]:
+    if len(cells) != len(head):
+        raise BadInput("row", [short(cell) for cell in cells], "has more or fewer cells than the header", where)
+    raw = dict(zip(head, cells, strict=True))
     for column in ("source", "locator"):
-        if not (raw.get(column) or "").strip():
+        if not raw.get(column, "").strip():
             raise BadInput(column, raw.get(column), "every row of a table must say where its values come from", where)
+    return raw
 
 
-def _converted(raw: dict, text: set[str], where: str) -> dict:
+def _converted(raw: dict[str, str], text: set[str], where: str) -> dict:
     row: dict = {}
     for column, cell in raw.items():
         cell = cell.strip()
@@ -52,12 +80,30 @@ def _converted(raw: dict, text: set[str], where: str) -> dict:
     return row
 
 
+def is_number(cell: str) -> bool:
+    """Whether a cell holds a number, or what programs write where they have none that is finite."""
+    return bool(NUMBER.fullmatch(cell)) or cell.lower().lstrip("+-") in ("nan", "inf", "infinity")
+
+
 def number(cell: str, column: str, where: str) -> float:
     """A finite number from a table cell, or BadInput."""
-    try:
-        value = float(cell)
-    except ValueError:
-        raise BadInput(column, cell, "must be a number", where) from None
+    if not is_number(cell):
+        raise BadInput(column, short(cell), "must be a number", where)
+    value = float(cell.lower().replace("d", "e"))
     if not math.isfinite(value):
-        raise BadInput(column, cell, "must be finite", where)
+        raise BadInput(column, short(cell), "must be finite", where)
     return value
+
+
+def text_of(path: Path, errors: str = "strict") -> str:
+    """The text of a file, with or without a byte order mark; BadInput where there is none to be read."""
+    try:
+        return path.read_text(encoding="utf-8-sig", errors=errors)
+    except (OSError, ValueError) as error:  # ValueError: bytes that are no UTF-8, or a path with a null byte
+        told = getattr(error, "strerror", None) or error
+        raise BadInput("file", str(path), f"must be a readable file of text ({told})") from None
+
+
+def short(text: str) -> str:
+    """A text to be shown in a message, cut where it is long."""
+    return text if len(text) <= 40 else text[:40] + "..."

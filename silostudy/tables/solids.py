@@ -31,6 +31,7 @@ PROPERTIES = (
     "patch_factor",
     *CATEGORIES,
 )
+UNITS = {name: split_unit(BY_QUANTITY[name][0])[1] for name in PROPERTIES}  # of the SI values
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -72,14 +73,18 @@ def check_property(name: str, value: float, where: str) -> None:
 
 def read_solids(path: Path) -> Family[SolidRow]:
     """Solids of a CSV file; BadInput for a key taken twice or a value out of range."""
-    return Family("solid", [_solid(raw) for raw in rows(path, text=("solid", "grain"))])
+    return Family("solid", [_solid(raw) for raw in rows(path, ("solid", "grain"), UNITS)])
 
 
 def _solid(raw: dict) -> SolidRow:
     where, values = raw.pop("where"), {key: value for key, value in raw.items() if key != "solid"}
+    if not raw.get("solid"):
+        raise BadInput("solid", raw.get("solid"), "is missing: the key of the row", where)
+    if {"wall_friction", "wall_friction_angle"} <= values.keys():
+        raise BadInput("wall_friction", values["wall_friction"], "stands beside wall_friction_angle: give one of them", where)
     if "wall_friction_angle" in values:
         values["wall_friction"] = tan(values.pop("wall_friction_angle"))
-    unknown = set(values) - {f.name for f in fields(SolidRow)}
+    unknown = set(values) - set(_own_fields())
     if unknown:
         raise BadInput("column", ", ".join(sorted(unknown)), f"unknown; known: {', '.join(known_columns())}", where)
     for name in REQUIRED:
@@ -106,7 +111,13 @@ def with_unit(name: str) -> str:
 
 
 def known_columns() -> list[str]:
-    return ["solid", "title", "grain", *map(with_unit, PROPERTIES), "source", "locator", "remark"]
+    properties = [name for name in PROPERTIES if name in _own_fields() or name == "wall_friction_angle"]
+    return ["solid", "title", "grain", *map(with_unit, properties), "source", "locator", "remark"]
+
+
+def _own_fields() -> list[str]:
+    """Fields of a row that a column of its table fills."""
+    return [one.name for one in fields(SolidRow) if one.name not in ("key", "by_method", "as_printed")]
 
 
 def _with_method_values(family: Family[SolidRow], path: Path) -> Family[SolidRow]:

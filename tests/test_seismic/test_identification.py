@@ -131,6 +131,16 @@ def test_vertex_of_a_v():
     assert identify.vertex(np.ones(11), grid) == 0.5
 
 
+def test_an_interval_that_reaches_an_end_of_the_candidates_is_open():
+    grid = np.linspace(0.5, 1.0, 11)
+    assert [identify.end_of(answer, grid) for answer in (0.5, 0.51, 0.99, 1.0)] == [-1, 0, 0, 1]
+    assert identify.stated(0.7, 0.1, grid) == 0.1
+    for answer, half_width in ((0.5, 0.0), (0.52, 0.03), (0.98, 0.03), (1.0, 0.0)):
+        assert identify.stated(answer, half_width, grid) == np.inf
+    assert identify.stated(0.02, 0.03, grid - 0.5) == 0.03  # no mass is less than none
+    assert identify.stated(0.0, 0.03, grid - 0.5) == np.inf  # but a truth of none is an end all the same
+
+
 def test_truth_lies_within_the_stated_uncertainty_in_95_of_100_trials(bank):
     truth, found, half_width = identify.recovery(bank, 100, 0.2, np.random.default_rng(11))
     assert np.sum(np.abs(found - truth) <= half_width) >= 95

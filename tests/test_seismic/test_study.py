@@ -210,6 +210,15 @@ MISTAKES = {
     "no stiffness to identify with": ({"scene.empty_frequency_Hz": None}, "identification needs scene.empty_frequency_Hz"),
     "an output of a section left out": ({"sine": None, "assumed": []}, "output seismic_resonance needs the section sine"),
     "depth outside": ({"relative_depth": [0.5, 1.5]}, "must rise within 0 ... 1"),
+    "stiffer than stiff": ({"scene.empty_frequency_Hz": 300.0}, "scene.empty_frequency_Hz = 300.0: must not be above 212.7 Hz"),
+    "stiffer than stiff in the sweep": (
+        {"sine.empty_frequency_Hz": 300.0},
+        "sine.empty_frequency_Hz = 300.0: must not be above",
+    ),
+    "channel without traces": (
+        {"scene.motion": {"file": "a.txt", "format": "two_columns", "acceleration_unit": "g", "channel": "HNE"}},
+        "channel goes with a file of format obspy",
+    ),
     "an output of another stage": ({"outputs": ["fig_4_2_11"]}, "output fig_4_2_11 is drawn from a pressure cube"),
 }
 
@@ -232,6 +241,51 @@ def test_measured_file_must_fit_the_base(content, tmp_path):
     content["scene"]["measured"] = {"file": "top.txt", "format": "two_columns", "acceleration_unit": "g"}
     with pytest.raises(BadInput, match="must be sampled as the base motion is after time compression: 5900 samples"):
         expanded(content, tmp_path)
+
+
+@pytest.mark.parametrize(("truth", "candidates", "end"), [(0.4, (0.5, 1.0), -1), (0.8, (0.4, 0.7), 1)])
+def test_an_answer_at_the_end_of_the_candidates_is_open(content, tmp_path, kept, truth, candidates, end):
+    """A truth of 0.40 under candidates of 0.50 ... 1.00 was stated as 0.5000 +- 0.0071."""
+    start, stop = candidates
+    content |= {"sweep": [], "published": None}
+    content["scene"]["measured"]["imitation"]["effective_mass_coefficient"] = truth
+    content["identification"] |= {
+        "coefficients": {"start": start, "stop": stop, "count": 11},
+        "shown_coefficients": [start, stop],
+    }
+    told = []
+    cube = seismic_cube(expanded(content), told.append)
+    by_amplitude = cube.sel(identification="amplitude_error")
+    assert float(by_amplitude["effective_mass_coefficient"]) == (start if end < 0 else stop)
+    assert int(by_amplitude["candidate_end"]) == int(cube["candidate_end"].sel(identification="phase_error")) == end
+    assert np.isinf([cube["uncertainty"], cube["coarse_uncertainty"]]).all()
+    assert "the identified one is an end of the candidates" in told[0]
+    write(cube, tmp_path / "cube.nc")
+    assert np.isinf(read(tmp_path / "cube.nc")["uncertainty"])
+    for module in (seismic_indices, seismic_recovery, seismic_demand, seismic_histories):
+        module.draw(cube, tmp_path / module.__name__)
+    indices, recovery, demand, histories = kept
+    word = "lowest" if end < 0 else "highest"
+    assert f"{word} candidate: may lie beyond" in " ".join(text.get_text() for text in indices.axes[0].texts)
+    assert "are not judged" in " ".join(text.get_text() for text in indices.axes[0].texts)
+    assert "open: reaches an end" in " ".join(text.get_text() for text in recovery.axes[1].texts)
+    assert f"{word} candidate" in " ".join(text.get_text() for text in demand.axes[5].get_legend().get_texts())
+    assert f"{word} candidate" in histories.axes[0].get_title()
+
+
+def test_answers_between_the_candidates_stay_closed(cube):
+    assert not cube["candidate_end"].any()
+    assert np.isfinite(cube["uncertainty"]).all()
+
+
+def test_check_tells_an_unlikely_record(capsys, content, tmp_path):
+    (tmp_path / "base.txt").write_text("".join(f"{10 * n} {(-1) ** n}\n" for n in range(50)))
+    content["scene"]["motion"] = {"file": "base.txt", "format": "two_columns", "acceleration_unit": "g"}
+    content |= {"sweep": [], "outputs": [], "identification": None, "sine": None, "published": None, "assumed": []}
+    content["scene"].pop("measured")
+    (tmp_path / "study.yaml").write_text(yaml.safe_dump(content))
+    assert main(["check", str(tmp_path / "study.yaml")]) == 0
+    assert "base.txt (unlikely: steps of 10 s)" in capsys.readouterr().out
 
 
 def test_commands(capsys, content, tmp_path):

@@ -32,5 +32,5 @@ ROW = TangentialLaw(
     law=law,
     damping=damping,
     coefficients=(*spring.DRAG, spring.FRICTION),
-    dissipates=("dashpot",),
+    dissipates=("dashpot", "sliding"),
 )
