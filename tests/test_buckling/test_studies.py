@@ -157,7 +157,7 @@ def test_commands(tmp_path, capsys):
     text = (tmp_path / "miller_tests.csv").read_text()
     assert "printed inner diameter 125 in., right inner radius 125 in." in text
     assert main(["shell", str(study), str(cube), str(tmp_path / "shell.nc")]) == 2
-    assert "kind = 'buckling': must be shell" in capsys.readouterr().err
+    assert "kind = 'buckling': has no stage shell; its stages: buckling" in capsys.readouterr().err
 
 
 def drawn_shell(name):
