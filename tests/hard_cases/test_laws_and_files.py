@@ -11,6 +11,7 @@ from silostudy.config.load import read_yaml
 from silostudy.contact import NORMAL, TANGENTIAL, curve
 from silostudy.contact.family import Touch
 from silostudy.cube.io import read, write
+from silostudy.cube.provenance import provenance
 from silostudy.cube.variables import attributes as of_the_contract
 from silostudy.dem.events import Event
 from silostudy.dem.model import Contact
@@ -118,6 +119,9 @@ def test_events_nobody_knows(changes):
         Event(**({"trigger": "time", "value": 0.0, "action": "stop"} | changes))
 
 
+ABOUT = {**provenance("a cube", "{}", ["kiyama_fujimura_1983"], "dem"), "sweep_axes": ""}
+
+
 def numbered(discs) -> dict:
     """The coordinate of some discs: their numbers."""
     return {"disc": ("disc", np.arange(len(discs)), of_the_contract("disc"))}
@@ -127,7 +131,7 @@ def test_numbers_at_the_ends_of_the_range_in_a_cube(tmp_path):
     """Sub-normal and huge numbers come back bit by bit, and NaN stays what it is: masked."""
     values = np.array([5e-324, -1e-310, 0.0, -0.0, 1e308, nan, pi, sqrt(2.0)])
     attributes = {"units": "m", "long_name": "radius of a disc"}
-    cube = xr.Dataset({"disc_radius": ("disc", values, attributes)}, numbered(values), {"sweep_axes": ""})
+    cube = xr.Dataset({"disc_radius": ("disc", values, attributes)}, numbered(values), ABOUT)
     write(cube, tmp_path / "ends.nc")
     back = read(tmp_path / "ends.nc")["disc_radius"].to_numpy()
     assert back.tobytes() == values.tobytes()
@@ -158,7 +162,7 @@ def test_file_that_breaks_off(tmp_path):
 def test_cube_cut_off(tmp_path):
     file = tmp_path / "cut.nc"
     attributes = {"units": "m", "long_name": "radius of a disc"}
-    write(xr.Dataset({"disc_radius": ("disc", np.ones(1000), attributes)}, numbered(range(1000)), {"sweep_axes": ""}), file)
+    write(xr.Dataset({"disc_radius": ("disc", np.ones(1000), attributes)}, numbered(range(1000)), ABOUT), file)
     file.write_bytes(file.read_bytes()[: file.stat().st_size // 3])
-    with pytest.raises(BadInput, match="must be a netCDF file of this package"):
+    with pytest.raises(BadInput, match="must be a netCDF file"):
         read(file)
