@@ -1,6 +1,7 @@
 """The `silostudy` command: sub-commands for people (list, explain, compare, check) and for the pipeline's rules."""
 
 import argparse
+import os
 import sys
 from collections.abc import Sequence
 from pathlib import Path
@@ -38,11 +39,18 @@ def parser() -> argparse.ArgumentParser:
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    """Runs one sub-command; bad input is one line a mistake on stderr and status 2."""
+    """Runs one sub-command; bad input is one line a mistake on stderr and status 2.
+
+    Whoever reads the output may stop early, as `head` does.
+    """
     chosen = parser().parse_args(arguments)
     try:
         check_outputs(chosen)
         chosen.run(chosen)
+        sys.stdout.flush()
+    except BrokenPipeError:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())  # the interpreter flushes once more at its end
+        return 1
     except BadInput as error:
         print("\n".join(f"silostudy: {line}" for line in str(error).split("\n")), file=sys.stderr)
         return 2

@@ -15,7 +15,6 @@ def pressures(expansion) -> list[str]:
 
 def cautions(expansion) -> list[str]:
     """What a study's author should know although it is no mistake."""
-    from silostudy.scene.possible import unusual
     from silostudy.scene.scene import solid_parameters
 
     found: dict[str, int] = {}
@@ -29,8 +28,16 @@ def cautions(expansion) -> list[str]:
             if parameters[name] != parameters[name]:
                 text = f"{case.scene.solid.key} on {wall}: no {name} in the tables; methods that need it are masked"
                 found[text] = 1
-        found |= dict.fromkeys(unusual(case.scene), 1)
-    return [f"note: {text}" for text in (*found, *_switches(expansion))]
+    return [f"note: {text}" for text in (*found, *unusual_inputs(expansion), *_switches(expansion))]
+
+
+def unusual_inputs(expansion) -> list[str]:
+    """Which inputs of a study's silos and solids can be but hardly are, each once."""
+    from silostudy.scene.possible import unusual
+    from silostudy.scene.scene import Scene
+
+    scenes = (case.scene for case in expansion.cases if isinstance(case.scene, Scene))
+    return list(dict.fromkeys(text for scene in scenes for text in unusual(scene)))
 
 
 def _switches(expansion) -> list[str]:

@@ -185,7 +185,7 @@ def _numbers_used(one: "xr.Dataset") -> list[str]:
     """A line for each different set of values: what is reckoned with them, mu, K and phi."""
     from math import degrees
 
-    found: dict[str, list[str]] = {}
+    found: dict[str, dict[str, list[str]]] = {}
     for phase in map(str, one["phase"].values):
         for quantity in map(str, one["used_for"].values):
             values = one.sel(phase=phase, used_for=quantity)
@@ -196,5 +196,6 @@ def _numbers_used(one: "xr.Dataset") -> list[str]:
                 cut = float(values["used_wall_friction_uncapped"])
                 capped = f" (cut from {cut:.3g} to tan phi)" if bool(values["used_wall_friction_capped"]) else ""
                 text = f"mu {mu:.3g}{capped}, K {k:.3g}, phi {degrees(phi):.1f} deg"
-                found.setdefault(text, []).append(f"{quantity} ({phase})")
-    return [f"{text}: {', '.join(what)}" for text, what in found.items()]
+                found.setdefault(text, {}).setdefault(quantity, []).append(phase)
+    each = {text: (f"{what} ({', '.join(when)})" for what, when in whats.items()) for text, whats in found.items()}
+    return [f"{text}: {', '.join(what)}" for text, what in each.items()]

@@ -1,10 +1,10 @@
 """The numbers behind the numbers: which values each method reckons with, and which limit of it a case breaks."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-from silostudy.compute.evaluate import AskedMethod, gather
+from silostudy.compute.evaluate import AskedMethod
 from silostudy.pressure.calls import call, parameters_of
 from silostudy.pressure.family import ON_HOPPER, USED, USED_FOR, PressureMethod, Quantities
 from silostudy.scene.expand import Expansion
@@ -12,12 +12,14 @@ from silostudy.scene.expand import Expansion
 INSIDE = "within all limits"
 
 
-def used_variables(expansion: Expansion, methods: list[AskedMethod]) -> dict[str, np.ndarray]:
-    """Every parameter of USED as the methods reckon with it, (method, phase, axes..., used_for), and what follows from it."""
+def used_variables(expansion: Expansion, methods: list[AskedMethod], given: Sequence[Mapping]) -> dict[str, np.ndarray]:
+    """Every parameter of USED as the methods reckon with it, (method, phase, axes..., used_for), and what follows from it.
+
+    given: the parameters handed to each method.
+    """
     shape = (len(methods), len(expansion.study.phases), *expansion.shape, len(USED_FOR))
     found = {name: np.full(shape, np.nan) for name in USED}
-    for m, method in enumerate(methods):
-        parameters = gather(expansion, method)
+    for m, (method, parameters) in enumerate(zip(methods, given, strict=True)):
         for p, phase in enumerate(expansion.study.phases):
             for q, quantity in enumerate(USED_FOR):
                 for name, value in _values_used(method, phase, quantity, parameters).items():
@@ -52,12 +54,11 @@ def _handed(name: str, quantity: str) -> str:
     return f"hopper_{name}" if quantity == ON_HOPPER and name.startswith("wall_friction") else name
 
 
-def limit_variables(expansion: Expansion, methods: list[AskedMethod]) -> dict:
+def limit_variables(expansion: Expansion, methods: list[AskedMethod], given: Sequence[Mapping]) -> dict:
     """Which limit keeps a method from giving a wall pressure, (method, phase, axes...): numbers on the axis of limits."""
     words = list(dict.fromkeys([INSIDE, *(limit.words() for method in methods for limit in method.row.limits)]))
     found = np.zeros((len(methods), len(expansion.study.phases), *expansion.shape), dtype=np.int8)
-    for m, method in enumerate(methods):
-        parameters = gather(expansion, method)
+    for m, (method, parameters) in enumerate(zip(methods, given, strict=True)):
         for p, phase in enumerate(expansion.study.phases):
             for limit in reversed(method.row.limits) if method.functions(phase) else ():
                 if limit.holds_for("wall_normal_pressure", phase) and not limit.measure.of_depth:

@@ -99,7 +99,7 @@ def with_reasons(scopes: Mapping[str, np.ndarray]) -> dict[str, tuple]:
 def method_coordinates(methods: list[AskedMethod]) -> dict[str, list[str]]:
     """The axis of methods with what figures need to know of them, so that a figure is a function of the cube alone."""
     found = {"": [method.label for method in methods], "_title": [method.title for method in methods]}
-    for name in ("number", "colour", "marker", "drawn"):
+    for name in ("number", "colour", "marker", "drawn", "initial_state"):
         found[f"_{name}"] = [getattr(method.row, name) for method in methods]
     found["_values"] = ["; ".join(f"{q}: {v}" for q, v in method.row.values.items()) for method in methods]
     return {f"pressure_method{name}": texts for name, texts in found.items()}

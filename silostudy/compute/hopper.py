@@ -1,28 +1,38 @@
 """The hopper wall and the totals of a silo: pressures over the height, forces, and the vertical balance."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-from silostudy.compute.evaluate import AskedMethod, gather, masked, with_reasons
+from silostudy.compute.evaluate import AskedMethod, masked, with_reasons
 from silostudy.config.fields import expand
 from silostudy.cube.variables import attributes
 from silostudy.pressure import hopper_shape, mass_flow
 from silostudy.pressure.calls import call, parameters_of
-from silostudy.pressure.family import HOPPER_QUANTITIES, IN_SCOPE, NO_PHASE, NO_QUANTITY, TOTALS, PressureMethod
+from silostudy.pressure.family import (
+    HOPPER_QUANTITIES,
+    IN_SCOPE,
+    NO_PHASE,
+    NO_QUANTITY,
+    OUT_OF_RANGE,
+    TOTALS,
+    PressureMethod,
+)
 from silostudy.pressure.quadrature import hopper_wall_force
 from silostudy.scene.expand import Expansion
 
 BALANCE = ("hopper_weight", "hopper_wall_force", "hopper_balance")
 
 
-def total_variables(expansion: Expansion, methods: list[AskedMethod]) -> dict:
+def total_variables(expansion: Expansion, methods: list[AskedMethod], given: Sequence[Mapping]) -> dict:
     """Every total that a method of the study gives, each (method, phase, axes...), with its scope flags."""
     offered = [name for name in TOTALS if any(name in total for method in methods for total in method.row.totals.values())]
-    return _variables(expansion, methods, offered, lambda row, phase, parameters: _totals(row, phase, offered, parameters))
+    return _variables(
+        expansion, given, methods, offered, lambda row, phase, parameters: _totals(row, phase, offered, parameters)
+    )
 
 
-def hopper_variables(expansion: Expansion, methods: list[AskedMethod]) -> dict:
+def hopper_variables(expansion: Expansion, methods: list[AskedMethod], given: Sequence[Mapping]) -> dict:
     """Pressures on the hopper wall (method, phase, axes..., hopper_position), the balance, and the hopper's shape."""
     places = np.array(expand(expansion.study.hopper_position))
 
@@ -30,18 +40,17 @@ def hopper_variables(expansion: Expansion, methods: list[AskedMethod]) -> dict:
         top, bottom = heights(parameters)
         return _of_wall(row, phase, top - places * (top - bottom), parameters)
 
-    wall = _variables(expansion, methods, HOPPER_QUANTITIES, on_wall, places.size)
-    balance = _variables(expansion, methods, BALANCE, balanced)
-    return {**wall, **balance, **_shape(expansion, methods), "hopper_position": places}
+    wall = _variables(expansion, given, methods, HOPPER_QUANTITIES, on_wall, places.size)
+    balance = _variables(expansion, given, methods, BALANCE, balanced)
+    return {**wall, **balance, **_shape(given[0]), "hopper_position": places}
 
 
-def _variables(expansion, methods, names, evaluate, *last_shape) -> dict:
+def _variables(expansion, given, methods, names, evaluate, *last_shape) -> dict:
     """The named quantities with their scope flags, filled by evaluate(row, phase, parameters) -> name -> (value, scope)."""
     shape = (len(methods), len(expansion.study.phases), *expansion.shape, *last_shape)
     values = {name: np.full(shape, np.nan) for name in names}
     scopes = {name: np.full(shape, NO_PHASE, dtype=np.int8) for name in names}
-    for m, method in enumerate(methods):
-        parameters = gather(expansion, method)
+    for m, (method, parameters) in enumerate(zip(methods, given, strict=True)):
         for p, phase in enumerate(expansion.study.phases):
             for name, (value, scope) in evaluate(method.row, phase, parameters).items():
                 values[name][m, p], scopes[name][m, p] = value, scope
@@ -90,6 +99,7 @@ def balanced(row: PressureMethod, phase: str, parameters: Mapping) -> dict[str, 
     wall = _wall_force(row, phase, parameters)
     missing = 1 - (wall + ring + outlet) / (weight[..., 0] + transition)
     scope = np.where(scope == IN_SCOPE, _of_wall_scope(row, phase, parameters), scope)
+    scope = np.where((scope == IN_SCOPE) & np.isnan(missing), np.int8(OUT_OF_RANGE), scope)
     found = (np.broadcast_to(value, scope.shape) for value in (weight[..., 0], wall, missing))
     return {name: (np.where(scope == IN_SCOPE, value, np.nan), scope) for name, value in zip(BALANCE, found, strict=True)}
 
@@ -119,9 +129,8 @@ def _wall_force(row: PressureMethod, phase: str, parameters: Mapping) -> np.ndar
     return hopper_wall_force(pressures, (bottom, middle), parameters) + hopper_wall_force(pressures, (middle, top), parameters)
 
 
-def _shape(expansion: Expansion, methods: list[AskedMethod]) -> dict:
+def _shape(parameters: Mapping) -> dict:
     """The hopper's dimensions and its flow pattern by the mass-flow limit, (axes...)."""
-    parameters = gather(expansion, methods[0])
     friction = parameters["effective_friction_angle"], parameters["hopper_wall_friction"]
     pattern = mass_flow.flow_pattern(parameters["hopper_half_angle"], *friction, parameters["slot"])
     found = {

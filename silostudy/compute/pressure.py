@@ -46,38 +46,54 @@ HANDED_IF_KNOWN = (
 
 def pressure_cube(expansion: Resolved) -> xr.Dataset:
     """The cube of a study: each quantity (method, phase, axes..., depth) with a scope flag beside it."""
-    methods = methods_of(expansion)
-    z = depths_in_metres(expansion)
+    study, methods, z = expansion.study, methods_of(expansion), depths_in_metres(expansion)
+    given = [gather(expansion, method) for method in methods]
+    data = _labels(expansion, methods) | _on_wall(expansion, methods, given, z) | _handed(given)
+    for name in ("hydraulic_radius", "cylinder_depth", "contact_depth"):
+        data[name] = np.array([getattr(case.scene.silo, name) for case in expansion.cases]).reshape(expansion.shape)
+    data |= depth_coordinates(study, z) | {"used_for": list(USED_FOR)}
+    for variables in (total_variables, used_variables, limit_variables):
+        data |= variables(expansion, methods, given)
+    data |= channel_variables(expansion, methods, given, z)
+    if study.hopper_position is not None:
+        data |= hopper_variables(expansion, methods, given)
+    notes = {**expansion.promise, **study.own_methods}
+    return assemble(study, "pressure", data, sources=sources_of(expansion), notes=notes, sweep=sweep_of(expansion))
+
+
+def silent_cube(expansion: Resolved) -> xr.Dataset:
+    """The cylinder at the quarters of its depth alone, for what is told of silent methods before computing."""
+    methods, quarters = methods_of(expansion), np.array([0.25, 0.5, 0.75, 1.0])
+    given = [gather(expansion, method) for method in methods]
+    z = _heights(expansion)[..., None] * quarters
+    data = _labels(expansion, methods) | _on_wall(expansion, methods, given, z) | {"depth": z, "relative_depth": quarters}
+    data |= limit_variables(expansion, methods, given)
+    return assemble(expansion.study, "pressure", data, sources=[], sweep=sweep_of(expansion))
+
+
+def _labels(expansion: Resolved, methods: list[AskedMethod]) -> dict:
+    return {**method_coordinates(methods), "phase": list(expansion.study.phases)}
+
+
+def _on_wall(expansion: Resolved, methods: list[AskedMethod], given: list[dict], z: np.ndarray) -> dict:
+    """Every quantity of the cylinder's wall with its scope flags."""
     shape = (len(methods), len(expansion.study.phases), *z.shape)
     values = {name: np.full(shape, np.nan) for name in (*offered(methods), "overpressure_factor")}
     scopes = {name: np.full(shape, NO_PHASE, dtype=np.int8) for name in values}
-    handed = {name: np.full(shape[:1] + shape[2:-1], np.nan) for name in (*HANDED, *HANDED_IF_KNOWN, "wall_friction_capped")}
-    for m, method in enumerate(methods):
-        parameters = gather(expansion, method)
-        _note(handed, m, parameters, shape[2:-1])
+    for m, (method, parameters) in enumerate(zip(methods, given, strict=True)):
         for p, phase in enumerate(expansion.study.phases):
             found = evaluate(method, phase, z, parameters)
             for name in values.keys() & found.keys():
                 values[name][m, p], scopes[name][m, p] = found[name]
-    return _assemble(expansion, methods, z, values, scopes, handed)
+    return values | with_reasons(scopes)
 
 
-def silent_cube(expansion: Resolved) -> xr.Dataset:
-    """Wall pressures at the quarters of the depth alone, for what is told of silent methods before computing."""
-    methods = methods_of(expansion)
-    heights = np.array([case.scene.silo.cylinder_depth for case in expansion.cases]).reshape(expansion.shape)
-    z = heights[..., None] * np.array([0.25, 0.5, 0.75, 1.0])
-    shape = (len(methods), len(expansion.study.phases), *z.shape)
-    value, scope = np.full(shape, np.nan), np.full(shape, NO_PHASE, dtype=np.int8)
-    for m, method in enumerate(methods):
-        parameters = gather(expansion, method)
-        for p, phase in enumerate(expansion.study.phases):
-            if found := evaluate(method, phase, z, parameters):
-                value[m, p], scope[m, p] = found["wall_normal_pressure"]
-    data = {"wall_normal_pressure": value, **with_reasons({"wall_normal_pressure": scope}), **method_coordinates(methods)}
-    data |= {"phase": list(expansion.study.phases), "depth": z, "relative_depth": np.array([0.25, 0.5, 0.75, 1.0])}
-    data |= limit_variables(expansion, methods)
-    return assemble(expansion.study, "pressure", data, sources=[], sweep=sweep_of(expansion))
+def _handed(given: list[dict]) -> dict[str, np.ndarray]:
+    """The properties of the solid that each method was handed, (method, axes...)."""
+    found = {name: np.array([one[name] for one in given])[..., 0] for name in (*HANDED, *HANDED_IF_KNOWN)}
+    found = {name: value for name, value in found.items() if name in HANDED or not np.isnan(value).all()}
+    capped = [one["wall_friction"] < one["wall_friction_uncapped"] for one in given]
+    return {**found, "wall_friction_capped": np.array(capped).astype(np.int8)[..., 0]}
 
 
 def offered(methods: list[AskedMethod]) -> list[str]:
@@ -91,8 +107,11 @@ def depths_in_metres(expansion: Resolved) -> np.ndarray:
     depths = np.array(expansion.study.depths)
     if expansion.study.depth_m is not None:
         return np.broadcast_to(depths, (*expansion.shape, depths.size))
-    heights = np.array([case.scene.silo.cylinder_depth for case in expansion.cases]).reshape(expansion.shape)
-    return heights[..., None] * depths
+    return _heights(expansion)[..., None] * depths
+
+
+def _heights(expansion: Resolved) -> np.ndarray:
+    return np.array([case.scene.silo.cylinder_depth for case in expansion.cases]).reshape(expansion.shape)
 
 
 def evaluate(method: AskedMethod, phase: str, z: np.ndarray, parameters: Mapping) -> dict[str, tuple]:
@@ -108,33 +127,11 @@ def evaluate(method: AskedMethod, phase: str, z: np.ndarray, parameters: Mapping
         else:
             found[name] = np.nan, np.int8(NO_QUANTITY)
     pressure, scope = found["wall_normal_pressure"]
-    static = call(row.static, np.where(z > 0, z, np.nan), parameters)  # 0 / 0 at the surface is no factor
-    found["overpressure_factor"] = pressure / static, np.where((z > 0) | (scope != IN_SCOPE), scope, OUT_OF_RANGE)
+    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
+        static = call(row.static, z, parameters)
+        factor = pressure / np.where(static > 0, static, np.nan)  # 0 / 0, as at the surface, is no factor
+    found["overpressure_factor"] = factor, np.where((scope == IN_SCOPE) & np.isnan(factor), np.int8(OUT_OF_RANGE), scope)
     return found
-
-
-def _note(handed: dict[str, np.ndarray], m: int, parameters: Mapping, shape: tuple[int, ...]) -> None:
-    for name in (*HANDED, *HANDED_IF_KNOWN):
-        handed[name][m] = parameters[name].reshape(shape)
-    capped = parameters["wall_friction"] < parameters["wall_friction_uncapped"]
-    handed["wall_friction_capped"][m] = capped.reshape(shape)
-
-
-def _assemble(expansion: Resolved, methods: list[AskedMethod], z, values, scopes, handed) -> xr.Dataset:
-    study = expansion.study
-    data: dict = {**values, **with_reasons(scopes), **method_coordinates(methods), "phase": list(study.phases)}
-    for name, value in handed.items():
-        if name not in HANDED_IF_KNOWN or not np.isnan(value).all():
-            data[name] = value.astype(np.int8) if name == "wall_friction_capped" else value
-    for name in ("hydraulic_radius", "cylinder_depth"):
-        data[name] = np.array([getattr(case.scene.silo, name) for case in expansion.cases]).reshape(expansion.shape)
-    data["contact_depth"] = np.array([case.scene.silo.contact_depth for case in expansion.cases]).reshape(expansion.shape)
-    data |= depth_coordinates(study, z) | total_variables(expansion, methods) | channel_variables(expansion, methods, z)
-    data |= used_variables(expansion, methods) | limit_variables(expansion, methods) | {"used_for": list(USED_FOR)}
-    if study.hopper_position is not None:
-        data |= hopper_variables(expansion, methods)
-    notes = {**expansion.promise, **study.own_methods}
-    return assemble(study, "pressure", data, sources=sources_of(expansion), notes=notes, sweep=sweep_of(expansion))
 
 
 def depth_coordinates(study, z: np.ndarray) -> dict[str, np.ndarray]:

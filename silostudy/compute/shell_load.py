@@ -62,12 +62,16 @@ def _source(normal: np.ndarray, own: np.ndarray, traction: np.ndarray) -> np.nda
 def internal_pressures(pressure: xr.Dataset) -> tuple[np.ndarray, np.ndarray]:
     """(smallest guaranteed, largest) wall pressure (Pa) of each method over its phases, shape (method, axes..., depth).
 
-    An overpressure is not guaranteed: the smallest is counted with the method's static pressure.
+    Smallest is the pressure that accompanies the axial force, where the method gives it; else an overpressure is not
+    guaranteed, and the smallest is counted with the method's static pressure.
     """
     normal = pressure["wall_normal_pressure"].values
     with np.errstate(invalid="ignore", divide="ignore"):
-        static = normal / pressure["overpressure_factor"].values
-    return np.fmin.reduce(np.fmin(normal, static), axis=1), np.fmax.reduce(normal, axis=1)
+        smallest = np.fmin(normal, normal / pressure["overpressure_factor"].values)
+    if "accompanying_wall_pressure" in pressure:
+        accompanying = pressure["accompanying_wall_pressure"].values
+        smallest = np.where(np.isfinite(accompanying), accompanying, smallest)
+    return np.fmin.reduce(smallest, axis=1), np.fmax.reduce(normal, axis=1)
 
 
 def carried_share(force: np.ndarray, pressure: xr.Dataset) -> np.ndarray:

@@ -10,8 +10,8 @@ DEPTHS = ("depth", "relative_depth")
 NOT_COVERED, OUT_OF_RANGE = "phase_not_covered", "outside_published_range"
 
 
-def silences(cube: xr.Dataset) -> list[str]:
-    """A line for every method and phase that gives no wall pressure in some case, with the reasons.
+def silences(cube: xr.Dataset, *, in_every_case: bool = False) -> list[str]:
+    """A line for every method and phase that gives no wall pressure in some case, or in every one, with the reasons.
 
     A phase that a method's source does not treat is told where the method gives nothing in any other.
     """
@@ -19,7 +19,8 @@ def silences(cube: xr.Dataset) -> list[str]:
     for method in map(str, cube["pressure_method"].values):
         one = cube.sel(pressure_method=method)
         phases = [phase for phase in map(str, cube["phase"].values) if _reasons(one.sel(phase=phase)) != [NOT_COVERED]]
-        lines += [f"{method}, {phase}: {text}" for phase in phases if (text := _silence(one.sel(phase=phase)))]
+        told = [phase for phase in phases if not in_every_case or _silent(one.sel(phase=phase)).all()]
+        lines += [f"{method}, {phase}: {text}" for phase in told if (text := _silence(one.sel(phase=phase)))]
         if not phases:
             lines.append(f"{method}: gives nothing: {', '.join(map(str, cube['phase'].values))} not covered by its source")
     return lines
@@ -51,3 +52,10 @@ def _limits(one: xr.Dataset, silent: xr.DataArray) -> list[str]:
     """The limits that these cases break, in words."""
     numbers = np.unique(one["limit_broken"].values[silent.values])
     return [str(one["limit"].values[number]) for number in numbers if number > 0]
+
+
+def reason(cube: xr.Dataset, name: str, method: str, phase: str) -> str:
+    """Why a variable of a method is masked in a phase, in words: the first reason of all its masked values."""
+    flags = cube[name + SCOPE].sel(pressure_method=method, phase=phase)
+    meanings = flags.attrs["flag_meanings"].split()
+    return meanings[int(flags.where(flags > 0).min())].replace("_", " ")

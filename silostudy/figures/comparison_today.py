@@ -13,7 +13,7 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.patches import Patch
 
-from silostudy.figures.style import PHASE_LINES, look, save, title
+from silostudy.figures.style import PHASE_LINES, look, save, silent, title
 from silostudy.figures.uncertainty_bands import distinct_methods
 from silostudy.tables.measured import Measured, measured_silos
 from silostudy.tables.outputs import output_of
@@ -49,6 +49,7 @@ def draw(cube: xr.Dataset, stem: Path, sampled: xr.Dataset | None = None) -> Non
     _number_ends(left, tables)
     left.set_ylim(float(cube["cylinder_depth"]) * 1.08, 0)
     handles = [*left.get_legend_handles_labels()[0], *([Patch(color="0.5", alpha=0.45, label=SCATTER)] if scatter else [])]
+    handles += silent(cube)
     figure.legend(handles=handles, loc="outside lower center", ncols=3, fontsize=8)
     figure.suptitle(cube.attrs["title"] + ("\n" + BELOW if scatter else ""))
     save(figure, pd.concat([*tables, *scatter], ignore_index=True), stem)

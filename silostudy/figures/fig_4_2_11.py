@@ -8,7 +8,7 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.ticker import MaxNLocator
 
-from silostudy.figures.style import PHASE_LINES, look, save, title
+from silostudy.figures.style import PHASE_LINES, look, save, silent, title
 from silostudy.tables.constants import STANDARD_GRAVITY
 from silostudy.tables.outputs import output_of
 
@@ -31,7 +31,8 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     kpa.set_xlabel("wall normal pressure (kPa)")
     right.set(xlabel="ratio to static Janssen (curve 6)", xlim=(0.5, 6))
     left.set_ylim(float(cube["cylinder_depth"]) * 1.07, 0)  # room for the numbers at the feet
-    figure.legend(loc="outside lower center", ncols=3, fontsize=8)
+    handles = [*left.get_legend_handles_labels()[0], *silent(cube)]
+    figure.legend(handles=handles, loc="outside lower center", ncols=3, fontsize=8)
     figure.suptitle(cube.attrs["title"])
     save(figure, curves, stem)
 

@@ -9,7 +9,7 @@ import xarray as xr
 from matplotlib.colors import BoundaryNorm, ListedColormap
 from matplotlib.patches import Patch
 
-from silostudy.figures.style import save, title
+from silostudy.figures.style import save, silent, title
 
 
 def draw(cube: xr.Dataset, stem: Path) -> None:
@@ -19,6 +19,7 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     axes it takes the position with the fewest masked values and says which.
     """
     level = "relative_depth" if "relative_depth" in cube.dims else "depth"
+    unspoken = silent(cube)
     cube, fixed = _one_position(cube, level)
     index, largest = _governing(cube)
     solids = list(map(str, cube["solid"].values)) if "solid" in cube.dims else [""]
@@ -43,7 +44,7 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
         panel.set_ylabel("depth over depth of the transition" if level == "relative_depth" else "depth (m)")
     present = sorted(set(index.values[index.values >= 0].astype(int).ravel()))
     handles = [Patch(color=colours(m), alpha=0.75, label=title(cube, methods[m])) for m in present]
-    figure.legend(handles=handles, loc="outside lower center", ncols=4, fontsize=8)
+    figure.legend(handles=[*handles, *unspoken], loc="outside lower center", ncols=4, fontsize=8)
     figure.suptitle(
         f"Method with the largest wall pressure at each depth ({fixed};\nof methods that tie, the first in the catalogue)"
     )

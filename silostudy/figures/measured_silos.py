@@ -7,7 +7,7 @@ import numpy as np
 import pandas as pd
 import xarray as xr
 
-from silostudy.figures.style import PHASE_LINES, look, save, title
+from silostudy.figures.style import PHASE_LINES, look, save, silent, title
 from silostudy.tables.measured import Measured, measured_silos
 
 
@@ -24,7 +24,8 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
             tables.append(deviations(here, point))
             _bars(bars, tables[-1], point)
     figure.suptitle(cube.attrs["title"])
-    figure.legend(*axes[0, 0].get_legend_handles_labels(), loc="outside lower center", ncols=3, fontsize=8)
+    handles = [*axes[0, 0].get_legend_handles_labels()[0], *silent(cube)]
+    figure.legend(handles=handles, loc="outside lower center", ncols=3, fontsize=8)
     save(figure, pd.concat(tables, ignore_index=True), stem)
 
 

@@ -10,13 +10,13 @@ import matplotlib.pyplot as plt
 import pandas as pd
 import xarray as xr
 
-from silostudy.figures.style import look, save, title
+from silostudy.figures.style import look, save, silent, title
 
 
 def draw(cube: xr.Dataset, stem: Path) -> None:
     """Writes the figure and its numbers: median, least and largest over all the other axes of the study."""
     level = "relative_depth" if "relative_depth" in cube.dims else "depth"
-    cube = cube.sel({"phase": "discharge"})
+    unspoken, cube = silent(cube), cube.sel({"phase": "discharge"})
     pressure = cube["wall_normal_pressure"]
     static = pressure / cube["overpressure_factor"]
     panels = {
@@ -36,7 +36,8 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
         panel.axhline(1, color="black", linewidth=0.8)
     axes[0].set_ylabel("overpressure factor over the method's own static Janssen")
     figure.suptitle(f"{cube.attrs['title']}\nline: median over the study's other axes; band: least to largest")
-    figure.legend(loc="outside lower center", ncols=4, fontsize=8)
+    handles = [*axes[0].get_legend_handles_labels()[0], *unspoken]
+    figure.legend(handles=handles, loc="outside lower center", ncols=4, fontsize=8)
     save(figure, numbers, stem)
 
 

@@ -5,6 +5,7 @@ below, initial field above, the ring force between them.
 """
 
 from pathlib import Path
+from textwrap import fill
 from typing import Any
 
 import matplotlib.pyplot as plt
@@ -13,6 +14,7 @@ import pandas as pd
 import xarray as xr
 from matplotlib.axes import Axes
 
+from silostudy.cube.silence import reason
 from silostudy.figures.style import save, title
 
 SIDES = {
@@ -45,12 +47,18 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
                 _pressures(panel, cube, states[method, phase], largest)
                 _forces(panel, cube, method, phase)
             else:
-                panel.text(0, float(cube["cylinder_depth"]) / 2, "not given by\nthis method", ha="center", va="center")
+                panel.text(0, float(cube["cylinder_depth"]) / 2, _why_not(cube, method, phase), ha="center", va="center")
             panel.tick_params(labelbottom=True)
     _frame(panels, cube, largest)
     figure.suptitle(cube.attrs["title"])
     numbers = pd.concat([t.assign(pressure_method=m, phase=p) for (m, p), t in states.items()], ignore_index=True)
     save(figure, numbers[["pressure_method", "phase", "side", "depth_m", "wall_radius_m", "pressure_kPa"]], stem)
+
+
+def _why_not(cube: xr.Dataset, method: str, phase: str) -> str:
+    """What stands in a panel without pressures."""
+    name = "switch_force" if phase == "switch" else "wall_normal_pressure"
+    return "not given:\n" + fill(reason(cube, name, method, phase), 20)
 
 
 def diameter(cube: xr.Dataset) -> float:
@@ -135,10 +143,12 @@ def _forces(panel: Axes, cube: xr.Dataset, method: str, phase: str) -> None:
         ring = float(one["switch_force"][place])
         text = f"switch half-way up\nring force {ring / 1e3:.0f} kN"
         most = int(np.nanargmax(one["switch_force"].values))
+        text += f"\nfrom the {fill(str(one['pressure_method_initial_state'].values), 20)}"
         text += f"\nlargest on its way\n{float(one['switch_force'][most]) / 1e3:.0f} kN at {depth[most]:.1f} m"
     else:
         if one["hopper_normal_pressure"].isnull().all():
-            panel.text(0, depth.mean(), "hopper not\ngiven by\nthis method", ha="center", va="center", fontsize=7.5)
+            why = reason(cube, "hopper_normal_pressure", method, phase)
+            panel.text(0, depth.mean(), "hopper not given:\n" + fill(why, 20), ha="center", va="center", fontsize=7.5)
             return
         place, ring = 0, float(one["ring_force"]) if "ring_force" in one else np.nan
         kilo = {

@@ -1,6 +1,7 @@
 """How every figure looks and is saved: PNG, SVG that is the same each time, and the numbers shown as CSV."""
 
 from pathlib import Path
+from textwrap import fill
 
 import matplotlib
 
@@ -10,7 +11,9 @@ import matplotlib.pyplot as plt
 import pandas as pd
 import xarray as xr
 from matplotlib.figure import Figure
+from matplotlib.patches import Patch
 
+from silostudy.cube.silence import silences
 from silostudy.files import replacing
 
 plt.rcParams.update(
@@ -55,3 +58,8 @@ def title(cube: xr.Dataset, method: str) -> str:
     one = cube.sel(pressure_method=method)
     number = str(one.pressure_method_number.values)
     return f"{number}  {one.pressure_method_title.values}" if number else str(one.pressure_method_title.values)
+
+
+def silent(cube: xr.Dataset) -> list[Patch]:
+    """Entries of a legend, without a mark, for the methods that the study asks for and that give nothing: why not."""
+    return [Patch(alpha=0.0, label=fill(line, 60)) for line in silences(cube, in_every_case=True)]

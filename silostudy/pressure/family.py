@@ -158,6 +158,7 @@ class PressureMethod(Row):
     not_computed: what the source treats and the method leaves out, for want of checked formulas.
     table_key: method under which the tables keep its own values, where several rows share them.
     number: how the handbook numbers the curve in Fig. 4.2.11; empty where it is not in that figure.
+    initial_state: from which state in the hopper the switch to flow starts.
     drawn: one of DRAWN: how a figure that compares many methods shows it.
     """
 
@@ -170,6 +171,7 @@ class PressureMethod(Row):
     marker: str
     number: str = ""
     drawn: str = "curve"
+    initial_state: str = ""
     as_printed: Mapping[str, Quantities] = field(default_factory=dict)
     misprinted_table: bool = False
     equilibrium: tuple[str, ...] = ()

@@ -157,6 +157,7 @@ ROW = PressureMethod(
     source="silo_handbook",
     locator="section 4.5.2",
     phases={"filling": janssen.STATE, "switch": janssen.STATE, "discharge": janssen.STATE},
+    initial_state="peaked radial field (K = 0.8)",
     hopper={"filling": _hopper("filling"), "switch": SWITCH, "discharge": _hopper("discharge")},
     totals={"filling": _totals("filling"), "discharge": _totals("discharge")},
     static=janssen.normal_pressure,

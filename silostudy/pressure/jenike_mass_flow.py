@@ -203,6 +203,7 @@ ROW = PressureMethod(
         "switch": janssen.STATE,
         "discharge": {"wall_normal_pressure": envelope_pressure, "wall_friction_traction": envelope_traction},
     },
+    initial_state="straight line (section 4.5.3)",
     hopper={"filling": HOPPER, "switch": SWITCH},
     totals={"filling": {"transition_force": janssen.transition_force, "outlet_force": outlet_force}},
     static=janssen.normal_pressure,
