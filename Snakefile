@@ -3,6 +3,7 @@
 Nothing is written while this file is read: what a real run changes besides its jobs' outputs stands in `onstart`.
 """
 
+import hashlib
 import sys
 from functools import cache
 from itertools import chain
@@ -127,9 +128,14 @@ rule all:
         CAPTIONS.values(),
 
 
-def code_of(stage=None):
-    """Function of the wildcards that gives the hash of the sources behind a stage of a study, or behind its cases alone."""
+def code_of(stage):
+    """Function of the wildcards that gives the hash of the sources behind a stage of a study."""
     return lambda wildcards: KINDS[MODELS[wildcards.study].kind].stamp(stage)
+
+
+def digest(content):
+    """A short hash of what a file will hold, where many sources stand behind it and few of their changes change it."""
+    return hashlib.sha256(str(content).encode()).hexdigest()[:12]
 
 
 def command(words):
@@ -143,7 +149,7 @@ rule cases:
     output:
         RESULTS / "{study}/cases.csv",
     params:
-        code=code_of(),
+        holds=lambda wildcards: digest([(case.id, case.settings) for case in expansion(wildcards.study).cases]),
     log:
         RESULTS / "{study}/logs/cases.log",
     shell:

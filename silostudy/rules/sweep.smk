@@ -1,7 +1,5 @@
 # Sweeps whose cases are costly: planned in parts, each computed by a job, merged into the cube of the study.
 
-import hashlib
-
 from silostudy.sweep.plan import DONE, read_plan
 
 
@@ -29,7 +27,7 @@ def marks(name):
 def contents(wildcards):
     """A hash of the study and its cases in their order: what the cube holds."""
     rows = sorted(row for rows in plan_of(wildcards.study).values() for row in rows)
-    return hashlib.sha256(f"{MODELS[wildcards.study].model_dump_json()} {rows}".encode()).hexdigest()[:12]
+    return digest((MODELS[wildcards.study].model_dump_json(), rows))
 
 
 rule part:
