@@ -64,7 +64,7 @@ REST: Family[Criterion] = Family(
             key="kinetic-over-potential",
             title="Kinetic energy over the energy that lifts every disc by its radius",
             measure=kinetic_over_potential,
-            below=1e-9,
+            below=1e-8,
             source="cundall_strack_1979",
             locator="none: a ratio in general use",
         ),

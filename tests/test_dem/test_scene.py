@@ -108,6 +108,7 @@ def test_restart_goes_on_with_the_same_bits(small, tmp_path):
     resumed = run_of(scene, scene_model(scene, Path()))
     carry_through(resumed, scene, checkpoint, heard.append)
     assert min(heard) > 4800
+    assert checkpoint.exists()  # until the result is written
     whole, cut = cube_of(small[1], scene), cube_of(resumed, scene)
     for name in ("wall_normal_force_max", "disc_x", "discharged_mass", "contact_force_x"):
         assert np.array_equal(whole[name], cut[name], equal_nan=True), name
