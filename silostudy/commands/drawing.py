@@ -23,7 +23,8 @@ def add(sub) -> None:
 def run_draw(chosen) -> None:
     from silostudy.cube.io import read
 
-    _draw(chosen.key, [read(path) for path in chosen.cube], chosen.stem)
+    _check_stages(chosen.key, cubes := [read(path) for path in chosen.cube], chosen.cube)
+    _draw(chosen.key, cubes, chosen.stem)
 
 
 def run_redraw(chosen) -> None:
@@ -52,9 +53,30 @@ def run_captions(chosen) -> None:
             temporary.write_text(caption(path.stem), encoding="utf-8")
 
 
+def _check_stages(key: str, cubes: list, paths: list[Path]) -> None:
+    """BadInput for a cube of another stage than the output is drawn from."""
+    from silostudy.errors import BadInput
+    from silostudy.tables.outputs import OUTPUTS
+
+    row = OUTPUTS[key]
+    for number, (cube, path) in enumerate(zip(cubes, paths, strict=True)):
+        wanted, stage = (row.also if number else (row.stage,)), cube.attrs.get("stage")
+        if stage not in wanted:
+            allowed = f"{key} is drawn from a {row.stage} cube" + (f", and {' and '.join(row.also)}" if row.also else "")
+            raise BadInput("cube", str(path), f"is of the stage {stage}; {allowed}")
+
+
 def _draw(key: str, cubes: list, stem: Path) -> None:
     from importlib import import_module
 
+    from silostudy.cube.contract import VARIABLES
+    from silostudy.errors import BadInput
     from silostudy.tables.outputs import OUTPUTS
 
-    import_module(f"silostudy.figures.{OUTPUTS[key].key}").draw(cubes[0], stem, *cubes[1:])
+    try:
+        import_module(f"silostudy.figures.{OUTPUTS[key].key}").draw(cubes[0], stem, *cubes[1:])
+    except KeyError as error:
+        lacking = [name for name in VARIABLES if repr(name) in str(error) and all(name not in cube.variables for cube in cubes)]
+        if not lacking:
+            raise
+        raise BadInput("cube", cubes[0].attrs["title"], f"holds no {lacking[0]}, which {key} shows") from None

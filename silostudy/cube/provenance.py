@@ -20,6 +20,7 @@ def provenance(title: str, study: str, sources: Iterable[str], stage: str) -> di
         "institution": "unknown (set by whoever publishes the file)",
         "source": f"silostudy {__version__}",
         "cube_contract": CONTRACT,
+        "stage": stage,
         "history": f"computed by silostudy {__version__}",
         "references": "\n".join(cite(key) for key in dict.fromkeys(sources)),
         "study": study,

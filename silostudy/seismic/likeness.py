@@ -54,7 +54,8 @@ ROWS = (
         function=amplitude_error,
         formula="E_A = sum |X' - X| / (n sum X): measured X, computed X', n bins of the band",
         needs=("measured top acceleration (m s-2)", "base acceleration (m s-2)", "damping ratio (1)", "band (Hz)"),
-        validity="while contents and wall move as one; the deciding index here",
+        validity="while contents and wall move as one; the deciding index here; an answer at an end of "
+        "the candidates is flagged, its interval open",
     ),
     MassRule(
         key="phase_error",
@@ -65,6 +66,7 @@ ROWS = (
         function=phase_error,
         formula="E_P = sum |wrap(Phi' - Phi)| X / (pi n sum X)",
         needs=("measured top acceleration (m s-2)", "base acceleration (m s-2)", "damping ratio (1)", "band (Hz)"),
-        validity="a second opinion: a disagreement with E_A is reported, not resolved",
+        validity="a second opinion: a disagreement with E_A is reported, not resolved; an answer at an end "
+        "of the candidates is flagged",
     ),
 )

@@ -124,6 +124,12 @@ def test_stages_by_hand(capsys, tmp_path, study):
     assert float(cube["unit_weight"].sel(pressure_method="janssen", solid="mine")) == 7000
     assert "handbook" in said(capsys, "cite", tmp_path / "pressure.nc")
     assert "unknown; known: fig_4_2_11" in said(capsys, "draw", "fig_0", tmp_path / "pressure.nc", tmp_path / "f", status=2)
+    told = said(capsys, "draw", "seismic_demand", tmp_path / "pressure.nc", tmp_path / "f", status=2)
+    assert "pressure.nc': is of the stage pressure; seismic_demand is drawn from a seismic cube" in told
+    two = ("draw", "fig_4_2_11", tmp_path / "pressure.nc", tmp_path / "pressure.nc", tmp_path / "f")
+    assert "is of the stage pressure; fig_4_2_11 is drawn from" in said(capsys, *two, status=2)
+    told = said(capsys, "draw", "governing_load_case", tmp_path / "pressure.nc", tmp_path / "f", status=2)
+    assert "holds no " in told and "governing_load_case shows" in told
 
 
 def test_bench_pressure_writes_its_table(capsys, tmp_path, monkeypatch):

@@ -14,7 +14,11 @@ from tests.test_sweep.sweeps import content
 STUDIES = ("wei zen;$HOME+([|]'\"ü&*?#~^=,`x`é{ 1-2 }", "a-b", "a_b")  # the last two are one name in a rule's
 SWEEP, SCENE, SHAKE = "sw ee;p'$HOME(", 'b o"x;$HOME+[', "sha ke;$HOME(.csv"
 RESULTS = "r es;$HOME+([|'ü&*?#{-}"
-SHORT = content()["scene"] | {"march": {"limit_s": 0.02, "step_s": 2.5e-5}, "quake": {"file": SHAKE}}
+SHORT = content()["scene"] | {
+    "march": {"limit_s": 0.02, "step_s": 2.5e-5},
+    "quake": {"file": SHAKE},
+    "events": [{"when": "time", "value": 0.01, "do": "open_slit"}, {"when": "time", "value": 0.02, "do": "stop"}],
+}
 
 
 def make(folder: Path) -> Path:
