@@ -18,9 +18,9 @@ M = TypeVar("M", bound=BaseModel)
 
 
 class Project(Strict):
-    """config.yaml: which studies the pipeline builds."""
+    """config.yaml: which studies and scenes the pipeline builds."""
 
-    studies: tuple[str, ...] = described("names of files in config/studies, without .yaml", "", min_length=1)
+    studies: tuple[str, ...] = described("names of files in config/studies, without .yaml", "", default=())
     scenes: tuple[str, ...] = described("names of discrete-element scenes in config/scenes, without .yaml", "", default=())
 
 
@@ -138,6 +138,8 @@ def read_study(path: Path) -> BaseStudy:
 def load_project(path: Path) -> tuple[dict[str, Path], dict[str, Path]]:
     """Study name -> file and scene name -> file, for those that config.yaml names; BadInput for a file that is not there."""
     project = validated(Project, read_yaml(path), str(path))
+    if not project.studies and not project.scenes:
+        raise BadInput("studies", [], "neither studies nor scenes are named: nothing to build", str(path))
     return _files(path, "studies", project.studies), _files(path, "scenes", project.scenes)
 
 

@@ -12,7 +12,8 @@ from silostudy.scene.dem import check_events, check_start, contacts_of, plane_si
 
 def placed(scene: DemScene):
     """x, y and radius (m) of the discs of a packing that no file gives; y from the lowest point of the silo."""
-    packing, size = PACKINGS[scene.packing.kind], {"width": scene.silo.width_m, "radius": scene.radius_m, "seed": scene.seed}
+    packing, known = PACKINGS[scene.packing.kind], {"width": scene.silo.width_m, "radius": scene.radius_m, "seed": scene.seed}
+    size = {name: value for name, value in known.items() if name in packing.needs}
     x, y, radius = packing.place(**size, **packing.arguments(scene.packing))
     return x, y + plane_silo_of(scene.silo).bottom, radius
 

@@ -160,6 +160,9 @@ def test_project_names_only_studies_that_are_there(tmp_path):
     (tmp_path / "config.yaml").write_text("studies: [nowhere]\n")
     with pytest.raises(BadInput, match="studies = 'nowhere': unknown"):
         load_project(tmp_path / "config.yaml")
+    (tmp_path / "config.yaml").write_text("studies: []\n")
+    with pytest.raises(BadInput, match="neither studies nor scenes are named"):
+        load_project(tmp_path / "config.yaml")
     studies, scenes = load_project(ROOT / "config/config.yaml")
     assert "wheat-silo" in studies
     assert "kiyama-17-18" in scenes

@@ -1,4 +1,4 @@
-"""A new figure or a whole new kind of study takes one declaration beside its code: it then runs from YAML file to picture."""
+"""A new figure, packing or whole kind of study takes one declaration beside its code: it then runs from YAML file to result."""
 
 import shutil
 
@@ -8,6 +8,7 @@ import yaml
 
 from silostudy.cube.io import read
 from tests.conftest import ROOT
+from tests.workflow.projects import SHORT
 from tests.workflow.test_snakemake import snakemake
 
 FIGURE = '''
@@ -75,6 +76,30 @@ def toy_cube(expansion):
     arrays, sources = {"cylinder_depth": depths}, ["silo_handbook"]
     return assemble(expansion.study, "toy", arrays, sources=sources, sweep=sweep_of(expansion))
 '''
+PACKING = '''
+"""Packing of discs in one upright column."""
+
+import numpy as np
+
+from silostudy.packing.family import Packing, PackingField
+
+
+def place(*, width, count, radius):
+    """x, y and radius (m) of `count` discs that stand on each other in the middle of the width."""
+    return np.full(count, width / 2), radius * (1 + 2.0 * np.arange(count)), np.full(count, radius)
+
+
+ROW = Packing(
+    key="column",
+    title="One upon the other",
+    source="kiyama_fujimura_1983",
+    locator="none: of a test",
+    place=place,
+    needs=("width", "count", "radius"),
+    asks=(PackingField(name="storeys", argument="count", text="number of discs", kind=int, bounds={"ge": 1}),),
+    count=lambda radius, *, count, **_: count,
+)
+'''
 STUDY = {
     "kind": "toy",
     "title": "tanks",
@@ -117,3 +142,16 @@ def test_a_kind_of_study_is_declared_once(project):
     (project / "silostudy/compute/toy.py").write_text(CODE)
     cube, numbers = run(project, STUDY, "toy")
     assert cube["cylinder_depth"].values.tolist() == numbers["depth_m"].tolist() == [1.0, 2.0]
+
+
+def test_a_packing_is_one_file(project):
+    (project / "silostudy/packing/column.py").write_text(PACKING)
+    (project / "config/scenes").mkdir()
+    scene = SHORT | {"packing": {"kind": "column", "storeys": 3}, "quake": None, "record": {"snapshots_s": [0.0]}}
+    (project / "config/scenes/pillar.yaml").write_text(yaml.safe_dump(scene))
+    (project / "config/config.yaml").write_text("studies: []\nscenes: [pillar]\n")
+    done = snakemake(project)
+    assert done.returncode == 0, done.stderr
+    cube = read(project / "results/dem/pillar.nc")
+    assert float(cube["disc_radius"].sum()) == 3 * scene["radius_m"]
+    assert cube["disc_x"].isel(snapshot=0).values.tolist() == [scene["silo"]["width_m"] / 2] * 3
