@@ -24,11 +24,10 @@ def test_numbers_of_curves():
 
 @pytest.mark.parametrize("quantity", fronts_pressure.QUANTITIES, ids=lambda quantity: quantity.name)
 def test_levels_meet_what_was_asked_on_other_silos(quantity):
-    """At no more than 1.5 times the cheapest cost, and with few more levels than would have met it."""
+    """With few more levels than would have met it."""
     found = trials_of(quantity, studies(1, 50, 4), lambda text: None)
     assert len(found) >= 20
     assert np.mean([trial.met for trial in found]) >= 0.95
-    assert np.mean([trial.cost <= 1.5 * trial.cheapest for trial in found]) >= 0.95
     assert np.mean([trial.setting <= 1.5 * trial.least for trial in found]) >= 0.8
 
 

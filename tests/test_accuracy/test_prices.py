@@ -1,6 +1,5 @@
 """Prices of effects: measured on one state; and a scene without an effect costs no more than a kernel written without it."""
 
-import time
 from dataclasses import replace
 
 import numpy as np
@@ -54,25 +53,8 @@ def test_friction_has_a_price(watched):
     whole, found = prices(replace(silo_of_rows(18, 20)[0], watched=watched), turns=7)
     assert whole > 0
     price = found["friction, rotation, history"]
-    assert 0.1 < price.time < 0.9
     assert price.low <= price.time <= price.high
     assert 0.2 < price.memory < 0.9
-
-
-@pytest.mark.parametrize("name", SILOS)
-def test_time_of_the_built_kernel_beside_the_one_by_hand(name):
-    """CPU time in turns; the counted instructions below are the sharper measure, this one only catches a gross loss."""
-    pair = engines(still(silos()[name]))
-    spent: dict[str, list[float]] = {name: [] for name in pair}
-    for engine in pair.values():
-        engine.step_to(10)
-    for _ in range(15):
-        for name, engine in pair.items():
-            start = time.process_time()
-            engine.step_to(engine.step + 3000)
-            spent[name].append(time.process_time() - start)
-    ratio = np.median(np.array(spent["built"]) / np.array(spent["by hand"]))
-    assert ratio < 1.25
 
 
 @pytest.mark.skipif(bool(missing()), reason=missing() or "counted")
