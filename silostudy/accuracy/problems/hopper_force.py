@@ -11,12 +11,12 @@ LADDERS = {
     "double-exponential rule in two parts": (5, 9, 13, 21, 31, 41, 61, 81),
     "even places, trapezoidal rule": (5, 9, 17, 33, 65, 129, 257, 513, 1025),
 }
-HOPPERS, PHASES = 200, ("filling", "discharge")
+HOPPERS, PHASES = 200, ("filling", "discharge")  # steeper than where so smooth a wall has no initial field, 21.8 degrees
 DIAMETER, OUTLET = 5.0, 0.6  # m
 BIN: dict = {
     "unit_weight": 8e3, "wall_friction": 0.3, "lateral_pressure_ratio": 0.5, "hydraulic_radius": 1.25, "diameter": DIAMETER,
     "perimeter": np.pi * DIAMETER, "cylinder_depth": np.geomspace(2.5, 25.0, HOPPERS)[:, None], "length": 0.0, "slot": 0.0,
-    "hopper_half_angle": np.radians(np.linspace(8.0, 22.0, HOPPERS))[:, None], "hopper_wall_friction": 0.3,
+    "hopper_half_angle": np.radians(np.linspace(8.0, 21.5, HOPPERS))[:, None], "hopper_wall_friction": 0.3,
     "effective_friction_angle": np.radians(45.0), "outlet_width": OUTLET,
 }  # fmt: skip
 TOP = hopper_shape.apex_height(DIAMETER, BIN["hopper_half_angle"])
