@@ -86,7 +86,9 @@ def deepest(engine) -> float:
 
 
 @pytest.mark.parametrize(
-    ("integrator", "laws"), MARCHES, ids=[f"{key}, {laws.normal.key}, {laws.tangential.key}" for key, laws in MARCHES]
+    ("integrator", "laws"),
+    [pytest.param(*march, marks=() if march in (MARCHES[0], MARCHES[5]) else pytest.mark.long) for march in MARCHES],
+    ids=[f"{key}, {laws.normal.key}, {laws.tangential.key}" for key, laws in MARCHES],
 )
 @settings(max_examples=25, deadline=None)
 @given(data=st.data())

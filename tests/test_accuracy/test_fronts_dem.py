@@ -42,6 +42,7 @@ def test_errors_come_from_fillings_and_fall_with_the_step(small):
     assert found.kept(("17-18", 1.0)) <= found.error["17-18", 1.0].max()
 
 
+@pytest.mark.long
 def test_why_a_slider_that_drops_its_dashpot_may_not_ask():
     """In this silo an eighth of the step leaves a tenth of the error with the measured laws, and most of it with that one."""
     content = next(fronts_dem.silos(1, 1))

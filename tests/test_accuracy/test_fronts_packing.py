@@ -23,6 +23,7 @@ def asking(error: float, **more) -> dict:
     return copy.deepcopy(ONE) | {"accuracy": {"rest_side_share": error}} | more
 
 
+@pytest.mark.long
 def test_means_of_other_silos_keep_what_was_asked(monkeypatch):
     """Of a small silo the runs and their right value are all computed here."""
     silo = next(silo for silo in fronts_packing.silos(1, fronts_packing.UNSEEN, (7, 13)) if silo.across * silo.rows < 100)

@@ -32,6 +32,7 @@ def test_refinements_meet_what_was_asked_on_other_scenes():
     assert np.median([trial.setting / trial.least for trial in found]) <= 1.5
 
 
+@pytest.mark.long
 @threadpool_limits.wrap(limits=1)
 def test_levels_keep_the_moment_on_other_scenes():
     random = np.random.default_rng(3)

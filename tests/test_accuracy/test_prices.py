@@ -28,6 +28,7 @@ def test_by_hand_gives_the_same_bits(name):
     assert np.array_equal(built, by_hand)
 
 
+@pytest.mark.long
 def test_prices_compare_the_same_state():
     model, _ = silo_of_rows(8, 12)
     model = still(replace(model, watched=True, radius=model.radius * (1 - 0.001 * (np.arange(len(model.x)) % 2))))
@@ -47,6 +48,7 @@ def test_prices_compare_the_same_state():
     assert not pairs["discs of several sizes"][1].pieces.unequal
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("watched", [False, True])
 def test_friction_has_a_price(watched):
     """Also where wall forces are recorded: when arrays were handed from piece to piece it cost less than nothing there."""
@@ -57,6 +59,7 @@ def test_friction_has_a_price(watched):
     assert 0.2 < price.memory < 0.9
 
 
+@pytest.mark.long
 @pytest.mark.skipif(bool(missing()), reason=missing() or "counted")
 def test_instructions_of_the_built_kernel_beside_the_one_by_hand():
     counted = count("tests.test_accuracy.by_hand:work", ROOT)
@@ -71,6 +74,7 @@ def two_sums():
     return {"a sum (of few)": lambda: sum(range(10_000)), "a sum, of many": lambda: sum(range(1_000_000))}
 
 
+@pytest.mark.long
 @pytest.mark.skipif(bool(missing()), reason=missing() or "counted")
 def test_every_count_belongs_to_its_name():
     few, many = count("tests.test_accuracy.test_prices:two_sums", ROOT).values()

@@ -59,6 +59,7 @@ def forces(path, kernels) -> np.ndarray:
     return cube["wall_normal_force_mean"].values
 
 
+@pytest.mark.long
 def test_a_law_is_compiled_in_and_a_changed_one_is_compiled_anew(saved, tmp_path):
     kernels = tmp_path / "kernels"
     twice = forces(saved(), kernels)

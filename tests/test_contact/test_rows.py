@@ -45,6 +45,7 @@ def test_a_normal_law_needs_a_spring():
             Contact(Laws(normal=row), {one.name: 0.0 for one in row.coefficients})
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(("family", "row"), ROWS, ids=lambda part: part if isinstance(part, str) else part.key)
 def test_a_law_costs_what_its_row_says(family, row):
     """What a ledger books with the law and not without it are the entries that the row names."""

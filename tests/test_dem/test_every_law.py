@@ -37,6 +37,7 @@ def contact(laws):
     return Contact.taking(laws, KNOWN)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("laws", CHOICES, ids=lambda laws: f"{laws.normal.key}, {laws.tangential.key}, {laws.rolling.key}")
 def test_a_law_settles_and_its_ledger_closes(laws):
     model = silo(across=5, height=0.12, pair_contact=contact(laws), wall_contact=contact(laws), booked=True, dt=1e-5)

@@ -133,6 +133,7 @@ def motions_of_another_process(folder, *laws):
     return {law: (motion, int(found)) for law, motion, found in map(str.split, told.splitlines())}
 
 
+@pytest.mark.long
 def test_kernels_kept_by_two_processes_do_not_mix_in_a_third(tmp_path):
     """Numba numbers functions anew in each process; the first call keeps what all kernels share, so that the numbers agree."""
     motions_of_another_process(tmp_path, "none")

@@ -51,6 +51,7 @@ def test_the_ledger_changes_no_bit():
     assert np.array_equal(rows(plain), rows(kept))
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("slider", ["spring-slider", "spring-slider-total", "spring-slider-implicit"])
 def test_what_the_step_creates_in_a_sliding_impact_vanishes_with_it(slider):
     """A cap on the sum makes the spring's force jump at first touch: what the spring then takes is no error of the step."""

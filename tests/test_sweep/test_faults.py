@@ -20,7 +20,8 @@ def place(tmp_path):
         subprocess.run(["umount", "-l", str(results)], check=True)
 
 
-@pytest.mark.parametrize("faults", [pytest.param(6, id="6"), pytest.param(50, id="50", marks=pytest.mark.long)])
+@pytest.mark.long
+@pytest.mark.parametrize("faults", [6, 30])
 def test_random_faults(place, tmp_path, faults, capsys):
     folder, results, small = place
     if not small:
@@ -71,6 +72,7 @@ def test_two_runs_at_once_are_refused(tmp_path):
     assert "another run is writing to it" in (folder / "said.txt").read_text()
 
 
+@pytest.mark.long
 def test_a_longer_axis_through_the_pipeline(tmp_path):
     """Only new cases are computed, and what is done is done."""
     changes = {"slits": [0.1, 0.12], "frictions": [0.1], "case_s": None}

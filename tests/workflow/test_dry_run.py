@@ -5,6 +5,7 @@ import re
 from pathlib import Path
 
 import netCDF4
+import pytest
 import yaml
 
 from silostudy.cube.io import read
@@ -28,6 +29,7 @@ def test_of_a_fresh_folder(tmp_path):
     assert {path.name for path in tmp_path.iterdir()} == {"config", ".snakemake"}
 
 
+@pytest.mark.long
 def test_of_a_finished_folder(finished):
     planned, said = dry(finished)
     assert planned == set()
@@ -44,6 +46,7 @@ def break_files(results: Path) -> dict[Path, bytes]:
     return whole
 
 
+@pytest.mark.long
 def test_damaged_files_are_told_then_set_aside_and_made_again(finished):
     results = finished / RESULTS
     whole = break_files(results)
@@ -64,6 +67,7 @@ def test_damaged_files_are_told_then_set_aside_and_made_again(finished):
     assert dry(finished)[0] == set()
 
 
+@pytest.mark.long
 def test_a_cube_whose_attribute_was_edited_is_told_and_kept(finished):
     cube = finished / RESULTS / STUDY / "pressure.nc"
     with netCDF4.Dataset(cube, "a") as file:
@@ -75,6 +79,7 @@ def test_a_cube_whose_attribute_was_edited_is_told_and_kept(finished):
     assert read(cube).attrs["title"] == "mine"
 
 
+@pytest.mark.long
 def test_a_changed_file_of_a_scene_reruns_it(finished):
     """The quake of a single scene, and that of a sweep's cases."""
     (finished / "config/scenes" / SHAKE).write_text("time_s,x_m_s2,y_m_s2\n0,2,0\n1,0,0\n")
@@ -101,4 +106,4 @@ def test_the_last_line_of_a_failed_log_is_shown(tmp_path):
     (tmp_path / "config/scenes" / SHAKE).write_text("time_s,x_m_s2,y_m_s2\nnothing of the kind\n")
     done = snakemake(tmp_path, f"{RESULTS}/dem/{SCENE}.nc")
     assert done.returncode != 0
-    assert re.search(r"^silostudy: quake.file = .*must be CSV with time_s", done.stdout, flags=re.MULTILINE)
+    assert re.search(r"^silostudy: config/scenes/sha ke;.* line 2: row = ", done.stdout, flags=re.MULTILINE)

@@ -25,6 +25,7 @@ def files(folder: Path) -> set[str]:
     return {str(path) for path in paths if not {"logs", "parts"} & {*path.parts} and path.name[0] != "."}
 
 
+@pytest.mark.long
 def test_everything_is_made_and_no_stray_file(run):
     folder, _ = run
     assert {path.name for path in folder.iterdir()} == {"config", ".snakemake", RESULTS}
@@ -38,12 +39,14 @@ def test_everything_is_made_and_no_stray_file(run):
     assert read(results / SWEEP / "scenes.nc")["case_outcome"].values.tolist() == [[0], [0]]
 
 
+@pytest.mark.long
 def test_rules_of_studies_have_names_of_their_own(run):
     drawn = re.findall(r"^(?:local)?rule (draw_\w+):", run[1], flags=re.MULTILINE)
     assert len(drawn) == len(STUDIES)
     assert {"draw_a_b_pressure", "draw_a_b_pressure_2"} < set(drawn)
 
 
+@pytest.mark.long
 def test_the_report_has_every_caption(finished):
     done = snakemake(finished, "--report", "report.html")
     assert done.returncode == 0, done.stdout[-3000:]
@@ -52,6 +55,7 @@ def test_the_report_has_every_caption(finished):
     assert "system-message" not in text  # of docutils
 
 
+@pytest.mark.long
 def test_a_job_elsewhere_takes_its_study_by_name(finished):
     """As an executor for other machines starts it: the plan is the one that was written."""
     cube = finished / RESULTS / SWEEP / "scenes.nc"

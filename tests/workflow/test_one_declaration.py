@@ -132,6 +132,7 @@ def run(project, study, stage):
     return read(results / f"{stage}.nc"), pd.read_csv(results / "figures/toy_depths.csv")
 
 
+@pytest.mark.long
 def test_a_figure_is_one_file_and_one_row(project, study):
     _, numbers = run(project, study | {"outputs": ["toy_depths"]}, "pressure")
     assert numbers["depth_m"].tolist() == [18.0]
@@ -144,6 +145,7 @@ def test_a_kind_of_study_is_declared_once(project):
     assert cube["cylinder_depth"].values.tolist() == numbers["depth_m"].tolist() == [1.0, 2.0]
 
 
+@pytest.mark.long
 def test_a_packing_is_one_file(project):
     (project / "silostudy/packing/column.py").write_text(PACKING)
     (project / "config/scenes").mkdir()

@@ -61,6 +61,7 @@ def project(tmp_path):
     return tmp_path
 
 
+@pytest.mark.long
 def test_a_users_theory_and_rule_run_from_file_to_figure(project):
     done = snakemake(project)
     assert done.returncode == 0, done.stderr
@@ -124,6 +125,7 @@ def proof(folder, room: str, key: str) -> subprocess.CompletedProcess:
     return subprocess.run(command, cwd=folder, env=environment, capture_output=True, text=True)
 
 
+@pytest.mark.long
 def test_lying_in_the_room_adds_a_theory_to_the_package(package):
     (package / "silostudy/pressure/own.py").write_text(
         THEORY.replace("; no published numbers", "").replace("J. Doe, Notes on a smooth silo, 2026", "silo_handbook")

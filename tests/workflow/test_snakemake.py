@@ -37,6 +37,7 @@ def snakemake(folder, *arguments):
     return subprocess.run(command, cwd=folder, env=environment, capture_output=True, text=True)
 
 
+@pytest.mark.long
 def test_whole_study_and_its_reruns(project, study):
     done = snakemake(project)
     assert done.returncode == 0, done.stderr
@@ -63,6 +64,7 @@ def test_only_what_the_study_calls_for(project, study):
     assert "rule figure" not in planned
 
 
+@pytest.mark.long
 def test_a_figure_waits_for_the_further_cubes_that_it_shows(project, study):
     """comparison_today shows the sampled scatter where the study samples it, and asks for nothing where it does not."""
     study["outputs"] = ["comparison_today"]
@@ -74,6 +76,7 @@ def test_a_figure_waits_for_the_further_cubes_that_it_shows(project, study):
     assert "input: results/small/pressure.nc, results/small/uncertainty.nc" in planned
 
 
+@pytest.mark.long
 def test_a_shell_waits_for_the_earthquake_that_it_names(project):
     """The seismic cube of another study goes into the shell stage of the study that names it, and into no other."""
     for name in ("steel-wheat-shaken", "steel-wheat-earthquake", "steel-wheat-strakes"):
@@ -116,6 +119,7 @@ def planned(project):
     return {words[0]: int(words[1]) for words in map(str.split, lines) if len(words) == 2 and words[1].isdigit()}
 
 
+@pytest.mark.long
 def test_a_change_reruns_what_depends_on_it_and_nothing_else(project, study):
     """Both ways: no stale result, no needless rerun."""
     sweep = content(
