@@ -140,6 +140,7 @@ def test_every_kind_of_study_has_a_shipped_study():
     assert all(shipped(kind) for kind in KINDS)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(("kind", "stage"), STAGES_OF_KINDS, ids=lambda value: getattr(value, "key", value))
 def test_stamp_of_a_stage_covers_all_that_it_loads(kind, stage):
     """What Python really imports, a study of the kind expanded, is behind the stamp."""
