@@ -53,13 +53,13 @@ def law(overlap, closing, touch, c):
 
 
 @register_jitable
-def energy(overlap, c):
+def energy(overlap, touch, c):
     """Energy (J/m) of the spring."""
     return 0.5 * c[3] * c[0] * overlap * overlap
 
 
 @register_jitable
-def stiffness(overlap, c):
+def stiffness(overlap, touch, c):
     """Stiffness (N/m2) of the spring."""
     return c[3] * c[0]
 

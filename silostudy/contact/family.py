@@ -103,13 +103,13 @@ def _is_jitable(function: Callable) -> bool:
 
 
 @register_jitable
-def no_energy(stretch, c):
+def no_energy(stretch, touch, c):
     """Energy (J/m) of a law without a spring: zero."""
     return 0.0
 
 
 @register_jitable
-def no_stiffness(overlap, c):
+def no_stiffness(overlap, touch, c):
     """Stiffness of a law without a spring: zero."""
     return 0.0
 
@@ -123,8 +123,8 @@ def no_damping(touch, c):
 class Law(Row):
     """A contact law: its function, the coefficients it takes in order, and what its users need to know of it.
 
-    stiffness(overlap, c) is compiled into the energy ledger and bounds the time step, damping(touch, c) bounds it too: the
-    dashpot as it acts, the least that a semi-implicit one becomes at touch.dt.
+    stiffness(overlap, touch, c) is compiled into the energy ledger and bounds the time step, damping(touch, c) bounds it
+    too: the dashpot as it acts, the least that a semi-implicit one becomes at touch.dt.
     """
 
     unit: ClassVar[str]  # of what the function gives
@@ -193,7 +193,7 @@ class Law(Row):
 
 @dataclass(frozen=True, kw_only=True)
 class NormalLaw(Law):
-    """law(overlap, closing speed, touch, c) -> elastic and total force (N/m); energy(overlap, c) -> J/m.
+    """law(overlap, closing speed, touch, c) -> elastic and total force (N/m); energy(overlap, touch, c) -> J/m.
 
     damped(restitution) -> dashpot over 2 sqrt(m K), m the reduced mass; None where no restitution holds at every speed.
     """
@@ -213,7 +213,7 @@ class NormalLaw(Law):
     def tried(self, c: tuple[float, ...]) -> None:
         """Calls the law on a usual contact."""
         elastic, total = self.law(1e-6, 0.1, USUAL, c)
-        float(elastic), float(total), float(self.energy(1e-6, c))
+        float(elastic), float(total), float(self.energy(1e-6, USUAL, c))
 
 
 @dataclass(frozen=True, kw_only=True)

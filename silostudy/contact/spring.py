@@ -114,13 +114,13 @@ SLIDER = (
 
 
 @register_jitable
-def energy(overlap, c):
+def energy(overlap, touch, c):
     """Energy (J/m) that a linear spring holds at an overlap (m)."""
     return 0.5 * c[0] * overlap * overlap
 
 
 @register_jitable
-def stiffness(overlap, c):
+def stiffness(overlap, touch, c):
     """Stiffness (N/m per m) of a linear spring: the same at every overlap."""
     return c[0]
 
@@ -140,10 +140,3 @@ def implicit_damping(touch, c, moved=1.0):
 def pressing(normal):
     """The part of a normal force (N/m) that friction takes: none of one that pulls."""
     return normal if normal > 0.0 else 0.0
-
-
-@register_jitable
-def clamp(value, cap):
-    """value held between -cap and +cap, cap being zero or more."""
-    low = value if value > -cap else -cap
-    return low if low < cap else cap

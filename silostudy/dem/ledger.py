@@ -116,15 +116,15 @@ def contact_book(space, laws, *, unequal, flat):
                 normal, distance = facing(lanes, k)
                 closing, sliding, rolling = rates(lanes, k, normal, a, b)
                 overlap, stored, turned = a + b - distance, old_stored[at], old_rolled[at]
-                slide_spring, roll_spring = slide_stiffness(overlap, c[1]), roll_stiffness(overlap, c[2])
+                touch = Touch(m, a if flat else a * b / (a + b), dt)
+                slide_spring, roll_spring = slide_stiffness(overlap, touch, c[1]), roll_stiffness(overlap, touch, c[2])
                 if overlap <= 0.0:  # what springs held when the contact opened is lost
                     slid += of_spring(stored, slide_spring) if slides else 0.0
                     slid += of_spring(turned, roll_spring) if rolls else 0.0
                     continue
-                touch = Touch(m, a if flat else a * b / (a + b), dt)
                 elastic, push, held, drag, moment = answer(overlap, closing, sliding, rolling, stored, turned, touch, c)
                 pull = cohesion_law(c[3])
-                elastic_energy += energy(overlap, c[0]) - pull * overlap
+                elastic_energy += energy(overlap, touch, c[0]) - pull * overlap
                 if slides:
                     elastic_energy += of_spring(held, slide_spring)
                     slid += of_slip(stored - slide_spring * dt * sliding, held, slide_spring)

@@ -7,6 +7,7 @@ from math import hypot
 import numpy as np
 from numba import njit
 
+from silostudy.contact.family import Touch
 from silostudy.dem.arrays import LANES, aligned
 from silostudy.dem.cache import named
 from silostudy.dem.cells import OPTIONS
@@ -96,11 +97,17 @@ def held_energy(engine) -> float:
     (part,) = engine.parts
     place, radius = engine.discs.rows[: engine.n, [X, Y]], engine.radius
     i, j, *histories = _listed(part.pairs, int(part.pairs.begin[engine.blocks_of(part) + 1]), engine.n)
-    pairs = radius[i] + radius[j] - np.hypot(*(place[i] - place[j]).T)
-    total = _energy(engine.contacts[0], pairs, *histories)
+    overlaps = radius[i] + radius[j] - np.hypot(*(place[i] - place[j]).T)
+    total = _energy(engine.contacts[0], _touches(engine, i, j), overlaps, *histories)
     i, q, *histories = _listed(part.near, int(part.near.begin[0]), engine.n)
     away = [hypot(*nearest(engine.walls.shape, wall, *xy)[:2]) for wall, xy in zip(q, place[i], strict=True)]
-    return total + _energy(engine.contacts[1], radius[i] - np.array(away), *histories)
+    return total + _energy(engine.contacts[1], _touches(engine, i), radius[i] - np.array(away), *histories)
+
+
+def _touches(engine, i, j=None) -> list[Touch]:
+    """Reduced mass and radius of each contact of discs i with discs j, or with walls."""
+    mass, radius = (of[i] if j is None else 1.0 / (1.0 / of[i] + 1.0 / of[j]) for of in (engine.mass, engine.radius))
+    return [Touch(*each, engine.model.dt) for each in zip(mass, radius, strict=True)]
 
 
 def _listed(contacts, count: int, n: int):
@@ -113,16 +120,16 @@ def _listed(contacts, count: int, n: int):
     return [column[real] for column in (first, second, *kept)]
 
 
-def _energy(contact, overlaps, stored, rolled) -> float:
+def _energy(contact, touches, overlaps, stored, rolled) -> float:
     """Energy (J/m) of the contacts of a list that touch."""
     normal, tangential, rolling, cohesion = zip(contact.rows, contact.ordered, strict=True)
     total = 0.0
-    for depth, held, turned in zip(overlaps, stored, rolled, strict=True):
+    for touch, depth, held, turned in zip(touches, overlaps, stored, rolled, strict=True):
         if depth <= 0.0:
             continue
-        total += normal[0].energy(depth, normal[1]) - cohesion[0].law(cohesion[1]) * depth
+        total += normal[0].energy(depth, touch, normal[1]) - cohesion[0].law(cohesion[1]) * depth
         for (law, c), force in ((tangential, held), (rolling, turned)):
-            total += of_spring(force, law.stiffness(depth, c))
+            total += of_spring(force, law.stiffness(depth, touch, c))
     return float(total)
 
 

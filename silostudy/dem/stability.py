@@ -223,12 +223,18 @@ def _rows(strength, disc, tx, ty, arm, n):
 
 def _stiffness(contact: Contact, model: Model, i, j, dt):
     """Normal, tangential (N/m per m) and rolling (N m per m) stiffness of each contact."""
+    touch, depth = _touch(model, i, j, dt), DEEP * float(model.radius.max())
     ways = zip(contact.rows[:3], contact.ordered[:3], strict=True)
-    return [np.ones(len(i)) * row.stiffness(DEEP * float(model.radius.max()), c) for row, c in ways]
+    return [np.ones(len(i)) * row.stiffness(depth, touch, c) for row, c in ways]
 
 
 def _damping(contact: Contact, model: Model, i, j, dt):
     """Normal, tangential (N s/m per m) and rolling damping of each contact, as its dashpots act at this step."""
-    mass, radius = (of[i] if j is None else 1.0 / (1.0 / of[i] + 1.0 / of[j]) for of in (model.mass, model.radius))
-    touch = Touch(mass, radius, dt)
+    touch = _touch(model, i, j, dt)
     return [row.damping(touch, c) for row, c in zip(contact.rows[:3], contact.ordered[:3], strict=True)]
+
+
+def _touch(model: Model, i, j, dt) -> Touch:
+    """Reduced mass and radius of each contact."""
+    mass, radius = (of[i] if j is None else 1.0 / (1.0 / of[i] + 1.0 / of[j]) for of in (model.mass, model.radius))
+    return Touch(mass, radius, dt)

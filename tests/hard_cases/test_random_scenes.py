@@ -12,6 +12,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from silostudy.contact import curve
+from silostudy.contact.family import USUAL
 from silostudy.dem.engine import Engine
 from silostudy.dem.lanes import U, V
 from silostudy.dem.ledger import CREATED, DASHPOT, ELASTIC, KINETIC, POTENTIAL, SLIDING, TURNOVER, balance
@@ -119,7 +120,7 @@ def test_random_scenes_keep_books_momentum_and_distance(integrator, laws, data):
             assert abs(account[CREATED]) <= MADE * share * at_hand
         lost = account[SLIDING]
         overlap = max(deepest(engine), 0.0)
-        held_by_one = laws.normal.energy(overlap, springs) - pull * overlap
+        held_by_one = laws.normal.energy(overlap, USUAL, springs) - pull * overlap
         assert held_by_one <= (1.0 + MADE * share) * at_hand * (1.0 + 1e-9)
         if not boxed:
             assert np.abs(mass @ engine.discs.rows[: engine.n, [U, V]] - momentum).max() <= 1e-12 * swing.max()

@@ -29,12 +29,12 @@ def push(overlap, closing, touch, c):
 
 
 @register_jitable
-def push_energy(overlap, c):
+def push_energy(overlap, touch, c):
     return c[0] * overlap * overlap * overlap / 3.0
 
 
 @register_jitable
-def push_stiffness(overlap, c):
+def push_stiffness(overlap, touch, c):
     return 2.0 * c[0] * overlap
 
 

@@ -57,7 +57,7 @@ def test_the_energy_is_the_integral_of_the_force(energy, law, c):
     overlaps = np.linspace(0.0, 2e-4, 20001)
     force = np.array([law(overlap, 0.0, touch(1.0, 1e-5), c)[0] for overlap in overlaps])
     work = float(((force[1:] + force[:-1]) / 2.0 * np.diff(overlaps)).sum())
-    assert energy(overlaps[-1], c) == pytest.approx(work, rel=1e-6)
+    assert energy(overlaps[-1], touch(1.0, 1e-5), c) == pytest.approx(work, rel=1e-6)
 
 
 def test_what_becomes_of_the_dashpots_pull():

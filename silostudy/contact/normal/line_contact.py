@@ -43,14 +43,14 @@ def law(overlap, closing, touch, c):
 
 
 @register_jitable
-def energy(overlap, c):
+def energy(overlap, touch, c):
     """Energy (J/m) of the line contact at an overlap (m): the integral of q over A q (B - ln q); c = (A, B, ...)."""
     q = curve.load_of(overlap, c[0], c[1])
     return 0.0 if q == 0.0 else 0.5 * c[0] * q * q * (c[1] - 0.5 - log(q))
 
 
 @register_jitable
-def stiffness(overlap, c):
+def stiffness(overlap, touch, c):
     """Slope (N/m per m) of the curve just below an overlap (m); c = (A, B, ...)."""
     high, low = curve.load_of(overlap, c[0], c[1]), curve.load_of(0.999 * overlap, c[0], c[1])
     return (high - low) / (0.001 * overlap)

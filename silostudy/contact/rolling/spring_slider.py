@@ -4,6 +4,7 @@ from numba.extending import register_jitable
 
 from silostudy.contact import spring
 from silostudy.contact.family import Coefficient, RollingLaw
+from silostudy.contact.vector import less, limited
 
 
 @register_jitable
@@ -13,7 +14,7 @@ def law(stored, rolling, touch, elastic, c):
     Iwashita & Oda (1998) without the dashpot; c = (rotational stiffness, rolling friction), the cap being friction times
     the reduced radius times the elastic normal force.
     """
-    return spring.clamp(stored - c[0] * touch.dt * rolling, c[1] * touch.radius * elastic)
+    return limited(less(stored, c[0] * touch.dt, rolling), c[1] * touch.radius * elastic)[0]
 
 
 ROW = RollingLaw(

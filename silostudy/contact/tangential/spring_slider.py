@@ -7,6 +7,7 @@ from numba.extending import register_jitable
 from silostudy.contact import spring
 from silostudy.contact.family import TangentialLaw
 from silostudy.contact.sources import KIYAMA
+from silostudy.contact.vector import less, limited
 
 
 @register_jitable
@@ -15,9 +16,8 @@ def law(stored, sliding, touch, elastic, normal, c):
 
     Kiyama & Fujimura (1983), eqs. (10)-(14); c = (stiffness, damping, damping by root of mass, friction).
     """
-    trial = stored - c[0] * touch.dt * sliding
-    held = spring.clamp(trial, c[3] * elastic)
-    return held, held - (c[1] + c[2] * sqrt(touch.mass)) * sliding * (1.0 if held == trial else 0.0)
+    held, sticks = limited(less(stored, c[0] * touch.dt, sliding), c[3] * elastic)
+    return held, less(held, (c[1] + c[2] * sqrt(touch.mass)) * sticks, sliding)
 
 
 ROW = TangentialLaw(

@@ -9,6 +9,7 @@ from silostudy.contact import spring
 from silostudy.contact.family import TangentialLaw
 from silostudy.contact.sources import KIYAMA
 from silostudy.contact.tangential import spring_slider
+from silostudy.contact.vector import less, limited
 
 
 @register_jitable
@@ -20,9 +21,8 @@ def law(stored, sliding, touch, elastic, normal, c):
     """
     damping = c[1] + c[2] * sqrt(touch.mass)
     softer = damping / (1.0 + 3.0 * damping * touch.dt / touch.mass)
-    trial = stored - c[0] * touch.dt * sliding
-    held = spring.clamp(trial, c[3] * elastic)
-    return held, held - softer * sliding * (1.0 if held == trial else 0.0)
+    held, sticks = limited(less(stored, c[0] * touch.dt, sliding), c[3] * elastic)
+    return held, less(held, softer * sticks, sliding)
 
 
 ROW = TangentialLaw(

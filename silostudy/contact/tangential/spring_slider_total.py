@@ -7,6 +7,7 @@ from numba.extending import register_jitable
 from silostudy.contact import spring
 from silostudy.contact.family import TangentialLaw
 from silostudy.contact.tangential import spring_slider
+from silostudy.contact.vector import less, limited, scaled
 
 
 @register_jitable
@@ -16,9 +17,9 @@ def law(stored, sliding, touch, elastic, normal, c):
     Cundall & Strack (1979), slip check of the law FORD, where a dashpot that pulls leaves nothing to rub;
     c = (stiffness, damping, damping by root of mass, friction).
     """
-    dashpot = -(c[1] + c[2] * sqrt(touch.mass)) * sliding
-    total = spring.clamp(stored - c[0] * touch.dt * sliding + dashpot, c[3] * spring.pressing(normal))
-    return total - dashpot, total
+    dashpot = scaled(-(c[1] + c[2] * sqrt(touch.mass)), sliding)
+    total, _ = limited(less(less(stored, c[0] * touch.dt, sliding), -1.0, dashpot), c[3] * spring.pressing(normal))
+    return less(total, 1.0, dashpot), total
 
 
 ROW = TangentialLaw(

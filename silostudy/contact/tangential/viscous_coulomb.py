@@ -7,6 +7,7 @@ from numba.extending import register_jitable
 
 from silostudy.contact import spring
 from silostudy.contact.family import TangentialLaw
+from silostudy.contact.vector import limited, scaled
 
 
 @register_jitable
@@ -15,7 +16,7 @@ def law(stored, sliding, touch, elastic, normal, c):
 
     Haff & Werner (1986); c = (damping, damping by root of mass, friction).
     """
-    return 0.0, spring.clamp(-(c[0] + c[1] * sqrt(touch.mass)) * sliding, c[2] * spring.pressing(normal))
+    return stored, limited(scaled(-(c[0] + c[1] * sqrt(touch.mass)), sliding), c[2] * spring.pressing(normal))[0]
 
 
 def damping(touch, c):

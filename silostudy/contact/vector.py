@@ -1,0 +1,68 @@
+"""What laws do with a sliding or rolling motion: a number in the plane, three numbers in space, by the same words.
+
+In a kernel these are numba's overloads, in Python they look at what they are given.
+"""
+
+from math import sqrt
+
+from numba import types
+from numba.extending import overload
+
+
+def less(value, factor, motion):
+    """value - factor * motion."""
+    return _less_three(value, factor, motion) if isinstance(value, tuple) else value - factor * motion
+
+
+def scaled(factor, motion):
+    """factor * motion."""
+    return _scaled_three(factor, motion) if isinstance(motion, tuple) else factor * motion
+
+
+def limited(value, cap):
+    """Value held at a size of cap at most, cap being zero or more; and 1.0 where it was not cut, else 0.0."""
+    return _limited_three(value, cap) if isinstance(value, tuple) else _limited_one(value, cap)
+
+
+def _less_one(value, factor, motion):
+    return value - factor * motion
+
+
+def _less_three(value, factor, motion):
+    return value[0] - factor * motion[0], value[1] - factor * motion[1], value[2] - factor * motion[2]
+
+
+def _scaled_one(factor, motion):
+    return factor * motion
+
+
+def _scaled_three(factor, motion):
+    return factor * motion[0], factor * motion[1], factor * motion[2]
+
+
+def _limited_one(value, cap):
+    low = value if value > -cap else -cap
+    held = low if low < cap else cap
+    return held, 1.0 if held == value else 0.0
+
+
+def _limited_three(value, cap):
+    square = value[0] * value[0] + value[1] * value[1] + value[2] * value[2]
+    sticks = square <= cap * cap
+    share = 1.0 if sticks else cap / sqrt(square)
+    return (share * value[0], share * value[1], share * value[2]), 1.0 if sticks else 0.0
+
+
+@overload(less, inline="always")
+def _less(value, factor, motion):
+    return _less_three if isinstance(value, types.BaseTuple) else _less_one
+
+
+@overload(scaled, inline="always")
+def _scaled(factor, motion):
+    return _scaled_three if isinstance(motion, types.BaseTuple) else _scaled_one
+
+
+@overload(limited, inline="always")
+def _limited(value, cap):
+    return _limited_three if isinstance(value, types.BaseTuple) else _limited_one
