@@ -53,16 +53,16 @@ def _limited_three(value, cap):
     return (share * value[0], share * value[1], share * value[2]), 1.0 if sticks else 0.0
 
 
-@overload(less, inline="always")
+@overload(less, jit_options={"forceinline": True})
 def _less(value, factor, motion):
     return _less_three if isinstance(value, types.BaseTuple) else _less_one
 
 
-@overload(scaled, inline="always")
+@overload(scaled, jit_options={"forceinline": True})
 def _scaled(factor, motion):
     return _scaled_three if isinstance(motion, types.BaseTuple) else _scaled_one
 
 
-@overload(limited, inline="always")
+@overload(limited, jit_options={"forceinline": True})
 def _limited(value, cap):
     return _limited_three if isinstance(value, types.BaseTuple) else _limited_one

@@ -7,9 +7,11 @@ and the order of the others is fixed by the numbers of the discs.
 import numpy as np
 from numba import njit
 
+from silostudy.dem import history
 from silostudy.dem.arrays import BLOCK
 from silostudy.dem.cells import OPTIONS, bin_discs, cell_of
-from silostudy.dem.lanes import WIDTH, X, Y
+from silostudy.dem.lanes import X, Y
+from silostudy.dem.vectors import WIDTH
 from silostudy.dem.walls import nearest
 
 SHIFT = 32  # key = first << SHIFT | second
@@ -33,17 +35,25 @@ def allow(blocks, block_from, block_to, smallest, fixed_skin):
 def remember(contacts, begin, end, base, ghost, memory, kept):
     """Append the histories of a stretch of the list that are not zero to the memory; gives the new count."""
     for k in range(begin, end):
-        held = contacts.stored[k] if contacts.stored.size else 0.0
-        turned = contacts.rolled[k] if contacts.rolled.size else 0.0
-        if held != 0.0 or turned != 0.0:
+        held, turned = history.entry(contacts.stored, k), history.entry(contacts.rolled, k)
+        if history.holds(held) or history.holds(turned):
             first, second = np.int64(contacts.first[k]), np.int64(contacts.second[k])
             first = np.int64(ghost[first - base]) if first >= base else first
             second = np.int64(ghost[second - base]) if second >= base else second
             memory.key[kept] = (first << SHIFT) | second
-            memory.stored[kept] = held
-            memory.rolled[kept] = turned
+            history.enter(memory.stored, kept, held)
+            history.enter(memory.rolled, kept, turned)
             kept += 1
     return kept
+
+
+@njit(**OPTIONS)
+def hand_over(old, at, new, place, same):
+    """Give an entry of a list what the memory holds at a place, or nothing where it is of another contact."""
+    if same:
+        history.enter(new, place, history.entry(old, at))
+    else:
+        history.forget(new, place)
 
 
 @njit(**OPTIONS)
@@ -52,10 +62,8 @@ def recall(contacts, place, key, memory, kept, at):
     while at < kept and memory.key[at] < key:
         at += 1
     same = at < kept and memory.key[at] == key
-    if contacts.stored.size:
-        contacts.stored[place] = memory.stored[at] if same else 0.0
-    if contacts.rolled.size:
-        contacts.rolled[place] = memory.rolled[at] if same else 0.0
+    hand_over(memory.stored, at, contacts.stored, place, same)
+    hand_over(memory.rolled, at, contacts.rolled, place, same)
     return at
 
 
@@ -64,10 +72,8 @@ def pad(contacts, fill, first, second):
     """Fill up to a multiple of the lane width with pairs that never touch, so that a block is whole vectors."""
     while fill % WIDTH:
         contacts.first[fill], contacts.second[fill] = first, second
-        if contacts.stored.size:
-            contacts.stored[fill] = 0.0
-        if contacts.rolled.size:
-            contacts.rolled[fill] = 0.0
+        history.forget(contacts.stored, fill)
+        history.forget(contacts.rolled, fill)
         fill += 1
     return fill
 

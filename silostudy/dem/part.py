@@ -3,9 +3,9 @@
 import numpy as np
 
 from silostudy.dem.arrays import BLOCK, LANES, Contacts, Memory, Scratch, aligned
-from silostudy.dem.lanes import WIDTH
 from silostudy.dem.neighbours import KEPT_PAIRS, KEPT_WALLS
 from silostudy.dem.pieces import Laws
+from silostudy.dem.vectors import WIDTH
 
 
 class Part:

@@ -1,0 +1,175 @@
+"""Motion of spheres: what of a contact the laws see, what its forces do to both spheres, and how a sphere is moved."""
+
+from collections.abc import Callable
+from math import sqrt
+
+from numba.extending import register_jitable
+
+from silostudy.dem.arrays import LANES
+from silostudy.dem.cache import piece
+from silostudy.dem.space.lanes import (
+    APART_P,
+    CURVED,
+    DU,
+    DX,
+    FIRST_X,
+    FIRST_Y,
+    FIRST_Z,
+    FORCE_X,
+    FORCE_Y,
+    FORCE_Z,
+    FX,
+    FY,
+    FZ,
+    SECOND_X,
+    SECOND_Y,
+    SECOND_Z,
+    SUM_P,
+    TX,
+    TY,
+    TZ,
+    P,
+    Q,
+    R,
+    U,
+    V,
+    W,
+    X,
+    Y,
+    Z,
+)  # fmt: skip
+
+
+@register_jitable(forceinline=True)
+def three(lanes, lane, k):
+    """Three numbers of contact k that stand in lanes after each other."""
+    return lanes[0, lane * LANES + k], lanes[0, (lane + 1) * LANES + k], lanes[0, (lane + 2) * LANES + k]
+
+
+@register_jitable(forceinline=True)
+def dot(a, b):
+    """Scalar product."""
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+
+
+@register_jitable(forceinline=True)
+def cross(a, b):
+    """Vector product."""
+    return a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]
+
+
+@register_jitable(forceinline=True)
+def across(vector, normal):
+    """What of a vector lies in the plane across a unit normal."""
+    along = dot(vector, normal)
+    return vector[0] - along * normal[0], vector[1] - along * normal[1], vector[2] - along * normal[2]
+
+
+@register_jitable
+def facing(lanes, k):
+    """Normal (unit vector from the second body to the first) and distance (m) of the centres."""
+    d = three(lanes, DX, k)
+    distance = sqrt(dot(d, d))
+    inverse = 1.0 / distance
+    return (d[0] * inverse, d[1] * inverse, d[2] * inverse), distance
+
+
+def reduced(flat: bool):
+    """Function that gives a contact's reduced radius (m): at a wall that of both mean curvatures."""
+
+    @piece("space", flat)
+    def radius(lanes, k, a, b):
+        return a / (1.0 - a * lanes[0, CURVED * LANES + k]) if flat else a * b / (a + b)
+
+    return radius
+
+
+def rates(unequal: bool):
+    """Function that gives a contact's closing speed, sliding velocity (m/s) of surfaces, and difference of spins (1/s).
+
+    The surfaces meet half an overlap below each.
+    """
+
+    @piece("space", unequal)
+    def speeds(lanes, k, normal, a, b, depth, flat):
+        d, summed, apart = three(lanes, DU, k), three(lanes, SUM_P, k), three(lanes, APART_P, k)
+        closing = -dot(d, normal)
+        if flat:
+            spin = a * summed[0], a * summed[1], a * summed[2]
+        elif unequal:
+            half, rest = 0.5 * (a + b - depth), 0.5 * (a - b)
+            spin = (
+                half * summed[0] + rest * apart[0],
+                half * summed[1] + rest * apart[1],
+                half * summed[2] + rest * apart[2],
+            )
+        else:
+            arm = a - 0.5 * depth
+            spin = arm * summed[0], arm * summed[1], arm * summed[2]
+        turning = cross(spin, normal)
+        sliding = (
+            d[0] + closing * normal[0] - turning[0],
+            d[1] + closing * normal[1] - turning[1],
+            d[2] + closing * normal[2] - turning[2],
+        )
+        return closing, sliding, across(apart, normal)
+
+    return speeds
+
+
+@register_jitable(forceinline=True)
+def carry(old, normal):
+    """A history turned into the plane across the normal, as long as before."""
+    new = across(old, normal)
+    before, after = dot(old, old), dot(new, new)
+    factor = sqrt(before / after) if after > 0.0 else 0.0
+    return factor * new[0], factor * new[1], factor * new[2]
+
+
+def put(drags: bool, brakes: bool):
+    """Function that writes a contact's force (N) and its moments (N m) on both bodies into lanes."""
+
+    @piece("space", drags, brakes)
+    def force(out, k, normal, push, drag, moment, a, b, depth, flat):
+        fx, fy, fz = push * normal[0], push * normal[1], push * normal[2]
+        own = others = 0.0, 0.0, 0.0
+        if drags:
+            fx, fy, fz = fx + drag[0], fy + drag[1], fz + drag[2]
+            twist, shrink = cross(drag, normal), 0.0 if flat else 0.5 * depth
+            first, second = a - shrink, b - shrink
+            own = first * twist[0], first * twist[1], first * twist[2]
+            others = second * twist[0], second * twist[1], second * twist[2]
+        if brakes:
+            own = own[0] + moment[0], own[1] + moment[1], own[2] + moment[2]
+            others = others[0] - moment[0], others[1] - moment[1], others[2] - moment[2]
+        out[0, FORCE_X * LANES + k], out[0, FORCE_Y * LANES + k], out[0, FORCE_Z * LANES + k] = fx, fy, fz
+        out[0, FIRST_X * LANES + k], out[0, FIRST_Y * LANES + k], out[0, FIRST_Z * LANES + k] = own
+        out[0, SECOND_X * LANES + k], out[0, SECOND_Y * LANES + k], out[0, SECOND_Z * LANES + k] = others
+
+    return force
+
+
+def move(advance: Callable, holds: bool, turns: bool, key: str):
+    """Function that moves sphere i a step, clears its force, and gives the square of its way (m2)."""
+
+    @piece("space", key, turns)
+    def moved(rows, held, i, im, ii, pull, kick, dt):
+        hu = hv = hw = hp = hq = hr = 0.0
+        if holds:
+            hu, hv, hw, hp, hq, hr = held[i, 0], held[i, 1], held[i, 2], held[i, 3], held[i, 4], held[i, 5]
+        rows[i, U], hu, dx = advance(rows[i, U], hu, rows[i, FX] * im + pull[0], kick, dt)
+        rows[i, V], hv, dy = advance(rows[i, V], hv, rows[i, FY] * im + pull[1], kick, dt)
+        rows[i, W], hw, dz = advance(rows[i, W], hw, rows[i, FZ] * im + pull[2], kick, dt)
+        rows[i, X] += dx
+        rows[i, Y] += dy
+        rows[i, Z] += dz
+        if turns:
+            rows[i, P], hp, _ = advance(rows[i, P], hp, rows[i, TX] * ii, kick, dt)
+            rows[i, Q], hq, _ = advance(rows[i, Q], hq, rows[i, TY] * ii, kick, dt)
+            rows[i, R], hr, _ = advance(rows[i, R], hr, rows[i, TZ] * ii, kick, dt)
+        if holds:
+            held[i, 0], held[i, 1], held[i, 2], held[i, 3], held[i, 4], held[i, 5] = hu, hv, hw, hp, hq, hr
+        rows[i, FX] = rows[i, FY] = rows[i, FZ] = rows[i, TX] = rows[i, TY] = rows[i, TZ] = 0.0
+        return dx * dx + dy * dy + dz * dz
+
+    return moved
