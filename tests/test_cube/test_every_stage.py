@@ -139,6 +139,7 @@ def test_wall_forces_are_selected_by_time_and_wall(paths):
     plt.close("all")
 
 
+@pytest.mark.long
 def test_every_cube_keeps_cf_1_11(paths):
     checker = Path(sys.executable).parent / "compliance-checker"
     done = subprocess.run([checker, "-t", "cf:1.11", "-c", "strict", *paths.values()], capture_output=True, text=True)

@@ -36,6 +36,7 @@ def test_engine_rests_where_the_transcription_does():
     assert rest == pytest.approx(engine, rel=1e-3)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(("incremental", "smoothed", "dt"), [(True, False, 2.5e-5), (False, False, 2.5e-5), (True, True, 1e-4)])
 def test_peaks_in_any_step_do_not_hang_on_the_springs(incremental, smoothed, dt):
     """In 17/18 single contacts peak beyond the printed 2 to 5 times static, in 11/12 they do not, whatever the springs."""
