@@ -8,7 +8,7 @@ import numpy as np
 
 from silostudy.catalogue import Row
 from silostudy.errors import BadInput
-from silostudy.soundness import faults_of_function, faults_of_look, faults_of_trial
+from silostudy.soundness import check_numbers, faults_of_function, faults_of_look, faults_of_trial
 
 # Every parameter a rule may ask for: (unit, symbol and meaning, a usual value).
 PARAMETERS = {
@@ -106,7 +106,12 @@ class BucklingRule(Row):
         for reason, limit in self.limits:
             if reason not in range(1, len(REASONS)):
                 faults.append(f"limits: {limit.__name__} masks for reason {reason!r}, not one of 1 to {len(REASONS) - 1}")
-        yield from faults or faults_of_trial("strength", lambda: evaluate(self, _usual()))
+        yield from faults or faults_of_trial("strength", lambda: self._tried())
+
+    def _tried(self) -> None:
+        """Evaluates two usual shells."""
+        for name in ("buckling_stress", "elastic_buckling_stress"):
+            check_numbers(lambda name=name: evaluate(self, _usual())[name])  # type: ignore[misc]
 
 
 def _usual() -> dict[str, np.ndarray]:

@@ -8,7 +8,7 @@ import numpy as np
 from silostudy.catalogue import Row
 from silostudy.pressure.calls import asking, call, first_line, parameters_of
 from silostudy.pressure.limits import Limit, broken
-from silostudy.soundness import faults_of_function, faults_of_look, faults_of_trial
+from silostudy.soundness import check_numbers, faults_of_function, faults_of_look, faults_of_trial
 
 PHASES = ("filling", "switch", "discharge")
 USUAL_PHASES = ("filling", "discharge")
@@ -247,7 +247,9 @@ def _faults_of_names(row: PressureMethod) -> Iterator[str]:
         ("varies", row.varies, PARAMETERS),
         ("plans_of", row.plans_of, QUANTITIES | HOPPER_QUANTITIES | TOTALS),
     ):
-        if strange := [one for one in given if one not in known]:
+        if isinstance(given, str):
+            yield f"{name} = {given!r}: must be several, as {{{given!r}}}"
+        elif strange := [one for one in given if one not in known]:
             yield f"{name}: {', '.join(map(str, strange))} unknown; known: {', '.join(known)}"
     if not row.plans or not row.phases:
         yield "plans and phases must not be empty"
@@ -279,5 +281,5 @@ def _tried(function: Callable, place: str | None) -> None:
     usual = {name: np.full((2, 1), value) for name, (_, _, value) in PARAMETERS.items()}
     where = None if place is None else np.array([[0.5, 1.0, 1.5]] * 2)
     with np.errstate(all="ignore"):
-        found = call(function, where, usual)
-    np.broadcast_to(np.asarray(found, dtype=float), (2, 1) if where is None else where.shape)
+        found = check_numbers(lambda: call(function, where, usual))
+    np.broadcast_to(found, (2, 1) if where is None else where.shape)
