@@ -44,7 +44,7 @@ def faults_of_trial(name: str, trial: Callable[[], object]) -> Iterator[str]:
 
 
 def check_numbers(call: Callable[[], object]) -> np.ndarray:
-    """What a call gives, as an array; ValueError unless it is of real numbers, none infinite, and the same when called again."""
+    """What a call gives, as an array; ValueError unless these are finite or NaN, real, and the same when called again."""
     found = np.asarray(call())
     if found.dtype.kind not in "fiub":
         raise ValueError(f"gives no real numbers but {found.ravel()[:1]}")

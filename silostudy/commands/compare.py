@@ -40,9 +40,8 @@ def run(chosen: argparse.Namespace) -> None:
     from silostudy.cube.silence import silences
     from silostudy.stages.pressure import KIND
 
-    if chosen.study and chosen.methods_from:
-        raise BadInput("--methods-from", str(chosen.methods_from), f"write `methods_from` into {chosen.study}")
     if chosen.study:
+        _check_no_flags(chosen)
         expansion = expand_file(chosen.study)
         if expansion.study.kind != KIND.key or expansion.shape:
             raise BadInput("study", str(chosen.study), "must be a pressure study without sweep: compare takes one silo")
@@ -57,6 +56,14 @@ def run(chosen: argparse.Namespace) -> None:
 
         draw(cube, chosen.figure)
         print(f"drawn: {chosen.figure}.png, {chosen.figure}.svg, {chosen.figure}.csv")
+
+
+def _check_no_flags(chosen: argparse.Namespace) -> None:
+    """BadInput for a flag beside a study file, which says all of the silo itself."""
+    for name, value in vars(chosen).items():
+        if name not in ("study", "figure", "run") and value not in (None, "all"):
+            flag, told = f"--{name.replace('_', '-')}", value if isinstance(value, (float, list)) else str(value)
+            raise BadInput(flag, told, f"write it into {chosen.study}: flags stand in place of a study file")
 
 
 def _study(chosen: argparse.Namespace) -> dict[str, Any]:

@@ -4,6 +4,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from silostudy.commands.families import add_methods_from, families
+from silostudy.errors import BadInput
 
 if TYPE_CHECKING:
     from silostudy.config.own_rows import Families
@@ -25,6 +26,8 @@ def add(sub) -> None:
 
 def run(chosen) -> None:
     scene = chosen.method.endswith((".yaml", ".yml"))
+    if scene and chosen.methods_from:
+        raise BadInput("--methods-from", str(chosen.methods_from), f"write `methods_from` into {chosen.method}")
     print("\n".join(scene_explanation(chosen.method) if scene else explanation(chosen.method, families(chosen))))
 
 

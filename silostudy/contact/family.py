@@ -107,6 +107,11 @@ def _as_python(function: Callable) -> Callable:
     return function
 
 
+def _as_compiled(function: Callable) -> Callable:
+    """The function as kernels have it: one that makes arrays or texts is refused, since none counts references to them."""
+    return njit(_nrt=False)(function)
+
+
 @register_jitable
 def no_energy(stretch, touch, c):
     """Energy (J/m) of a law without a spring: zero."""
@@ -158,7 +163,7 @@ class Law(Row):
             if not _is_jitable(function):
                 yield f"{name}: must be decorated with numba's register_jitable"
         faults = list(faults_of_trial("law", lambda: self.tried(_as_python, (1.0,) * len(self.coefficients))))
-        yield from faults or faults_of_trial("law, compiled", lambda: self.tried(njit, (1.0,) * len(self.coefficients)))
+        yield from faults or faults_of_trial("law, compiled", lambda: self.tried(_as_compiled, (1.0,) * len(self.coefficients)))
 
     @property
     def compiled(self) -> dict[str, Callable]:

@@ -2,6 +2,7 @@
 
 import csv
 import re
+from pathlib import Path
 
 import pytest
 import yaml
@@ -80,6 +81,9 @@ def test_compare_by_flags(capsys, tmp_path):
 def test_compare_by_file_and_its_refusals(capsys):
     assert "deutsch, discharge" in said(capsys, "compare", WHEAT)
     assert "without sweep" in said(capsys, "compare", ROOT / "config/studies/wheat-family.yaml", status=2)
+    for flag, value, told in (("--diameter", 3, "3.0"), ("--methods", "janssen", "['janssen']"), ("--wall", "d1", "'d1'")):
+        wrong = said(capsys, "compare", WHEAT, flag, value, status=2)
+        assert f"{flag} = {told}: write it into {WHEAT}" in wrong
     assert "--solid = None: is missing" in said(capsys, "compare", "--diameter", 5, "--depth", 18, status=2)
     wrong = said(capsys, "compare", "--diameter", -5, "--depth", 18, "--solid", "wheat_benchmark", status=2)
     assert "scene.silo.diameter_m = -5.0: must be greater than 0" in wrong
@@ -98,6 +102,21 @@ def test_check_counts(capsys):
     assert "1584 case(s): diameter 6 x slenderness 11 x solid 8 x wall 3" in out
     assert "1900800 values a quantity" in out
     assert "flour on painted_concrete: no wall_friction in the tables" in out
+
+
+def test_check_refuses_a_price_where_there_is_none(capsys):
+    for file, kind in ((WHEAT, "pressure"), (ROOT / "config/scenes/kiyama-17-18.yaml", "dem")):
+        assert f"--price = True: kind {kind} has none to tell" in said(capsys, "check", file, "--price", status=2)
+
+
+def test_a_study_goes_by_its_name_whatever_stands_in_it(capsys, tmp_path, monkeypatch):
+    (tmp_path / "config/studies").mkdir(parents=True)
+    (tmp_path / "config/studies/wheat.v2.yaml").write_bytes(Path(WHEAT).read_bytes())
+    (tmp_path / "wheat.v2").mkdir()
+    monkeypatch.chdir(tmp_path)
+    assert "1 case(s)" in said(capsys, "check", "wheat.v2")
+    said(capsys, "cases", "wheat.v2", "cases.csv")
+    assert Path("cases.csv").read_text().startswith("case")
 
 
 def test_check_tells_the_price_of_a_sweep(capsys):
@@ -167,7 +186,9 @@ def test_a_users_own_file_is_listed_explained_and_compared(capsys, tmp_path):
     assert "63.55" in own  # K gamma z at 18 m
     assert said(capsys, "compare", *silo, "--methods", "frictionles", *mine, status=2).count("\n") == 1
     assert "unknown; known: janssen" in said(capsys, "explain", "frictionless", status=2)
-    assert "write `methods_from` into" in said(capsys, "compare", WHEAT, *mine, status=2)
+    assert "--methods-from = " in said(capsys, "compare", WHEAT, *mine, status=2)
+    scene = ROOT / "config/scenes/kiyama-17-18.yaml"
+    assert f"write `methods_from` into {scene}" in said(capsys, "explain", scene, *mine, status=2)
 
 
 def test_a_law_is_explained_in_every_family_that_has_its_key(capsys):

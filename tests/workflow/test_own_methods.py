@@ -83,6 +83,7 @@ def test_a_users_theory_and_rule_run_from_file_to_figure(project):
     assert planned(project) == {}
     mine = project / "config/studies/mine.py"
     mine.write_text(mine.read_text() + "# changed\n")
+    os.utime(mine, (1e9, 1e9))  # older than the cubes, as a file that was put in its place
     jobs = planned(project)
     assert {"pressure", "buckling", "draw_theory_pressure", "draw_shells_buckling"} <= set(jobs)
     assert jobs["pressure"] == 1  # and not that of the study that does not name the file
