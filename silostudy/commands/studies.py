@@ -52,7 +52,7 @@ def path_of(study: Path) -> Path:
     return study if study.suffix in (".yaml", ".yml") or study.is_file() else Path("config/studies") / f"{study}.yaml"
 
 
-def _check_price(asked: bool, kind: str, timed: Collection[str]) -> None:
+def _check_price(asked: bool, kind: object, timed: Collection[str]) -> None:
     """BadInput where a price is asked for that no study of the kind tells."""
     if asked and not timed:
         raise BadInput("--price", True, f"kind {kind} has none to tell")

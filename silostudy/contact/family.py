@@ -109,7 +109,8 @@ def _as_python(function: Callable) -> Callable:
 
 def _as_compiled(function: Callable) -> Callable:
     """The function as kernels have it: one that makes arrays or texts is refused, since none counts references to them."""
-    return njit(_nrt=False)(function)
+    options: dict[str, Any] = {"error_model": "numpy", "_nrt": False}
+    return njit(**options)(function)
 
 
 @register_jitable
