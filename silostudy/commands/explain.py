@@ -1,6 +1,5 @@
 """`silostudy explain KEY`: formula, symbols, source, range of a method or rule, and its source's errors; or a DEM scene."""
 
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 from silostudy.commands.families import add_methods_from, families
@@ -33,7 +32,7 @@ def run(chosen) -> None:
 
 
 def explanation(key: str, known: "Families") -> list[str]:
-    """The lines that explain a method, a rule, a part of a scene, a kind of study, or a topic; BadInput lists the known ones."""
+    """The lines that explain a method, a rule, a part of a scene, a kind or a topic; BadInput lists the known ones."""
     from silostudy.buckling import BUCKLING, RIVALS
     from silostudy.commands import (
         explain_accuracy,

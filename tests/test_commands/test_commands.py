@@ -215,6 +215,12 @@ def test_check_builds_a_scene(capsys, tmp_path):
     assert "feeds energy into springs without a dashpot" in said(capsys, "check", path, status=2)
 
 
+@pytest.mark.parametrize("threads", [0, 1 + (os.cpu_count() or 1)])
+def test_no_more_threads_than_cores(capsys, tmp_path, threads):
+    told = said(capsys, "dem", ROOT / "config/scenes/kiyama-17-18.yaml", tmp_path / "o.nc", "--threads", threads, status=2)
+    assert f"--threads = {threads}: must be 1 to" in told
+
+
 def test_no_device_or_pipe_is_replaced(capsys, tmp_path):
     os.mkfifo(tmp_path / "pipe")
     for arguments in (("cases", WHEAT), ("dem", ROOT / "config/scenes/kiyama-17-18.yaml")):
