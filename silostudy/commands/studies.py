@@ -59,12 +59,19 @@ def _check_price(asked: bool, kind: object, timed: Collection[str]) -> None:
 
 
 def scene_checked(path: Path) -> list[str]:
-    """What is said of a discrete-element scene."""
+    """What is said of a discrete-element scene: its start is built, with every file that it names, and its run is not."""
+    from math import ceil
+
     from silostudy.choice.dem import load
     from silostudy.choice.promise import promises
+    from silostudy.compute.dem import run_of, scene_model
 
     scene, choice = load(path)
-    return [f"{path}: {scene.title}", *(f"  {line}" for line in chosen_for(promises([choice] if choice else [])))]
+    model = scene_model(scene, path.parent, str(path))
+    run_of(scene, model)  # what the step alone tells to be impossible
+    steps = ceil(scene.march.limit_s / model.dt)
+    run = f"  {len(model.x)} discs, at most {steps:,} steps of {model.dt:.3g} s"
+    return [f"{path}: {scene.title}", run, *(f"  {line}" for line in chosen_for(promises([choice] if choice else [])))]
 
 
 def chosen_for(promise: dict[str, str]) -> list[str]:

@@ -1,6 +1,7 @@
 """The `silostudy` command as a user types it."""
 
 import csv
+import os
 import re
 from pathlib import Path
 
@@ -9,8 +10,10 @@ import yaml
 
 from silostudy.__main__ import main
 from silostudy.choice.fronts import FRONTS
+from silostudy.commands.explain_scene import PARTS
 from silostudy.cube.io import read
 from silostudy.pressure import PRESSURE
+from silostudy.stages import FILE_KINDS
 from silostudy.tables.asked import quantities
 from tests.conftest import ROOT
 from tests.own import BOTH, LAW
@@ -195,6 +198,55 @@ def test_a_law_is_explained_in_every_family_that_has_its_key(capsys):
     told = said(capsys, "explain", "spring-slider")
     assert "rolling_stiffness (N), zero or more: from rolling_stiffness_N" in told
     assert "tangential_stiffness (N m-2)" in told
+
+
+@pytest.mark.parametrize("part", PARTS)
+def test_every_part_of_a_scene_is_listed_and_explained(capsys, part):
+    listed = said(capsys, "list", part)
+    for key, row in PARTS[part].items():
+        assert re.search(rf"^{key} +{re.escape(row.title)}$", listed, re.MULTILINE)
+        assert f"{row.title} ({key}, of {part})" in said(capsys, "explain", key)
+
+
+@pytest.mark.parametrize("kind", FILE_KINDS)
+def test_every_kind_explains_its_keys(capsys, kind):
+    told = said(capsys, "explain", kind)
+    assert f"(kind: {kind})" in told
+    for name, field in FILE_KINDS[kind].study.model_fields.items():
+        assert re.search(rf"^  {name}( \(.*?\))?: {re.escape(field.description)}", told, re.MULTILINE)
+
+
+def test_explain_names_a_sections_keys_units_and_choices(capsys):
+    told = said(capsys, "explain", "dem")
+    assert "      gap_m (m): gap between neighbours at the start [must be given]" in told
+    assert "tangential: law of the tangential force [spring-slider] {none, spring-slider," in told
+    assert "[17-18] {17-18, 17-19, velocity-verlet}" in told
+
+
+def test_check_builds_a_scene(capsys, tmp_path):
+    """Its step is told or refused, and the files that it names are read."""
+    scene = yaml.safe_load((ROOT / "config/scenes/kiyama-17-18.yaml").read_text())
+    path = tmp_path / "scene.yaml"
+    path.write_text(yaml.safe_dump(scene))
+    assert re.search(r"^  \d+ discs, at most [\d,]+ steps of \S+ s$", said(capsys, "check", path), re.MULTILINE)
+    path.write_text(yaml.safe_dump(scene | {"quake": {"file": "nowhere.csv"}}))
+    assert "nowhere.csv" in said(capsys, "check", path, status=2)
+    undamped = scene["discs"] | {"normal_damping_N_s_m2": 0.0}
+    path.write_text(yaml.safe_dump(scene | {"discs": undamped, "march": scene["march"] | {"integrator": "17-19"}}))
+    assert "feeds energy into springs without a dashpot" in said(capsys, "check", path, status=2)
+
+
+@pytest.mark.parametrize("threads", [0, 1 + (os.cpu_count() or 1)])
+def test_no_more_threads_than_cores(capsys, tmp_path, threads):
+    told = said(capsys, "dem", ROOT / "config/scenes/kiyama-17-18.yaml", tmp_path / "o.nc", "--threads", threads, status=2)
+    assert f"--threads = {threads}: must be 1 to" in told
+
+
+def test_no_device_or_pipe_is_replaced(capsys, tmp_path):
+    os.mkfifo(tmp_path / "pipe")
+    for arguments in (("cases", WHEAT), ("dem", ROOT / "config/scenes/kiyama-17-18.yaml")):
+        assert "is a device or a pipe" in said(capsys, *arguments, tmp_path / "pipe", status=2)
+    assert (tmp_path / "pipe").is_fifo()
 
 
 def test_own_solids_cite_their_own_source(capsys, tmp_path, study):
