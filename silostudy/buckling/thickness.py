@@ -4,9 +4,9 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from silostudy.buckling.family import NO_LOAD, OUT_OF_RANGE, BucklingRule, evaluate
+from silostudy.buckling.family import IN_SCOPE, NO_LOAD, OUT_OF_RANGE, BucklingRule, evaluate
 
-SLENDEREST, STOCKIEST = 10_000, 10  # R/t between which the required thickness is sought
+SLENDEREST, STOCKIEST = 10_000, 20  # R/t between which the required thickness is sought
 HALVINGS = 40
 
 
@@ -37,5 +37,6 @@ def required_thickness(
         carries = enough(middle)
         thin, thick = np.where(carries, thin, middle), np.where(carries, middle, thick)
     scope = with_thickness(rule, parameters, np.where(found, thick * (1 - 1e-6), radius / STOCKIEST))["buckling_stress_scope"]
-    scope = np.select([np.isnan(force), lightest], [NO_LOAD, OUT_OF_RANGE], scope).astype(np.int8)
+    beyond = lightest | (~found & (scope == IN_SCOPE))  # lighter than the slenderest, or more than the stockiest carries
+    scope = np.select([np.isnan(force), beyond], [NO_LOAD, OUT_OF_RANGE], scope).astype(np.int8)
     return np.where(found, thick, np.nan), scope

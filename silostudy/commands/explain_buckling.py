@@ -8,8 +8,10 @@ def explanation(row) -> list[str]:
     from silostudy.tables.handbook import errata
     from silostudy.tables.references import with_locator
 
-    lines = [f"{row.title} ({row.key})", f"  formula   {row.formula}", f"  range     {row.validity}"]
-    lines.append(f"  masks     {', '.join(REASONS[reason] for reason, _ in row.limits)}")
+    lines = [f"{row.title} ({row.key})", f"  formula   {row.formula}", f"  range     {row.range}"]
+    lines.append(f"  masks     {', '.join(REASONS[limit.reason] for limit in row.limits)}")
+    if row.excludes:
+        lines.append(f"  excludes  {row.excludes}")
     lines.append("  symbols")
     lines += [f"            {symbol}: {name} ({unit})" for name, (unit, symbol, _) in PARAMETERS.items() if name in row.needs]
     lines.append(f"  source    {with_locator(row.source, row.locator)}")

@@ -89,6 +89,7 @@ def wall_parameters(expansion: Resolved, lower: np.ndarray, upper: np.ndarray) -
     return {
         **{name: _of_cases(expansion, [wall.steel[name] for wall in walls]) for name in walls[0].steel},
         "bay_length": _of_cases(expansion, bays),
+        "total_length": _of_cases(expansion, [silo.wall_depth for silo in silos]),
         "ring_area": _of_cases(expansion, [wall.ring_area for wall in walls]),
         "inner_radius": _of_cases(expansion, [silo.diameter / 2 for silo in silos]),
         "lower_internal_pressure": lower,

@@ -2,7 +2,7 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass, fields
-from math import sqrt
+from math import nan, sqrt
 from pathlib import Path
 from typing import Any
 
@@ -28,6 +28,7 @@ class Shell:
     shell_radius: float
     thickness: float
     bay_length: float
+    total_length: float
     ring_area: float
     fabricated: bool
     safe_constants: bool
@@ -63,7 +64,7 @@ def steel(config: Steel) -> dict[str, Any]:
 def tested(config: TestCylinder) -> Shell:
     """A test cylinder: the small ones count as manufactured, the large ones as fabricated; steel with nu = 0.3."""
     test = TESTS[config.test]
-    sizes = ("youngs_modulus", "yield_stress", "shell_radius", "thickness", "bay_length", "ring_area")
+    sizes = ("youngs_modulus", "yield_stress", "shell_radius", "thickness", "bay_length", "total_length", "ring_area")
     return Shell(
         **{name: getattr(test, name) for name in sizes},
         **making(config),
@@ -85,6 +86,7 @@ def cylinder(config: Cylinder) -> Shell:
         shell_radius=config.radius_m,
         thickness=thickness,
         bay_length=bay,
+        total_length=nan if area else bay,
         ring_area=area,
         lower_internal_pressure=lower * 1e3,
         upper_internal_pressure=(lower if upper is None else upper) * 1e3,
