@@ -21,15 +21,18 @@ def with_thickness(rule: BucklingRule, parameters: Mapping, thickness: np.ndarra
 
 
 def required_thickness(
-    rule: BucklingRule, parameters: Mapping, force: np.ndarray, safety, halvings: int = HALVINGS
+    rule: BucklingRule, parameters: Mapping, force: np.ndarray, safety, halvings: int = HALVINGS, own_weight=0.0
 ) -> tuple[np.ndarray, np.ndarray]:
-    """(thickness (m) at which the rule's strength meets the force (N/m), scope flag), by halving the range of log R/t."""
+    """(thickness (m) at which the rule's strength meets the force (N/m), scope flag), by halving the range of log R/t.
+
+    own_weight: axial force (N/m) per thickness (m) of the wall above, which grows with what is sought.
+    """
     radius = np.broadcast_to(parameters["inner_radius"], force.shape)
     thin, thick = radius / SLENDEREST, radius / STOCKIEST
 
     def enough(thickness):
         with np.errstate(invalid="ignore"):
-            return safety * force / thickness <= with_thickness(rule, parameters, thickness)["buckling_stress"]
+            return safety * (force / thickness + own_weight) <= with_thickness(rule, parameters, thickness)["buckling_stress"]
 
     found, lightest = enough(thick), enough(thin)
     for _ in range(halvings):

@@ -80,7 +80,17 @@ class SiloWall(Steel):
         default=(), description="from the top down; none: only the thickness that the load asks for is computed"
     )
     rings: Rings | None = described("ring stiffeners; null: none, and the bay is the whole height", "", default=None)
-    safety_factor: float = described("number by which the axial stress is multiplied before it meets the strength", ge=1)
+    safety_factor: float = described(
+        "number by which the axial stress and the largest pressure (elephant's foot, hoop tension) are multiplied before they "
+        "meet the strength; the smallest guaranteed pressure, which steadies the wall, is not",
+        ge=1,
+        le=10,
+    )
+    density_kg_m3: float = described(
+        "density of the steel, for the own weight of the wall above; 0: left out", "kg m-3", ge=0, le=20000, default=7850.0
+    )
+    roof_kN: float = described("weight of the roof, on the top of the wall all round", "kN", ge=0, default=0.0)
+    snow_kPa: float = described("snow on the roof, over the plan", "kPa", ge=0, le=100, default=0.0)
 
     @model_validator(mode="after")
     def _strakes_reach_the_foot(self) -> Self:

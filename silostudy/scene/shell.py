@@ -2,7 +2,7 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass, fields
-from math import nan, sqrt
+from math import nan, pi, sqrt
 from pathlib import Path
 from typing import Any
 
@@ -13,6 +13,7 @@ from silostudy.scene.build import pressure_builder
 from silostudy.scene.earthquake import check_same_silo, read_earthquake
 from silostudy.scene.expand import Expansion
 from silostudy.scene.scene import Scene
+from silostudy.tables.constants import STANDARD_GRAVITY
 from silostudy.tables.miller1977 import TESTS, MillerTest
 
 QUALITY = {"A": 40.0, "B": 25.0, "C": 16.0}  # EN 1993-1-6: Q of the fabrication quality classes, second-hand transcription
@@ -98,7 +99,8 @@ class Wall:
     """The steel wall of a silo's cylinder.
 
     steel: parameters of the buckling rules by name; edges: depth of each strake's lower edge over the cylinder's height,
-    with its thickness (m) beside it; bay_length: ring spacing (m), None without rings.
+    with its thickness (m) beside it; bay_length: ring spacing (m), None without rings; unit_weight: of the steel (N m-3);
+    imposed_force: axial force (N/m) of roof and snow.
     """
 
     steel: dict[str, float]
@@ -107,6 +109,8 @@ class Wall:
     bay_length: float | None
     ring_area: float
     safety_factor: float
+    unit_weight: float
+    imposed_force: float
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -126,15 +130,15 @@ def shell_builder(study: ShellStudy, folder: Path, where: str) -> Callable[..., 
         scene = build(config, settings)
         own = {item.name: getattr(scene, item.name) for item in fields(scene)}
         if shaken is None:
-            return ShellScene(**own, shell=wall(config.shell))
+            return ShellScene(**own, shell=wall(config.shell, scene.silo.diameter / 2))
         check_same_silo(scene, shaken.study.scene, where)
-        return ShellScene(**own, shell=wall(config.shell), earthquake=shaken)
+        return ShellScene(**own, shell=wall(config.shell, scene.silo.diameter / 2), earthquake=shaken)
 
     return build_one
 
 
-def wall(config: SiloWall) -> Wall:
-    """The wall that a configuration describes."""
+def wall(config: SiloWall, inner_radius: float) -> Wall:
+    """The wall that a configuration describes, of a cylinder of this radius (m); roof and snow rest on its top all round."""
     return Wall(
         steel=steel(config),
         edges=tuple(strake.down_to for strake in config.strakes),
@@ -142,4 +146,6 @@ def wall(config: SiloWall) -> Wall:
         bay_length=config.rings.spacing_m if config.rings else None,
         ring_area=config.rings.area_cm2 * 1e-4 if config.rings else 0.0,
         safety_factor=config.safety_factor,
+        unit_weight=config.density_kg_m3 * STANDARD_GRAVITY,
+        imposed_force=config.roof_kN * 1e3 / (2 * pi * inner_radius) + config.snow_kPa * 1e3 * inner_radius / 2,
     )

@@ -134,7 +134,7 @@ def test_a_rule_masks_for_a_known_reason(tmp_path):
         )
     )
     (tmp_path / "shell.yaml").write_text(yaml.safe_dump(BUCKLING))
-    assert "row a_fifth: masks for reason 99" in refused(tmp_path / "shell.yaml")
+    assert "masks for reason 99, not one of" in refused(tmp_path / "shell.yaml")
 
 
 def test_a_source_is_words_or_a_key_of_either_bibliography(saved):
