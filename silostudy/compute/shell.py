@@ -13,6 +13,7 @@ from silostudy.compute.axes import sweep_of
 from silostudy.compute.buckling import rule_coordinates
 from silostudy.compute.evaluate import methods_of
 from silostudy.compute.shell_earthquake import SIDES, beside, earthquake_loads, earthquake_told, of_this_study, sides
+from silostudy.compute.shell_ends import worst_of_ends
 from silostudy.compute.shell_load import SOURCES, axial_wall_force, carried_share, depths, internal_pressures, rubbing
 from silostudy.compute.shell_strakes import (
     ENDS,
@@ -62,6 +63,7 @@ def shell_cube(expansion: Resolved, pressure: xr.Dataset, seismic: xr.Dataset | 
     data = load_variables(pressure, force, source, pressures) | rule_coordinates(rules)
     data |= {"imposed_axial_force": dead[..., 0], "safety_factor": safety[..., 0]}
     data |= strengths(expansion, rules, levels, at_ends, safety, dead)
+    data |= worst_of_ends(expansion, data)
     sweep = sweep_of(expansion)
     data |= {str(name): pressure[name].values for name in pressure.coords.keys() - sweep.coordinates.keys()}
     sources = [rule.source for rule in rules] + [method.row.source for method in methods_of(expansion)]

@@ -6,6 +6,7 @@ from typing import Literal, Self, TypeAlias
 from pydantic import Field, model_validator
 
 from silostudy.config.fields import Strict, described
+from silostudy.config.scene import possible
 
 Quality: TypeAlias = Literal["A", "B", "C"]
 Manufacture: TypeAlias = Literal["manufactured", "fabricated", "fabricated_safe"]
@@ -21,9 +22,9 @@ class Making(Strict):
 class Steel(Making):
     """The steel of a shell."""
 
-    youngs_modulus_GPa: float = described("Young's modulus", "GPa", gt=0, default=210.0)
+    youngs_modulus_GPa: float = described("Young's modulus", "GPa", default=210.0, **possible("youngs_modulus_GPa"))
     shell_poisson_ratio: float = described("Poisson's ratio of the steel", ge=0, lt=0.5, default=0.3)
-    yield_stress_MPa: float = described("yield stress", "MPa", gt=0)
+    yield_stress_MPa: float = described("yield stress", "MPa", **possible("yield_stress_MPa"))
     manufacture: Manufacture = described(
         "Miller's kind of shell: manufactured as a tube, fabricated from plates, or fabricated with his safe constants", ""
     )
@@ -47,6 +48,8 @@ class Cylinder(Steel):
         for first, second in (("thickness_mm", "radius_over_thickness"), ("bay_length_m", "relative_bay_length")):
             if (getattr(self, first) is None) == (getattr(self, second) is None):
                 raise ValueError(f"give either {first} or {second}, and not both")
+        if self.thickness_mm is not None and self.thickness_mm >= self.radius_m * 1e3:
+            raise ValueError(f"thickness_mm must be below the radius, {self.radius_m * 1e3:g} mm")
         if self.ring_area_cm2 is not None and self.ring_area_ratio:
             raise ValueError("give either ring_area_cm2 or ring_area_ratio, and not both")
         upper = self.upper_internal_pressure_kPa

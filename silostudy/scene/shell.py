@@ -7,8 +7,9 @@ from pathlib import Path
 from typing import Any
 
 from silostudy.config.buckling import BucklingStudy, TestCylinder
-from silostudy.config.shell import ShellStudy, SteelSilo
+from silostudy.config.shell import BOTH, ShellStudy, SteelSilo
 from silostudy.config.steel import Cylinder, Making, SiloWall, Steel
+from silostudy.errors import BadInput
 from silostudy.scene.build import pressure_builder
 from silostudy.scene.earthquake import check_same_silo, read_earthquake
 from silostudy.scene.expand import Expansion
@@ -127,6 +128,7 @@ def shell_builder(study: ShellStudy, folder: Path, where: str) -> Callable[..., 
     shaken = read_earthquake(study.earthquake, folder, where) if study.earthquake else None
 
     def build_one(config: SteelSilo, settings: dict) -> ShellScene:
+        _require_wall(config, where)
         scene = build(config, settings)
         own = {item.name: getattr(scene, item.name) for item in fields(scene)}
         if shaken is None:
@@ -135,6 +137,17 @@ def shell_builder(study: ShellStudy, folder: Path, where: str) -> Callable[..., 
         return ShellScene(**own, shell=wall(config.shell, scene.silo.diameter / 2), earthquake=shaken)
 
     return build_one
+
+
+def _require_wall(config: SteelSilo, where: str) -> None:
+    """BadInput for an end of the friction that is two, and for a strake too thick for a shell."""
+    if config.wall_friction_end == BOTH:
+        raise BadInput("wall_friction_end", BOTH, "is an axis of its own: sweep lower and upper", where)
+    thickest = config.silo.diameter_m / 2 * 1e3
+    for number, strake in enumerate(config.shell.strakes):
+        if strake.thickness_mm >= thickest:
+            allowed = f"must be below the silo's radius, {thickest:g} mm"
+            raise BadInput(f"scene.shell.strakes.{number}.thickness_mm", strake.thickness_mm, allowed, where)
 
 
 def wall(config: SiloWall, inner_radius: float) -> Wall:
