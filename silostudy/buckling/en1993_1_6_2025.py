@@ -5,7 +5,7 @@ Second-hand transcription; the printed standard was not seen.
 
 import numpy as np
 
-from silostudy.buckling.en1993_1_6_2007 import RINGS_TOLD, SHORT, held_length, short_factor, strength_by
+from silostudy.buckling.en1993_1_6_2007 import RINGS_FORMULA, RINGS_TOLD, SHORT, held_length, short_factor, strength_by
 from silostudy.buckling.family import LONG, BucklingRule, ShellLimit
 from silostudy.buckling.limits import NO_SUCTION, RINGS_THAT_COUNT, THIN_SHELLS
 from silostudy.limits import Measure
@@ -72,7 +72,7 @@ ROW = BucklingRule(
     locator="axial compression",
     strength=strength_by(length_factor, imperfection_factor, capacity),
     limits=(THIN_SHELLS, RINGS_THAT_COUNT, NOT_LONG, NO_SUCTION),
-    formula="sigma_Rcr and delta as in 2007, C_x = 1 beyond omega = 1.7; "
+    formula=f"{RINGS_FORMULA}sigma_Rcr and delta as in 2007, C_x = 1 beyond omega = 1.7; "
     "alpha = 0.83 / (1 + 2.2 delta^0.75), beta = 1 - 0.75 / (1 + 1.1 delta); "
     "chi = 1.1 - lambda to 0.1, 1 - beta ((lambda - 0.1) / (lambda_p - 0.1))^eta to lambda_p = sqrt(alpha / (1 - beta)), "
     "then alpha / lambda^2; eta straight from 1.35 - 0.10 delta to 1 / (0.45 + 0.72 delta)",

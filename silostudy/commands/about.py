@@ -98,6 +98,6 @@ def rings(expansion) -> list[str]:
             most = area / (LEAST_RING_RATIO * bay) * 1e3
             lines.append(
                 f"note: rings of {area * 1e4:g} cm2 every {bay:g} m count at most up to a wall of {most:.3g} mm; in a "
-                "thicker one they are left out and the bay is the whole height (`wall_supported_length`); EN 1993-4-1 counts none"
+                "thicker one they are left out, the bay is the whole height (`wall_supported_length`); EN 1993-4-1 counts none"
             )
     return lines

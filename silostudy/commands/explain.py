@@ -53,7 +53,15 @@ def scene_explanation(name: str) -> list[str]:
 def explanation(key: str, known: "Families") -> list[str]:
     """The lines that explain a method, a rule, a contact law, or a topic; BadInput lists the known ones."""
     from silostudy.buckling import BUCKLING, RIVALS
-    from silostudy.commands import explain_accuracy, explain_buckling, explain_law, explain_pressure, explain_seismic
+    from silostudy.checks import CHECKS
+    from silostudy.commands import (
+        explain_accuracy,
+        explain_buckling,
+        explain_check,
+        explain_law,
+        explain_pressure,
+        explain_seismic,
+    )
     from silostudy.contact import LAWS
     from silostudy.errors import unknown
     from silostudy.pressure import PRESSURE
@@ -63,7 +71,7 @@ def explanation(key: str, known: "Families") -> list[str]:
     if key in topics:
         return topics[key]()
     families = [(known[PRESSURE.name], explain_pressure), (known[BUCKLING.name], explain_buckling)]
-    families += [(known[RIVALS.name], explain_buckling), (MASS_RULES, explain_seismic)]
+    families += [(known[RIVALS.name], explain_buckling), (MASS_RULES, explain_seismic), (CHECKS, explain_check)]
     families += [(known[family.name], explain_law) for family in LAWS.values()]
     found = [told.explanation(family[key]) for family, told in families if key in family]
     if not found:

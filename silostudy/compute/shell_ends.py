@@ -6,7 +6,7 @@ from silostudy.choice.expand import Resolved
 from silostudy.cube.variables import flags
 
 KEY = "wall_friction_end"
-ENDS = ("none", "mean", "lower", "upper")
+ENDS = ("none", "mean", "lower", "upper", "alike")
 
 
 def worst_of_ends(expansion: Resolved, data: dict) -> dict:
@@ -31,6 +31,8 @@ def _over_ends(expansion: Resolved, name: str, values: np.ndarray) -> dict:
     for number, axis in enumerate(expansion.study.sweep):
         if set(axis.settings()[0]) == {KEY}:
             place = np.argmax(np.nan_to_num(values, nan=-np.inf), axis=number + 2, keepdims=True)
+            alike = np.max(values, axis=number + 2, keepdims=True) <= np.min(values, axis=number + 2, keepdims=True)
+            ends = np.where(alike, ENDS.index("alike"), ends)
             values, ends = (
                 np.broadcast_to(np.take_along_axis(one, place, axis=number + 2), values.shape) for one in (values, ends)
             )
