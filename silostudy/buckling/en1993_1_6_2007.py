@@ -105,8 +105,8 @@ def strength_by(length_factor, imperfection_factor, capacity):
 
 RINGS_FORMULA = "a ring ends a bay where A_r >= (0.06 + 2/Z^2) l t, Z = l^2 sqrt(1 - nu^2)/(r t), and then C_x <= 1; "
 RINGS_TOLD = (
-    "of what makes a ring count two sources back the 0.06, one the 2/Z^2; rings do not stop the wall turning, so they give no C_x "
-    "of a short shell; smaller ones are left out and the length is the whole one; buckling together with rings is not "
+    "of what makes a ring count two sources back the 0.06, one the 2/Z^2; rings do not stop the wall turning, so they give no "
+    "C_x of a short shell; smaller ones are left out and the length is the whole one; buckling together with rings is not "
     "covered; internal pressure is left out"
 )
 ROW = BucklingRule(
@@ -117,8 +117,8 @@ ROW = BucklingRule(
     locator="annex D and section 8.5, axial compression",
     strength=strength_by(length_factor, imperfection_factor, capacity),
     limits=(THIN_SHELLS, RINGS_THAT_COUNT, NO_SUCTION),
-    formula=f"{RINGS_FORMULA}sigma_Rcr = 0.605 E C_x t / r; C_x from omega = l / sqrt(r t): 1.36 - 1.83/omega + 2.07/omega^2 to 1.7, 1 to "
-    "0.5 r/t, then max(0.6, 1 + 0.2/C_xb (1 - 2 omega t/r)); alpha = 0.62 / (1 + 1.91 delta^1.44), delta = sqrt(r/t) / Q; "
+    formula=f"{RINGS_FORMULA}sigma_Rcr = 0.605 E C_x t / r; C_x from omega = l / sqrt(r t): 1.36 - 1.83/omega + 2.07/omega^2 "
+    "to 1.7, 1 to 0.5 r/t, then max(0.6, 1 + 0.2/C_xb (1 - 2 omega t/r)); alpha = 0.62 / (1 + 1.91 delta^1.44), delta = sqrt(r/t) / Q; "
     "lambda = sqrt(f_y / sigma_Rcr); chi = 1 to 0.2, straight to lambda_p = sqrt(alpha / 0.4), then alpha / lambda^2",
     validity=f"second-hand transcription, checked against two open programs, printed standard not seen; {RINGS_TOLD}",
     colour="#0072B2",
