@@ -118,7 +118,8 @@ ROW = BucklingRule(
     strength=strength_by(length_factor, imperfection_factor, capacity),
     limits=(THIN_SHELLS, RINGS_THAT_COUNT, NO_SUCTION),
     formula=f"{RINGS_FORMULA}sigma_Rcr = 0.605 E C_x t / r; C_x from omega = l / sqrt(r t): 1.36 - 1.83/omega + 2.07/omega^2 "
-    "to 1.7, 1 to 0.5 r/t, then max(0.6, 1 + 0.2/C_xb (1 - 2 omega t/r)); alpha = 0.62 / (1 + 1.91 delta^1.44), delta = sqrt(r/t) / Q; "
+    "to 1.7, 1 to 0.5 r/t, then max(0.6, 1 + 0.2/C_xb (1 - 2 omega t/r)); "
+    "alpha = 0.62 / (1 + 1.91 delta^1.44), delta = sqrt(r/t) / Q; "
     "lambda = sqrt(f_y / sigma_Rcr); chi = 1 to 0.2, straight to lambda_p = sqrt(alpha / 0.4), then alpha / lambda^2",
     validity=f"second-hand transcription, checked against two open programs, printed standard not seen; {RINGS_TOLD}",
     colour="#0072B2",
