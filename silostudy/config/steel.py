@@ -62,7 +62,7 @@ class Strake(Strict):
     """A part of the wall with its own thickness."""
 
     down_to: float = described(
-        "depth of its lower edge over the height of the cylinder; both ends of it are looked at, whatever the depths of the study",
+        "depth of its lower edge over the height of the cylinder; both its ends are looked at, whatever the depths",
         gt=0,
         le=1,
     )
