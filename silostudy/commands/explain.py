@@ -37,9 +37,11 @@ def run(chosen) -> None:
 def explanation(key: str, known: "Families") -> list[str]:
     """The lines that explain a method, a rule, a part of a scene, a kind or a topic; BadInput lists the known ones."""
     from silostudy.buckling import BUCKLING, RIVALS
+    from silostudy.checks import CHECKS
     from silostudy.commands import (
         explain_accuracy,
         explain_buckling,
+        explain_check,
         explain_keys,
         explain_law,
         explain_pressure,
@@ -54,7 +56,7 @@ def explanation(key: str, known: "Families") -> list[str]:
 
     topics = {explain_seismic.EARTHQUAKE: explain_seismic.earthquake, explain_accuracy.KEY: explain_accuracy.explanation}
     families = [(known[PRESSURE.name], explain_pressure), (known[BUCKLING.name], explain_buckling)]
-    families += [(known[RIVALS.name], explain_buckling), (MASS_RULES, explain_seismic)]
+    families += [(known[RIVALS.name], explain_buckling), (MASS_RULES, explain_seismic), (CHECKS, explain_check)]
     families += [(known[family.name], explain_law) for family in LAWS.values()]
     families += [(part, explain_scene) for part in explain_scene.PARTS.values()]
     families.append((FILE_KINDS, explain_keys))

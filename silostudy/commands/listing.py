@@ -46,6 +46,13 @@ def _buckling(chosen):
         yield f"{row.key:28}", f"{row.title:26}", f"{row.source}, {row.locator}"
 
 
+def _checks(chosen):
+    from silostudy.checks import CHECKS
+
+    for row in CHECKS.values():
+        yield f"{row.key:28}", f"{row.title:26}", f"{row.source}, {row.locator}"
+
+
 def _laws(chosen):
     from silostudy.contact import LAWS
 
@@ -136,6 +143,7 @@ LISTS = {
     "kinds": _kinds,
     "methods": _methods,
     "buckling": _buckling,
+    "checks": _checks,
     "laws": _laws,
     **{name: _parts_of_scenes(name) for name in ("packings", "integrators", "triggers", "rest")},
     "mass-rules": _mass_rules,

@@ -31,7 +31,7 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     grid: Any = figure.subfigures(3, 1, height_ratios=(1.15, 1, 1))
     left, right = grid[0].subplots(1, 2, sharey=True)
     size = f"D {float(at.diameter):g} m, H/D {float(at.slenderness):g}"
-    _matrix(left, at, cube, "{:.1f}", f"thickness (mm), {size}, wall friction at its upper (unsafe) end")
+    _matrix(left, at, cube, "{:.1f}", f"thickness (mm), {size}, wall friction at its upper end")
     change = (place.sel(wall_friction_end="upper") / place.sel(wall_friction_end="mean") - 1) * 100
     _matrix(right, change.round(), cube, "{:+g}", "change of that thickness from mean to upper wall friction (%)")
     fixed = {"diameter": {"slenderness": SLENDERNESS}, "slenderness": {"diameter": DIAMETER}}

@@ -150,9 +150,13 @@ def test_a_file_that_is_missing_or_of_no_use_here(saved, tmp_path):
 
 
 def test_a_rule_masks_for_a_known_reason(tmp_path):
-    (tmp_path / "mine.py").write_text(RULE.replace("(SUCTION, under", "(99, under"))
+    (tmp_path / "mine.py").write_text(
+        RULE.replace("limits=(NO_SUCTION,)", "limits=(replace(NO_SUCTION, reason=99),)").replace(
+            "from silo", "from dataclasses import replace\nfrom silo", 1
+        )
+    )
     (tmp_path / "shell.yaml").write_text(yaml.safe_dump(BUCKLING))
-    assert "row a_fifth: limits: under_suction masks for reason 99" in refused(tmp_path / "shell.yaml")
+    assert "masks for reason 99, not one of" in refused(tmp_path / "shell.yaml")
 
 
 def test_a_source_is_words_or_a_key_of_either_bibliography(saved):
