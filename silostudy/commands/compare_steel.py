@@ -1,7 +1,7 @@
 """The tables that `silostudy compare` prints of shell, buckling and seismic studies: what the study's last stage gives."""
 
-from collections.abc import Callable
 from math import isnan
+from pkgutil import resolve_name
 from typing import TYPE_CHECKING
 
 from silostudy.errors import BadInput
@@ -119,21 +119,18 @@ def seismic(expansion) -> list[str]:
     return lines
 
 
-TABLES: dict[str, Callable] = {"shell": shell, "buckling": buckling, "seismic": seismic}
-
-
 def table(expansion, where: str) -> list[str]:
     """The table of a study without sweep; BadInput for a kind that has none."""
     from silostudy.compute.axes import axis_names
     from silostudy.compute.shell_ends import KEY
+    from silostudy.stages import KINDS
+    from silostudy.stages.pressure import KIND as PRESSURE
 
-    kind = expansion.study.kind
-    if kind not in TABLES:
-        known = ", ".join(("pressure", *TABLES))
+    kind = KINDS[expansion.study.kind]
+    if not kind.table:
+        known = ", ".join(key for key, other in KINDS.items() if other.table or other.key == PRESSURE.key)
         allowed = f"compare takes studies of kind {known}; use `silostudy {expansion.study.stages[-1]}`"
-        raise BadInput("kind", kind, allowed, where)
+        raise BadInput("kind", kind.key, allowed, where)
     if set(axis_names(expansion.study)) - {KEY}:
         raise BadInput("study", where, "must be without sweep: compare takes one silo or shell")
-    if expansion.shape and kind != "shell":
-        raise BadInput("study", where, "must be without sweep: compare takes one silo or shell")
-    return TABLES[kind](expansion)
+    return resolve_name(kind.table)(expansion)

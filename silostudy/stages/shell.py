@@ -25,4 +25,5 @@ KIND = Kind(
         "silostudy.commands.about:rules",
         "silostudy.commands.about:rings",
     ),
+    table="silostudy.commands.compare_steel:shell",
 )
