@@ -29,6 +29,7 @@ plt.rcParams.update(
         "figure.constrained_layout.use": True,
     }
 )
+AID = "aid"  # gid of what helps the eye and shows no number of the table: the outline of a silo, a bar of scale
 PHASE_LINES = {"switch": (0, (1, 1)), "filling": (0, (4, 2)), "discharge": "-"}
 
 

@@ -1,0 +1,232 @@
+"""What a drawn figure holds, for tests: its data against the CSV beside it, the units of its axes, where its words stand."""
+
+import re
+from collections.abc import Iterator
+from itertools import combinations, product
+from typing import Any
+
+import numpy as np
+import pandas as pd
+from matplotlib.axes import Axes
+from matplotlib.axis import Axis
+from matplotlib.category import StrCategoryFormatter
+from matplotlib.collections import LineCollection, PathCollection, PolyCollection, QuadMesh
+from matplotlib.colors import BoundaryNorm
+from matplotlib.container import BarContainer
+from matplotlib.contour import ContourSet
+from matplotlib.figure import Figure
+from matplotlib.ticker import FuncFormatter
+from matplotlib.transforms import Bbox
+
+from silostudy.cube.contract import VARIABLES
+from silostudy.figures.style import AID
+
+PRINTED = 1e-6  # relative: a CSV has seven significant digits
+# unit as an axis writes it -> (dimension, size in SI)
+UNITS = {
+    "m": ("m", 1.0), "cm": ("m", 1e-2), "mm": ("m", 1e-3), "s": ("s", 1.0), "ms": ("s", 1e-3), "Hz": ("Hz", 1.0),
+    "Pa": ("Pa", 1.0), "kPa": ("Pa", 1e3), "MPa": ("Pa", 1e6), "t/m²": ("Pa", 9806.65), "kN": ("N", 1e3), "N": ("N", 1.0),
+    "N/m": ("N/m", 1.0), "kN/m": ("N/m", 1e3), "kN m": ("N m", 1e3), "N m": ("N m", 1.0), "disc weights": ("disc", 1.0),
+    "m/s": ("m/s", 1.0), "cm/s": ("m/s", 1e-2), "m/s²": ("m/s²", 1.0), "gal": ("m/s²", 1e-2), "°": ("rad", np.pi / 180),
+    "rad": ("rad", 1.0), "%": ("1", 1e-2), "1": ("1", 1.0), "kg m⁻¹ s⁻¹": ("kg/m/s", 1.0),
+}  # fmt: skip
+IN_NAMES = {"t_m2": "t/m²", "m_s2": "m/s²", "m_s": "m/s", "deg": "°", "percent": "%", "disc_weights": "disc weights",
+            "kN_m": "kN/m", "N_m": "N/m", "cm_s": "cm/s", "kg_m_s": "kg m⁻¹ s⁻¹"}  # fmt: skip
+IN_CUBES = {"m s-2": "m/s²", "m s-1": "m/s", "N m-1": "N/m", "kg m-1 s-1": "kg m⁻¹ s⁻¹"}
+QUOTIENT = re.compile(r"\b(over|ratio|relative|factor|coefficient|share|chance|index|C_eff)\b|/|=|²")  # has no unit
+DEPTH = re.compile(r"^(relative )?depth\b")
+
+
+def unit_of(label: str) -> tuple[str, float] | None:
+    """(dimension, size in SI) of the unit that a label names; of a quotient, one; None where it says neither."""
+    named = [UNITS[text] for text in re.findall(r"\(([^()]*)\)", label) if text in UNITS]
+    named += [UNITS[label]] if label in UNITS else []
+    return named[0] if named else ("1", 1.0) if QUOTIENT.search(label) else None
+
+
+def unit_of_column(name: str) -> tuple[str, float] | None:
+    """(dimension, size in SI) of the unit at the end of a column's name, or of the cube's variable of that name."""
+    parts = name.split("_")
+    for length in (3, 2, 1):
+        end = "_".join(parts[-length:])
+        text = IN_NAMES.get(end, end)
+        if len(parts) > length and text in UNITS:
+            return UNITS[text]
+    text = VARIABLES[name].unit if name in VARIABLES else "1"
+    return UNITS.get(IN_CUBES.get(text, text))
+
+
+def is_categorical(axis: Axis) -> bool:
+    """Whether an axis counts names instead of a quantity."""
+    if isinstance(axis.get_major_formatter(), FuncFormatter | StrCategoryFormatter):  # what set_xticks with labels makes
+        return any(text.get_text() and not _is_number(text.get_text()) for text in axis.get_ticklabels())
+    return False
+
+
+def _is_number(text: str) -> bool:
+    try:
+        float(text.replace("\N{MINUS SIGN}", "-"))
+    except ValueError:
+        return False
+    return True
+
+
+def label_of(axes: Axes, way: str) -> str:
+    """The label that an axis carries, or another that it is shared with, or the figure."""
+    sharing = getattr(axes, f"get_shared_{way}_axes")().get_siblings(axes) if axes.name == "rectilinear" else [axes]
+    labels = [getattr(one, f"get_{way}label")() for one in (axes, *sharing)]
+    labels.append(getattr(axes.get_figure(), f"get_sup{way}label")())
+    return next((label for label in labels if label), "")
+
+
+def panels(figure: Figure) -> list[Axes]:
+    """The axes that are seen, with the further scales on their edges."""
+    seen = [axes for axes in figure.axes if axes.get_visible() and axes.axison]
+    return [one for axes in seen for one in (axes, *axes.child_axes)]
+
+
+def unlabelled(figure: Figure, drawn: set[str]) -> Iterator[str]:
+    """Axes with tick labels whose label names no unit and no quotient."""
+    for axes in panels(figure):
+        for way in "xy":
+            axis = getattr(axes, f"{way}axis")
+            shown = [text for text in (*axis.get_ticklabels(), *axis.get_ticklabels(minor=True)) if id(text) in drawn]
+            label = label_of(axes, way)
+            if shown and not is_categorical(axis) and unit_of(label) is None:
+                yield f"{way} axis of {axes.get_title()!r} says {label!r}: no unit"
+
+
+def rising_depths(figure: Figure) -> Iterator[str]:
+    """Axes of depth that do not run down."""
+    for axes in panels(figure):
+        if DEPTH.match(axes.get_xlabel()):
+            yield f"{axes.get_xlabel()!r} runs across"
+        if DEPTH.match(label_of(axes, "y")) and not axes.yaxis_inverted():
+            yield f"{label_of(axes, 'y')!r} runs up"
+
+
+# ---- data ----
+def data(axes: Axes) -> Iterator[tuple[str, np.ndarray, bool]]:
+    """(what, points, whether all of them belong to one pair of columns) of every artist that shows data.
+
+    No data are what stands at a place of the axes instead (axhline, axvspan, a text), and aids to the eye: what carries
+    style.AID.
+    """
+    for line in axes.lines:
+        if _shows(line, axes):
+            yield f"line {line.get_label()!r}", np.asarray(line.get_xydata(), dtype=float), True
+    for found in axes.collections:
+        if isinstance(found, PathCollection) and found.get_gid() != AID:
+            yield f"points {found.get_label()!r}", np.ma.filled(found.get_offsets().astype(float), np.nan), True
+        elif isinstance(found, LineCollection) and _shows(found, axes) and found.get_segments():
+            yield f"bars {found.get_label()!r}", np.concatenate(found.get_segments()), False
+        elif isinstance(found, PolyCollection) and _shows(found, axes) and found.get_paths():
+            yield f"band {found.get_label()!r}", np.concatenate([path.vertices[:-1] for path in found.get_paths()]), False
+    for bars in axes.containers:
+        if isinstance(bars, BarContainer):
+            upright = bars.orientation == "vertical"
+            middles = [b.get_x() + b.get_width() / 2 if upright else b.get_y() + b.get_height() / 2 for b in bars]
+            yield f"bars {bars.get_label()!r}", np.column_stack((middles, bars.datavalues)[:: 1 if upright else -1]), True
+
+
+def _shows(artist: Any, axes: Axes) -> bool:
+    return artist.get_gid() != AID and artist.get_visible() and all(
+        artist.get_transform().contains_branch_seperately(axes.transData)
+    )
+
+
+def values(axes: Axes) -> Iterator[tuple[str, np.ndarray, str]]:
+    """(what, values, label) of every coloured map; of contours the least and the largest."""
+    for found in (*axes.collections, *axes.images):
+        bar = getattr(found, "colorbar", None)
+        label = (bar.ax.get_ylabel() or bar.ax.get_xlabel()) if bar else ""
+        if isinstance(found, ContourSet) and found.filled:
+            yield "contours", np.array([found.zmin, found.zmax]), label
+        elif isinstance(found, QuadMesh) and not isinstance(found.norm, BoundaryNorm) and found not in _bars_of(axes):
+            yield "map", np.ma.filled(found.get_array().astype(float), np.nan).ravel(), label
+
+
+def _bars_of(axes: Axes) -> list:
+    return list(axes.collections) if hasattr(axes, "_colorbar") else []
+
+
+def _scaled(table: pd.DataFrame, unit: tuple[str, float] | None) -> dict[str, np.ndarray]:
+    """The columns that can hold a quantity, in the unit of its axis."""
+    found = {}
+    for name in table.select_dtypes("number"):
+        own = unit_of_column(str(name))
+        if own and unit and own[0] == unit[0]:
+            found[str(name)] = table[name].to_numpy(dtype=float) * own[1] / unit[1]
+    return found
+
+
+def _places(wanted: np.ndarray, column: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Number of each wanted value among the column's (-1: not there), and of the column's own."""
+    known = np.unique(column[np.isfinite(column)])
+    if not len(known):
+        return np.full(len(wanted), -1), np.full(len(column), -2)
+    after = np.clip(np.searchsorted(known, wanted), 1, max(1, len(known) - 1))
+    before = after - 1
+    after = np.minimum(after, len(known) - 1)
+    nearest = np.where(np.abs(known[before] - wanted) <= np.abs(known[after] - wanted), before, after)
+    close = np.abs(known[nearest] - wanted) <= PRINTED * np.abs(wanted) + 1e-12 * np.abs(known).max()
+    return np.where(close, nearest, -1), np.where(np.isfinite(column), np.searchsorted(known, column), -2)
+
+
+def _both(points: np.ndarray, x: np.ndarray | None, y: np.ndarray | None) -> np.ndarray:
+    """Which points are rows of two columns; None: a categorical axis, which any row has."""
+    found = [_places(points[:, way], column) for way, column in enumerate((x, y)) if column is not None]
+    size = 1 + max(own.max(initial=0) for _, own in found)
+    here = np.all([wanted >= 0 for wanted, _ in found], axis=0)
+    there = np.all([own >= 0 for _, own in found], axis=0)
+    keys = [sum(part * size**power for power, part in enumerate(side)) for side in zip(*found, strict=True)]
+    return here & np.isin(keys[0], np.asarray(keys[1])[there])
+
+
+def lost(figure: Figure, table: pd.DataFrame) -> Iterator[str]:
+    """Data that a figure shows and its table does not hold."""
+    for axes in figure.axes:
+        if not axes.get_visible() or not axes.axison:
+            continue
+        columns: list = []
+        for way in "xy":
+            nominal = is_categorical(getattr(axes, f"{way}axis"))
+            columns.append([None] if nominal else list(_scaled(table, unit_of(label_of(axes, way))).values()))
+        pairs = [pair for pair in product(*columns) if any(side is not None for side in pair) and pair[0] is not pair[1]]
+        for what, points, whole in data(axes):
+            points = points[np.isfinite(points).all(axis=1)]
+            if not len(points):
+                continue
+            hits = [_both(points, x, y) for x, y in pairs] or [np.zeros(len(points), dtype=bool)]
+            share = max(hit.mean() for hit in hits) if whole else np.any(hits, axis=0).mean()
+            if share < 1.0:
+                yield f"{what} of {axes.get_title()!r} ({label_of(axes, 'x')!r}, {label_of(axes, 'y')!r}): {share:.0%} is in the CSV"
+        for what, shown, label in values(axes):
+            shown = shown[np.isfinite(shown)]
+            hits = [(_places(shown, column)[0] >= 0).all() for column in _scaled(table, unit_of(label)).values()]
+            if not any(hits):
+                yield f"{what} of {axes.get_title()!r} ({label!r}) is not in the CSV"
+
+
+def bare(figure: Figure) -> Iterator[str]:
+    """Axes that show nothing."""
+    for axes in figure.axes:
+        if axes.get_visible() and axes.axison and not any((axes.lines, axes.collections, axes.patches, axes.images)):
+            yield f"nothing on {axes.get_title()!r}"
+
+
+# ---- words ----
+def outside(words: list[tuple[str, Bbox]], figure: Figure) -> Iterator[str]:
+    """Words that the canvas cuts."""
+    canvas = figure.bbox.padded(1.0)
+    for text, box in words:
+        if not (canvas.contains(box.x0, box.y0) and canvas.contains(box.x1, box.y1)):
+            yield f"{text!r} leaves the canvas"
+
+
+def overlapping(words: list[tuple[str, Bbox]]) -> Iterator[str]:
+    """Words that lie over one another."""
+    for (one, box), (other, its) in combinations(words, 2):
+        common = Bbox.intersection(box, its)
+        if common is not None and common.width > 2.0 and common.height > 0.15 * min(box.height, its.height):
+            yield f"{one!r} lies over {other!r}"

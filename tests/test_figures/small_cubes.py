@@ -1,0 +1,82 @@
+"""A real cube for every output: of the first shipped study that asks for it, with less of what takes long."""
+
+import copy
+from functools import cache
+from pathlib import Path
+
+import pytest
+import xarray as xr
+import yaml
+
+from silostudy.choice.expand import expand
+from silostudy.config.load import read_yaml
+from silostudy.scene.expand import Expansion
+from silostudy.stages import KINDS, STAGES, called_for
+from silostudy.tables.outputs import OUTPUTS
+from tests.conftest import ROOT
+
+STUDIES = ROOT / "config/studies"
+# what is changed of a shipped study so that its cube takes no time; a study not named here is computed as it ships
+SMALLER: dict[str, dict] = {
+    "accuracy": {"scene": {"problems": ["history", "depth_levels", "beam_frequency"], "repeats": 1, "members": 2, "rungs": 3}},
+    "grains-amplitude": {PLACE,
+    "kiyama-1983": {
+        "sweep": [
+            {"axis": "packing", "values": {"across": [12, 18]}},
+            {"axis": "removal", "values": {"remedy": [False, True]}},
+        ],
+        "scene": {"across": 18, "disc_count": 200},
+        "runs": 2,
+        "discharge_s": 0.6,
+        "stopped_s": 0.1,
+        "rest_limit_s": 1.5,
+        "detailed": [{"across": 18, "run": 0}],
+    },
+    "kiyama-1983-slit": {
+        "sweep": [
+            {"axis": "packing", "values": {"across": [12]}},
+            {"axis": "slit", "values": {"silo.slit_width_m": [0.06, 0.1, 0.14]}},
+        ],
+        "scene": {"across": 18, "disc_count": 200},
+        "runs": 1,
+        "discharge_s": 0.6,
+        "stopped_s": 0.1,
+        "rest_limit_s": 1.5,
+    },
+    "wheat-silo-today": {"uncertainty": {"log2_samples": 6, "seed": 1}},
+}
+
+
+def _nothing(*_: object) -> None:
+    """Tells no progress."""
+
+
+@cache
+def study_of(output: str) -> str:
+    """Name of the first shipped study that asks for an output."""
+    asking = (path.stem for path in sorted(STUDIES.glob("*.yaml")) if output in (read_yaml(path).get("outputs") or ()))
+    return next(asking)
+
+
+@cache
+def expansion_of(study: str) -> Expansion:
+    """The cases of a shipped study, made small."""
+    content = copy.deepcopy(read_yaml(STUDIES / f"{study}.yaml")) | copy.deepcopy(SMALLER.get(study, {}))
+    return expand(content, study, f"{study}.yaml", STUDIES)
+
+
+@cache
+def cube_of(study: str, stage: str) -> xr.Dataset:
+    """The cube of a stage of a shipped study, made small, and of the stages and studies that it reads."""
+    expansion, row = expansion_of(study), STAGES[stage]
+    read = [cube_of(study, other) for other in row.reads]
+    asked = [getattr(expansion.study, section) for section in row.borrows]
+    borrowed = [one and cube_of(one.study, other) for one, other in zip(asked, row.borrows.values(), strict=True)]
+    return row.cube(expansion, _nothing, (*read, *borrowed))
+
+
+def cubes_of(output: str) -> list[xr.Dataset]:
+    """The cubes that an output is drawn from."""
+    row, study = OUTPUTS[output], study_of(output)
+    also = [stage for stage in row.also if stage in called_for(expansion_of(study).study)]
+    return [cube_of(study, stage) for stage in (row.stage, *also)]
