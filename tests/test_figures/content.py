@@ -52,7 +52,7 @@ def unit_of_column(name: str) -> tuple[str, float] | None:
         text = IN_NAMES.get(end, end)
         if len(parts) > length and text in UNITS:
             return UNITS[text]
-    text = VARIABLES[name].unit if name in VARIABLES else "1"
+    text = VARIABLES[name].units if name in VARIABLES else "1"
     return UNITS.get(IN_CUBES.get(text, text))
 
 

@@ -19,7 +19,21 @@ STUDIES = ROOT / "config/studies"
 # what is changed of a shipped study so that its cube takes no time; a study not named here is computed as it ships
 SMALLER: dict[str, dict] = {
     "accuracy": {"scene": {"problems": ["history", "depth_levels", "beam_frequency"], "repeats": 1, "members": 2, "rungs": 3}},
-    "grains-amplitude": {PLACE,
+    "grains-amplitude": {
+        "scene": {
+            "box": {"slenderness": 0.5},
+            "packing": "rows_17_18",
+            "wall_friction": 0.176,
+            "shaking": {"amplitude_gal": 100.0, "frequency_Hz": 4.0},
+        },
+        "sweep": [
+            {"axis": "packing", "values": {"packing": ["rows_17_18"]}},
+            {"axis": "amplitude", "values": {"shaking.amplitude_gal": [100.0, 300.0]}},
+        ],
+        "fillings": 2,
+        "cycles": 1,
+        "waited_cycles": 0,
+    },
     "kiyama-1983": {
         "sweep": [
             {"axis": "packing", "values": {"across": [12, 18]}},
@@ -42,6 +56,34 @@ SMALLER: dict[str, dict] = {
         "discharge_s": 0.6,
         "stopped_s": 0.1,
         "rest_limit_s": 1.5,
+    },
+    "sasaki-1991": {
+        "identification": {
+            "coefficients": {"start": 0.5, "stop": 1.0, "count": 11},
+            "refinement": 2,
+            "recovery_trials": 3,
+            "shown_coefficients": [1.0, 0.75, 0.7, 0.6],
+            "band_Hz": [5.0, 60.0],
+            "damping_mismatch": 0.25,
+            "empty_frequency_rounding_Hz": 0.05,
+            "recovery_noise_ratio": 0.2,
+        },
+    },
+    "stability-map": {
+        "sweep": [
+            {"axis": "network", "values": {"network": ["column"]}},
+            {"axis": "damping", "values": {"discs.damping_ratio": [0.1, 1.0]}},
+            {
+                "axis": "march",
+                "points": [
+                    {"integrator": "17-18", "discs.normal": "spring-dashpot", "discs.tangential": "spring-slider"},
+                    {"integrator": "17-19", "discs.normal": "spring-dashpot", "discs.tangential": "spring-slider"},
+                ],
+            },
+        ],
+        "silo": {"steps_ms": [0.04, 0.05], "reference_step_ms": 0.025, "fillings": 2, "rest_s": 0.4, "parts": 4},
+        "trial_steps": 1000,
+        "peer": False,
     },
     "wheat-silo-today": {"uncertainty": {"log2_samples": 6, "seed": 1}},
 }
