@@ -10,16 +10,18 @@ import pandas as pd
 from matplotlib.axes import Axes
 from matplotlib.axis import Axis
 from matplotlib.category import StrCategoryFormatter
-from matplotlib.collections import LineCollection, PathCollection, PolyCollection, QuadMesh
+from matplotlib.collections import LineCollection, PolyCollection, QuadMesh
 from matplotlib.colors import BoundaryNorm
-from matplotlib.container import BarContainer
+from matplotlib.container import BarContainer, ErrorbarContainer
 from matplotlib.contour import ContourSet
 from matplotlib.figure import Figure
+from matplotlib.image import AxesImage
 from matplotlib.ticker import FuncFormatter
 from matplotlib.transforms import Bbox
 
 from silostudy.cube.contract import VARIABLES
 from silostudy.figures.style import AID
+from silostudy.tables.constants import STANDARD_GRAVITY
 
 PRINTED = 1e-6  # relative: a CSV has seven significant digits
 # unit as an axis writes it -> (dimension, size in SI)
@@ -27,13 +29,13 @@ UNITS = {
     "m": ("m", 1.0), "cm": ("m", 1e-2), "mm": ("m", 1e-3), "s": ("s", 1.0), "ms": ("s", 1e-3), "Hz": ("Hz", 1.0),
     "Pa": ("Pa", 1.0), "kPa": ("Pa", 1e3), "MPa": ("Pa", 1e6), "t/m²": ("Pa", 9806.65), "kN": ("N", 1e3), "N": ("N", 1.0),
     "N/m": ("N/m", 1.0), "kN/m": ("N/m", 1e3), "kN m": ("N m", 1e3), "N m": ("N m", 1.0), "disc weights": ("disc", 1.0),
-    "m/s": ("m/s", 1.0), "cm/s": ("m/s", 1e-2), "m/s²": ("m/s²", 1.0), "gal": ("m/s²", 1e-2), "°": ("rad", np.pi / 180),
+    "m/s": ("m/s", 1.0), "cm/s": ("m/s", 1e-2), "m/s²": ("m/s²", 1.0), "gal": ("m/s²", 1e-2), "g": ("m/s²", STANDARD_GRAVITY), "°": ("rad", np.pi / 180),
     "rad": ("rad", 1.0), "%": ("1", 1e-2), "1": ("1", 1.0), "kg m⁻¹ s⁻¹": ("kg/m/s", 1.0),
 }  # fmt: skip
 IN_NAMES = {"t_m2": "t/m²", "m_s2": "m/s²", "m_s": "m/s", "deg": "°", "percent": "%", "disc_weights": "disc weights",
             "kN_m": "kN/m", "N_m": "N/m", "cm_s": "cm/s", "kg_m_s": "kg m⁻¹ s⁻¹"}  # fmt: skip
 IN_CUBES = {"m s-2": "m/s²", "m s-1": "m/s", "N m-1": "N/m", "kg m-1 s-1": "kg m⁻¹ s⁻¹"}
-QUOTIENT = re.compile(r"\b(over|ratio|relative|factor|coefficient|share|chance|index|C_eff)\b|/|=|²")  # has no unit
+QUOTIENT = re.compile(r"\b(over|ratio|relative|factor|coefficient|share|chance|index|number|utilisation|C_eff)\b|/|=|²")  # has no unit
 DEPTH = re.compile(r"^(relative )?depth\b")
 
 
@@ -113,20 +115,28 @@ def data(axes: Axes) -> Iterator[tuple[str, np.ndarray, bool]]:
     style.AID.
     """
     for line in axes.lines:
-        if _shows(line, axes):
-            yield f"line {line.get_label()!r}", np.asarray(line.get_xydata(), dtype=float), True
+        if _shows(line, axes) and line not in _caps(axes):
+            points = np.asarray(line.get_xydata(), dtype=float)
+            closed = len(points) > 2 and np.array_equal(points[0], points[-1])  # an outline has its two edges in two columns
+            yield f"line {line.get_label()!r}", points, not closed
     for found in axes.collections:
-        if isinstance(found, PathCollection) and found.get_gid() != AID:
+        if found.get_offset_transform() is axes.transData and found.get_gid() != AID:
             yield f"points {found.get_label()!r}", np.ma.filled(found.get_offsets().astype(float), np.nan), True
         elif isinstance(found, LineCollection) and _shows(found, axes) and found.get_segments():
-            yield f"bars {found.get_label()!r}", np.concatenate(found.get_segments()), False
+            yield f"bars {found.get_label()!r}", np.array(found.get_segments()), False
         elif isinstance(found, PolyCollection) and _shows(found, axes) and found.get_paths():
-            yield f"band {found.get_label()!r}", np.concatenate([path.vertices[:-1] for path in found.get_paths()]), False
+            points = np.concatenate([path.vertices[:-1] for path in found.get_paths()])
+            yield f"band {found.get_label()!r}", points[(points != 0.0).all(axis=1)], False  # an area may stand on an axis
     for bars in axes.containers:
         if isinstance(bars, BarContainer):
             upright = bars.orientation == "vertical"
             middles = [b.get_x() + b.get_width() / 2 if upright else b.get_y() + b.get_height() / 2 for b in bars]
             yield f"bars {bars.get_label()!r}", np.column_stack((middles, bars.datavalues)[:: 1 if upright else -1]), True
+
+
+def _caps(axes: Axes) -> list:
+    """The caps of error bars, which end where the bars do."""
+    return [cap for bars in axes.containers if isinstance(bars, ErrorbarContainer) for cap in bars.lines[1]]
 
 
 def _shows(artist: Any, axes: Axes) -> bool:
@@ -139,10 +149,11 @@ def values(axes: Axes) -> Iterator[tuple[str, np.ndarray, str]]:
     """(what, values, label) of every coloured map; of contours the least and the largest."""
     for found in (*axes.collections, *axes.images):
         bar = getattr(found, "colorbar", None)
-        label = (bar.ax.get_ylabel() or bar.ax.get_xlabel()) if bar else ""
+        bar = bar or next((one._colorbar for one in axes.get_figure().axes if hasattr(one, "_colorbar")), None)
+        label = (bar.ax.get_ylabel() or bar.ax.get_xlabel()) if bar else axes.get_title()
         if isinstance(found, ContourSet) and found.filled:
             yield "contours", np.array([found.zmin, found.zmax]), label
-        elif isinstance(found, QuadMesh) and not isinstance(found.norm, BoundaryNorm) and found not in _bars_of(axes):
+        elif isinstance(found, QuadMesh | AxesImage) and not isinstance(found.norm, BoundaryNorm) and found not in _bars_of(axes):
             yield "map", np.ma.filled(found.get_array().astype(float), np.nan).ravel(), label
 
 
@@ -183,6 +194,12 @@ def _both(points: np.ndarray, x: np.ndarray | None, y: np.ndarray | None) -> np.
     return here & np.isin(keys[0], np.asarray(keys[1])[there])
 
 
+def _halves(bars: np.ndarray, x: np.ndarray | None, y: np.ndarray | None) -> np.ndarray:
+    """Which upright bars have their half-length, the error, in a row of two columns."""
+    half = np.column_stack([bars[:, 0, 0], (bars[:, 1, 1] - bars[:, 0, 1]) / 2])
+    return _both(half, x, y) & (bars[:, 0, 0] == bars[:, 1, 0])
+
+
 def lost(figure: Figure, table: pd.DataFrame) -> Iterator[str]:
     """Data that a figure shows and its table does not hold."""
     for axes in figure.axes:
@@ -194,11 +211,14 @@ def lost(figure: Figure, table: pd.DataFrame) -> Iterator[str]:
             columns.append([None] if nominal else list(_scaled(table, unit_of(label_of(axes, way))).values()))
         pairs = [pair for pair in product(*columns) if any(side is not None for side in pair) and pair[0] is not pair[1]]
         for what, points, whole in data(axes):
-            points = points[np.isfinite(points).all(axis=1)]
+            points = points[np.isfinite(points).all(axis=tuple(range(1, points.ndim)))]
             if not len(points):
                 continue
-            hits = [_both(points, x, y) for x, y in pairs] or [np.zeros(len(points), dtype=bool)]
+            ends = points.reshape(-1, 2)
+            hits = [_both(ends, x, y) for x, y in pairs] or [np.zeros(len(ends), dtype=bool)]
             share = max(hit.mean() for hit in hits) if whole else np.any(hits, axis=0).mean()
+            if share < 1.0 and points.ndim == 3:
+                share = max(share, *(_halves(points, x, y).mean() for x, y in pairs))
             if share < 1.0:
                 yield f"{what} of {axes.get_title()!r} ({label_of(axes, 'x')!r}, {label_of(axes, 'y')!r}): {share:.0%} is in the CSV"
         for what, shown, label in values(axes):

@@ -18,7 +18,7 @@ from tests.conftest import ROOT
 STUDIES = ROOT / "config/studies"
 # what is changed of a shipped study so that its cube takes no time; a study not named here is computed as it ships
 SMALLER: dict[str, dict] = {
-    "accuracy": {"scene": {"problems": ["history", "depth_levels", "beam_frequency"], "repeats": 1, "members": 2, "rungs": 3}},
+    "accuracy": {"scene": {"problems": ["history", "depth_levels", "beam_frequency"], "repeats": 1, "members": 3, "rungs": 3}},
     "grains-amplitude": {
         "scene": {
             "box": {"slenderness": 0.5},
