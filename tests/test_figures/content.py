@@ -16,6 +16,7 @@ from matplotlib.container import BarContainer, ErrorbarContainer
 from matplotlib.contour import ContourSet
 from matplotlib.figure import Figure
 from matplotlib.image import AxesImage
+from matplotlib.text import Text
 from matplotlib.ticker import FuncFormatter
 from matplotlib.transforms import Bbox
 
@@ -58,11 +59,19 @@ def unit_of_column(name: str) -> tuple[str, float] | None:
     return UNITS.get(IN_CUBES.get(text, text))
 
 
-def is_categorical(axis: Axis) -> bool:
-    """Whether an axis counts names instead of a quantity."""
-    if isinstance(axis.get_major_formatter(), FuncFormatter | StrCategoryFormatter):  # what set_xticks with labels makes
-        return any(text.get_text() and not _is_number(text.get_text()) for text in axis.get_ticklabels())
-    return False
+def is_categorical(axes: Axes, way: str) -> bool:
+    """Whether an axis counts names instead of a quantity: its ticks, or those of an axis that it is shared with, are words."""
+    axis = getattr(axes, f"{way}axis")
+    if not isinstance(axis.get_major_formatter(), FuncFormatter | StrCategoryFormatter):  # what set_xticks with labels makes
+        return False
+    texts = [text.get_text() for one in _sharing(axes, way) for text in getattr(one, f"get_{way}ticklabels")()]
+    return any(text and not _is_number(text) for text in texts)
+
+
+def _sharing(axes: Axes, way: str) -> list[Axes]:
+    """Axes, and those that they share an axis with."""
+    others = getattr(axes, f"get_shared_{way}_axes")().get_siblings(axes) if axes.name == "rectilinear" else []
+    return [axes, *(one for one in others if one is not axes)]
 
 
 def _is_number(text: str) -> bool:
@@ -75,8 +84,7 @@ def _is_number(text: str) -> bool:
 
 def label_of(axes: Axes, way: str) -> str:
     """The label that an axis carries, or another that it is shared with, or the figure."""
-    sharing = getattr(axes, f"get_shared_{way}_axes")().get_siblings(axes) if axes.name == "rectilinear" else [axes]
-    labels = [getattr(one, f"get_{way}label")() for one in (axes, *sharing)]
+    labels = [getattr(one, f"get_{way}label")() for one in _sharing(axes, way)]
     labels.append(getattr(axes.get_figure(), f"get_sup{way}label")())
     return next((label for label in labels if label), "")
 
@@ -94,7 +102,7 @@ def unlabelled(figure: Figure, drawn: set[str]) -> Iterator[str]:
             axis = getattr(axes, f"{way}axis")
             shown = [text for text in (*axis.get_ticklabels(), *axis.get_ticklabels(minor=True)) if id(text) in drawn]
             label = label_of(axes, way)
-            if shown and not is_categorical(axis) and unit_of(label) is None:
+            if shown and not is_categorical(axes, way) and unit_of(label) is None:
                 yield f"{way} axis of {axes.get_title()!r} says {label!r}: no unit"
 
 
@@ -152,7 +160,8 @@ def values(axes: Axes) -> Iterator[tuple[str, np.ndarray, str]]:
         bar = bar or next((one._colorbar for one in axes.get_figure().axes if hasattr(one, "_colorbar")), None)
         label = (bar.ax.get_ylabel() or bar.ax.get_xlabel()) if bar else axes.get_title()
         if isinstance(found, ContourSet) and found.filled:
-            yield "contours", np.array([found.zmin, found.zmax]), label
+            hatched = found.colors is not None  # a region, which a quotient bounds
+            yield "contours", np.array([found.zmin, found.zmax]), "(1)" if hatched else label
         elif isinstance(found, QuadMesh | AxesImage) and not isinstance(found.norm, BoundaryNorm) and found not in _bars_of(axes):
             yield "map", np.ma.filled(found.get_array().astype(float), np.nan).ravel(), label
 
@@ -207,8 +216,7 @@ def lost(figure: Figure, table: pd.DataFrame) -> Iterator[str]:
             continue
         columns: list = []
         for way in "xy":
-            nominal = is_categorical(getattr(axes, f"{way}axis"))
-            columns.append([None] if nominal else list(_scaled(table, unit_of(label_of(axes, way))).values()))
+            columns.append([None] if is_categorical(axes, way) else list(_scaled(table, unit_of(label_of(axes, way))).values()))
         pairs = [pair for pair in product(*columns) if any(side is not None for side in pair) and pair[0] is not pair[1]]
         for what, points, whole in data(axes):
             points = points[np.isfinite(points).all(axis=tuple(range(1, points.ndim)))]
@@ -218,7 +226,7 @@ def lost(figure: Figure, table: pd.DataFrame) -> Iterator[str]:
             hits = [_both(ends, x, y) for x, y in pairs] or [np.zeros(len(ends), dtype=bool)]
             share = max(hit.mean() for hit in hits) if whole else np.any(hits, axis=0).mean()
             if share < 1.0 and points.ndim == 3:
-                share = max(share, *(_halves(points, x, y).mean() for x, y in pairs))
+                share = max([share, *(_halves(points, x, y).mean() for x, y in pairs)])
             if share < 1.0:
                 yield f"{what} of {axes.get_title()!r} ({label_of(axes, 'x')!r}, {label_of(axes, 'y')!r}): {share:.0%} is in the CSV"
         for what, shown, label in values(axes):
@@ -244,9 +252,32 @@ def outside(words: list[tuple[str, Bbox]], figure: Figure) -> Iterator[str]:
             yield f"{text!r} leaves the canvas"
 
 
-def overlapping(words: list[tuple[str, Bbox]]) -> Iterator[str]:
+def overlapping(texts: list[tuple[Text, Bbox]]) -> Iterator[str]:
     """Words that lie over one another."""
-    for (one, box), (other, its) in combinations(words, 2):
-        common = Bbox.intersection(box, its)
-        if common is not None and common.width > 2.0 and common.height > 0.15 * min(box.height, its.height):
+    shapes = [(text.get_text(), box, _corners(text, box)) for text, box in texts]
+    for (one, box, shape), (other, its, its_shape) in combinations(shapes, 2):
+        if box.overlaps(its) and _overlap(shape, its_shape):
             yield f"{one!r} lies over {other!r}"
+
+
+def _corners(text: Text, box: Bbox) -> np.ndarray:
+    """Corners of a word as it is turned, a little inside its ink's box: letters that just touch are read."""
+    turn = np.radians(text.get_rotation())
+    middle = np.array([box.x0 + box.x1, box.y0 + box.y1]) / 2
+    if abs(np.sin(2 * turn)) < 1e-6:
+        width, height, turn = box.width, box.height, 0.0
+    else:  # the upright box of a turned one: its height is known from the size of the letters
+        height = text.get_fontsize() * text.get_figure(root=True).dpi / 72 * (1 + text.get_text().count("\n"))
+        width = (box.width - height * abs(np.sin(turn))) / abs(np.cos(turn))
+    inner = np.array([width - 2.0, 0.7 * height]) / 2
+    along, up = np.array([np.cos(turn), np.sin(turn)]), np.array([-np.sin(turn), np.cos(turn)])
+    return np.array([middle + i * inner[0] * along + j * inner[1] * up for i, j in ((-1, -1), (1, -1), (1, 1), (-1, 1))])
+
+
+def _overlap(one: np.ndarray, other: np.ndarray) -> bool:
+    """Whether two rectangles overlap: no side of either parts them."""
+    for side in (one[1] - one[0], one[3] - one[0], other[1] - other[0], other[3] - other[0]):
+        mine, its = one @ side, other @ side
+        if mine.max() <= its.min() or its.max() <= mine.min():
+            return False
+    return True

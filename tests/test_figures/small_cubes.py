@@ -2,12 +2,12 @@
 
 import copy
 from functools import cache
-from pathlib import Path
 
+import numpy as np
 import pytest
 import xarray as xr
-import yaml
 
+from silostudy.accuracy import cube as accuracy
 from silostudy.choice.expand import expand
 from silostudy.config.load import read_yaml
 from silostudy.scene.expand import Expansion
@@ -15,10 +15,29 @@ from silostudy.stages import KINDS, STAGES, called_for
 from silostudy.tables.outputs import OUTPUTS
 from tests.conftest import ROOT
 
+# of two parts, in place of those that take minutes to measure
+PRICES = {
+    "effect": ["a part", "another"],
+    "effect_room": ["pressures", "earthquake"],
+    "effect_time_share": [0.5, 0.1],
+    "effect_time_share_low": [0.45, 0.05],
+    "effect_time_share_high": [0.6, 0.12],
+    "effect_instruction_share": [0.4, np.nan],
+    "effect_memory_share": [0.3, 0.0],
+    "effect_uncounted": ["", "no valgrind"],
+}
 STUDIES = ROOT / "config/studies"
 # what is changed of a shipped study so that its cube takes no time; a study not named here is computed as it ships
 SMALLER: dict[str, dict] = {
-    "accuracy": {"scene": {"problems": ["history", "depth_levels", "beam_frequency"], "repeats": 1, "members": 3, "rungs": 3}},
+    "accuracy": {
+        "scene": {
+            "problems": ["dem_impact", "depth_levels", "shell_strength", "history", "beam_frequency"],
+            "repeats": 1,
+            "members": 3,
+            "rungs": 3,
+            "prices": True,
+        }
+    },
     "grains-amplitude": {
         "scene": {
             "box": {"slenderness": 0.5},
@@ -114,7 +133,9 @@ def cube_of(study: str, stage: str) -> xr.Dataset:
     read = [cube_of(study, other) for other in row.reads]
     asked = [getattr(expansion.study, section) for section in row.borrows]
     borrowed = [one and cube_of(one.study, other) for one, other in zip(asked, row.borrows.values(), strict=True)]
-    return row.cube(expansion, _nothing, (*read, *borrowed))
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(accuracy, "price_variables", lambda repeats, tell: {name: np.array(v) for name, v in PRICES.items()})
+        return row.cube(expansion, _nothing, (*read, *borrowed))
 
 
 def cubes_of(output: str) -> list[xr.Dataset]:

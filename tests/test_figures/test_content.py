@@ -41,7 +41,7 @@ class Drawn:
         if self.figure is None:
             return [] if len(self.table) else ["the table is empty"]
         found = [*content.unlabelled(self.figure, {id(text) for text, _ in self.texts}), *content.rising_depths(self.figure)]
-        found += [*content.bare(self.figure), *content.outside(self.words, self.figure), *content.overlapping(self.words)]
+        found += [*content.bare(self.figure), *content.outside(self.words, self.figure), *content.overlapping(self.texts)]
         small = {text.get_text() for text, _ in self.texts if text.get_fontsize() < LEAST_TEXT}
         found += [f"{text!r} is small" for text in small]
         if self.table is not None:
