@@ -20,7 +20,6 @@ from matplotlib.text import Text
 from matplotlib.ticker import FuncFormatter
 from matplotlib.transforms import Bbox
 
-from silostudy.cube.contract import VARIABLES
 from silostudy.figures.style import AID
 from silostudy.tables.constants import STANDARD_GRAVITY
 
@@ -47,15 +46,15 @@ def unit_of(label: str) -> tuple[str, float] | None:
     return named[0] if named else ("1", 1.0) if QUOTIENT.search(label) else None
 
 
-def unit_of_column(name: str) -> tuple[str, float] | None:
-    """(dimension, size in SI) of the unit at the end of a column's name, or of the cube's variable of that name."""
+def unit_of_column(name: str, units: dict[str, str]) -> tuple[str, float] | None:
+    """(dimension, size in SI) of the unit at the end of a column's name, or of the cube's variable of that name; else one."""
     parts = name.split("_")
     for length in (3, 2, 1):
         end = "_".join(parts[-length:])
         text = IN_NAMES.get(end, end)
         if len(parts) > length and text in UNITS:
             return UNITS[text]
-    text = VARIABLES[name].units if name in VARIABLES else "1"
+    text = units.get(name, "1")
     return UNITS.get(IN_CUBES.get(text, text))
 
 
@@ -170,11 +169,11 @@ def _bars_of(axes: Axes) -> list:
     return list(axes.collections) if hasattr(axes, "_colorbar") else []
 
 
-def _scaled(table: pd.DataFrame, unit: tuple[str, float] | None) -> dict[str, np.ndarray]:
+def _scaled(table: pd.DataFrame, units: dict[str, str], unit: tuple[str, float] | None) -> dict[str, np.ndarray]:
     """The columns that can hold a quantity, in the unit of its axis."""
     found = {}
     for name in table.select_dtypes("number"):
-        own = unit_of_column(str(name))
+        own = unit_of_column(str(name), units)
         if own and unit and own[0] == unit[0]:
             found[str(name)] = table[name].to_numpy(dtype=float) * own[1] / unit[1]
     return found
@@ -209,14 +208,14 @@ def _halves(bars: np.ndarray, x: np.ndarray | None, y: np.ndarray | None) -> np.
     return _both(half, x, y) & (bars[:, 0, 0] == bars[:, 1, 0])
 
 
-def lost(figure: Figure, table: pd.DataFrame) -> Iterator[str]:
-    """Data that a figure shows and its table does not hold."""
+def lost(figure: Figure, table: pd.DataFrame, units: dict[str, str]) -> Iterator[str]:
+    """Data that a figure shows and its table does not hold; units: of the variables of the cube it is drawn from."""
     for axes in figure.axes:
         if not axes.get_visible() or not axes.axison:
             continue
         columns: list = []
         for way in "xy":
-            columns.append([None] if is_categorical(axes, way) else list(_scaled(table, unit_of(label_of(axes, way))).values()))
+            columns.append([None] if is_categorical(axes, way) else list(_scaled(table, units, unit_of(label_of(axes, way))).values()))
         pairs = [pair for pair in product(*columns) if any(side is not None for side in pair) and pair[0] is not pair[1]]
         for what, points, whole in data(axes):
             points = points[np.isfinite(points).all(axis=tuple(range(1, points.ndim)))]
@@ -231,7 +230,7 @@ def lost(figure: Figure, table: pd.DataFrame) -> Iterator[str]:
                 yield f"{what} of {axes.get_title()!r} ({label_of(axes, 'x')!r}, {label_of(axes, 'y')!r}): {share:.0%} is in the CSV"
         for what, shown, label in values(axes):
             shown = shown[np.isfinite(shown)]
-            hits = [(_places(shown, column)[0] >= 0).all() for column in _scaled(table, unit_of(label)).values()]
+            hits = [(_places(shown, column)[0] >= 0).all() for column in _scaled(table, units, unit_of(label)).values()]
             if not any(hits):
                 yield f"{what} of {axes.get_title()!r} ({label!r}) is not in the CSV"
 

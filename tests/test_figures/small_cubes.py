@@ -31,7 +31,7 @@ STUDIES = ROOT / "config/studies"
 SMALLER: dict[str, dict] = {
     "accuracy": {
         "scene": {
-            "problems": ["dem_impact", "depth_levels", "shell_strength", "history", "beam_frequency"],
+            "problems": ["dem_impact", "depth_levels", "shell_thickness", "history", "beam_frequency"],
             "repeats": 1,
             "members": 3,
             "rungs": 3,
