@@ -152,7 +152,7 @@ def _forces(panel: Axes, cube: xr.Dataset, method: str, phase: str) -> None:
         ring = float(one["switch_force"][place])
         text = f"switch half-way up\nring force {ring / 1e3:.0f} kN"
         most = int(np.nanargmax(one["switch_force"].values))
-        text += f"\nfrom the {fill(str(one['pressure_method_initial_state'].values), 20)}"
+        text += "\n" + fill(f"from the {one['pressure_method_initial_state'].values}", 20)
         text += f"\nlargest on its way\n{float(one['switch_force'][most]) / 1e3:.0f} kN at {depth[most]:.1f} m"
     else:
         if one["hopper_normal_pressure"].isnull().all():

@@ -114,9 +114,9 @@ def _nothing(*_: object) -> None:
 
 @cache
 def study_of(output: str) -> str:
-    """Name of the first shipped study that asks for an output."""
-    asking = (path.stem for path in sorted(STUDIES.glob("*.yaml")) if output in (read_yaml(path).get("outputs") or ()))
-    return next(asking)
+    """Name of the first shipped study that asks for an output, of those made small where there are some."""
+    studies = sorted((path.stem for path in STUDIES.glob("*.yaml")), key=lambda name: (name not in SMALLER, name))
+    return next(name for name in studies if output in (read_yaml(STUDIES / f"{name}.yaml").get("outputs") or ()))
 
 
 @cache
