@@ -1,8 +1,8 @@
 """Discs of a film: force chains, discs coloured by speed, and the box with its slit."""
 
 import numpy as np
-import xarray as xr
 import pandas as pd
+import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.collections import EllipseCollection, LineCollection
 

@@ -48,9 +48,7 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
 
 
 def _line(panel, x, values: xr.DataArray, label: str | None, look: dict) -> None:
-    panel.errorbar(
-        x, values.mean("filling"), values.std("filling", ddof=_lost(values)), label=label, **look
-    )
+    panel.errorbar(x, values.mean("filling"), values.std("filling", ddof=_lost(values)), label=label, **look)
 
 
 def _lost(values: xr.DataArray | xr.Dataset) -> int:

@@ -12,7 +12,7 @@ from silostudy.figures.style import save
 
 
 def draw(cube: xr.Dataset, stem: Path) -> None:
-    """Writes the figure and its numbers: of each packing the largest and mean contact force and its inclination, then every contact."""
+    """Writes the figure and its numbers: largest and mean contact force and inclination of each packing, then every contact."""
     films = discs.films(cube, moving=False)
     columns = min(4, len(films))
     rows = -(-len(films) // columns)

@@ -15,7 +15,7 @@ SCALE = 2 * discs.DIAMETER_IS  # disc weights a diameter: forces in flow are sev
 
 
 def draw(cube: xr.Dataset, stem: Path) -> None:
-    """Writes the figure and its numbers: the discs left, the largest and mean force of each time, then every disc and contact."""
+    """Writes the figure and its numbers: discs left, largest and mean force of each time, then every disc and contact."""
     films = shown(cube)
     figure, panels = plt.subplots(
         2 * len(films), len(TIMES), figsize=(2.35 * len(TIMES), 5.1 * len(films)), squeeze=False, sharex=True, sharey=True
@@ -33,9 +33,7 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
             force.add_collection(discs.chains(contacts, scale=SCALE))
             place.set_title(f"t = {time:.3g} s", fontsize=9)
             rows.append(_row(cube, film, snapshot))
-            tables += [
-                part.assign(film=rows[-1]["film"], time_s=time) for part in (discs.centres(cube, snapshot), contacts)
-            ]
+            tables += [part.assign(film=rows[-1]["film"], time_s=time) for part in (discs.centres(cube, snapshot), contacts)]
         panels[2 * row, 0].set_ylabel(f"{discs.name(cube, film).replace(', a', chr(10) + 'a')}\nheight (cm)", fontsize=8)
         panels[2 * row + 1, 0].set_ylabel("height (cm)", fontsize=8)
         discs.scale_bar(panels[2 * row + 1, 0], cube, 0.5, 37.5, SCALE)

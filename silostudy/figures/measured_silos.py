@@ -1,6 +1,7 @@
 """Measured wall pressures against every method: curves with the measured points, and by how much each method is off."""
 
 from pathlib import Path
+from typing import Any
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -71,7 +72,7 @@ def _curves(panel, here: xr.Dataset, points: list[Measured]) -> pd.DataFrame:
                     "markevery": 12,
                 }
                 style |= {"markerfacecolor": "none"} if phase == "filling" else {}
-                table = {"shown": "curve", "silo": points[0].silo, "pressure_method": method, "phase": phase}
+                table: dict[str, Any] = {"shown": "curve", "silo": points[0].silo, "pressure_method": method, "phase": phase}
                 table |= {"title": f"{title(here, method)}, {phase}"}
                 table |= {"depth_m": here["depth"].values, "computed_kPa": pressure.values / 1e3}
                 tables.append(pd.DataFrame(table).dropna())

@@ -62,7 +62,7 @@ def _trials(panel, table: pd.DataFrame, coverage: float) -> None:
 
 
 def _contributions(panel, one: xr.Dataset) -> pd.DataFrame:
-    """Half-widths that add up to the uncertainty of the study's own answer, and the coarse step beside them; as a table."""
+    """Half-widths that add up to the uncertainty of the study's own answer, and the coarse step; as a table."""
     parts = dict(zip(map(str, one["contribution"].values), map(float, one["uncertainty_contribution"].values), strict=True))
     fine, coarse = float(one["uncertainty"]), float(one["coarse_uncertainty"])
     steps = coarse - fine + parts["step"] if np.isfinite(coarse) else np.nan

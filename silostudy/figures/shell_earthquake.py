@@ -103,7 +103,7 @@ def _head(cube: xr.Dataset) -> str:
 
 
 def _numbers(cube: xr.Dataset) -> pd.DataFrame:
-    """Worst utilisation over the phases at every depth, static and on both sides, and forces (N/m) and pressures (Pa) behind it.
+    """Worst utilisation over the phases at every depth, static and on both sides, forces (N/m) and pressures (Pa) behind it.
 
     The thickness (mm) is for the whole wall.
     """

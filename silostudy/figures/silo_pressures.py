@@ -109,10 +109,14 @@ def _silo(panel: Axes, cube: xr.Dataset) -> None:
     radius, (depth, at) = diameter(cube) / 2, wall(cube)
     for sign in (1, -1):
         panel.plot(
-            [sign * radius] * 2 + list(sign * at), [0, float(cube["cylinder_depth"]), *depth], color="black", linewidth=1.8, gid=AID
+            [sign * radius] * 2 + list(sign * at),
+            [0, float(cube["cylinder_depth"]), *depth],
+            color="black",
+            linewidth=1.8,
+            gid=AID,
         )
     panel.plot([-radius, radius], [0, 0], color="0.5", linewidth=0.8, gid=AID)
-    across = {"color": "0.6", "linewidth": 0.6, "linestyle": (0, (6, 4)), "gid": AID}
+    across: dict[str, Any] = {"color": "0.6", "linewidth": 0.6, "linestyle": (0, (6, 4)), "gid": AID}
     panel.plot([-radius, radius], [float(cube["cylinder_depth"])] * 2, **across)
 
 
@@ -139,8 +143,8 @@ def _pressures(panel: Axes, table: pd.DataFrame) -> None:
         panel.plot(*outline.T, color=COLOURS[side], linewidth=1.3)
     here = table[table.side == "normal"]
     top = here.loc[here.pressure_kPa.idxmax()]
-    tip, look = (top.tip_from_axis_m, top.tip_depth_m), {"textcoords": "offset points", "fontsize": 8, "va": "center"}
-    panel.annotate(f"{top.pressure_kPa:.0f} kPa", tip, xytext=(3, 2), **look)
+    tip, text = (top.tip_from_axis_m, top.tip_depth_m), f"{top.pressure_kPa:.0f} kPa"
+    panel.annotate(text, tip, xytext=(3, 2), textcoords="offset points", fontsize=8, va="center")
 
 
 def _forces(panel: Axes, cube: xr.Dataset, method: str, phase: str) -> None:

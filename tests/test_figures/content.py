@@ -8,7 +8,6 @@ from typing import Any
 import numpy as np
 import pandas as pd
 from matplotlib.axes import Axes
-from matplotlib.axis import Axis
 from matplotlib.category import StrCategoryFormatter
 from matplotlib.collections import LineCollection, PolyCollection, QuadMesh
 from matplotlib.colors import BoundaryNorm
@@ -29,13 +28,16 @@ UNITS = {
     "m": ("m", 1.0), "cm": ("m", 1e-2), "mm": ("m", 1e-3), "s": ("s", 1.0), "ms": ("s", 1e-3), "Hz": ("Hz", 1.0),
     "Pa": ("Pa", 1.0), "kPa": ("Pa", 1e3), "MPa": ("Pa", 1e6), "t/m²": ("Pa", 9806.65), "kN": ("N", 1e3), "N": ("N", 1.0),
     "N/m": ("N/m", 1.0), "kN/m": ("N/m", 1e3), "kN m": ("N m", 1e3), "N m": ("N m", 1.0), "disc weights": ("disc", 1.0),
-    "m/s": ("m/s", 1.0), "cm/s": ("m/s", 1e-2), "m/s²": ("m/s²", 1.0), "gal": ("m/s²", 1e-2), "g": ("m/s²", STANDARD_GRAVITY), "°": ("rad", np.pi / 180),
+    "m/s": ("m/s", 1.0), "cm/s": ("m/s", 1e-2), "m/s²": ("m/s²", 1.0), "gal": ("m/s²", 1e-2),
+    "g": ("m/s²", STANDARD_GRAVITY), "°": ("rad", np.pi / 180),
     "rad": ("rad", 1.0), "%": ("1", 1e-2), "1": ("1", 1.0), "kg m⁻¹ s⁻¹": ("kg/m/s", 1.0),
 }  # fmt: skip
 IN_NAMES = {"t_m2": "t/m²", "m_s2": "m/s²", "m_s": "m/s", "deg": "°", "percent": "%", "disc_weights": "disc weights",
             "kN_m": "kN/m", "N_m": "N/m", "cm_s": "cm/s", "kg_m_s": "kg m⁻¹ s⁻¹"}  # fmt: skip
 IN_CUBES = {"m s-2": "m/s²", "m s-1": "m/s", "N m-1": "N/m", "kg m-1 s-1": "kg m⁻¹ s⁻¹"}
-QUOTIENT = re.compile(r"\b(over|ratio|relative|factor|coefficient|share|chance|index|number|utilisation|C_eff)\b|/|=|²")  # has no unit
+QUOTIENT = re.compile(
+    r"\b(over|ratio|relative|factor|coefficient|share|chance|index|number|utilisation|C_eff)\b|/|=|²"
+)  # has no unit
 DEPTH = re.compile(r"^(relative )?depth\b")
 
 
@@ -147,8 +149,10 @@ def _caps(axes: Axes) -> list:
 
 
 def _shows(artist: Any, axes: Axes) -> bool:
-    return artist.get_gid() != AID and artist.get_visible() and all(
-        artist.get_transform().contains_branch_seperately(axes.transData)
+    return (
+        artist.get_gid() != AID
+        and artist.get_visible()
+        and all(artist.get_transform().contains_branch_seperately(axes.transData))
     )
 
 
@@ -161,7 +165,9 @@ def values(axes: Axes) -> Iterator[tuple[str, np.ndarray, str]]:
         if isinstance(found, ContourSet) and found.filled:
             hatched = found.colors is not None  # a region, which a quotient bounds
             yield "contours", np.array([found.zmin, found.zmax]), "(1)" if hatched else label
-        elif isinstance(found, QuadMesh | AxesImage) and not isinstance(found.norm, BoundaryNorm) and found not in _bars_of(axes):
+        elif (
+            isinstance(found, QuadMesh | AxesImage) and not isinstance(found.norm, BoundaryNorm) and found not in _bars_of(axes)
+        ):
             yield "map", np.ma.filled(found.get_array().astype(float), np.nan).ravel(), label
 
 
@@ -215,7 +221,9 @@ def lost(figure: Figure, table: pd.DataFrame, units: dict[str, str]) -> Iterator
             continue
         columns: list = []
         for way in "xy":
-            columns.append([None] if is_categorical(axes, way) else list(_scaled(table, units, unit_of(label_of(axes, way))).values()))
+            columns.append(
+                [None] if is_categorical(axes, way) else list(_scaled(table, units, unit_of(label_of(axes, way))).values())
+            )
         pairs = [pair for pair in product(*columns) if any(side is not None for side in pair) and pair[0] is not pair[1]]
         for what, points, whole in data(axes):
             points = points[np.isfinite(points).all(axis=tuple(range(1, points.ndim)))]
@@ -227,7 +235,8 @@ def lost(figure: Figure, table: pd.DataFrame, units: dict[str, str]) -> Iterator
             if share < 1.0 and points.ndim == 3:
                 share = max([share, *(_halves(points, x, y).mean() for x, y in pairs)])
             if share < 1.0:
-                yield f"{what} of {axes.get_title()!r} ({label_of(axes, 'x')!r}, {label_of(axes, 'y')!r}): {share:.0%} is in the CSV"
+                where = f"{axes.get_title()!r} ({label_of(axes, 'x')!r}, {label_of(axes, 'y')!r})"
+                yield f"{what} of {where}: {share:.0%} is in the CSV"
         for what, shown, label in values(axes):
             shown = shown[np.isfinite(shown)]
             hits = [(_places(shown, column)[0] >= 0).all() for column in _scaled(table, units, unit_of(label)).values()]

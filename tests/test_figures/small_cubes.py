@@ -11,7 +11,7 @@ from silostudy.accuracy import cube as accuracy
 from silostudy.choice.expand import expand
 from silostudy.config.load import read_yaml
 from silostudy.scene.expand import Expansion
-from silostudy.stages import KINDS, STAGES, called_for
+from silostudy.stages import STAGES, called_for
 from silostudy.tables.outputs import OUTPUTS
 from tests.conftest import ROOT
 
