@@ -52,9 +52,9 @@ def _coverage(table: pd.DataFrame) -> str:
 
 def _trials(panel, table: pd.DataFrame, coverage: float) -> None:
     for within, marker, colour, label in ((True, "o", "#0072b2", "truth within"), (False, "X", "#d55e00", "truth outside")):
-        some = table.within == within
-        if some.any():
-            panel.errorbar(table.recovery_truth[some], table.error[some], table.recovery_uncertainty[some], fmt=marker, color=colour,
+        some = table[table.within == within]
+        if len(some):
+            panel.errorbar(some.recovery_truth, some.error, some.recovery_uncertainty, fmt=marker, color=colour,
                            markersize=4 if within else 8, linewidth=0.7, label=label)  # fmt: skip
     panel.axhline(0, color="black", linewidth=0.8)
     panel.set_xlabel("true C_eff of the synthetic response")
