@@ -13,7 +13,7 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.patches import Patch
 
-from silostudy.figures.style import PHASE_LINES, drawn, look, phases_of_its_own, save, silent, title
+from silostudy.figures.style import AID, PHASE_LINES, drawn, look, phases_of_its_own, save, silent, title
 from silostudy.figures.uncertainty_bands import distinct_methods
 from silostudy.tables.measured import Measured, measured_silos
 from silostudy.tables.outputs import output_of
@@ -146,7 +146,8 @@ def _scatter(axes: tuple[Axes, Axes], cube: xr.Dataset, sampled: xr.Dataset, sta
             edges = tables[-1][lower], tables[-1][upper]
             panel.fill_betweenx(depth, *edges, color=look(cube, method)["color"], alpha=0.06, linewidth=0, zorder=0.5)
             ends = [np.interp(bar, depth, edge) for edge in edges]
-            panel.plot(ends, [bar, bar], color=look(cube, method)["color"], linewidth=5, alpha=0.45, solid_capstyle="butt")
+            colour = look(cube, method)["color"]
+            panel.plot(ends, [bar, bar], color=colour, linewidth=5, alpha=0.45, solid_capstyle="butt", gid=AID)
     return [table.dropna(subset="upper_kPa") for table in tables]
 
 
