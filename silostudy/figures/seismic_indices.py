@@ -70,7 +70,8 @@ def _answers(panel, one: xr.Dataset, source) -> None:
         lines.append(f"source, really measured: {source.effective_mass_coefficient:.2f}, f1 = {source.full_frequency:g} Hz")
         lines.append(f"(implies contents of {source.implied_mass_ratio:.2f} wall masses)")
         panel.axvline(source.effective_mass_coefficient, color="black", linewidth=0.9, linestyle=":")
-    panel.plot(found["amplitude_error"], 0, marker="^", color="black", clip_on=False, markersize=8, linestyle="none")
+    panel.plot(found["amplitude_error"], 0, marker="^", color="black", clip_on=False, markersize=8, linestyle="none",
+               transform=panel.get_xaxis_transform())  # fmt: skip
     panel.text(0.98, 0.03, "\n".join(lines), transform=panel.transAxes, ha="right", va="bottom", fontsize=7,
                bbox={"color": "white", "alpha": 0.85})  # fmt: skip
 

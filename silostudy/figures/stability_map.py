@@ -17,7 +17,7 @@ NAMES = {"disc": "one disc", "column": "column, up and down", "rows": "rows of s
 def draw(cube: xr.Dataset, stem: Path) -> None:
     """Writes the figure and its numbers."""
     networks = [str(name) for name in cube["network"].values]
-    figure, panels = plt.subplots(1, len(networks), figsize=(3.6 * len(networks), 5.6), sharey=True, squeeze=False)
+    figure, panels = plt.subplots(1, len(networks), figsize=(max(6.0, 3.6 * len(networks)), 5.6), sharey=True, squeeze=False)
     for panel, network in zip(panels[0], networks, strict=True):
         _panel(panel, cube.sel(network=network), network)
     panels[0, 0].set_ylabel("largest stable step (ms)")

@@ -132,8 +132,9 @@ REASONS = (
 )
 IN_SCOPE, NO_QUANTITY, NO_PHASE, NO_PLAN, NO_PROPERTY, OUT_OF_RANGE, ABOVE_CONTACT, NO_HOPPER = range(len(REASONS))
 
-# a curve of its own; a thin one, of the handbook; one edge of a band, of a set of characteristic values
-DRAWN = ("curve", "handbook", "set")
+# a curve of its own; a thin one, of the handbook; one edge of a band, of a set of characteristic values; a dotted one, of a
+# reading that leaves the source's misprints in; none
+DRAWN = ("curve", "handbook", "set", "misprint", "none")
 
 Quantities = Mapping[str, Callable]
 
@@ -159,7 +160,7 @@ class PressureMethod(Row):
     table_key: method under which the tables keep its own values, where several rows share them.
     number: how the handbook numbers the curve in Fig. 4.2.11; empty where it is not in that figure.
     initial_state: from which state in the hopper the switch to flow starts.
-    drawn: one of DRAWN: how a figure that compares many methods shows it.
+    drawn: one of DRAWN: how a figure that compares many methods shows it; drawn_as_printed: how its reading with misprints.
     """
 
     phases: Mapping[str, Quantities]
@@ -171,6 +172,7 @@ class PressureMethod(Row):
     marker: str
     number: str = ""
     drawn: str = "curve"
+    drawn_as_printed: str = "none"
     initial_state: str = ""
     as_printed: Mapping[str, Quantities] = field(default_factory=dict)
     misprinted_table: bool = False
@@ -225,8 +227,9 @@ class PressureMethod(Row):
         """What is wrong with the row, in words."""
         yield from super().faults()
         yield from faults_of_look(self)
-        if self.drawn not in DRAWN:
-            yield f"drawn = {self.drawn!r}: must be one of {', '.join(DRAWN)}"
+        for name in ("drawn", "drawn_as_printed"):
+            if getattr(self, name) not in DRAWN:
+                yield f"{name} = {getattr(self, name)!r}: must be one of {', '.join(DRAWN)}"
         yield from _faults_of_names(self)
         for name, function, unit, place in _functions(self):
             faults = list(faults_of_function(name, function, unit, parameters_of(function), PARAMETERS))
