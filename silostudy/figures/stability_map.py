@@ -47,8 +47,7 @@ def march_name(one: xr.Dataset) -> str:
     """Integrator and dashpots of one way of marching."""
     integrator = str(one["march_integrator"].values)
     named = f"eqs. ({integrator.replace('-', '), (')})" if integrator[0].isdigit() else integrator.replace("-", " ")
-    laws = [str(one[f"march_{law}"].values) for law in ("normal", "tangential") if f"march_{law}" in one]
-    implicit = sum(law.endswith("implicit") for law in laws)
+    implicit = int(one["implicit_dashpots"].max())
     return named + {0: "", 1: ", one dashpot semi-implicit"}.get(implicit, ", semi-implicit dashpots")
 
 
