@@ -297,6 +297,7 @@ def test_discharge_stops_at_a_share():
     assert run.recording.happened[-1][1:] == ("discharged", "stop")
 
 
+@pytest.mark.long
 def test_a_hopper_empties_through_its_mouth():
     """Loose discs of many sizes rain into a hopper, rest on it, and leave when its mouth opens; none passes a wall."""
     scene = scene_of(

@@ -144,6 +144,7 @@ def test_lying_in_the_room_adds_a_theory_to_the_package(package):
     assert "1 failed, 1 passed" in proof(package, "pressure", "frictionless").stdout
 
 
+@pytest.mark.long
 def test_lying_in_the_room_adds_a_rule_to_the_package(package):
     (package / "silostudy/buckling/a_fifth.py").write_text(
         RULE.replace("J. Doe, Notes on tin cans, 2026", "classical_buckling")
