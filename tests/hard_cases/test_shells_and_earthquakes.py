@@ -21,8 +21,8 @@ from tests.test_seismic.test_beam import MODEL
 
 SHELL = {
     "youngs_modulus": 2.1e11, "shell_poisson_ratio": 0.3, "yield_stress": 2.35e8, "shell_radius": 5.0, "thickness": 0.01,
-    "bay_length": 10.0, "total_length": 20.0, "ring_area": 0.0, "fabricated": 1.0, "safe_constants": 0.0, "fabrication_quality": 25.0,
-    "end_factor": 1.0, "lower_internal_pressure": 0.0, "upper_internal_pressure": 0.0,
+    "bay_length": 10.0, "total_length": 20.0, "ring_area": 0.0, "fabricated": 1.0, "safe_constants": 0.0,
+    "fabrication_quality": 25.0, "end_factor": 1.0, "lower_internal_pressure": 0.0, "upper_internal_pressure": 0.0,
 }  # fmt: skip
 
 
