@@ -3,18 +3,14 @@
 Nothing is written while this file is read: what a real run changes besides its jobs' outputs stands in `onstart`.
 """
 
-import hashlib
 import sys
-from functools import cache
 from itertools import chain
 from pathlib import Path
 
-from silostudy.choice.expand import expand_file
 from silostudy.config.load import load_project, read_study
 from silostudy.cube.fingerprint import damaged
 from silostudy.errors import BadInput
 from silostudy.files import alone, check_sent, check_there, check_writable, end_future, set_aside
-from silostudy.scene.scenes import files_of_scene
 from silostudy.stages import FILE_KINDS, KINDS, STAGES
 from silostudy.stamp import stamp
 from silostudy.sweep.plan import planned, write_plan
@@ -25,51 +21,7 @@ AT_ONCE = workflow.resource_settings.nodes or workflow.resource_settings.cores o
 
 
 include: "silostudy/rules/names.smk"
-
-
-@cache
-def expansion(name):
-    """A study with its cases."""
-    return expand_file(STUDIES[name])
-
-
-def borrowed(model):
-    """(section, study, stage) of each cube that a study takes from another one."""
-    rows = [STAGES[stage].borrows for stage in model.stages]
-    asked = [(section, getattr(model, section), stage) for row in rows for section, stage in row.items()]
-    return [(section, given.study, stage) for section, given, stage in asked if given]
-
-
-def study_files(name):
-    """The study file and the user's own files that it and its scenes name."""
-    return [STUDIES[name], *expansion(name).files]
-
-
-def scene_files(name):
-    """The scene file and the user's own files that it names."""
-    return [SCENES[name], *files_of_scene(SCENES[name])]
-
-
-def given(files):
-    """Input function of a rule from that of a study's or scene's name, the first of its wildcards.
-
-    It also tells Snakemake, which looks at times alone, what is there but not whole: a dry run plans it and touches nothing.
-    """
-
-    def inputs(wildcards):
-        workflow.dag.forcefiles.update(UNSOUND)
-        return files(wildcards[0])
-
-    return inputs
-
-
-def wanted(name):
-    """Every file that a study asks for."""
-    model, folder = MODELS[name], RESULTS / name
-    cubes = [folder / f"{stage}.nc" for stage in model.stages]
-    drawn = [Path(file) for key in model.outputs for file in files_of(key, folder)]
-    swept = [folder / f"{model.kind}-failed.csv", folder / f"parts/{model.kind}-verdict"] if name in SWEEPS else []
-    return [folder / "cases.csv", *cubes, *drawn, *swept]
+include: "silostudy/rules/inputs.smk"
 
 
 try:  # every mistake of every study is told before any job starts
@@ -133,11 +85,6 @@ def code_of(stage):
     return lambda wildcards: KINDS[MODELS[wildcards.study].kind].stamp(stage)
 
 
-def digest(content):
-    """A short hash of what a file will hold, where many sources stand behind it and few of their changes change it."""
-    return hashlib.sha256(str(content).encode()).hexdigest()[:12]
-
-
 def command(words):
     """A shell command that runs `silostudy` by this Python into the log, whose last line is shown where it fails."""
     return "{PYTHON:q} -m silostudy " + words + " > {log:q} 2>&1 || (tail -n 1 {log:q} >&2; false)"
@@ -150,6 +97,7 @@ rule cases:
         RESULTS / "{study}/cases.csv",
     params:
         holds=lambda wildcards: digest([(case.id, case.settings) for case in expansion(wildcards.study).cases]),
+        given=held(study_files),
     log:
         RESULTS / "{study}/logs/cases.log",
     shell:
@@ -180,6 +128,7 @@ for stage in STAGES.values():
                 RESULTS / f"{{study}}/{stage.key}.nc",
             params:
                 code=code_of(stage),
+                given=held(study_files),
                 stage=stage.key,
             threads: workflow.cores if stage.alone else stage.threads
             log:
@@ -197,6 +146,7 @@ rule dem:
         RESULTS / "dem/{scene}.nc",
     params:
         code=FILE_KINDS["dem"].stamp(STAGES["dem"]),
+        given=held(scene_files),
     log:
         RESULTS / "dem/logs/{scene}.log",
     shell:

@@ -136,6 +136,8 @@ def check_output(path: Path, read: Iterable[Path] = ()) -> None:
     check_writable(path.parent)
     if path.is_dir():
         raise BadInput("output", str(path), "is a folder: name a file in it")
+    if path.exists() and not path.is_file():  # a finished file takes the name of what was there
+        raise BadInput("output", str(path), "is a device or a pipe: name a file")
     if any(path.exists() and other.exists() and path.samefile(other) for other in read):
         raise BadInput("output", str(path), "is read by this very command: name another file")
 

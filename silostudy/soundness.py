@@ -3,8 +3,12 @@
 import re
 from collections.abc import Callable, Iterable, Iterator
 from inspect import getdoc
+from textwrap import shorten
+
+import numpy as np
 
 MARKERS = set(".,ov^<>12348spP*hH+xXDd|_")  # of matplotlib; or $text$
+SHOWN = 300  # characters of an error
 LINES = ("solid", "dashed", "dashdot", "dotted", "-", "--", "-.", ":")  # of matplotlib
 
 
@@ -36,4 +40,16 @@ def faults_of_trial(name: str, trial: Callable[[], object]) -> Iterator[str]:
     try:
         trial()
     except Exception as error:
-        yield f"{name}: fails for usual values: {type(error).__name__}: {error}"
+        yield f"{name}: fails for usual values: {type(error).__name__}: {shorten(str(error), SHOWN)}"
+
+
+def check_numbers(call: Callable[[], object]) -> np.ndarray:
+    """What a call gives, as an array; ValueError unless these are finite or NaN, real, and the same when called again."""
+    found = np.asarray(call())
+    if found.dtype.kind not in "fiub":
+        raise ValueError(f"gives no real numbers but {found.ravel()[:1]}")
+    if np.isinf(found).any():
+        raise ValueError("gives an infinite value")
+    if not np.array_equal(found, np.asarray(call()), equal_nan=True):
+        raise ValueError("gives other values when it is called again")
+    return found

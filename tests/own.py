@@ -7,7 +7,8 @@ from tests.conftest import ROOT
 THEORY = re.findall(r"<!-- own-method -->\n```python\n(.*?)```", (ROOT / "README.md").read_text(encoding="utf-8"), re.DOTALL)[0]
 RULE = '''
 from silostudy.buckling.classical import capped_at_yield
-from silostudy.buckling.family import SUCTION, BucklingRule, classical_stress, under_suction
+from silostudy.buckling.family import BucklingRule, classical_stress
+from silostudy.buckling.limits import NO_SUCTION
 
 
 def strength(*, youngs_modulus, shell_poisson_ratio, yield_stress, shell_radius, thickness):
@@ -27,7 +28,7 @@ ROW = BucklingRule(
     source="J. Doe, Notes on tin cans, 2026",
     locator="page 5",
     strength=strength,
-    limits=((SUCTION, under_suction),),
+    limits=(NO_SUCTION,),
     formula="sigma = E t / (5 R sqrt(3 (1 - nu^2)))",
     validity="for comparison only",
     colour="#CC3311",

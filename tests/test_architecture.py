@@ -14,13 +14,14 @@ from silostudy.stamp import CHECKED, sources, stamp
 from tests.conftest import ROOT
 
 PACKAGE = ROOT / "silostudy"
-BASE = {"catalogue", "soundness", "errors", "files", "stages", "stamp", "__init__"}
+BASE = {"catalogue", "soundness", "limits", "errors", "files", "stages", "stamp", "__init__"}
 # room -> the rooms it may import, besides the base
 MAY_IMPORT = {
     "stages": set(),
     "tables": set(),
     "pressure": {"tables"},
     "buckling": set(),
+    "checks": set(),
     "seismic": {"tables"},
     "figures": {"cube", "tables"},
     "contact": set(),
@@ -30,7 +31,20 @@ MAY_IMPORT = {
     "scene": {"config", "tables", "pressure", "seismic", "contact", "packing", "dem"},
     "cube": {"tables"},
     "choice": {"scene", "config", "contact", "packing", "tables", "pressure", "seismic"},
-    "compute": {"choice", "scene", "config", "tables", "pressure", "buckling", "seismic", "cube", "contact", "packing", "dem"},
+    "compute": {
+        "choice",
+        "scene",
+        "config",
+        "tables",
+        "pressure",
+        "buckling",
+        "checks",
+        "seismic",
+        "cube",
+        "contact",
+        "packing",
+        "dem",
+    },
     "sweep": {"compute", "choice", "scene", "config", "cube"},
     "accuracy": {
         "compute",

@@ -5,14 +5,16 @@ Each offers measured_fronts(tell) -> rows of tables/fronts.csv, and trials(tell)
 
 from collections.abc import Callable, Iterable
 from importlib import import_module
+from importlib.util import find_spec
 
 from threadpoolctl import threadpool_limits
 
 from silostudy.accuracy.measure import machine
 from silostudy.accuracy.trial import Trial
 from silostudy.choice.fronts import COLUMNS
+from silostudy.stages import FILE_KINDS
 
-KINDS = ("dem", "pressure", "shell", "seismic", "packing")
+KINDS = tuple(kind for kind in FILE_KINDS if find_spec(f"{__package__}.fronts_{kind}"))  # whose errors are measured
 
 
 @threadpool_limits.wrap(limits=1)  # threads of the linear algebra that wait for each other spend CPU time

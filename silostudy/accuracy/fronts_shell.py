@@ -44,6 +44,7 @@ def curves(expansion: Expansion) -> list[Rubbed]:
     """Of every method that has no axial force of its own: what is summed for it."""
     scene = expansion.cases[0].scene
     wall = {**scene.shell.steel, "inner_radius": scene.silo.diameter / 2, "ring_area": 0.0, "bay_length": scene.silo.wall_depth,
+            "total_length": scene.silo.wall_depth,
             "safety_factor": scene.shell.safety_factor}  # fmt: skip
     found = []
     for functions, parameters in spoken(expansion):

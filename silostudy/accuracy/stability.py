@@ -43,7 +43,12 @@ def _same(scene: RestingDiscs, *more: str) -> str:
 def _found(study, scene: RestingDiscs, rest: Rest) -> dict[str, float]:
     kick = kick_of(len(rest.places), scene.lonely)
     step, bound = our_step(scene.model, rest, kick, study.trial_steps, study.resolution)
-    return {"stable_step": step, "stability_bound": bound, "contact_number": contact_number(rest.places, scene.model)}
+    return {
+        "stable_step": step,
+        "stability_bound": bound,
+        "contact_number": contact_number(rest.places, scene.model),
+        "implicit_dashpots": sum(row.implicit for row in scene.model.pair_contact.rows),
+    }
 
 
 def _peer(study, scene: RestingDiscs, rest: Rest) -> float:

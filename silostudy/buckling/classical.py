@@ -4,15 +4,12 @@ import numpy as np
 
 from silostudy.buckling.family import (
     LOCAL_ELASTIC,
-    NO_RINGS,
-    SUCTION,
     YIELDING,
     BucklingRule,
     Strength,
     classical_stress,
-    under_suction,
-    with_rings,
 )
+from silostudy.buckling.limits import NO_SUCTION, WITHOUT_RINGS
 
 
 def capped_at_yield(elastic, yield_stress) -> Strength:
@@ -39,9 +36,9 @@ ROW = BucklingRule(
     source="classical_buckling",
     locator="textbook result",
     strength=strength,
-    limits=((NO_RINGS, with_rings), (SUCTION, under_suction)),
+    limits=(WITHOUT_RINGS, NO_SUCTION),
     formula="sigma_cl = E t / (R sqrt(3 (1 - nu^2))), at most the yield stress",
-    validity="perfect elastic cylinder of medium length without rings; no measure of a real shell's strength",
+    validity="perfect elastic cylinder, whatever its length; no measure of a real shell's strength",
     colour="#999999",
     marker="_",
     line="dotted",

@@ -8,30 +8,42 @@ import numpy as np
 from silostudy.buckling.family import (
     LOCAL_ELASTIC,
     LOCAL_INELASTIC,
-    SUCTION,
     YIELDING,
     BucklingRule,
     Strength,
-    under_suction,
 )
+from silostudy.buckling.limits import NO_SUCTION, RINGS_THAT_COUNT, THIN_SHELLS, between_supports, ring_share
 
+SHORT = 1.7  # omega up to which a shell is short
 SQUASH_LIMIT = 0.2  # lambda_0
 PLASTIC_RANGE = 0.6  # beta; the interaction exponent eta is 1
 
 
+def short_factor(relative_length):
+    """C_x (1) of a short shell, omega = l / sqrt(r t) up to 1.7: 1.36 - 1.83/omega + 2.07/omega^2. Source: en1993_1_6_2007.
+
+    Both edges must be held radially and against turning.
+    """
+    return 1.36 - 1.83 / relative_length + 2.07 / relative_length**2
+
+
 def length_factor(relative_length, radius_over_thickness, end_factor):
     """C_x (1) from omega = l / sqrt(r t): short, medium or long. Source: en1993_1_6_2007, annex D, second-hand."""
-    short = 1.36 - 1.83 / relative_length + 2.07 / relative_length**2
     long = np.maximum(0.6, 1 + 0.2 / end_factor * (1 - 2 * relative_length / radius_over_thickness))
     medium_or_long = np.where(relative_length <= 0.5 * radius_over_thickness, 1.0, long)
-    return np.where(relative_length <= 1.7, short, medium_or_long)
+    return np.where(relative_length <= SHORT, short_factor(relative_length), medium_or_long)
 
 
-def critical_stress(*, youngs_modulus, shell_radius, thickness, bay_length, end_factor):
+def critical_stress(*, youngs_modulus, shell_radius, thickness, factor=1.0):
     """sigma_Rcr (Pa), elastic critical stress of the perfect shell: 0.605 E C_x t / r. Source: en1993_1_6_2007, annex D."""
-    omega = bay_length / np.sqrt(shell_radius * thickness)
-    factor = length_factor(omega, shell_radius / thickness, end_factor)
     return 0.605 * youngs_modulus * factor * thickness / shell_radius
+
+
+def held_length(*, bay_length, total_length, ring_area, shell_radius, thickness):
+    """Length (m) between edges held radially: a ring ends a bay only where it is large enough (buckling/limits)."""
+    share = ring_share(ring_area=ring_area, bay_length=bay_length, shell_radius=shell_radius, thickness=thickness)
+    counts = share >= 1 - RINGS_THAT_COUNT.tolerance
+    return between_supports(bay_length=bay_length, total_length=total_length, ring_area=ring_area, counts=counts)
 
 
 def relative_imperfection(shell_radius, thickness, fabrication_quality):
@@ -55,45 +67,61 @@ def capacity(slenderness, alpha, delta):
     return np.where(slenderness >= plastic_limit, alpha / slenderness**2, inelastic)
 
 
-def buckles(critical, alpha, chi, yield_stress) -> Strength:
+def buckles(critical, alpha, chi, yield_stress, length=np.nan, factor=np.nan) -> Strength:
     """Strength (Pa) from the capacity chi; elastic where chi lambda^2 reaches alpha, yielding where chi reaches 1."""
     elastic = alpha * critical
     mode = np.where(chi >= 1, YIELDING, np.where(chi * yield_stress >= elastic * (1 - 1e-12), LOCAL_ELASTIC, LOCAL_INELASTIC))
-    return Strength(elastic, np.nan, elastic, chi * yield_stress, mode)
+    return Strength(elastic, np.nan, elastic, chi * yield_stress, mode, length, factor)
 
 
-def strength_by(imperfection_factor, capacity):
-    """Function that gives the strength (Pa) by an edition's imperfection factor and capacity curve."""
+def strength_by(length_factor, imperfection_factor, capacity):
+    """Function that gives the strength (Pa) by an edition's length factor, imperfection factor and capacity curve."""
 
-    def strength(*, youngs_modulus, yield_stress, shell_radius, thickness, bay_length, fabrication_quality, end_factor):
+    def strength(
+        *,
+        youngs_modulus,
+        yield_stress,
+        shell_radius,
+        thickness,
+        bay_length,
+        total_length,
+        ring_area,
+        fabrication_quality,
+        end_factor,
+    ):
         """Strength (Pa) without internal pressure. Source: en1993_1_6_2007, annex D and section 8.5, second-hand."""
-        critical = critical_stress(
-            youngs_modulus=youngs_modulus,
-            shell_radius=shell_radius,
-            thickness=thickness,
-            bay_length=bay_length,
-            end_factor=end_factor,
-        )
+        wall = {"shell_radius": shell_radius, "thickness": thickness}
+        length = held_length(bay_length=bay_length, total_length=total_length, ring_area=ring_area, **wall)
+        factor = length_factor(length / np.sqrt(shell_radius * thickness), shell_radius / thickness, end_factor)
+        factor = np.where(np.asarray(ring_area) > 0, np.minimum(factor, 1.0), factor)  # a ring does not stop the wall turning
+        critical = critical_stress(youngs_modulus=youngs_modulus, factor=factor, **wall)
         delta = relative_imperfection(shell_radius, thickness, fabrication_quality)
         alpha = imperfection_factor(delta)
         chi = capacity(np.sqrt(yield_stress / critical), alpha, delta)
-        return buckles(critical, alpha, chi, yield_stress)
+        return buckles(critical, alpha, chi, yield_stress, length, factor)
 
     return strength
 
 
+RINGS_FORMULA = "a ring ends a bay where A_r >= (0.06 + 2/Z^2) l t, Z = l^2 sqrt(1 - nu^2)/(r t), and then C_x <= 1; "
+RINGS_TOLD = (
+    "of what makes a ring count two sources back the 0.06, one the 2/Z^2; rings do not stop the wall turning, so they give no "
+    "C_x of a short shell; smaller ones are left out and the length is the whole one; buckling together with rings is not "
+    "covered; internal pressure is left out"
+)
 ROW = BucklingRule(
     key="en1993_1_6_2007",
     rank=40,
     title="EN 1993-1-6:2007",
     source="en1993_1_6_2007",
     locator="annex D and section 8.5, axial compression",
-    strength=strength_by(imperfection_factor, capacity),
-    limits=((SUCTION, under_suction),),
-    formula="sigma_Rcr = 0.605 E C_x t / r; alpha = 0.62 / (1 + 1.91 delta^1.44), delta = sqrt(r/t) / Q; "
+    strength=strength_by(length_factor, imperfection_factor, capacity),
+    limits=(THIN_SHELLS, RINGS_THAT_COUNT, NO_SUCTION),
+    formula=f"{RINGS_FORMULA}sigma_Rcr = 0.605 E C_x t / r; C_x from omega = l / sqrt(r t): 1.36 - 1.83/omega + 2.07/omega^2 "
+    "to 1.7, 1 to 0.5 r/t, then max(0.6, 1 + 0.2/C_xb (1 - 2 omega t/r)); "
+    "alpha = 0.62 / (1 + 1.91 delta^1.44), delta = sqrt(r/t) / Q; "
     "lambda = sqrt(f_y / sigma_Rcr); chi = 1 to 0.2, straight to lambda_p = sqrt(alpha / 0.4), then alpha / lambda^2",
-    validity="second-hand transcription, checked against two open programs, printed standard not seen; rings are taken as "
-    "boundaries of a bay, buckling together with them is not covered; internal pressure is left out; suction is masked",
+    validity=f"second-hand transcription, checked against two open programs, printed standard not seen; {RINGS_TOLD}",
     colour="#0072B2",
     marker="s",
     line="dashed",

@@ -1,15 +1,37 @@
-"""EN 1993-1-6:2025: the same critical stress, another imperfection factor and a curved capacity with strain hardening.
+"""EN 1993-1-6:2025: no factor for long shells, another imperfection factor and a curved capacity with strain hardening.
 
 Second-hand transcription; the printed standard was not seen.
 """
 
 import numpy as np
 
-from silostudy.buckling.en1993_1_6_2007 import strength_by
-from silostudy.buckling.family import SUCTION, BucklingRule, under_suction
+from silostudy.buckling.en1993_1_6_2007 import RINGS_FORMULA, RINGS_TOLD, SHORT, held_length, short_factor, strength_by
+from silostudy.buckling.family import LONG, BucklingRule, ShellLimit
+from silostudy.buckling.limits import NO_SUCTION, RINGS_THAT_COUNT, THIN_SHELLS
+from silostudy.limits import Measure
 
 SQUASH_LIMIT = 0.10  # lambda_0
 HARDENING_LIMIT = 1.10  # chi_h
+
+
+def length_factor(relative_length, radius_over_thickness, end_factor):
+    """C_x (1): short shells as in 2007, 1 beyond omega = 1.7. Source: en1993_1_6_2025, second-hand (one public program)."""
+    return np.where(relative_length <= SHORT, short_factor(relative_length), 1.0)
+
+
+def _relative_length(*, bay_length, total_length, ring_area, shell_radius, thickness):
+    """omega t / r (1) of the length between held edges."""
+    wall = {"shell_radius": shell_radius, "thickness": thickness}
+    length = held_length(bay_length=bay_length, total_length=total_length, ring_area=ring_area, **wall)
+    return length / np.sqrt(shell_radius * thickness) * thickness / shell_radius
+
+
+NOT_LONG = ShellLimit(
+    measure=Measure("omega t/r", "1", _relative_length),
+    most=1.43,
+    why="factor of longer shells not known for this edition; the range by one public program",
+    reason=LONG,
+)
 
 
 def imperfection_factor(delta):
@@ -48,13 +70,14 @@ ROW = BucklingRule(
     title="EN 1993-1-6:2025",
     source="en1993_1_6_2025",
     locator="axial compression",
-    strength=strength_by(imperfection_factor, capacity),
-    limits=((SUCTION, under_suction),),
-    formula="sigma_Rcr and delta as in 2007; alpha = 0.83 / (1 + 2.2 delta^0.75), beta = 1 - 0.75 / (1 + 1.1 delta); "
+    strength=strength_by(length_factor, imperfection_factor, capacity),
+    limits=(THIN_SHELLS, RINGS_THAT_COUNT, NOT_LONG, NO_SUCTION),
+    formula=f"{RINGS_FORMULA}sigma_Rcr and delta as in 2007, C_x = 1 beyond omega = 1.7; "
+    "alpha = 0.83 / (1 + 2.2 delta^0.75), beta = 1 - 0.75 / (1 + 1.1 delta); "
     "chi = 1.1 - lambda to 0.1, 1 - beta ((lambda - 0.1) / (lambda_p - 0.1))^eta to lambda_p = sqrt(alpha / (1 - beta)), "
     "then alpha / lambda^2; eta straight from 1.35 - 0.10 delta to 1 / (0.45 + 0.72 delta)",
-    validity="second-hand transcription, printed standard not seen; rings are taken as boundaries of a bay, buckling "
-    "together with them is not covered; internal pressure is left out; suction is masked",
+    validity=f"second-hand transcription, printed standard not seen; {RINGS_TOLD}",
+    excludes="seismic and dynamic loading (its published scope, one source)",
     colour="#D55E00",
     marker="D",
     line="solid",

@@ -8,7 +8,8 @@ import numpy as np
 
 from silostudy.catalogue import Row
 from silostudy.errors import BadInput
-from silostudy.soundness import faults_of_function, faults_of_look, faults_of_trial
+from silostudy.limits import Limit
+from silostudy.soundness import check_numbers, faults_of_function, faults_of_look, faults_of_trial
 
 # Every parameter a rule may ask for: (unit, symbol and meaning, a usual value).
 PARAMETERS = {
@@ -18,6 +19,7 @@ PARAMETERS = {
     "shell_radius": ("m", "R, r, of the middle surface", 5.0),
     "thickness": ("m", "t", 0.01),
     "bay_length": ("m", "L, ring spacing, or the whole length without rings", 2.0),
+    "total_length": ("m", "l_0, whole length between the ends, for rings too small to end a bay; unknown: nan", 20.0),
     "ring_area": ("m2", "A_r, 0 without rings", 0.0),
     "fabricated": ("1", "kind of shell, 1 fabricated from plates, 0 manufactured as a tube", 1.0),
     "safe_constants": ("1", "choice, 1 constants in place of the formulas for fabricated shells, 0 formulas", 0.0),
@@ -46,8 +48,9 @@ REASONS = (
     "suction_not_covered",
     "hoop_stress_at_yield",
     "load_or_pressure_masked",
+    "length_out_of_range",
 )
-IN_SCOPE, OUT_OF_RANGE, NO_RINGS, SMALL_RINGS, SUCTION, HOOP_YIELD, NO_LOAD = range(len(REASONS))
+IN_SCOPE, OUT_OF_RANGE, NO_RINGS, SMALL_RINGS, SUCTION, HOOP_YIELD, NO_LOAD, LONG = range(len(REASONS))
 QUANTITIES = (
     "elastic_local_stress",
     "elastic_general_stress",
@@ -55,6 +58,8 @@ QUANTITIES = (
     "buckling_stress",
     "elastic_knockdown_factor",
     "knockdown_factor",
+    "supported_length",
+    "length_factor",
 )
 
 
@@ -64,6 +69,7 @@ class Strength:
 
     elastic_local and elastic_general: without yielding, between the rings and with them (NaN where a rule has none);
     elastic: that of the two behind the strength; strength: with yielding; mode: position in MODES.
+    length: between the edges (m) that the rule counts as held; length_factor: C_x (1); NaN where they play no part.
     """
 
     elastic_local: np.ndarray
@@ -71,42 +77,65 @@ class Strength:
     elastic: np.ndarray
     strength: np.ndarray
     mode: np.ndarray
+    length: np.ndarray | float = np.nan
+    length_factor: np.ndarray | float = np.nan
+
+
+@dataclass(frozen=True, kw_only=True)
+class ShellLimit(Limit):
+    """A limit of a rule; reason: position in REASONS, what the mask says beyond it."""
+
+    reason: int
 
 
 @dataclass(frozen=True, kw_only=True)
 class BucklingRule(Row):
     """A theory, a researcher's formula or a design code.
 
-    strength: function(*, parameters) -> Strength; limits: (reason, function(*, parameters) -> True outside the rule's scope).
+    strength: function(*, parameters) -> Strength; limits: the rule's range as data; beyond it values are masked.
+    excludes: actions that the source leaves out and no number of the shell tells of.
     rival_of: the rule whose source the row reads otherwise than it is meant; empty for a rule in its own right.
     pressurised: the rule counts the internal pressure; the others leave out its help and do not see its harm.
     """
 
     strength: Callable[..., Strength]
-    limits: tuple[tuple[int, Callable], ...]
+    limits: tuple[ShellLimit, ...]
     formula: str
     validity: str
     colour: str
     marker: str
     line: str  # a name of matplotlib
     pressurised: bool = False
+    excludes: str = ""
     rival_of: str = ""
 
     @property
     def needs(self) -> frozenset[str]:
         """Names of all parameters that its functions ask for."""
-        functions = [self.strength, *(limit for _, limit in self.limits)]
+        functions = [self.strength, *(limit.measure.of for limit in self.limits)]
         return frozenset(name for function in functions for name in signature(function).parameters)
+
+    @property
+    def range(self) -> str:
+        """The limits in words, then what else there is to say of the rule's range."""
+        return "; ".join((*(limit.words() for limit in self.limits), self.validity))
 
     def faults(self) -> Iterator[str]:
         """What is wrong with the row, in words."""
         yield from super().faults()
         yield from faults_of_look(self)
         faults = list(faults_of_function("strength", self.strength, "Pa", self.needs, PARAMETERS))
-        for reason, limit in self.limits:
-            if reason not in range(1, len(REASONS)):
-                faults.append(f"limits: {limit.__name__} masks for reason {reason!r}, not one of 1 to {len(REASONS) - 1}")
-        yield from faults or faults_of_trial("strength", lambda: evaluate(self, _usual()))
+        for limit in self.limits:
+            if not isinstance(limit, ShellLimit):
+                faults.append(f"limits: {limit!r} must be a ShellLimit (silostudy.buckling.limits has several)")
+            elif limit.reason not in range(1, len(REASONS)):
+                faults.append(f"limits: {limit.words()} masks for reason {limit.reason!r}, not one of 1 to {len(REASONS) - 1}")
+        yield from faults or faults_of_trial("strength", lambda: self._tried())
+
+    def _tried(self) -> None:
+        """Evaluates two usual shells."""
+        for name in ("buckling_stress", "elastic_buckling_stress"):
+            check_numbers(lambda name=name: evaluate(self, _usual())[name])  # type: ignore[misc]
 
 
 def _usual() -> dict[str, np.ndarray]:
@@ -127,16 +156,6 @@ def classical_stress(*, youngs_modulus, shell_poisson_ratio, shell_radius, thick
     return youngs_modulus * thickness / shell_radius / np.sqrt(3 * (1 - shell_poisson_ratio**2))
 
 
-def under_suction(*, lower_internal_pressure):
-    """True where the pressure draws the wall inward, which no rule here covers."""
-    return lower_internal_pressure < 0
-
-
-def with_rings(*, ring_area):
-    """True where the shell has rings."""
-    return ring_area > 0
-
-
 def evaluate(row: BucklingRule, parameters: Mapping) -> dict[str, np.ndarray]:
     """Every quantity of QUANTITIES, its mode and its scope; outside the scope NaN, mode -1 and the reason.
 
@@ -145,7 +164,7 @@ def evaluate(row: BucklingRule, parameters: Mapping) -> dict[str, np.ndarray]:
     check_parameters(parameters)
     with np.errstate(invalid="ignore", divide="ignore"):  # outside a rule's scope its formula may break down
         found = call(row.strength, parameters)
-        outside = [(call(limit, parameters), reason) for reason, limit in row.limits]
+        outside = [(limit.broken(None, parameters), limit.reason) for limit in row.limits]
     shape = np.broadcast_shapes(*(np.shape(parameters[name]) for name in parameters))
     conditions = [np.broadcast_to(condition, shape) for condition, _ in outside]
     scope = np.select(conditions, [reason for _, reason in outside], IN_SCOPE).astype(np.int8)
@@ -157,6 +176,8 @@ def evaluate(row: BucklingRule, parameters: Mapping) -> dict[str, np.ndarray]:
         "buckling_stress": found.strength,
         "elastic_knockdown_factor": found.elastic / classical,
         "knockdown_factor": found.strength / classical,
+        "supported_length": found.length,
+        "length_factor": found.length_factor,
     }
     masked = {name: np.where(scope == IN_SCOPE, value, np.nan) for name, value in values.items()}
     mode = np.where(scope == IN_SCOPE, found.mode, -1).astype(np.int8)

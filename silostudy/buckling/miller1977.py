@@ -17,14 +17,13 @@ from silostudy.buckling.family import (
     LOCAL_INELASTIC,
     OUT_OF_RANGE,
     SMALL_RINGS,
-    SUCTION,
     YIELDING,
     BucklingRule,
+    ShellLimit,
     Strength,
-    under_suction,
 )
-
-LEAST_RING_RATIO = 0.06  # of ring area over bay area L t: below it rings do not count
+from silostudy.buckling.limits import LEAST_RING_RATIO, NO_SUCTION, between_supports
+from silostudy.limits import Measure
 
 
 def long_coefficient(radius_over_thickness, fabricated, safe_constants, logarithm=np.log10):
@@ -81,23 +80,36 @@ class Reading:
 def strength(reading: Reading) -> Callable[..., Strength]:
     """The rule's function in one reading of the source."""
 
-    def read(*, youngs_modulus, yield_stress, shell_radius, thickness, bay_length, ring_area, fabricated, safe_constants):
+    def read(
+        *,
+        youngs_modulus,
+        yield_stress,
+        shell_radius,
+        thickness,
+        bay_length,
+        total_length,
+        ring_area,
+        fabricated,
+        safe_constants,
+    ):
         slender = shell_radius * reading.radius_factor / thickness
-        length = bay_length / np.sqrt(shell_radius * thickness)
+        counts = rings_count(ring_area=ring_area, bay_length=bay_length, thickness=thickness)
+        free = between_supports(bay_length=bay_length, total_length=total_length, ring_area=ring_area, counts=counts)
+        length = free / np.sqrt(shell_radius * thickness)
         long = long_coefficient(slender, fabricated, safe_constants, reading.logarithm)
         short = short_coefficient(slender, fabricated, safe_constants, reading.logarithm)
         bay = local_coefficient(length, long, short, reading.junction_exponent)
-        ratio = ring_area / (bay_length * np.sqrt(reading.radius_factor) * thickness)
+        ratio = np.where(counts, ring_area / (bay_length * np.sqrt(reading.radius_factor) * thickness), 0.0)
         local = bay * youngs_modulus / slender
         ring = ring_coefficient(ratio, bay if reading.ring_coefficient_from_bay else long)
         general = np.where(ratio > 0, ring * youngs_modulus * effective_thickness(1.0, ratio) / slender, np.nan)
-        return _smaller(local, general, yield_stress, reading.inelastic)
+        return _smaller(local, general, yield_stress, reading.inelastic, free)
 
     read.__doc__ = "Strength (Pa) as the source's section 4.5.4 is read."
     return read
 
 
-def _smaller(local, general, yield_stress, inelastic) -> Strength:
+def _smaller(local, general, yield_stress, inelastic, length) -> Strength:
     """The smaller of the local and the general strength, each reduced by yielding."""
     found = np.fmin(local, general)
     reduced = inelastic(found / yield_stress)
@@ -108,22 +120,38 @@ def _smaller(local, general, yield_stress, inelastic) -> Strength:
         [YIELDING, LOCAL_ELASTIC, LOCAL_INELASTIC, GENERAL_ELASTIC],
         GENERAL_INELASTIC,
     )
-    return Strength(local, general, found, reduced * yield_stress, mode)
+    return Strength(local, general, found, reduced * yield_stress, mode, length)
 
 
-def beyond_range(reading: Reading) -> Callable:
+def rings_count(*, ring_area, bay_length, thickness):
+    """True where rings are large enough to count: A_r / (L t) of 0.06 or more. Source: miller1977, text after eq. (12)."""
+    return ring_area / (bay_length * thickness) >= LEAST_RING_RATIO * (1 - 1e-9)  # 0.06 itself counts
+
+
+def _small_ring_ratio(*, ring_area, bay_length, thickness, total_length):
+    """A_r / (L t) (1); NaN without rings, and where the whole length is known and small rings are left out."""
+    asked = (np.asarray(ring_area) > 0) & np.isnan(total_length)
+    return np.where(asked, ring_area / (bay_length * thickness), np.nan)
+
+
+RINGS_THAT_COUNT = ShellLimit(
+    measure=Measure("A_r/(L t), whole length unknown", "1", _small_ring_ratio),
+    least=LEAST_RING_RATIO,
+    tolerance=1e-9,
+    why="smaller rings do not count",
+    reason=SMALL_RINGS,
+)
+
+
+def with_strength(reading: Reading) -> ShellLimit:
     """The limit of a reading: where its C is no longer positive."""
 
-    def limit(*, shell_radius, thickness, fabricated, safe_constants):
+    def coefficient(*, thickness, shell_radius, fabricated, safe_constants):
         slender = shell_radius * reading.radius_factor / thickness
-        return long_coefficient(slender, fabricated, safe_constants, reading.logarithm) <= 0
+        return long_coefficient(slender, fabricated, safe_constants, reading.logarithm)
 
-    return limit
-
-
-def small_rings(*, ring_area, bay_length, thickness):
-    """True where rings are too small to count: A_r / (L t) below 0.06. Source: miller1977, text after eq. (12)."""
-    return (ring_area > 0) & (ring_area / (bay_length * thickness) < LEAST_RING_RATIO * (1 - 1e-9))  # 0.06 itself counts
+    measure = Measure("C of a long shell", "1", coefficient)
+    return ShellLimit(measure=measure, above=0.0, why="manufactured shells: R/t up to 2329", reason=OUT_OF_RANGE)
 
 
 def rule(reading: Reading, **looks) -> BucklingRule:
@@ -131,7 +159,7 @@ def rule(reading: Reading, **looks) -> BucklingRule:
     return BucklingRule(
         source="miller1977",
         strength=strength(reading),
-        limits=((OUT_OF_RANGE, beyond_range(reading)), (SMALL_RINGS, small_rings), (SUCTION, under_suction)),
+        limits=(with_strength(reading), RINGS_THAT_COUNT, NO_SUCTION),
         **looks,
     )
 
@@ -150,8 +178,8 @@ ROW = rule(
     title="Miller (1977)",
     locator="eqs. (1) to (15)",
     formula=FORMULA,
-    validity="tests of R/t 242 to 504 (manufactured); manufactured shells to R/t = 2329, where C reaches 0; rings of "
-    "A_r/(L t) below 0.06 are masked; internal pressure is left out; suction is masked",
+    validity="from tests of R/t 242 to 504 (manufactured); where the whole length is known, rings that do not count are left "
+    "out and the bay is the whole length; internal pressure is left out",
     colour="#882255",
     marker="o",
     line="-",

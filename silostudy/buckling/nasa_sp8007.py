@@ -4,14 +4,12 @@ import numpy as np
 
 from silostudy.buckling.classical import capped_at_yield
 from silostudy.buckling.family import (
-    NO_RINGS,
     OUT_OF_RANGE,
-    SUCTION,
     BucklingRule,
+    ShellLimit,
     classical_stress,
-    under_suction,
-    with_rings,
 )
+from silostudy.buckling.limits import NO_SUCTION, SLENDERNESS, WITHOUT_RINGS
 
 GREATEST_SLENDERNESS = 1500
 
@@ -32,11 +30,7 @@ def strength(*, youngs_modulus, shell_poisson_ratio, yield_stress, shell_radius,
     return capped_at_yield(correlation_factor(shell_radius / thickness) * classical, yield_stress)
 
 
-def too_thin(*, shell_radius, thickness):
-    """True from R/t = 1500 on. Source: nasa_sp8007, second-hand transcription."""
-    return shell_radius / thickness >= GREATEST_SLENDERNESS
-
-
+NOT_TOO_THIN = ShellLimit(measure=SLENDERNESS, below=GREATEST_SLENDERNESS, why="range of the tests", reason=OUT_OF_RANGE)
 ROW = BucklingRule(
     key="nasa_sp8007",
     rank=30,
@@ -44,9 +38,9 @@ ROW = BucklingRule(
     source="nasa_sp8007",
     locator="axial compression, isotropic cylinder",
     strength=strength,
-    limits=((NO_RINGS, with_rings), (OUT_OF_RANGE, too_thin), (SUCTION, under_suction)),
+    limits=(WITHOUT_RINGS, NOT_TOO_THIN, NO_SUCTION),
     formula="sigma = gamma E t / (R sqrt(3 (1 - nu^2))), gamma = 1 - 0.901 (1 - exp(-sqrt(R/t) / 16)), at most yield",
-    validity="R/t below 1500, no rings, elastic (yielding only as a cap); second-hand transcription",
+    validity="elastic (yielding only as a cap); second-hand transcription",
     colour="#009E73",
     marker="^",
     line="dashdot",

@@ -4,9 +4,9 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from silostudy.buckling.family import NO_LOAD, OUT_OF_RANGE, BucklingRule, evaluate
+from silostudy.buckling.family import IN_SCOPE, NO_LOAD, OUT_OF_RANGE, BucklingRule, evaluate
 
-SLENDEREST, STOCKIEST = 10_000, 10  # R/t between which the required thickness is sought
+SLENDEREST, STOCKIEST = 10_000, 20  # R/t between which the required thickness is sought
 HALVINGS = 40
 
 
@@ -21,15 +21,18 @@ def with_thickness(rule: BucklingRule, parameters: Mapping, thickness: np.ndarra
 
 
 def required_thickness(
-    rule: BucklingRule, parameters: Mapping, force: np.ndarray, safety, halvings: int = HALVINGS
+    rule: BucklingRule, parameters: Mapping, force: np.ndarray, safety, halvings: int = HALVINGS, own_weight=0.0
 ) -> tuple[np.ndarray, np.ndarray]:
-    """(thickness (m) at which the rule's strength meets the force (N/m), scope flag), by halving the range of log R/t."""
+    """(thickness (m) at which the rule's strength meets the force (N/m), scope flag), by halving the range of log R/t.
+
+    own_weight: axial force (N/m) per thickness (m) of the wall above, which grows with what is sought.
+    """
     radius = np.broadcast_to(parameters["inner_radius"], force.shape)
     thin, thick = radius / SLENDEREST, radius / STOCKIEST
 
     def enough(thickness):
         with np.errstate(invalid="ignore"):
-            return safety * force / thickness <= with_thickness(rule, parameters, thickness)["buckling_stress"]
+            return safety * (force / thickness + own_weight) <= with_thickness(rule, parameters, thickness)["buckling_stress"]
 
     found, lightest = enough(thick), enough(thin)
     for _ in range(halvings):
@@ -37,5 +40,6 @@ def required_thickness(
         carries = enough(middle)
         thin, thick = np.where(carries, thin, middle), np.where(carries, middle, thick)
     scope = with_thickness(rule, parameters, np.where(found, thick * (1 - 1e-6), radius / STOCKIEST))["buckling_stress_scope"]
-    scope = np.select([np.isnan(force), lightest], [NO_LOAD, OUT_OF_RANGE], scope).astype(np.int8)
+    beyond = lightest | (~found & (scope == IN_SCOPE))  # lighter than the slenderest, or more than the stockiest carries
+    scope = np.select([np.isnan(force), beyond], [NO_LOAD, OUT_OF_RANGE], scope).astype(np.int8)
     return np.where(found, thick, np.nan), scope

@@ -46,8 +46,10 @@ def _switches(expansion) -> list[str]:
 
     rows = [expansion.study.family(PRESSURE)[key] for key in expansion.study.method_keys]
     keep = [row.key for row in rows if "wall_friction" in row.varies]
-    if keep and any(case.scene.wall_friction_end == "upper" for case in expansion.cases):
-        return [f"wall_friction_end: upper does not move {', '.join(keep)}: they vary the wall friction themselves"]
+    ends = dict.fromkeys(case.scene.wall_friction_end for case in expansion.cases)
+    moved = ", ".join(end for end in ends if end != "mean")
+    if keep and moved:
+        return [f"wall_friction_end: {moved} does not move {', '.join(keep)}: they vary the wall friction themselves"]
     return []
 
 
@@ -83,3 +85,19 @@ def time_of_parts(expansion) -> list[str]:
 def rules(expansion) -> list[str]:
     """How many buckling rules judge the shell."""
     return [f"{len(expansion.study.rule_keys)} buckling rule(s)"]
+
+
+def rings(expansion) -> list[str]:
+    """Up to which wall the rings of a silo count, for the rules that count any, and that they are left out beyond it."""
+    from silostudy.buckling.limits import LEAST_RING_RATIO
+
+    walls = dict.fromkeys((case.scene.shell.bay_length, case.scene.shell.ring_area) for case in expansion.cases)
+    lines = []
+    for bay, area in walls:
+        if bay:
+            most = area / (LEAST_RING_RATIO * bay) * 1e3
+            lines.append(
+                f"note: rings of {area * 1e4:g} cm2 every {bay:g} m count at most up to a wall of {most:.3g} mm; in a "
+                "thicker one they are left out, the bay is the whole height (`wall_supported_length`); EN 1993-4-1 counts none"
+            )
+    return lines

@@ -31,7 +31,7 @@ def _work(expansion) -> int:
 def prices_of_effects(expansion) -> list[str]:
     """Measured time of the study on one core, and each effect's share of a step: one filling is settled and timed."""
     from silostudy.accuracy.prices import prices
-    from silostudy.commands.explain import priced
+    from silostudy.commands.explain_scene import priced
     from silostudy.compute.grains import settled_model
 
     model = settled_model(expansion.cases[0].scene, expansion.study.seeds[0], expansion.study.rest_limit_s)

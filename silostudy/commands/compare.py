@@ -6,6 +6,7 @@ from math import isfinite
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from silostudy.commands import compare_steel
 from silostudy.commands.about import cautions
 from silostudy.commands.families import add_methods_from
 from silostudy.errors import BadInput
@@ -17,7 +18,10 @@ FLAGS = "--diameter --depth --solid, and as needed --wall --hopper-half-angle --
 
 
 def add(sub) -> None:
-    command = sub.add_parser("compare", help="compare the methods on one silo, given by flags or by a study file")
+    command = sub.add_parser(
+        "compare",
+        help="compare the methods on one silo, given by flags or by a study file (pressure, shell, buckling, seismic)",
+    )
     command.add_argument("study", type=Path, nargs="?", help="study file without sweep, in place of the flags")
     command.add_argument("--diameter", type=float, metavar="M", help="inner diameter (m)")
     command.add_argument("--depth", type=float, metavar="M", help="depth of the cylinder (m)")
@@ -40,12 +44,17 @@ def run(chosen: argparse.Namespace) -> None:
     from silostudy.cube.silence import silences
     from silostudy.stages.pressure import KIND
 
-    if chosen.study and chosen.methods_from:
-        raise BadInput("--methods-from", str(chosen.methods_from), f"write `methods_from` into {chosen.study}")
     if chosen.study:
+        _check_no_flags(chosen)
         expansion = expand_file(chosen.study)
-        if expansion.study.kind != KIND.key or expansion.shape:
-            raise BadInput("study", str(chosen.study), "must be a pressure study without sweep: compare takes one silo")
+        if expansion.study.kind != KIND.key:
+            lines = compare_steel.table(expansion, str(chosen.study))
+            if chosen.figure:
+                raise BadInput("--figure", str(chosen.figure), "draws pressure studies; use the outputs of this one")
+            print("\n".join(lines))
+            return
+        if expansion.shape:
+            raise BadInput("study", str(chosen.study), "must be without sweep: compare takes one silo")
     else:
         expansion = expand(_study(chosen), "compare", "compare", Path())
     cube = pressure_cube(expansion)
@@ -57,6 +66,14 @@ def run(chosen: argparse.Namespace) -> None:
 
         draw(cube, chosen.figure)
         print(f"drawn: {chosen.figure}.png, {chosen.figure}.svg, {chosen.figure}.csv")
+
+
+def _check_no_flags(chosen: argparse.Namespace) -> None:
+    """BadInput for a flag beside a study file, which says all of the silo itself."""
+    for name, value in vars(chosen).items():
+        if name not in ("study", "figure", "run") and value not in (None, "all"):
+            flag, told = f"--{name.replace('_', '-')}", value if isinstance(value, (float, list)) else str(value)
+            raise BadInput(flag, told, f"write it into {chosen.study}: flags stand in place of a study file")
 
 
 def _study(chosen: argparse.Namespace) -> dict[str, Any]:

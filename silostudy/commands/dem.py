@@ -14,11 +14,16 @@ def add(sub) -> None:
 
 
 def run(chosen) -> None:
+    import os
+
     from silostudy.choice.dem import load
     from silostudy.errors import BadInput
     from silostudy.files import check_output
     from silostudy.scene.scenes import files_of_scene
 
+    cores = os.cpu_count() or 1
+    if not 1 <= chosen.threads <= cores:  # more wait for each other at every step
+        raise BadInput("--threads", chosen.threads, f"must be 1 to {cores}, the cores of this machine")
     scene, choice = load(chosen.scene)
     output = chosen.output or Path("results/dem") / f"{chosen.scene.stem}.nc"
     read = (chosen.scene, *files_of_scene(chosen.scene))

@@ -1,9 +1,9 @@
 """`silostudy explain KEY`: formula, symbols, source, range of a method or rule, and its source's errors; or a DEM scene."""
 
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 from silostudy.commands.families import add_methods_from, families
+from silostudy.errors import BadInput
 
 if TYPE_CHECKING:
     from silostudy.config.own_rows import Families
@@ -12,10 +12,12 @@ if TYPE_CHECKING:
 def add(sub) -> None:
     command = sub.add_parser(
         "explain",
-        help="explain a method, a rule, a contact law, or a discrete-element scene: which effects it calls for and their price",
+        help="explain a method, a rule, a contact law or another part of a scene, the keys of a kind of study, or a "
+        "discrete-element scene: which effects it calls for and their price",
     )
     what = (
-        "see `silostudy list methods`, `buckling`, `laws` and `mass-rules`; earthquake (on a shell); accuracy (who may ask); "
+        "see `silostudy list methods`, `buckling`, `laws`, `packings`, `integrators`, `triggers`, `rest`, `mass-rules` and "
+        "`kinds`; earthquake (on a shell); accuracy (who may ask); "
         "or a scene file (*.yaml)"
     )
     command.add_argument("method", help=what)
@@ -24,57 +26,46 @@ def add(sub) -> None:
 
 
 def run(chosen) -> None:
+    from silostudy.commands.explain_scene import scene_explanation
+
     scene = chosen.method.endswith((".yaml", ".yml"))
+    if scene and chosen.methods_from:
+        raise BadInput("--methods-from", str(chosen.methods_from), f"write `methods_from` into {chosen.method}")
     print("\n".join(scene_explanation(chosen.method) if scene else explanation(chosen.method, families(chosen))))
 
 
-def scene_explanation(name: str) -> list[str]:
-    """Each effect of a discrete-element scene: on or off, why, and its measured share of a step."""
-    from silostudy.accuracy.prices import prices
-    from silostudy.choice.dem import load
-    from silostudy.compute.dem import scene_model
-    from silostudy.dem.stability import longest_step
-    from silostudy.scene.dem import effects
-
-    path = Path(name)
-    scene, _ = load(path)
-    model = scene_model(scene, path.parent, name)
-    whole, share = prices(model)
-    lines = [f"{scene.title}: {len(model.x)} discs, {whole / len(model.x) * 1e9:.1f} ns a particle-step"]
-    lines.append(
-        f"  step {model.dt:.3g} s; stability bound of this start {longest_step(model):.3g} s; integrator {model.integrator}"
-    )
-    for effect in effects(scene):
-        price = priced(share.get(effect.name))
-        lines.append(f"  {effect.name:30}{'on ' if effect.on else 'off'}  {price:42}{effect.why}")
-    return lines
-
-
 def explanation(key: str, known: "Families") -> list[str]:
-    """The lines that explain a method, a rule, a contact law, or a topic; BadInput lists the known ones."""
+    """The lines that explain a method, a rule, a part of a scene, a kind or a topic; BadInput lists the known ones."""
     from silostudy.buckling import BUCKLING, RIVALS
-    from silostudy.commands import explain_accuracy, explain_buckling, explain_law, explain_pressure, explain_seismic
+    from silostudy.checks import CHECKS
+    from silostudy.commands import (
+        explain_accuracy,
+        explain_buckling,
+        explain_check,
+        explain_keys,
+        explain_law,
+        explain_pressure,
+        explain_scene,
+        explain_seismic,
+    )
     from silostudy.contact import LAWS
     from silostudy.errors import unknown
     from silostudy.pressure import PRESSURE
     from silostudy.seismic.rules import MASS_RULES
+    from silostudy.stages import FILE_KINDS
 
     topics = {explain_seismic.EARTHQUAKE: explain_seismic.earthquake, explain_accuracy.KEY: explain_accuracy.explanation}
-    if key in topics:
-        return topics[key]()
     families = [(known[PRESSURE.name], explain_pressure), (known[BUCKLING.name], explain_buckling)]
-    families += [(known[RIVALS.name], explain_buckling), (MASS_RULES, explain_seismic)]
+    families += [(known[RIVALS.name], explain_buckling), (MASS_RULES, explain_seismic), (CHECKS, explain_check)]
     families += [(known[family.name], explain_law) for family in LAWS.values()]
-    found = [told.explanation(family[key]) for family, told in families if key in family]
+    families += [(part, explain_scene) for part in explain_scene.PARTS.values()]
+    families.append((FILE_KINDS, explain_keys))
+    found = [topics[key]()] if key in topics else []
+    found += [told.explanation(family[key]) for family, told in families if key in family]
     if not found:
-        raise unknown("method, rule or law", key, dict.fromkeys([*(key for family, _ in families for key in family), *topics]))
+        raise unknown(
+            "method, rule, law, part of a scene or kind of study",
+            key,
+            dict.fromkeys([*(key for family, _ in families for key in family), *topics]),
+        )
     return [line for lines in found for line in lines]
-
-
-def priced(price) -> str:
-    """Share of a step; below zero the kernel without the effect was the slower one on these discs."""
-    if price is None:
-        return ""
-    if price.high < 0:
-        return f"{price.time:6.1%} (a step without it is slower here)"
-    return f"{price.time:6.1%} of a step, {price.memory:.0%} of memory"

@@ -1,5 +1,11 @@
 """What `silostudy explain` says of a buckling rule or of a rival reading."""
 
+SILO = (
+    "  in a silo safety_factor multiplies the axial stress (friction of the solid, own weight, roof, snow) and the "
+    "largest\n            pressure; the smallest guaranteed one stays as it is; hoop tension (`explain hoop_tension`) "
+    "is checked beside"
+)
+
 
 def explanation(row) -> list[str]:
     """The lines that explain a buckling rule."""
@@ -8,8 +14,12 @@ def explanation(row) -> list[str]:
     from silostudy.tables.handbook import errata
     from silostudy.tables.references import with_locator
 
-    lines = [f"{row.title} ({row.key})", f"  formula   {row.formula}", f"  range     {row.validity}"]
-    lines.append(f"  masks     {', '.join(REASONS[reason] for reason, _ in row.limits)}")
+    lines = [f"{row.title} ({row.key})", f"  formula   {row.formula}", f"  range     {row.range}"]
+    lines.append(f"  masks     {', '.join(REASONS[limit.reason] for limit in row.limits)}")
+    if row.excludes:
+        lines.append(f"  excludes  {row.excludes}")
+    if not row.rival_of:
+        lines.append(SILO)
     lines.append("  symbols")
     lines += [f"            {symbol}: {name} ({unit})" for name, (unit, symbol, _) in PARAMETERS.items() if name in row.needs]
     lines.append(f"  source    {with_locator(row.source, row.locator)}")

@@ -8,7 +8,8 @@ from silostudy.commands.families import add_methods_from, families
 def add(sub) -> None:
     command = sub.add_parser(
         "list",
-        help="list kinds of study, methods, rules, laws, solids, walls, records, studies, outputs, problems or accuracies",
+        help="list kinds of study, methods, rules, laws and other parts of scenes, solids, walls, records, studies, outputs, "
+        "problems or accuracies",
     )
     command.add_argument("what", choices=LISTS)
     command.add_argument("--studies", type=Path, default=Path("config/studies"), help="folder of study files")
@@ -45,6 +46,13 @@ def _buckling(chosen):
         yield f"{row.key:28}", f"{row.title:26}", f"{row.source}, {row.locator}"
 
 
+def _checks(chosen):
+    from silostudy.checks import CHECKS
+
+    for row in CHECKS.values():
+        yield f"{row.key:28}", f"{row.title:26}", f"{row.source}, {row.locator}"
+
+
 def _laws(chosen):
     from silostudy.contact import LAWS
 
@@ -52,6 +60,18 @@ def _laws(chosen):
     for section, family in LAWS.items():
         for row in known[family.name].values():
             yield f"{section:10}", f"{row.key:24}", f"{row.title:40}", f"{row.source}, {row.locator}"
+
+
+def _parts_of_scenes(name: str):
+    """The listing of a family that scenes choose from."""
+
+    def listing(chosen):
+        from silostudy.commands.explain_scene import PARTS
+
+        for row in PARTS[name].values():
+            yield f"{row.key:24}", row.title
+
+    return listing
 
 
 def _mass_rules(chosen):
@@ -123,7 +143,9 @@ LISTS = {
     "kinds": _kinds,
     "methods": _methods,
     "buckling": _buckling,
+    "checks": _checks,
     "laws": _laws,
+    **{name: _parts_of_scenes(name) for name in ("packings", "integrators", "triggers", "rest")},
     "mass-rules": _mass_rules,
     "solids": _solids,
     "walls": _walls,

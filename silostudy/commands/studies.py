@@ -1,7 +1,10 @@
 """What a study is before it is computed: `check`, `cases`, and `schema` for editors."""
 
+from collections.abc import Collection
 from pathlib import Path
 from pkgutil import resolve_name
+
+from silostudy.errors import BadInput
 
 
 def add(sub) -> None:
@@ -11,7 +14,7 @@ def add(sub) -> None:
     check.set_defaults(run=run_check)
 
     cases = sub.add_parser("cases", help="write the table of cases of a study")
-    cases.add_argument("study", type=Path)
+    cases.add_argument("study", type=Path, help="a study file, or its name in config/studies")
     cases.add_argument("output", type=Path, help="CSV file to write")
     cases.set_defaults(run=run_cases)
 
@@ -25,16 +28,18 @@ def run_check(chosen) -> None:
     from silostudy.config.load import read_yaml
     from silostudy.stages import FILE_KINDS, KINDS
 
-    path = chosen.study if chosen.study.suffix else Path("config/studies") / f"{chosen.study}.yaml"
+    path = path_of(chosen.study)
     said = read_yaml(path).get("kind")
     if said in FILE_KINDS and said not in KINDS:
+        _check_price(chosen.price, said, ())
         print("\n".join(scene_checked(path)))
         return
     expansion = expand_file(path)
+    kind = KINDS[expansion.study.kind]
+    _check_price(chosen.price, said, kind.timed)
     axes = " x ".join(f"{axis.axis} {len(axis.settings())}" for axis in expansion.study.sweep) or "no sweep"
     print(f"{path}: {expansion.study.title}")
     print(f"  {len(expansion.cases)} case(s): {axes}")
-    kind = KINDS[expansion.study.kind]
     for about in (*kind.about, *(kind.timed if chosen.price else ())):
         for line in resolve_name(about)(expansion):
             print(f"  {line}")
@@ -42,13 +47,31 @@ def run_check(chosen) -> None:
         print(f"  {line}")
 
 
+def path_of(study: Path) -> Path:
+    """The file of a study that is named by its path, or by its name in config/studies."""
+    return study if study.suffix in (".yaml", ".yml") or study.is_file() else Path("config/studies") / f"{study}.yaml"
+
+
+def _check_price(asked: bool, kind: object, timed: Collection[str]) -> None:
+    """BadInput where a price is asked for that no study of the kind tells."""
+    if asked and not timed:
+        raise BadInput("--price", True, f"kind {kind} has none to tell")
+
+
 def scene_checked(path: Path) -> list[str]:
-    """What is said of a discrete-element scene."""
+    """What is said of a discrete-element scene: its start is built, with every file that it names, and its run is not."""
+    from math import ceil
+
     from silostudy.choice.dem import load
     from silostudy.choice.promise import promises
+    from silostudy.compute.dem import run_of, scene_model
 
     scene, choice = load(path)
-    return [f"{path}: {scene.title}", *(f"  {line}" for line in chosen_for(promises([choice] if choice else [])))]
+    model = scene_model(scene, path.parent, str(path))
+    run_of(scene, model)  # what the step alone tells to be impossible
+    steps = ceil(scene.march.limit_s / model.dt)
+    run = f"  {len(model.x)} discs, at most {steps:,} steps of {model.dt:.3g} s"
+    return [f"{path}: {scene.title}", run, *(f"  {line}" for line in chosen_for(promises([choice] if choice else [])))]
 
 
 def chosen_for(promise: dict[str, str]) -> list[str]:
@@ -63,7 +86,7 @@ def run_cases(chosen) -> None:
     from silostudy.choice.expand import expand_file
     from silostudy.files import replacing, seal
 
-    expansion = expand_file(chosen.study)
+    expansion = expand_file(path_of(chosen.study))
     keys = list(expansion.cases[0].settings)
     with replacing(chosen.output) as temporary, temporary.open("w", newline="", encoding="utf-8") as stream:
         table = csv.writer(stream)

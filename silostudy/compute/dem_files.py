@@ -60,6 +60,8 @@ def quake_steps(file: str, folder: Path, *, dt: float, limit: float) -> np.ndarr
     strongest = float(max(np.abs(way).max() for way in ways))
     if strongest > STRONGEST:
         raise BadInput("quake.file", strongest, f"must be at most {STRONGEST:g} m/s2", str(path))
+    if start > limit:
+        raise BadInput("quake.file", start, f"must begin before the run ends, at {limit:g} s", str(path))
     time = start + step * np.arange(len(columns.cells))
     steps = np.arange(int(max(min(time[-1], limit), 0.0) / dt) + 2) * dt
     return np.column_stack([np.interp(steps, time, way, left=0.0, right=0.0) for way in ways])

@@ -43,6 +43,11 @@ class AskedMethod:
         """Name for people."""
         return self.row.title + " (as printed)" * self.as_printed
 
+    @property
+    def drawn(self) -> str:
+        """How a figure that compares many methods shows it."""
+        return self.row.drawn_as_printed if self.as_printed else self.row.drawn
+
     def functions(self, phase: str) -> Mapping[str, Callable]:
         """quantity -> function in a phase; empty where the method does not cover it."""
         misprinted = self.as_printed and self.row.as_printed
@@ -98,8 +103,9 @@ def with_reasons(scopes: Mapping[str, np.ndarray]) -> dict[str, tuple]:
 
 def method_coordinates(methods: list[AskedMethod]) -> dict[str, list[str]]:
     """The axis of methods with what figures need to know of them, so that a figure is a function of the cube alone."""
-    found = {"": [method.label for method in methods], "_title": [method.title for method in methods]}
-    for name in ("number", "colour", "marker", "drawn", "initial_state"):
+    found = {f"_{name}": [getattr(method, name) for method in methods] for name in ("title", "drawn")}
+    found |= {"": [method.label for method in methods]}
+    for name in ("number", "colour", "marker", "initial_state"):
         found[f"_{name}"] = [getattr(method.row, name) for method in methods]
     found["_values"] = ["; ".join(f"{q}: {v}" for q, v in method.row.values.items()) for method in methods]
     return {f"pressure_method{name}": texts for name, texts in found.items()}

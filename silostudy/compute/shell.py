@@ -1,26 +1,53 @@
 """The shell stage: what the pressures of a cube ask of the silo's steel wall, by every buckling rule of the study."""
 
 from collections.abc import Mapping
+from dataclasses import dataclass, replace
 
 import numpy as np
 import xarray as xr
 
 from silostudy.buckling import BUCKLING
-from silostudy.buckling.family import IN_SCOPE, MODES, NO_LOAD, REASONS
-from silostudy.buckling.thickness import required_thickness, with_thickness
+from silostudy.checks import CHECKS
 from silostudy.choice.expand import Resolved
 from silostudy.compute.axes import sweep_of
 from silostudy.compute.buckling import rule_coordinates
 from silostudy.compute.evaluate import methods_of
 from silostudy.compute.shell_earthquake import SIDES, beside, earthquake_loads, earthquake_told, of_this_study, sides
-from silostudy.compute.shell_load import SOURCES, axial_wall_force, carried_share, depths, internal_pressures
+from silostudy.compute.shell_ends import worst_of_ends
+from silostudy.compute.shell_load import SOURCES, axial_wall_force, carried_share, depths, internal_pressures, rubbing
+from silostudy.compute.shell_strakes import (
+    ENDS,
+    between_levels,
+    edges_and_thicknesses,
+    ends,
+    mass_above,
+    thickness_at,
+    wall_share,
+)
+from silostudy.compute.shell_strength import required_thicknesses, utilisations
 from silostudy.cube.assemble import assemble
 from silostudy.cube.variables import flags
 from silostudy.errors import BadInput
+from silostudy.scene.shell import Wall
+
+
+@dataclass(frozen=True)
+class Places:
+    """Where a wall is looked at: depth (m), the solid's force (N/m), the wall above over the silo's height, and its own load.
+
+    thickness (m) and own_weight (N/m): of the strakes, None where the wall has none.
+    """
+
+    z: np.ndarray
+    force: np.ndarray
+    parameters: Mapping
+    height: np.ndarray  # m, of the wall above
+    thickness: np.ndarray | None = None
+    own_weight: np.ndarray | float = 0.0
 
 
 def shell_cube(expansion: Resolved, pressure: xr.Dataset, seismic: xr.Dataset | None = None) -> xr.Dataset:
-    """The cube of a shell study: loads, required thickness, and with strakes the utilisation over depth.
+    """The cube of a shell study: loads, required thickness, and with strakes the utilisation over depth and at their ends.
 
     seismic: the cube of the seismic study that it names, for all of this once more with the earthquake.
     """
@@ -30,39 +57,115 @@ def shell_cube(expansion: Resolved, pressure: xr.Dataset, seismic: xr.Dataset | 
     rules = [study.family(BUCKLING)[key] for key in study.rule_keys]
     force, source = axial_wall_force(pressure)
     pressures = internal_pressures(pressure)
-    parameters = wall_parameters(expansion, *pressures)
-    safety = _of_cases(expansion, [case.scene.shell.safety_factor for case in expansion.cases])
-    thickness = strakes(expansion, pressure) if all(case.scene.shell.edges for case in expansion.cases) else None
+    levels = at_levels(expansion, pressure, force, pressures)
+    at_ends = at_strake_ends(expansion, pressure, levels) if levels.thickness is not None else None
+    dead, safety = (_of_cases(expansion, [get(case.scene.shell) for case in expansion.cases]) for get in (_dead, _safety))
     data = load_variables(pressure, force, source, pressures) | rule_coordinates(rules)
-    data |= strengths(rules, parameters, force, safety, thickness)
+    data |= {"imposed_axial_force": dead[..., 0], "safety_factor": safety[..., 0]}
+    data |= strengths(expansion, rules, levels, at_ends, safety, dead)
+    data |= worst_of_ends(expansion, data)
     sweep = sweep_of(expansion)
     data |= {str(name): pressure[name].values for name in pressure.coords.keys() - sweep.coordinates.keys()}
     sources = [rule.source for rule in rules] + [method.row.source for method in methods_of(expansion)]
+    sources += [check.source for check in CHECKS.values()]
     notes: dict = {**expansion.promise, **study.own_methods}
     if study.earthquake:
         one = of_this_study(expansion, seismic).sel(mass_choice=study.earthquake.mass_choice)
-        data |= shaken(rules, parameters, force, earthquake_loads(pressure, one), safety, thickness)
+        data |= shaken(expansion, rules, levels, at_ends, one, safety, dead)
         data["side"] = list(SIDES)
-        notes |= earthquake_told(one)
+        notes |= earthquake_told(one) | excluded(rules)
         sources.append("en1998_4_2006")
     return assemble(study, "shell", data, sources=sources, notes=notes, sweep=sweep)
 
 
-def shaken(rules, parameters: Mapping, force, added, safety, thickness) -> dict:
+def _safety(wall: Wall) -> float:
+    return wall.safety_factor
+
+
+def _dead(wall: Wall) -> float:
+    return wall.imposed_force
+
+
+def shaken(expansion, rules, levels: Places, at_ends: Places | None, seismic, safety, dead) -> dict:
     """Loads, thickness and utilisation on both sides of a wall that an earthquake bends, all under `earthquake_` names."""
+    looked = [sides_of(place, seismic) for place in (levels, at_ends) if place]
     found = []
-    static = (force, parameters["lower_internal_pressure"], parameters["upper_internal_pressure"])
-    for own, lower, upper in sides(*static, seismic_force=added[0], seismic_pressure=added[1]).values():
-        here = {**parameters, "lower_internal_pressure": lower, "upper_internal_pressure": upper}
-        loads = {"axial_wall_force": own, "lower_internal_pressure": lower, "upper_internal_pressure": upper}
-        found.append(loads | strengths(rules, here, own, safety, thickness))
+    for side in SIDES:
+        here, *rest = (one[side] for one in looked)
+        pressures = {name: here.parameters[name] for name in ("lower_internal_pressure", "upper_internal_pressure")}
+        loads = {"axial_wall_force": here.force, **pressures}
+        found.append(loads | strengths(expansion, rules, here, rest[0] if rest else None, safety, dead))
     return beside(found)
 
 
-def strengths(rules, parameters: Mapping, force, safety, thickness) -> dict:
-    """The thickness that a force (N/m) asks for, and where the wall's thickness (m) is given its utilisation."""
-    found = required_thicknesses(rules, parameters, np.fmax.reduce(force, axis=1), safety)
-    return found if thickness is None else found | utilisations(rules, parameters, force, safety, thickness)
+def sides_of(place: Places, seismic: xr.Dataset) -> dict[str, Places]:
+    """The same places on each side of a wall that an earthquake bends."""
+    force, pressure = earthquake_loads(place.z, seismic)
+    static = (place.force, place.parameters["lower_internal_pressure"], place.parameters["upper_internal_pressure"])
+    loads = sides(*static, seismic_force=force, seismic_pressure=pressure)
+    return {
+        side: replace(
+            place,
+            force=own,
+            parameters={**place.parameters, "lower_internal_pressure": lower, "upper_internal_pressure": upper},
+        )
+        for side, (own, lower, upper) in loads.items()
+    }
+
+
+def strengths(expansion, rules, levels: Places, at_ends: Places | None, safety, dead) -> dict:
+    """The thickness that the loads ask for, and where the wall's thickness is given its utilisation."""
+    weight = _of_cases(expansion, [case.scene.shell.unit_weight for case in expansion.cases]) * levels.height
+    largest = np.fmax.reduce(levels.force, axis=1) + dead
+    found = required_thicknesses(rules, levels.parameters, largest, safety, weight)
+    if levels.thickness is None or at_ends is None:
+        return found
+    found |= utilisations(rules, levels.parameters, levels.force, safety, levels.thickness, levels.own_weight + dead)
+    found |= {"wall_thickness": levels.thickness, "own_weight_axial_force": levels.own_weight}
+    return found | strake_variables(expansion, rules, at_ends, safety, dead)
+
+
+def strake_variables(expansion, rules, at_ends: Places, safety, dead) -> dict:
+    """Loads and utilisation at top and foot of every strake, whether a depth of the study lies there or not."""
+    used = utilisations(rules, at_ends.parameters, at_ends.force, safety, at_ends.thickness, at_ends.own_weight + dead)
+    count = at_ends.z.shape[-1] // len(ENDS)
+
+    def parted(values):
+        return values.reshape(*values.shape[:-1], count, len(ENDS))
+
+    found = {"strake_depth": parted(at_ends.z), "strake_axial_wall_force": parted(at_ends.force)}
+    found |= {"strake_thickness": parted(at_ends.thickness)[..., 0]}
+    for name, given in used.items():
+        values, *told = given if isinstance(given, tuple) else (given,)
+        found[f"strake_{name}"] = (parted(values), *told) if told else parted(values)
+    return found | {"strake": np.arange(1, count + 1), "strake_end": list(ENDS)}
+
+
+def at_levels(expansion: Resolved, pressure: xr.Dataset, force, pressures) -> Places:
+    """The depths of the study."""
+    z = depths(pressure)
+    return _places(expansion, z, wall_share(expansion, z), force, pressures)
+
+
+def at_strake_ends(expansion: Resolved, pressure: xr.Dataset, levels: Places) -> Places:
+    """Top and foot of every strake, the loads brought there from the depths of the study."""
+    share, z = ends(expansion, edges_and_thicknesses(expansion)[0])
+    force = between_levels(levels.z, levels.force, z, rubbing(pressure))
+    names = ("lower_internal_pressure", "upper_internal_pressure")
+    found = _places(expansion, z, share, force, [between_levels(levels.z, levels.parameters[name], z) for name in names])
+    below = np.arange(z.shape[-1]) // len(ENDS)  # at its top too, a strake is as thick as it is
+    return replace(found, thickness=edges_and_thicknesses(expansion)[1][..., below])
+
+
+def _places(expansion: Resolved, z, share, force, pressures) -> Places:
+    walls, silos = ([getattr(case.scene, name) for case in expansion.cases] for name in ("shell", "silo"))
+    whole = _of_cases(expansion, [silo.wall_depth for silo in silos])
+    parameters = wall_parameters(expansion, *pressures)
+    if not all(wall.edges for wall in walls):
+        return Places(z, force, parameters, share * whole)
+    edges, thicknesses = edges_and_thicknesses(expansion)
+    weight = _of_cases(expansion, [wall.unit_weight for wall in walls]) * whole * mass_above(share, edges, thicknesses)
+    return Places(z, force, parameters, share * whole, thickness_at(share, edges, thicknesses), weight)
 
 
 def load_variables(pressure: xr.Dataset, force, source, pressures) -> dict:
@@ -89,6 +192,7 @@ def wall_parameters(expansion: Resolved, lower: np.ndarray, upper: np.ndarray) -
     return {
         **{name: _of_cases(expansion, [wall.steel[name] for wall in walls]) for name in walls[0].steel},
         "bay_length": _of_cases(expansion, bays),
+        "total_length": _of_cases(expansion, [silo.wall_depth for silo in silos]),
         "ring_area": _of_cases(expansion, [wall.ring_area for wall in walls]),
         "inner_radius": _of_cases(expansion, [silo.diameter / 2 for silo in silos]),
         "lower_internal_pressure": lower,
@@ -96,44 +200,7 @@ def wall_parameters(expansion: Resolved, lower: np.ndarray, upper: np.ndarray) -
     }
 
 
-def required_thicknesses(rules, parameters: Mapping, force: np.ndarray, safety) -> dict:
-    """`required_thickness` by rule, and as its scope what masks the rule for a wall a hair thinner."""
-    found = [required_thickness(rule, parameters, force, safety) for rule in rules]
-    meaning = "why required_thickness is masked, or what but the strength keeps the wall from being thinner"
-    return {
-        "required_thickness": np.array([one[0] for one in found]),
-        "required_thickness_scope": (np.array([one[1] for one in found]), flags(meaning, REASONS)),
-    }
-
-
-def strakes(expansion: Resolved, pressure: xr.Dataset) -> np.ndarray:
-    """Thickness (m) of the strake at every depth, shape (axes..., depth); an edge belongs to the strake above it."""
-    z = depths(pressure).reshape(len(expansion.cases), -1)
-    found = []
-    for levels, case in zip(z, expansion.cases, strict=True):
-        wall, silo = case.scene.shell, case.scene.silo
-        share = (levels - (silo.cylinder_depth - silo.wall_depth)) / silo.wall_depth  # the heap stands above the wall
-        place = np.searchsorted(np.array(wall.edges) * (1 + 1e-9), share)
-        found.append(np.array(wall.thicknesses)[place])
-    return np.array(found).reshape(*expansion.shape, -1)
-
-
-def utilisations(rules, parameters: Mapping, force, safety, thickness) -> dict:
-    """Stress, strength, mode and utilisation of a wall of given strakes."""
-    stress = force / thickness
-    found = [with_thickness(rule, parameters, thickness) for rule in rules]
-    strength = np.array([one["buckling_stress"] for one in found])
-    scope = np.array([one["buckling_stress_scope"] for one in found])
-    shape = (len(rules), force.shape[0], *force.shape[2:])
-    mode = np.broadcast_to(np.array([one["buckling_mode"] for one in found]), strength.shape)
-    used = safety * stress / strength[:, :, None]
-    masked = np.where(np.isnan(stress), NO_LOAD, np.broadcast_to(scope[:, :, None], used.shape)).astype(np.int8)
-    return {
-        "wall_thickness": thickness,
-        "axial_wall_stress": stress,
-        "wall_buckling_stress": np.broadcast_to(strength, shape),
-        "wall_buckling_stress_scope": (np.broadcast_to(scope, shape), flags("why it is masked", REASONS)),
-        "wall_buckling_mode": (np.broadcast_to(mode, shape), flags("how the wall buckles (-1: masked)", MODES)),
-        "utilisation": np.where(masked == IN_SCOPE, used, np.nan),
-        "utilisation_scope": (masked, flags("why utilisation is masked", REASONS)),
-    }
+def excluded(rules) -> dict[str, str]:
+    """Which rules of an earthquake study leave out by their source what they are used for."""
+    told = "; ".join(f"{rule.key} excludes {rule.excludes}" for rule in rules if rule.excludes)
+    return {"rules_exclude": told} if told else {}

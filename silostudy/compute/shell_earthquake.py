@@ -9,7 +9,6 @@ import numpy as np
 import xarray as xr
 
 from silostudy.choice.expand import resolved
-from silostudy.compute.shell_load import depths
 from silostudy.cube.contract import SCOPE, VARIABLES
 from silostudy.errors import BadInput
 from silostudy.scene.expand import Expansion
@@ -18,7 +17,7 @@ SIDES = ("pressed", "lifted")
 PREFIX = "earthquake_"
 UNCHECKED = (
     "with the earthquake: horizontal motion; characteristic values, no combination or partial factors; no friction by the "
-    "added pressure; no check of the wall's shear and hoop"
+    "added pressure; no check of the wall's shear"
 )
 
 
@@ -33,9 +32,8 @@ def of_this_study(expansion: Expansion, seismic: xr.Dataset | None) -> xr.Datase
     return seismic
 
 
-def earthquake_loads(pressure: xr.Dataset, seismic: xr.Dataset) -> list[np.ndarray]:
-    """Axial wall force (N/m) by the overturning moment, and additional wall pressure (Pa), at every depth: (axes..., depth)."""
-    z = depths(pressure)
+def earthquake_loads(z: np.ndarray, seismic: xr.Dataset) -> list[np.ndarray]:
+    """Axial wall force (N/m) by the overturning moment, and additional wall pressure (Pa), at depths z (m)."""
     return [np.interp(z, seismic["depth"], seismic[name]) for name in ("seismic_axial_wall_force", "seismic_wall_pressure")]
 
 

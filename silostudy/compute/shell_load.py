@@ -32,15 +32,19 @@ def axial_wall_force(pressure: xr.Dataset) -> tuple[np.ndarray, np.ndarray]:
     handed to it.  The integral of an envelope (Jenike's discharge) is an upper bound, no single state of the silo.  Where
     the wall pressure itself is masked, the force below is unknown.
     """
-    z, handed = depths(pressure), pressure["wall_friction"].values
-    normal, own, traction = (
-        pressure[name].values for name in ("wall_normal_pressure", "axial_wall_force", "wall_friction_traction")
-    )
+    names = ("wall_normal_pressure", "axial_wall_force", "wall_friction_traction")
+    normal, own, traction = (pressure[name].values for name in names)
+    integrated = from_surface(rubbing(pressure), depths(pressure))
+    return np.where(np.isfinite(own), own, integrated), _source(normal, own, traction)
+
+
+def rubbing(pressure: xr.Dataset) -> np.ndarray:
+    """Friction traction (Pa) on the wall: a method's own, or its friction times its pressure; 0 above the wall's contact."""
+    handed = pressure["wall_friction"].values
+    normal, traction = (pressure[name].values for name in ("wall_normal_pressure", "wall_friction_traction"))
     above = pressure["wall_normal_pressure_scope"].values == ABOVE_CONTACT
     friction = own_friction(traction, normal, np.broadcast_to(handed[:, None], normal.shape[:-1]))
-    rubbed = np.where(np.isfinite(traction), traction, friction[..., None] * normal)
-    integrated = from_surface(np.where(above, 0.0, rubbed), z)
-    return np.where(np.isfinite(own), own, integrated), _source(normal, own, traction)
+    return np.where(above, 0.0, np.where(np.isfinite(traction), traction, friction[..., None] * normal))
 
 
 def own_friction(traction: np.ndarray, normal: np.ndarray, handed: np.ndarray) -> np.ndarray:

@@ -21,6 +21,7 @@ from silostudy.tables.constants import ROUNDED_GRAVITY
 
 CriterionKey: TypeAlias = Literal[tuple(REST)]  # type: ignore[valid-type]
 TriggerKey: TypeAlias = Literal[tuple(TRIGGERS)]  # type: ignore[valid-type]
+Cells: TypeAlias = Annotated[int, Field(ge=1, le=1000)]
 IntegratorKey: TypeAlias = Literal[tuple(INTEGRATORS)]  # type: ignore[valid-type]
 
 
@@ -106,6 +107,8 @@ class EventConfig(Strict):
             raise ValueError("set_gravity needs gravity_m_s2")
         if self.do == "set_friction" and self.disc_friction is None and self.wall_friction is None:
             raise ValueError("set_friction needs disc_friction or wall_friction")
+        if self.value and not TRIGGERS[self.when].takes_value:
+            raise ValueError(f"value must be left out where when is {self.when}")
         most = TRIGGERS[self.when].most
         if most is not None and self.value > most:
             raise ValueError(f"value must be a share, {most:g} or less, where when is {self.when}")
@@ -124,7 +127,7 @@ class RecordConfig(Strict):
     snapshots_s: tuple[Annotated[float, Field(ge=0)], ...] = described(
         "times at which places and force chains are written; 0: the start", "s", default=()
     )
-    stress_cells: tuple[int, int] | None = described("cells across and up of the coarse-grained stress", default=None)
+    stress_cells: tuple[Cells, Cells] | None = described("cells across and up of the coarse-grained stress", default=None)
     energy: bool = described("whether the energy ledger is kept", "", default=False)
     paraview: bool = described("whether the snapshots are also written for ParaView", "", default=False)
     checkpoint_every_s: float | None = described("model time between checkpoints", "s", gt=0, default=None)
@@ -186,4 +189,7 @@ class DemScene(Asked, OwnMethods):
             raise ValueError("the last event must be a stop")
         if any(event.do == "open_slit" for event in self.events) and self.silo.slit_width_m == 0:
             raise ValueError("open_slit needs a silo.slit_width_m above 0")
+        removed = [event.disc for event in self.events if event.disc is not None]
+        if len(set(removed)) < len(removed):
+            raise ValueError("events remove a disc twice")
         return self

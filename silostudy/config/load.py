@@ -55,7 +55,16 @@ def validated(model: type[M], content: Any, where: str, families: Families | Non
     try:
         return model.model_validate(content, context={"families": families or {}})
     except ValidationError as error:
-        raise Mistakes([_line(item, content, where) for item in error.errors()]) from None
+        items = error.errors()
+        raise Mistakes([_line(item, content, where) for item in items if not _follows(item, items)]) from None
+
+
+def _follows(item: Any, items: list[Any]) -> bool:
+    """Whether a list is called too short only because of the mistakes in it."""
+    place = item["loc"]
+    return item["type"] == "too_short" and any(
+        len(one["loc"]) > len(place) and one["loc"][: len(place)] == place for one in items
+    )
 
 
 class Mistakes(BadInput):
@@ -80,10 +89,20 @@ def _line(item: Any, content: Any, where: str) -> str:
             continue
         path.append(str(part))
     key, value = ".".join(path) or "file", item["input"]
+    if item["type"].startswith("union_tag"):
+        return _untold(item, ".".join([*path, item["ctx"]["discriminator"].strip("'")]), where)
     if item["type"] == "missing":
         return f"{where}: {key}: is missing{_unit_hint(str(item['loc'][-1]), value)}"
     shown = f" = {value!r}" if not isinstance(value, dict) and len(repr(value)) <= 80 else ""
     return f"{where}: {key}{shown}: {_allowed(item)}"
+
+
+def _untold(item: Any, key: str, where: str) -> str:
+    """The line for a section whose kind is missing or unknown."""
+    tag = item["ctx"].get("tag")
+    if tag is None:
+        return f"{where}: {key}: is missing"
+    return f"{where}: {unknown(key, tag, (one.strip(chr(39)) for one in item['ctx']['expected_tags'].split(', '))).reason}"
 
 
 def _holds(node: Any, part: Any) -> bool:

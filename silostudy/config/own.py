@@ -1,6 +1,6 @@
 """A study may name a Python file of the user's own, whose rows join the families for that study alone."""
 
-from typing import Annotated, Any, ClassVar, Literal, Self, TypeVar
+from typing import Annotated, Any, ClassVar, Self, TypeVar
 
 from pydantic import AfterValidator, Discriminator, PrivateAttr, Tag, ValidationInfo, WithJsonSchema, model_validator
 
@@ -9,6 +9,7 @@ from silostudy.config.fields import Strict, described
 from silostudy.config.own_rows import Families
 
 R = TypeVar("R", bound=Row)
+ALL = "all"
 
 
 class OwnMethods(Strict):
@@ -65,7 +66,15 @@ def key_of(family: Family) -> Any:
 def keys_of(family: Family) -> Any:
     """Type of several keys of a family, or the word all."""
     several = Annotated[tuple[key_of(family), ...], Tag("keys")]  # type: ignore[misc, valid-type]
-    return Annotated[several | Annotated[Literal["all"], Tag("all")], Discriminator(_which)]
+
+    def known(word: str, info: ValidationInfo) -> str:
+        if word != ALL:
+            here = ", ".join(families_of(info).get(family.name, family))
+            raise ValueError(f"must be all, or a list of keys; known: {here}")
+        return word
+
+    whole = Annotated[str, AfterValidator(known), WithJsonSchema({"const": ALL, "type": "string"})]
+    return Annotated[several | Annotated[whole, Tag("all")], Discriminator(_which)]
 
 
 def _which(value: Any) -> str:

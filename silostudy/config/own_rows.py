@@ -4,19 +4,23 @@ The file declares ROW or ROWS as a module of the package does.  It is run anew f
 its own, and leaves no compiled file behind.
 """
 
+import ast
 import hashlib
 import sys
 import traceback
 from collections.abc import Iterable
 from dataclasses import replace
 from functools import lru_cache
+from importlib.util import find_spec
 from pathlib import Path
 from types import ModuleType
 
+import silostudy
 from silostudy.catalogue import Family, Row, declared
 from silostudy.errors import BadInput
 from silostudy.tables.references import own_references, own_source
 
+INSTALLED = [Path(home).resolve() for home in (sys.prefix, sys.base_prefix, Path(silostudy.__file__).parent)]
 Families = dict[str, Family]  # by the name of the family
 
 
@@ -49,7 +53,10 @@ def own_rows(path: Path, where: str = "") -> tuple[Row, ...]:
 
 @lru_cache(maxsize=64)  # the scenes of a sweep are validated one by one
 def _rows(path: Path, content: bytes, references: str, where: str) -> tuple[Row, ...]:
-    rows = declared(vars(_run(path, content, where)))
+    module = vars(_run(path, content, where))
+    if not isinstance(module.get("ROWS", ()), (tuple, list)):
+        raise _refused(path, "ROWS must be a tuple or a list of rows", where)
+    rows = declared(module)
     if not rows:
         raise _refused(path, "declares neither ROW nor ROWS", where)
     return tuple(_sound(row, path, content, references, where) for row in rows)
@@ -71,11 +78,39 @@ def _run(path: Path, content: bytes, where: str) -> ModuleType:
     module.__file__ = str(path)
     sys.modules[name] = module  # dataclasses and pickle look there
     try:
-        exec(compile(content, str(path), "exec"), vars(module))
+        tree = ast.parse(content, str(path))
+        for node in ast.walk(tree):
+            _check_import(node, path, where)
+        exec(compile(tree, str(path), "exec"), vars(module))
+    except BadInput:
+        del sys.modules[name]
+        raise
     except (Exception, SystemExit) as error:
         del sys.modules[name]
-        raise _refused(path, f"line {_line(error, path)}: {_one_line(error)}", where) from None
+        line = _line(error, path)
+        raise _refused(path, f"line {line}: {_one_line(error)}" if line else _one_line(error), where) from None
     return module
+
+
+def _check_import(node: ast.AST, path: Path, where: str) -> None:
+    """BadInput for an import of another file of the user's own: a change in it would not be seen."""
+    names = [alias.name for alias in node.names] if isinstance(node, ast.Import) else []
+    if isinstance(node, ast.ImportFrom):
+        names = ["." * node.level + (node.module or "")]
+    for name in names:
+        if name.startswith(".") or _beside(name.split(".")[0], path.parent):
+            why = "is no installed package, and a change in it would not be seen: put what it holds into this file"
+            raise _refused(path, f"line {node.lineno}: imports {name}, which {why}", where)  # type: ignore[attr-defined]
+
+
+def _beside(top: str, folder: Path) -> bool:
+    """Whether a module would come from the folder of the user's file, or from where the command runs."""
+    found = find_spec(top)
+    if found is None:
+        return (folder / f"{top}.py").exists() or (folder / top).is_dir()
+    places = [Path(place).resolve() for place in (found.submodule_search_locations or [found.origin or ""])]
+    near = [place for place in (folder.resolve(), Path.cwd()) if any(file.is_relative_to(place) for file in places)]
+    return bool(near) and not any(file.is_relative_to(home) for file in places for home in INSTALLED)
 
 
 def _line(error: BaseException, path: Path) -> int | None:

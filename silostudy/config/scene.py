@@ -134,6 +134,14 @@ class SolidProperties(Strict):
     patch_factor: float | None = replacing("patch_factor", "patch load factor C_op of EN 1991-4", "1")
 
 
+FRICTION_ENDS = ("mean", "lower", "upper")
+END_WORDS = (
+    "upper: wall friction and lateral pressure ratio times their spreads a_mu and a_K, or on Pieper's roughness groups the "
+    "roughness factor + 0.05: the largest axial force of a steel wall. lower: friction over a_mu, lateral pressure ratio times "
+    "a_K: the largest pressure, which governs where hoop tension or the elephant's foot does"
+)
+
+
 class SceneConfig(Strict):
     """One silo, its wall and its contents."""
 
@@ -150,10 +158,8 @@ class SceneConfig(Strict):
         "",
         default=None,
     )
-    wall_friction_end: Literal["mean", "upper"] = described(
-        "upper: the unsafe end for buckling of a steel wall: roughness factor + 0.05 on Pieper's roughness groups, else wall "
-        "friction and lateral pressure ratio times their spreads a_mu and a_K. Methods that vary them themselves (EN 1991-4's "
-        "sets, Pieper for buckling) keep their own",
+    wall_friction_end: Literal[FRICTION_ENDS] = described(  # type: ignore[valid-type]
+        f"{END_WORDS}. Methods that vary them themselves (EN 1991-4's sets, Pieper for buckling) keep their own",
         "",
         default="mean",
     )

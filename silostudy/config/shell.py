@@ -1,6 +1,6 @@
 """A shell study: a silo's wall pressures by theories and codes, and what they ask of its steel wall by buckling rules."""
 
-from typing import ClassVar, Literal, Self
+from typing import Any, ClassVar, Literal, Self
 
 from pydantic import model_validator
 
@@ -8,10 +8,13 @@ from silostudy.catalogue import Family
 from silostudy.config.buckling import RuleChoice
 from silostudy.config.fields import Strict, described
 from silostudy.config.pressure import PressureStudy
-from silostudy.config.scene import CircularSilo, SceneConfig
+from silostudy.config.scene import END_WORDS, FRICTION_ENDS, CircularSilo, SceneConfig
 from silostudy.config.steel import SiloWall
 from silostudy.tables.mass_choices import MASS_CHOICES, USUAL
 from silostudy.tables.outputs import OUTPUTS
+
+BOTH = "both"
+END_KEY = "wall_friction_end"
 
 
 class SteelSilo(SceneConfig):
@@ -19,6 +22,12 @@ class SteelSilo(SceneConfig):
 
     silo: CircularSilo = described("shape and size", "")
     shell: SiloWall = described("the steel wall of the cylinder", "")
+    wall_friction_end: Literal[(*FRICTION_ENDS, BOTH)] = described(  # type: ignore[valid-type]
+        f"{END_WORDS}. both: an axis of lower and upper, and the worst of them in the cube "
+        "(`largest_utilisation`, `largest_required_thickness`)",
+        "",
+        default="mean",
+    )
 
 
 class Earthquake(Strict):
@@ -39,6 +48,15 @@ class ShellStudy(PressureStudy, RuleChoice):
     kind: Literal["shell"] = described("shell: wall pressures, and the steel wall that carries them", "")  # type: ignore[assignment]
     scene: SteelSilo = described("the base scene", "")
     earthquake: Earthquake | None = described("check the wall with an earthquake too; null: do not", "", default=None)
+
+    @model_validator(mode="before")
+    @classmethod
+    def _both_ends(cls, content: Any) -> Any:
+        scene = content.get("scene") if isinstance(content, dict) else None
+        if not isinstance(scene, dict) or scene.get(END_KEY) != BOTH:
+            return content
+        ends = {"axis": END_KEY, "values": {END_KEY: ["lower", "upper"]}}
+        return {**content, "scene": {**scene, END_KEY: "upper"}, "sweep": [*(content.get("sweep") or ()), ends]}
 
     @model_validator(mode="after")
     def _wall_of_outputs(self) -> Self:

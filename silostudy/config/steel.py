@@ -6,6 +6,7 @@ from typing import Literal, Self, TypeAlias
 from pydantic import Field, model_validator
 
 from silostudy.config.fields import Strict, described
+from silostudy.config.scene import possible
 
 Quality: TypeAlias = Literal["A", "B", "C"]
 Manufacture: TypeAlias = Literal["manufactured", "fabricated", "fabricated_safe"]
@@ -21,9 +22,9 @@ class Making(Strict):
 class Steel(Making):
     """The steel of a shell."""
 
-    youngs_modulus_GPa: float = described("Young's modulus", "GPa", gt=0, default=210.0)
+    youngs_modulus_GPa: float = described("Young's modulus", "GPa", default=210.0, **possible("youngs_modulus_GPa"))
     shell_poisson_ratio: float = described("Poisson's ratio of the steel", ge=0, lt=0.5, default=0.3)
-    yield_stress_MPa: float = described("yield stress", "MPa", gt=0)
+    yield_stress_MPa: float = described("yield stress", "MPa", **possible("yield_stress_MPa"))
     manufacture: Manufacture = described(
         "Miller's kind of shell: manufactured as a tube, fabricated from plates, or fabricated with his safe constants", ""
     )
@@ -47,6 +48,8 @@ class Cylinder(Steel):
         for first, second in (("thickness_mm", "radius_over_thickness"), ("bay_length_m", "relative_bay_length")):
             if (getattr(self, first) is None) == (getattr(self, second) is None):
                 raise ValueError(f"give either {first} or {second}, and not both")
+        if self.thickness_mm is not None and self.thickness_mm >= self.radius_m * 1e3:
+            raise ValueError(f"thickness_mm must be below the radius, {self.radius_m * 1e3:g} mm")
         if self.ring_area_cm2 is not None and self.ring_area_ratio:
             raise ValueError("give either ring_area_cm2 or ring_area_ratio, and not both")
         upper = self.upper_internal_pressure_kPa
@@ -59,7 +62,7 @@ class Strake(Strict):
     """A part of the wall with its own thickness."""
 
     down_to: float = described(
-        "depth of its lower edge over the height of the cylinder; let a depth of the study lie there, where it is used most",
+        "depth of its lower edge over the height of the cylinder; both its ends are looked at, whatever the depths",
         gt=0,
         le=1,
     )
@@ -80,7 +83,17 @@ class SiloWall(Steel):
         default=(), description="from the top down; none: only the thickness that the load asks for is computed"
     )
     rings: Rings | None = described("ring stiffeners; null: none, and the bay is the whole height", "", default=None)
-    safety_factor: float = described("number by which the axial stress is multiplied before it meets the strength", ge=1)
+    safety_factor: float = described(
+        "number by which the axial stress and the largest pressure (elephant's foot, hoop tension) are multiplied before they "
+        "meet the strength; the smallest guaranteed pressure, which steadies the wall, is not",
+        ge=1,
+        le=10,
+    )
+    density_kg_m3: float = described(
+        "density of the steel, for the own weight of the wall above; 0: left out", "kg m-3", ge=0, le=20000, default=7850.0
+    )
+    roof_kN: float = described("weight of the roof, on the top of the wall all round", "kN", ge=0, default=0.0)
+    snow_kPa: float = described("snow on the roof, over the plan", "kPa", ge=0, le=100, default=0.0)
 
     @model_validator(mode="after")
     def _strakes_reach_the_foot(self) -> Self:

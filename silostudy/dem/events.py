@@ -10,8 +10,9 @@ ACTIONS = ("open", "remove", "gravity", "friction", "stop")
 
 @dataclass(frozen=True, kw_only=True)
 class Trigger(Entry):
-    """most: largest value that it takes, where there is one."""
+    """takes_value: whether it waits for a value; most: the largest one, where there is one."""
 
+    takes_value: bool = True
     most: float | None = None
 
 
@@ -20,7 +21,7 @@ TRIGGERS: Family[Trigger] = Family(
     [
         Trigger(key="time", title="s from the start"),
         Trigger(key="after", title="s from the event before"),
-        Trigger(key="rest", title="at rest, by the scene's criterion"),
+        Trigger(key="rest", title="at rest, by the scene's criterion", takes_value=False),
         Trigger(key="discharged", title="share of the mass that has left through the slit", most=1.0),
     ],
 )

@@ -37,7 +37,7 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     axis.set_title(
         f"{cube.attrs['title']}: what 10 %, 1 % and 0.1 % cost\n{cube.attrs['machine']}, {cube.attrs['measured_on']}"
     )
-    save(figure, found, stem)
+    save(figure, found.rename(columns={"cost": "cost_s"}), stem)
 
 
 def _words(one) -> str:

@@ -13,7 +13,7 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.patches import Patch
 
-from silostudy.figures.style import PHASE_LINES, look, save, silent, title
+from silostudy.figures.style import AID, PHASE_LINES, drawn, look, phases_of_its_own, save, silent, title
 from silostudy.figures.uncertainty_bands import distinct_methods
 from silostudy.tables.measured import Measured, measured_silos
 from silostudy.tables.outputs import output_of
@@ -32,8 +32,8 @@ def draw(cube: xr.Dataset, stem: Path, sampled: xr.Dataset | None = None) -> Non
     figure, (left, right) = plt.subplots(1, 2, figsize=(12.5, 8.4), sharey=True, width_ratios=(1.3, 1))
     tables = []
     for method in map(str, cube["pressure_method"].values):
-        if drawn(cube, method) != "set":
-            for phase in _phases(cube, method):
+        if drawn(cube, method) not in ("set", "none"):
+            for phase in phases_of_its_own(cube, method, STATIC):
                 tables.append(_curve(cube, method, phase, static))
                 _draw_curve((left, right), cube, tables[-1], method, phase)
     for phase in map(str, cube["phase"].values):
@@ -53,24 +53,6 @@ def draw(cube: xr.Dataset, stem: Path, sampled: xr.Dataset | None = None) -> Non
     figure.legend(handles=handles, loc="outside lower center", ncols=3, fontsize=8)
     figure.suptitle(cube.attrs["title"] + ("\n" + BELOW if scatter else ""))
     save(figure, pd.concat([*tables, *scatter], ignore_index=True), stem)
-
-
-def drawn(cube: xr.Dataset, method: str) -> str:
-    """How a method is shown: curve, handbook or set."""
-    return str(cube["pressure_method_drawn"].sel(pressure_method=method).values)
-
-
-def _phases(cube: xr.Dataset, method: str) -> list[str]:
-    """Phases with a curve of their own: Jenike's filling, and all of 1969, are Janssen's."""
-    pressure = cube["wall_normal_pressure"]
-    static = pressure.sel(pressure_method=STATIC, phase="filling")
-    shown = []
-    for phase in map(str, cube["phase"].values):
-        one = pressure.sel(pressure_method=method, phase=phase)
-        same = method != STATIC and np.allclose(one, static, rtol=1e-12, atol=0)
-        if one.notnull().any() and not same:
-            shown.append(phase)
-    return shown
 
 
 def _curve(cube: xr.Dataset, method: str, phase: str, static: xr.DataArray) -> pd.DataFrame:
@@ -164,7 +146,8 @@ def _scatter(axes: tuple[Axes, Axes], cube: xr.Dataset, sampled: xr.Dataset, sta
             edges = tables[-1][lower], tables[-1][upper]
             panel.fill_betweenx(depth, *edges, color=look(cube, method)["color"], alpha=0.06, linewidth=0, zorder=0.5)
             ends = [np.interp(bar, depth, edge) for edge in edges]
-            panel.plot(ends, [bar, bar], color=look(cube, method)["color"], linewidth=5, alpha=0.45, solid_capstyle="butt")
+            colour = look(cube, method)["color"]
+            panel.plot(ends, [bar, bar], color=colour, linewidth=5, alpha=0.45, solid_capstyle="butt", gid=AID)
     return [table.dropna(subset="upper_kPa") for table in tables]
 
 

@@ -49,7 +49,7 @@ def panel(axis, prices: pd.DataFrame, name: str) -> None:
     axis.barh(range(len(prices)), share, color=[COLOURS[room] for room in prices["effect_room"]], **bars)
     for place, (number, end, why) in enumerate(zip(share, high, prices["effect_uncounted"], strict=True)):
         known = np.isfinite(number)
-        look = {"fontsize": 7.5} if known else {"fontsize": 5.5, "color": "grey"}
+        look = {"fontsize": 7.5} if known else {"fontsize": 6, "color": "grey"}
         text = f"{round(number) + 0} %" if known else why
         axis.text(max(np.nan_to_num(end), 0) + 1, place, text, va="center", **look)
     axis.axvline(0, color="black", linewidth=0.8)

@@ -8,7 +8,7 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.ticker import MaxNLocator
 
-from silostudy.figures.style import PHASE_LINES, look, save, silent, title
+from silostudy.figures.style import PHASE_LINES, drawn, look, phases_of_its_own, save, silent, title
 from silostudy.tables.constants import STANDARD_GRAVITY
 from silostudy.tables.outputs import output_of
 
@@ -61,15 +61,11 @@ def _curves(cube: xr.Dataset) -> pd.DataFrame:
 
 def _phases_shown(cube: xr.Dataset, method: str) -> list[str]:
     """Phases in which a method has a curve of its own (Jenike's filling is Janssen's, curve 6)."""
-    if method.endswith("_as_printed") and method != "jenike_mass_flow_as_printed":
-        return []
-    pressure = cube["wall_normal_pressure"].sel(pressure_method=method)
-    shown = [str(phase) for phase in cube["phase"].values if pressure.sel({"phase": phase}).notnull().any()]
-    return [phase for phase in shown if not (method.startswith("jenike") and phase == "filling")]
+    return phases_of_its_own(cube, method, STATIC) if drawn(cube, method) != "none" else []
 
 
 def _style(cube: xr.Dataset, first: pd.Series) -> dict:
-    printed = first.pressure_method.endswith("_as_printed")
+    printed = drawn(cube, first.pressure_method) == "misprint"
     return {
         **look(cube, first.pressure_method),
         "linestyle": ":" if printed else PHASE_LINES[first.phase],

@@ -47,7 +47,7 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
         Patch(
             facecolor="white",
             edgecolor="0.6",
-            label="blank: not given in filling or discharge (no field of stresses); equal pressures count as filling",
+            label="blank: no initial field, or no mass flow; equal pressures count as filling",
         )
     )
     figure.legend(handles=handles, loc="outside lower center", ncols=3)

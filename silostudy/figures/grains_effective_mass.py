@@ -48,9 +48,12 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
 
 
 def _line(panel, x, values: xr.DataArray, label: str | None, look: dict) -> None:
-    panel.errorbar(
-        x, values.mean("filling"), values.std("filling", ddof=min(1, values.sizes["filling"] - 1)), label=label, **look
-    )
+    panel.errorbar(x, values.mean("filling"), values.std("filling", ddof=_lost(values)), label=label, **look)
+
+
+def _lost(values: xr.DataArray | xr.Dataset) -> int:
+    """Degrees of freedom that a standard deviation over the fillings loses: one, of a single filling none."""
+    return min(1, values.sizes["filling"] - 1)
 
 
 def _name(one: xr.Dataset, outer: list[str]) -> str:
@@ -86,5 +89,5 @@ def _numbers(cube: xr.Dataset, axis: str) -> pd.DataFrame:
     shares = {f"{carrier}_in_phase": carried.sel(carrier=carrier, drop=True) for carrier in ("walls", "floor", "all")}
     others = ["contents_damping", "ring_share", "grains_code_share", "settled_slenderness", "start_speed", "momentum_error"]
     table = xr.Dataset({**shares, **{name: cube[name] for name in others}}, coords={axis: cube[axis]}).drop_vars("case")
-    parts = {"mean": table.mean("filling").to_dataframe(), "std": table.std("filling").to_dataframe()}
+    parts = {"mean": table.mean("filling").to_dataframe(), "std": table.std("filling", ddof=_lost(cube)).to_dataframe()}
     return pd.concat(parts, names=["over"]).reset_index()

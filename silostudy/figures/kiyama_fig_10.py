@@ -48,4 +48,5 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
 def _summary(packing: str, variable: str, time: np.ndarray, values: xr.DataArray) -> pd.DataFrame:
     low, middle, high = ensembles.spread(ensembles.runs(values))
     table = {"time_s": time, "tenth": low, "median": middle, "nine_tenths": high, "ideal_start": values.isel(run=0).values}
+    table |= {f"run_{run}": values.isel(run=run).values for run in range(1, values.sizes["run"])}
     return pd.DataFrame({"packing": packing, "quantity": variable, **table})

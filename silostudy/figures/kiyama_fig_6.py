@@ -12,23 +12,26 @@ from silostudy.figures.style import save
 
 
 def draw(cube: xr.Dataset, stem: Path) -> None:
-    """Writes the figure and its numbers: the largest and mean contact force of each packing, and its inclination."""
+    """Writes the figure and its numbers: largest and mean contact force and inclination of each packing, then every contact."""
     films = discs.films(cube, moving=False)
     columns = min(4, len(films))
     rows = -(-len(films) // columns)
-    figure, panels = plt.subplots(rows, columns, figsize=(3.7 * columns, 4.0 * rows), squeeze=False)
+    figure, panels = plt.subplots(rows, columns, figsize=(3.7 * columns, 4.0 * rows), squeeze=False, sharex=True, sharey=True)
     for panel in panels.flat[len(films) :]:
         panel.axis("off")
+    tables = [pd.DataFrame([_row(cube, film) for film in films])]
     for place, (panel, film) in enumerate(zip(panels.flat, films, strict=False)):
         snapshot = discs.frames(cube, film)[0]
         discs.draw_box(panel, cube, opened=False)
-        panel.add_collection(discs.chains(cube, snapshot))
+        contacts = discs.contacts(cube, snapshot)
+        panel.add_collection(discs.chains(contacts))
+        tables.append(contacts.assign(packing=tables[0].packing[place]))
         lowest, leftmost = place + columns >= len(films), place % columns == 0
         panel.set(xlabel="across (cm)" if lowest else "", ylabel="height (cm)" if leftmost else "")
         panel.set_title(discs.name(cube, film).replace(", ideal start", ""))
         discs.scale_bar(panel, cube, 1.0, 38.0)
     figure.suptitle(f"{cube.attrs['title']}\ncontact forces at rest, ideal starts")
-    save(figure, pd.DataFrame([_row(cube, film) for film in films]), stem)
+    save(figure, pd.concat(tables, ignore_index=True), stem)
 
 
 def _row(cube: xr.Dataset, film: int) -> dict:

@@ -15,10 +15,12 @@ SCALE = 2 * discs.DIAMETER_IS  # disc weights a diameter: forces in flow are sev
 
 
 def draw(cube: xr.Dataset, stem: Path) -> None:
-    """Writes the figure and its numbers: of each film and time the discs left, the largest and the mean force."""
+    """Writes the figure and its numbers: discs left, largest and mean force of each time, then every disc and contact."""
     films = shown(cube)
-    figure, panels = plt.subplots(2 * len(films), len(TIMES), figsize=(2.35 * len(TIMES), 5.1 * len(films)), squeeze=False)
-    numbers = []
+    figure, panels = plt.subplots(
+        2 * len(films), len(TIMES), figsize=(2.35 * len(TIMES), 5.1 * len(films)), squeeze=False, sharex=True, sharey=True
+    )
+    rows, tables = [], []
     for row, film in enumerate(films):
         for column, snapshot in enumerate(_snapshots(cube, film)):
             place, force = panels[2 * row, column], panels[2 * row + 1, column]
@@ -27,16 +29,18 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
                 discs.draw_box(panel, cube, opened=time > 0)
                 panel.tick_params(labelsize=6)
             place.add_collection(discs.circles(cube, snapshot, place, facecolors="#d9d9d9", edgecolors="black", linewidths=0.3))
-            force.add_collection(discs.chains(cube, snapshot, scale=SCALE))
+            contacts = discs.contacts(cube, snapshot, scale=SCALE)
+            force.add_collection(discs.chains(contacts, scale=SCALE))
             place.set_title(f"t = {time:.3g} s", fontsize=9)
-            numbers.append(_row(cube, film, snapshot))
+            rows.append(_row(cube, film, snapshot))
+            tables += [part.assign(film=rows[-1]["film"], time_s=time) for part in (discs.centres(cube, snapshot), contacts)]
         panels[2 * row, 0].set_ylabel(f"{discs.name(cube, film).replace(', a', chr(10) + 'a')}\nheight (cm)", fontsize=8)
         panels[2 * row + 1, 0].set_ylabel("height (cm)", fontsize=8)
         discs.scale_bar(panels[2 * row + 1, 0], cube, 0.5, 37.5, SCALE)
     for panel in panels[-1]:
         panel.set_xlabel("across (cm)", fontsize=8)
     figure.suptitle(f"{cube.attrs['title']}\nplaces of the discs, and below them the contact forces")
-    save(figure, pd.DataFrame(numbers), stem)
+    save(figure, pd.concat([pd.DataFrame(rows), *tables], ignore_index=True), stem)
 
 
 def shown(cube: xr.Dataset) -> list[int]:

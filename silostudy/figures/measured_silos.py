@@ -1,6 +1,7 @@
 """Measured wall pressures against every method: curves with the measured points, and by how much each method is off."""
 
 from pathlib import Path
+from typing import Any
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -19,7 +20,7 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     tables = []
     for (curves, bars), place in zip(axes, places, strict=True):
         here = cube.isel(silo=place)
-        _curves(curves, here, found[place])
+        tables.append(_curves(curves, here, found[place]))
         for point in found[place]:
             tables.append(deviations(here, point))
             _bars(bars, tables[-1], point)
@@ -45,7 +46,7 @@ def deviations(here: xr.Dataset, point: Measured) -> pd.DataFrame:
             pressure = here["wall_normal_pressure"].sel(pressure_method=method, phase=phase).values
             computed = float(np.interp(point.depth, depth, pressure))
             if np.isfinite(computed):
-                rows.append({"silo": point.silo, "pressure_method": method, "phase": phase,
+                rows.append({"shown": "at the measured depth", "silo": point.silo, "pressure_method": method, "phase": phase,
                              "title": f"{title(here, method)}, {phase}",
                              "depth_m": point.depth, "measured_kPa": point.wall_normal_pressure / 1e3,
                              "computed_kPa": computed / 1e3, "off": computed / point.wall_normal_pressure - 1})  # fmt: skip
@@ -56,7 +57,9 @@ def deviations(here: xr.Dataset, point: Measured) -> pd.DataFrame:
     return table.assign(bracket=np.where(table.phase == point.phase, bracket, ""), source=f"{point.source}, {point.locator}")
 
 
-def _curves(panel, here: xr.Dataset, points: list[Measured]) -> None:
+def _curves(panel, here: xr.Dataset, points: list[Measured]) -> pd.DataFrame:
+    """Draws every method's pressure over depth and the measured points; the curves as a table."""
+    tables = []
     for method in map(str, here["pressure_method"].values):
         for phase in map(str, here["phase"].values):
             pressure = here["wall_normal_pressure"].sel(pressure_method=method, phase=phase)
@@ -69,11 +72,16 @@ def _curves(panel, here: xr.Dataset, points: list[Measured]) -> None:
                     "markevery": 12,
                 }
                 style |= {"markerfacecolor": "none"} if phase == "filling" else {}
-                panel.plot(pressure / 1e3, here["depth"], label=f"{title(here, method)}, {phase}", **style)
+                table: dict[str, Any] = {"shown": "curve", "silo": points[0].silo, "pressure_method": method, "phase": phase}
+                table |= {"title": f"{title(here, method)}, {phase}"}
+                table |= {"depth_m": here["depth"].values, "computed_kPa": pressure.values / 1e3}
+                tables.append(pd.DataFrame(table).dropna())
+                panel.plot(tables[-1].computed_kPa, tables[-1].depth_m, label=table["title"], **style)
     for point in points:
         panel.plot(point.wall_normal_pressure / 1e3, point.depth, "k*", markersize=15, label=f"measured in {point.phase}")
     panel.set(xlabel="wall normal pressure (kPa)", ylabel="depth z (m)", xlim=(0, None), ylim=(float(here["depth"].max()), 0))
     panel.set_title(points[0].title)
+    return pd.concat(tables)
 
 
 def _bars(panel, table: pd.DataFrame, point: Measured) -> None:

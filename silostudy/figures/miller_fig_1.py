@@ -24,9 +24,9 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
             value = near.interp({"chart_slenderness": slender}).values * length**2
             panel.plot(length**2, value, color=shade, linestyle=line, linewidth=1.2, label=f"{making}, R/t {slender}")
             curves.append(pd.DataFrame({"curve": f"{making}, R/t {slender}", "M2": length**2, "CM2": value}))
-    panel.plot(
-        length**2, 0.605 * length**2, color="#0072B2", linestyle=":", linewidth=1.5, label="perfect long shell, C = 0.605"
-    )
+    perfect = pd.DataFrame({"curve": "perfect long shell, C = 0.605", "M2": length**2, "CM2": 0.605 * length**2})
+    panel.plot(perfect.M2, perfect.CM2, color="#0072B2", linestyle=":", linewidth=1.5, label=perfect.curve[0])
+    curves.append(perfect)
     tests = points(cube)
     scatter(panel, tests, "M2", "CM2")
     panel.set(xscale="log", yscale="log", xlabel="M² = L² / (R t)", ylabel="C M² = (σ R / (E t)) M²")

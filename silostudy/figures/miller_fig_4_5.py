@@ -33,7 +33,12 @@ def _over_length(panel, ring: xr.DataArray, tests: pd.DataFrame) -> list[pd.Data
         panel.plot(me2, value * me2, color="black", linestyle=line, linewidth=1.2, label=label)
         curves.append(pd.DataFrame({"curve": label, "Me2": me2, "C3Me2": value * me2}))
     scatter(panel, tests.dropna(subset="Me2"), "Me2", "C3Me2")
-    panel.set(xscale="log", yscale="log", xlabel=r"$M_e^2 = L_T^2 / (R t) \cdot t_e / t$", ylabel=r"$C_3 M_e^2$")
+    panel.set(
+        xscale="log",
+        yscale="log",
+        xlabel=r"$M_e^2 = L_T^2 / (R t) \cdot t_e / t$",
+        ylabel=r"$C_3 M_e^2 = \sigma R / (E t_e) \cdot M_e^2$",
+    )
     panel.set_title("R/t = 500; tests whose total length $L_T$ is printed", fontsize=9)
     panel.legend(fontsize=8, loc="upper left")
     return curves

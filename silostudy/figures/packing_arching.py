@@ -24,31 +24,36 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     middle, low, high = chances.T
     chance.errorbar(places, middle, [middle - low, high - middle], fmt="o", color="black", capsize=3)
     chance.set(ylabel="share of runs that an arch stops", ylim=(-0.03, 1.03), title="chance of a stop, with its 95 % interval")
-    _scatter(time, plain["stop_time"], places)
+    stops = [_scatter(time, plain["stop_time"], places, "stopped_at_s"),
+             _scatter(span, plain["arch_span"] * CM, places, "arch_span_cm")]  # fmt: skip
     time.set(ylabel="last disc passed at (s)", title="when", ylim=(0, None))
-    _scatter(span, plain["arch_span"] * CM, places)
     span.axhline(cube.attrs["slit_width_m"] * CM, color="black", linewidth=0.8, linestyle="--", label="width of the slit")
     span.set(ylabel="distance of the arch's feet (cm)", title="where: the shortest chain of touching discs", ylim=(0, None))
     span.legend(loc="lower right", fontsize=8)
-    _passed(out, cube, places)
+    passed = _passed(out, cube, places)
     for panel in (chance, time, span, out):
         panel.set_xticks(places, [ensembles.name(s) for s in cube["packing"].values])
         panel.set_xlabel("packing")
     figure.suptitle(
         f"{cube.attrs['title']}\narches in {cube.sizes['run'] - 1} runs a packing, slit {cube.attrs['slit_width_m'] * CM:g} cm"
     )
-    save(figure, _numbers(cube, chances), stem)
+    save(figure, pd.concat([_numbers(cube, chances), passed, *stops], ignore_index=True), stem)
 
 
-def _scatter(panel, values: xr.DataArray, places: np.ndarray) -> None:
+def _scatter(panel, values: xr.DataArray, places: np.ndarray, column: str) -> pd.DataFrame:
+    """Draws what the runs of each packing gave, in rising order; as a table with that column."""
+    tables = []
     for place, across in zip(places, values["packing"].values, strict=True):
         known = ensembles.runs(values.sel(packing=across))
-        known = known[np.isfinite(known)]
-        panel.plot(place + np.linspace(-0.25, 0.25, len(known)), np.sort(known), ".", color="black", markersize=3, alpha=0.6)
+        known = np.sort(known[np.isfinite(known)])
+        panel.plot(place + np.linspace(-0.25, 0.25, len(known)), known, ".", color="black", markersize=3, alpha=0.6)
+        tables.append(pd.DataFrame({"packing": ensembles.name(across), column: known}))
+    return pd.concat(tables)
 
 
-def _passed(panel, cube: xr.Dataset, places: np.ndarray) -> None:
-    """Discs that have passed by the end, with and without the remedy."""
+def _passed(panel, cube: xr.Dataset, places: np.ndarray) -> pd.DataFrame:
+    """Draws the discs that have passed by the end, with and without the remedy; as a table."""
+    tables = []
     cases = cube if "removal" in cube.dims else cube.expand_dims("removal")
     for k in range(cases.sizes["removal"]):
         values = ensembles.runs(cases["passed_discs"].isel(removal=k, sample=-1))
@@ -58,13 +63,16 @@ def _passed(panel, cube: xr.Dataset, places: np.ndarray) -> None:
             places + 0.16 * k - 0.08, middle, [middle - low, high - middle], fmt="os"[k], color=ensembles.COLOURS[bool(k)],
             capsize=3, label=label,
         )  # fmt: skip
+        table = {"packing": [ensembles.name(s) for s in cases["packing"].values], "case": label}
+        tables.append(pd.DataFrame(table | {"discs_out": middle, "discs_out_tenth": low, "discs_out_nine_tenths": high}))
     end = float(cube["sample"][-1])
     panel.set(
-        ylabel=f"discs out after {end:g} s",
+        ylabel=f"number of discs out after {end:g} s",
         title="with and without the remedy (median, middle four fifths)",
         ylim=(0, 1.3 * panel.get_ylim()[1]),
     )
     panel.legend(loc="upper center", fontsize=8)
+    return pd.concat(tables)
 
 
 def _numbers(cube: xr.Dataset, chances: np.ndarray) -> pd.DataFrame:
@@ -75,10 +83,6 @@ def _numbers(cube: xr.Dataset, chances: np.ndarray) -> pd.DataFrame:
         values = plain[name].isel(run=slice(1, None))
         table[f"{name}_median_of_stopped"] = values.median("run").values
         table[f"{name}_ideal_start"] = plain[name].isel(run=0).values
-    cases = cube if "removal" in cube.dims else cube.expand_dims("removal")
-    for k in range(cases.sizes["removal"]):
-        passed = cases["passed_discs"].isel(removal=k, sample=-1, run=slice(1, None))
-        table[f"discs_out_median_{'with' if k else 'without'}_remedy"] = passed.median("run").values
     if "removal" in cube.dims:
         table["discs_removed_mean"] = cube["discs_removed"].isel(removal=1, run=slice(1, None)).mean("run").values
     return pd.DataFrame(table)

@@ -64,7 +64,7 @@ class Film:
             xticks=np.linspace(0, self.width, 5),
         )
         self.circles = panel.add_collection(self._circles(0))
-        self.chains = panel.add_collection(discs.chains(self.cube, self.shots[0], scale=SCALE))
+        self.chains = panel.add_collection(self._chains(0))
         self.bars = LineCollection([], colors="#0072b2", linewidths=1.6)
         panel.add_collection(self.bars)
         discs.scale_bar(panel, self.cube, 1.0, 38.5, SCALE)
@@ -76,7 +76,7 @@ class Film:
         self.circles.remove()
         self.chains.remove()
         self.circles = self.panel.add_collection(self._circles(number))
-        self.chains = self.panel.add_collection(discs.chains(self.cube, self.shots[number], scale=SCALE))
+        self.chains = self.panel.add_collection(self._chains(number))
         self.bars.set_segments(self._bars(number))
         time = float(self.cube["snapshot_time"][self.shots[number]])
         self.panel.set_title(f"{self.name}\nt = {time:.2f} s", fontsize=9)
@@ -87,6 +87,9 @@ class Film:
         found.set_array(discs.speed(self.cube, shot))
         found.set_clim(0.0, FASTEST)
         return found
+
+    def _chains(self, number: int) -> LineCollection:
+        return discs.chains(discs.contacts(self.cube, self.shots[number], scale=SCALE), scale=SCALE)
 
     def _bars(self, number: int) -> list[np.ndarray]:
         """Bars outward from both walls, as long as the force of each cell."""

@@ -89,10 +89,9 @@ def _line(panels, one: xr.Dataset, name: str, look: dict, number: int) -> pd.Dat
     flow.plot(slit * 100, median, color=look["color"], marker=look["marker"], markersize=4, linestyle="none")
     fine = np.linspace(0.0, slit.max(), 100)
     law = {"density": density, "diameter": diameter}
-    if np.isfinite(coefficient):
-        flow.plot(
-            fine * 100, rate(fine, coefficient, edge, **law), color=look["color"], linestyle=look["linestyle"], linewidth=1
-        )
+    curve = {"case": name, "runs": rates.shape[0], "slit_cm": fine * 100}
+    fitted = pd.DataFrame(curve | {"beverloo_kg_m_s": rate(fine, coefficient, edge, **law)}).dropna()
+    flow.plot(fitted.slit_cm, fitted.beverloo_kg_m_s, color=look["color"], linestyle=look["linestyle"], linewidth=1)
     shares = np.array([ensembles.chance(ensembles.runs(one["flow_stopped"].isel(slit=k))) for k in range(len(slit))]).T
     middle, low, high = shares
     shift = 0.02 * number
@@ -114,7 +113,7 @@ def _line(panels, one: xr.Dataset, name: str, look: dict, number: int) -> pd.Dat
         columns[f"overpressure_{measure}_median"] = np.median(
             ensembles.runs(one["wall_overpressure"].sel(measure=measure)), axis=0
         )
-    return pd.DataFrame(columns)
+    return pd.concat([pd.DataFrame(columns), fitted])
 
 
 def fit(slit, median, known, *, density: float, diameter: float) -> tuple[float, float]:

@@ -10,26 +10,29 @@ import xarray as xr
 from silostudy.figures.stability_map import COLOURS, MARKERS
 from silostudy.figures.style import save
 
+ASIDE = 1.015  # factor from a marcher's place on the time axis to the next one's, so that bars do not hide one another
+
 
 def draw(cube: xr.Dataset, stem: Path) -> None:
     """Writes the figure and its numbers."""
     figure, (panel, heights) = plt.subplots(1, 2, figsize=(11, 5.2), width_ratios=(3, 2))
     steps = cube["march_step"].to_numpy() * 1e3
     height = (cube["wall_part"].to_numpy() + 0.5) / cube.sizes["wall_part"]
+    profiles = []
     for k, marcher in enumerate(cube["marcher"].to_numpy()):
         one = cube.isel(marcher=k)
         peer = marcher == "LAMMPS"
         look = {"color": "black" if peer else COLOURS[k % len(COLOURS)], "marker": "x" if peer else MARKERS[k % len(MARKERS)]}
         panel.errorbar(
-            steps * 1.015**k, one["profile_error"], one["profile_noise"], label=str(marcher), capsize=2, linewidth=1, **look
+            steps * ASIDE**k, one["profile_error"], one["profile_noise"], label=str(marcher), capsize=2, linewidth=1, **look
         )
         last = int(np.flatnonzero(np.isfinite(one["profile_error"]))[-1])
-        heights.plot(one["silo_push"].isel(march_step=last), height, linewidth=1,
-                     label=f"{marcher}, {steps[last]:g} ms", **look)  # fmt: skip
+        profiles.append(_profile(heights, one["silo_push"].isel(march_step=last), height, f"{marcher}, {steps[last]:g} ms",
+                                 linewidth=1, **look))  # fmt: skip
         if k == 0 or peer:
             short = f"{marcher if peer else 'eqs. (17), (18)'}, {cube.attrs['reference_step_s'] * 1e3:g} ms"
-            heights.plot(one["reference_push"], height, color="black", linewidth=2.5, alpha=0.4, label=short,
-                         linestyle="--" if peer else "-")  # fmt: skip
+            profiles.append(_profile(heights, one["reference_push"], height, short, color="black", linewidth=2.5, alpha=0.4,
+                                     linestyle="--" if peer else "-"))  # fmt: skip
     panel.set(xscale="log", xlabel="time step (ms)", ylabel="distance of the mean wall profile from a short step's (1)")
     panel.set_ylim(bottom=0.0)
     panel.set_xticks(steps, [f"{step:g}" for step in steps])
@@ -40,11 +43,19 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     panel.legend(fontsize=8)
     heights.legend(fontsize=7)
     figure.suptitle(f"Critically damped discs in a silo at rest, {cube.attrs['fillings']} fillings", fontsize=10)
-    save(figure, _numbers(cube), stem)
+    save(figure, pd.concat([_numbers(cube), *profiles], ignore_index=True), stem)
+
+
+def _profile(panel, push: xr.DataArray, height: np.ndarray, label: str, **look) -> pd.DataFrame:
+    """Draws the force on both walls over the height; as a table."""
+    panel.plot(push, height, label=label, **look)
+    return pd.DataFrame({"profile": label, "wall_force_N_m": push.to_numpy(), "relative_height": height})
 
 
 def _numbers(cube: xr.Dataset) -> pd.DataFrame:
     table = cube[["profile_error", "profile_noise"]].to_dataframe().reset_index()
     total = cube["silo_push"].sum("wall_part", skipna=False) / cube["reference_push"].sum("wall_part")
     table["wall_force_over_reference"] = total.transpose("marcher", "march_step").to_numpy().ravel()
+    aside = table["marcher"].map({marcher: ASIDE**k for k, marcher in enumerate(cube["marcher"].to_numpy())})
+    table["drawn_at_ms"] = table["march_step"] * 1e3 * aside
     return table.rename(columns={"march_step": "march_step_s"})

@@ -31,9 +31,9 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     grid: Any = figure.subfigures(3, 1, height_ratios=(1.15, 1, 1))
     left, right = grid[0].subplots(1, 2, sharey=True)
     size = f"D {float(at.diameter):g} m, H/D {float(at.slenderness):g}"
-    _matrix(left, at, cube, "{:.1f}", f"thickness (mm), {size}, wall friction at its upper (unsafe) end")
-    change = (place.sel(wall_friction_end="upper") / place.sel(wall_friction_end="mean") - 1) * 100
-    _matrix(right, change.round(), cube, "{:+g}", "change of that thickness from mean to upper wall friction (%)")
+    _matrix(left, at, cube, "{:.1f}", f"thickness (mm), {size}, wall friction at its upper end")
+    change = ((place.sel(wall_friction_end="upper") / place.sel(wall_friction_end="mean") - 1) * 100).round()
+    _matrix(right, change, cube, "{:+g}", "change of that thickness from mean to upper wall friction (%)")
     fixed = {"diameter": {"slenderness": SLENDERNESS}, "slenderness": {"diameter": DIAMETER}}
     for row, (axis, label) in zip(grid[1:], (("diameter", "diameter D (m)"), ("slenderness", "H/D")), strict=True):
         _curves(row, upper.sel(fixed[axis], method="nearest"), cube, axis, label)
@@ -42,7 +42,7 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
         f"{cube.attrs['title']}\n* the method's friction would carry more than the contents weigh (wall friction times a "
         f"design pressure)\nlargest over smallest method, median of all silos and rules: {spread:.2f}"
     )
-    save(figure, _numbers(needed), stem)
+    save(figure, pd.concat([_numbers(needed), _changes(change)], ignore_index=True), stem)
 
 
 def _matrix(panel: Axes, values: xr.DataArray, cube: xr.Dataset, form: str, heading: str) -> None:
@@ -86,6 +86,12 @@ def _curves(row, needed: xr.DataArray, cube: xr.Dataset, axis: str, label: str) 
         panel.set(xlabel=label, title=f"{heading}, {fixed}", ylim=(0, None))
         panel.legend(fontsize=8)
     left.set_ylabel("required thickness (mm)")
+
+
+def _changes(change: xr.DataArray) -> pd.DataFrame:
+    """The matrix of changes (%) from mean to upper wall friction."""
+    table = change.rename("change_percent").to_dataframe().reset_index()
+    return table[["rule", "pressure_method", "diameter", "slenderness", "change_percent"]].dropna()
 
 
 def _numbers(needed: xr.DataArray) -> pd.DataFrame:

@@ -38,18 +38,10 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
         f"Miller's buckling stress with rings, {making(cube)}, yield stress {steel:g} MPa\n"
         "hatched: the shell buckles with its rings, so that larger rings help; elsewhere the bay buckles between them"
     )
-    numbers = cube[["buckling_stress", "elastic_local_stress", "elastic_general_stress"]].to_dataframe().reset_index()
-    save(
-        figure,
-        numbers[
-            [
-                "radius_over_thickness",
-                "relative_bay_length",
-                "ring_area_ratio",
-                "buckling_stress",
-                "elastic_local_stress",
-                "elastic_general_stress",
-            ]
-        ],
-        stem,
+    stresses = ["buckling_stress", "elastic_local_stress", "elastic_general_stress"]
+    numbers = (
+        cube[stresses]
+        .to_dataframe()
+        .reset_index()[["radius_over_thickness", "relative_bay_length", "ring_area_ratio", *stresses]]
     )
+    save(figure, numbers.assign(local_over_general=numbers.elastic_local_stress / numbers.elastic_general_stress), stem)

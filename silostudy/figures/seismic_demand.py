@@ -22,7 +22,7 @@ CASES = (("#0072b2", "o"), ("#d55e00", "s"), ("#009e73", "^"))
 
 def draw(cube: xr.Dataset, stem: Path) -> None:
     """Writes the figure and its numbers."""
-    figure, grid = plt.subplots(2, 3, figsize=(12, 9.5))
+    figure, grid = plt.subplots(2, 3, figsize=(12, 9.5), sharey=True)
     panels, tables = grid.flat[: len(PANELS)], []
     for (colour, marker), one in zip(CASES, cases(cube), strict=False):
         for dash, choice in zip(LINES, map(str, one["mass_choice"].values), strict=False):

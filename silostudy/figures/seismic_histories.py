@@ -26,7 +26,7 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
         _column(column, one, shown)
         column[0].set_title(f"{name(one)}\nC_eff found: {answer(one, 'amplitude_error')}", fontsize=9)
         tables.append(_numbers(one).assign(case=str(one["case"].values)))
-    for panel in panels[:, 0]:
+    for panel in panels.flat:
         panel.set_ylabel("acceleration (m/s²)", fontsize=7)
     head(figure, cube, f"accelerations of base and top, {WINDOW:g} s about the largest measured value (grey: measured)")
     save(figure, pd.concat(tables, ignore_index=True), stem)

@@ -10,10 +10,10 @@ import xarray as xr
 from silostudy.figures.shaken import answer, cases, head, name, printed, style
 from silostudy.figures.style import save
 
-INDICES = {
-    "amplitude_error": "e_A, Fourier amplitudes",
-    "phase_error": "e_P, wrapped phase differences",
-    "phase_error_as_printed": "e_P divided by the phase, as the source prints it",
+INDICES = {  # what each is, and the width of its line
+    "amplitude_error": ("e_A, Fourier amplitudes", 1.8),
+    "phase_error": ("e_P, wrapped phase differences", 1.8),
+    "phase_error_as_printed": ("e_P divided by the phase, as the source prints it", 1.0),
 }
 F1_LABELS = 6  # frequencies written along the top
 
@@ -39,9 +39,8 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
 
 
 def _curves(panel, one: xr.Dataset, label: bool) -> None:
-    for number, (index, title) in enumerate(INDICES.items()):
+    for number, (index, (title, width)) in enumerate(INDICES.items()):
         values = one[index] / one[index][-1]
-        width = 1.0 if index.endswith("printed") else 1.8
         panel.plot(one["coefficient"], values, linewidth=width, label=title if label else None, **style(number))
 
 
@@ -70,7 +69,8 @@ def _answers(panel, one: xr.Dataset, source) -> None:
         lines.append(f"source, really measured: {source.effective_mass_coefficient:.2f}, f1 = {source.full_frequency:g} Hz")
         lines.append(f"(implies contents of {source.implied_mass_ratio:.2f} wall masses)")
         panel.axvline(source.effective_mass_coefficient, color="black", linewidth=0.9, linestyle=":")
-    panel.plot(found["amplitude_error"], 0, marker="^", color="black", clip_on=False, markersize=8, linestyle="none")
+    panel.plot(found["amplitude_error"], 0, marker="^", color="black", clip_on=False, markersize=8, linestyle="none",
+               transform=panel.get_xaxis_transform())  # fmt: skip
     panel.text(0.98, 0.03, "\n".join(lines), transform=panel.transAxes, ha="right", va="bottom", fontsize=7,
                bbox={"color": "white", "alpha": 0.85})  # fmt: skip
 

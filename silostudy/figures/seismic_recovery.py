@@ -29,8 +29,8 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
         table = _numbers(one)
         _trials(above, table, float(one["recovery_coverage"]))
         above.set_title(f"{name(one)}\n{_coverage(table)}", fontsize=9)
-        _contributions(below, one)
-        tables.append(table.assign(case=str(one["case"].values)))
+        parts = _contributions(below, one)
+        tables += [part.assign(case=str(one["case"].values)) for part in (table, parts)]
     panels[0, 0].set_ylabel("C_eff found less true C_eff")
     head(
         figure, cube, "known coefficients found again by e_A from synthetic responses with noise, damping and stiffness unknown"
@@ -41,7 +41,8 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
 def _numbers(one: xr.Dataset) -> pd.DataFrame:
     table = one[["recovery_truth", "recovery_answer", "recovery_uncertainty"]].to_dataframe()
     table = table[["recovery_truth", "recovery_answer", "recovery_uncertainty"]].reset_index()
-    table["within"] = (table.recovery_answer - table.recovery_truth).abs() <= table.recovery_uncertainty
+    table["error"] = table.recovery_answer - table.recovery_truth
+    table["within"] = table.error.abs() <= table.recovery_uncertainty
     return table
 
 
@@ -50,19 +51,18 @@ def _coverage(table: pd.DataFrame) -> str:
 
 
 def _trials(panel, table: pd.DataFrame, coverage: float) -> None:
-    error = table.recovery_answer - table.recovery_truth
     for within, marker, colour, label in ((True, "o", "#0072b2", "truth within"), (False, "X", "#d55e00", "truth outside")):
-        some = table.within == within
-        if some.any():
-            panel.errorbar(table.recovery_truth[some], error[some], table.recovery_uncertainty[some], fmt=marker, color=colour,
+        some = table[table.within == within]
+        if len(some):
+            panel.errorbar(some.recovery_truth, some.error, some.recovery_uncertainty, fmt=marker, color=colour,
                            markersize=4 if within else 8, linewidth=0.7, label=label)  # fmt: skip
     panel.axhline(0, color="black", linewidth=0.8)
     panel.set_xlabel("true C_eff of the synthetic response")
     panel.legend(fontsize=8, loc="upper left")
 
 
-def _contributions(panel, one: xr.Dataset) -> None:
-    """Half-widths that add up to the uncertainty of the study's own answer, and the coarse step beside them."""
+def _contributions(panel, one: xr.Dataset) -> pd.DataFrame:
+    """Half-widths that add up to the uncertainty of the study's own answer, and the coarse step; as a table."""
     parts = dict(zip(map(str, one["contribution"].values), map(float, one["uncertainty_contribution"].values), strict=True))
     fine, coarse = float(one["uncertainty"]), float(one["coarse_uncertainty"])
     steps = coarse - fine + parts["step"] if np.isfinite(coarse) else np.nan
@@ -74,8 +74,9 @@ def _contributions(panel, one: xr.Dataset) -> None:
     for place, value, text in zip(places, values, told, strict=True):
         panel.text(value, place, f" {text}", va="center", fontsize=7)
     panel.set_yticks(places, labels, fontsize=8)
-    panel.set(xlabel="half-width of the study's own answer", xlim=(0, 1.2 * max(values)))
+    panel.set(xlabel="half-width of the study's own C_eff", xlim=(0, 1.2 * max(values)))
     panel.grid(axis="y", visible=False)
+    return pd.DataFrame({"contribution": labels, "half_width": values})
 
 
 def _open(half_width: float) -> str:

@@ -16,6 +16,7 @@ WITHOUT = {"linestyle": (0, (4, 2)), "linewidth": 1.0}
 WITH = {"linestyle": "-", "linewidth": 1.7}
 NEEDED = "buckling rules: thickness that a wall of one thickness needs, without and with the earthquake"
 SIDES = {"pressed": "#B2182B", "lifted": "#2166AC"}
+PRESSURES = {"pressed": ("upper_internal_pressure", "largest"), "lifted": ("lower_internal_pressure", "smallest guaranteed")}
 
 
 def draw(cube: xr.Dataset, stem: Path) -> None:
@@ -50,8 +51,7 @@ def _forces(panel, cube: xr.Dataset) -> None:
 def _pressures(panel, one: xr.Dataset) -> None:
     """What steadies the wall (on the lifted side less) and what makes its foot yield (on the pressed side more)."""
     z = one["depth"].values
-    ends = {"pressed": ("upper_internal_pressure", "largest"), "lifted": ("lower_internal_pressure", "smallest guaranteed")}
-    for side, (name, text) in ends.items():
+    for side, (name, text) in PRESSURES.items():
         dashes = {**WITHOUT, "linestyle": (4 if side == "pressed" else 0, (4, 4))}  # the two may coincide
         panel.plot(one[name] / 1e3, z, color=SIDES[side], **dashes, label=f"{text}, static")
         shaken = one[f"earthquake_{name}"].sel(side=side) / 1e3
@@ -103,11 +103,19 @@ def _head(cube: xr.Dataset) -> str:
 
 
 def _numbers(cube: xr.Dataset) -> pd.DataFrame:
-    """Worst utilisation over the phases at every depth, static and on both sides; thickness (mm) for the whole wall."""
+    """Worst utilisation over the phases at every depth, static and on both sides, forces (N/m) and pressures (Pa) behind it.
+
+    The thickness (mm) is for the whole wall.
+    """
     shown = {"static": cube["utilisation"].max("phase")}
     for side in map(str, cube["side"].values):
         shown[side] = cube["earthquake_utilisation"].sel(side=side, drop=True).max("phase")
+    shown["worst_side"] = cube["earthquake_utilisation"].max(["phase", "side"])
+    shown["axial_wall_force"] = cube["axial_wall_force"].max("phase")
+    shown["earthquake_axial_wall_force"] = cube["earthquake_axial_wall_force"].sel(side="pressed", drop=True).max("phase")
+    for side, (name, _) in PRESSURES.items():
+        shown[name], shown[f"earthquake_{name}"] = cube[name], cube[f"earthquake_{name}"].sel(side=side, drop=True)
     needed = _needed(cube) * 1e3
     shown |= {"needed_static_mm": needed["static"], "needed_with_earthquake_mm": needed["shaken"]}
     table = xr.Dataset(shown).to_dataframe(dim_order=["rule", "pressure_method", "depth"]).reset_index()
-    return table[["rule", "pressure_method", "depth", *shown]].dropna(subset="static")
+    return table[["rule", "pressure_method", "depth", *shown]].dropna(subset=["static", "axial_wall_force"], how="all")

@@ -57,7 +57,7 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     )
     figure.legend(handles=_legend(cube, "rule"), loc="outside lower right", ncols=3, fontsize=8, title="buckling rules")
     figure.suptitle(
-        f"{cube.attrs['title']}\ndashed: mean wall friction; full: upper wall friction, the unsafe end for buckling"
+        f"{cube.attrs['title']}\ndashed: mean wall friction; full: upper wall friction (more axial force, less pressure)"
     )
     save(figure, _numbers(cube, level), stem)
 

@@ -23,6 +23,7 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
 
 def _worst(at: xr.Dataset, one: xr.Dataset) -> dict:
     modes = str(one["wall_buckling_mode"].attrs["flag_meanings"]).split()
+    checks = str(one["utilisation_check"].attrs["flag_meanings"]).split()
     sources = str(one["axial_force_source"].attrs["flag_meanings"]).split()
     return {
         "utilisation": float(at["utilisation"]),
@@ -30,6 +31,8 @@ def _worst(at: xr.Dataset, one: xr.Dataset) -> dict:
         "thickness_mm": float(at["wall_thickness"]) * 1e3,
         "axial_stress_MPa": float(at["axial_wall_stress"]) / 1e6,
         "buckling_stress_MPa": float(at["wall_buckling_stress"]) / 1e6,
+        "governed_by": checks[int(at["utilisation_check"])],
+        "utilisation_at_strake_ends": float(one["strake_utilisation"].max()),
         "mode": modes[int(at["wall_buckling_mode"])],
         "masked_depths": int(one["utilisation"].isnull().sum()),
         "axial_force_from": sources[int(one["axial_force_source"])],

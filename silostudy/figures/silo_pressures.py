@@ -15,7 +15,7 @@ import xarray as xr
 from matplotlib.axes import Axes
 
 from silostudy.cube.silence import reason
-from silostudy.figures.style import save, title
+from silostudy.figures.style import AID, save, title
 
 SIDES = {
     "normal": (1, "wall_normal_pressure", "hopper_normal_pressure"),
@@ -23,6 +23,7 @@ SIDES = {
 }
 HATCHES = {"normal": "////", "friction": "...."}
 COLOURS = {"normal": "#B2182B", "friction": "#2166AC"}
+SAVED = ("side", "depth_m", "wall_radius_m", "pressure_kPa", "from_axis_m", "tip_from_axis_m", "tip_depth_m")
 WIDEST = 0.75  # diameters that the largest pressure reaches out
 
 
@@ -35,6 +36,7 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     given = {(method, phase): state(cube, method, phase) for method in methods for phase in phases}
     states = {where: found for where, found in given.items() if found is not None}
     largest = max(float(table.pressure_kPa.max()) for table in states.values())
+    states = {where: off_the_wall(table, cube, largest) for where, table in states.items()}
     figure, panels = plt.subplots(
         len(methods), len(phases), figsize=(4.3 * len(phases), 6.6 * len(methods)), squeeze=False, sharex=True, sharey=True
     )
@@ -44,7 +46,7 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
             panel.set_aspect("equal")
             _silo(panel, cube)
             if (method, phase) in states:
-                _pressures(panel, cube, states[method, phase], largest)
+                _pressures(panel, states[method, phase])
                 _forces(panel, cube, method, phase)
             else:
                 panel.text(0, float(cube["cylinder_depth"]) / 2, _why_not(cube, method, phase), ha="center", va="center")
@@ -52,7 +54,7 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     _frame(panels, cube, largest)
     figure.suptitle(cube.attrs["title"])
     numbers = pd.concat([t.assign(pressure_method=m, phase=p) for (m, p), t in states.items()], ignore_index=True)
-    save(figure, numbers[["pressure_method", "phase", "side", "depth_m", "wall_radius_m", "pressure_kPa"]], stem)
+    save(figure, numbers[["pressure_method", "phase", *SAVED]], stem)
 
 
 def _why_not(cube: xr.Dataset, method: str, phase: str) -> str:
@@ -107,21 +109,33 @@ def _silo(panel: Axes, cube: xr.Dataset) -> None:
     radius, (depth, at) = diameter(cube) / 2, wall(cube)
     for sign in (1, -1):
         panel.plot(
-            [sign * radius] * 2 + list(sign * at), [0, float(cube["cylinder_depth"]), *depth], color="black", linewidth=1.8
+            [sign * radius] * 2 + list(sign * at),
+            [0, float(cube["cylinder_depth"]), *depth],
+            color="black",
+            linewidth=1.8,
+            gid=AID,
         )
-    panel.plot([-radius, radius], [0, 0], color="0.5", linewidth=0.8)
-    panel.plot([-radius, radius], [float(cube["cylinder_depth"])] * 2, color="0.6", linewidth=0.6, linestyle=(0, (6, 4)))
+    panel.plot([-radius, radius], [0, 0], color="0.5", linewidth=0.8, gid=AID)
+    across: dict[str, Any] = {"color": "0.6", "linewidth": 0.6, "linestyle": (0, (6, 4)), "gid": AID}
+    panel.plot([-radius, radius], [float(cube["cylinder_depth"])] * 2, **across)
 
 
-def _pressures(panel: Axes, cube: xr.Dataset, table: pd.DataFrame, largest: float) -> None:
-    scale, angle = WIDEST * diameter(cube) / largest, float(cube["hopper_half_angle"])
-    for (side, part), group in table.groupby(["side", "part"], sort=False):
-        sign = SIDES[side][0]
-        out, down = (np.cos(angle), np.sin(angle)) if part == "hopper" else (1.0, 0.0)
-        x = sign * (group.wall_radius_m + group.pressure_kPa * scale * out)
-        y = group.depth_m + group.pressure_kPa * scale * down
-        foot = sign * group.wall_radius_m
-        outline = np.concatenate([np.stack([x, y], 1), np.stack([foot, group.depth_m], 1)[::-1]])
+def off_the_wall(table: pd.DataFrame, cube: xr.Dataset, largest: float) -> pd.DataFrame:
+    """A load case with the places (m) where its pressures are drawn: at right angles off the wall, friction on the left."""
+    scale, hopper = WIDEST * diameter(cube) / largest, (table.part == "hopper").to_numpy()
+    angle = np.where(hopper, float(cube["hopper_half_angle"]), 0.0)
+    sign, length = table.side.map({side: sign for side, (sign, *_) in SIDES.items()}), table.pressure_kPa * scale
+    return table.assign(
+        from_axis_m=sign * table.wall_radius_m,
+        tip_from_axis_m=sign * (table.wall_radius_m + length * np.cos(angle)),
+        tip_depth_m=table.depth_m + length * np.sin(angle),
+    )
+
+
+def _pressures(panel: Axes, table: pd.DataFrame) -> None:
+    for (side, _), group in table.groupby(["side", "part"], sort=False):
+        feet = group[["from_axis_m", "depth_m"]].to_numpy()[::-1]
+        outline = np.concatenate([group[["tip_from_axis_m", "tip_depth_m"]].to_numpy(), feet])
         outline = outline[np.isfinite(outline).all(axis=1)]
         outline = np.vstack([outline, outline[:1]])
         panel.fill(*outline.T, facecolor=COLOURS[side], alpha=0.15, linewidth=0)
@@ -129,9 +143,8 @@ def _pressures(panel: Axes, cube: xr.Dataset, table: pd.DataFrame, largest: floa
         panel.plot(*outline.T, color=COLOURS[side], linewidth=1.3)
     here = table[table.side == "normal"]
     top = here.loc[here.pressure_kPa.idxmax()]
-    out, down = (np.cos(angle), np.sin(angle)) if top.part == "hopper" else (1.0, 0.0)
-    tip = (top.wall_radius_m + top.pressure_kPa * scale * out, top.depth_m + top.pressure_kPa * scale * down)
-    panel.annotate(f"{top.pressure_kPa:.0f} kPa", tip, xytext=(3, 2), textcoords="offset points", fontsize=8, va="center")
+    tip, text = (top.tip_from_axis_m, top.tip_depth_m), f"{top.pressure_kPa:.0f} kPa"
+    panel.annotate(text, tip, xytext=(3, 2), textcoords="offset points", fontsize=8, va="center")
 
 
 def _forces(panel: Axes, cube: xr.Dataset, method: str, phase: str) -> None:
@@ -143,7 +156,7 @@ def _forces(panel: Axes, cube: xr.Dataset, method: str, phase: str) -> None:
         ring = float(one["switch_force"][place])
         text = f"switch half-way up\nring force {ring / 1e3:.0f} kN"
         most = int(np.nanargmax(one["switch_force"].values))
-        text += f"\nfrom the {fill(str(one['pressure_method_initial_state'].values), 20)}"
+        text += "\n" + fill(f"from the {one['pressure_method_initial_state'].values}", 20)
         text += f"\nlargest on its way\n{float(one['switch_force'][most]) / 1e3:.0f} kN at {depth[most]:.1f} m"
     else:
         if one["hopper_normal_pressure"].isnull().all():
@@ -174,7 +187,7 @@ def _frame(panels: np.ndarray, cube: xr.Dataset, largest: float) -> None:
     length = bar * WIDEST * width / largest
     for panel in panels.flat:
         panel.set(xlim=(-1.45 * width, 1.45 * width), ylim=(bottom + 0.45 * width, -0.06 * width))
-        panel.plot([-1.3 * width, -1.3 * width + length], [bottom + 0.3 * width] * 2, color="black", linewidth=2)
+        panel.plot([-1.3 * width, -1.3 * width + length], [bottom + 0.3 * width] * 2, color="black", linewidth=2, gid=AID)
         panel.text(-1.3 * width + length / 2, bottom + 0.27 * width, f"{bar:.0f} kPa", ha="center", va="bottom", fontsize=8)
         panel.text(1.4 * width, 0.3, "normal\npressure", ha="right", va="top", color=COLOURS["normal"], fontsize=8)
         panel.text(-1.4 * width, 0.3, "wall\nfriction", ha="left", va="top", color=COLOURS["friction"], fontsize=8)

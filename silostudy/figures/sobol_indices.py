@@ -31,7 +31,9 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
             np.arange(len(bars)), share, left=start, color=colour, hatch=hatch, edgecolor="white", height=0.75, label=name
         )
         start = start + share
-    panel.plot(bars.total.sum().to_numpy(), np.arange(len(bars)), "k|", markersize=11, label="sum of the total indices")
+    panel.plot(
+        bars.sum_of_totals.first().to_numpy(), np.arange(len(bars)), "k|", markersize=11, label="sum of the total indices"
+    )
     panel.set_yticks(np.arange(len(bars)), list(bars.groups))
     panel.set(xlabel="share of the variance of the largest wall pressure (first-order Sobol index)", xlim=(0, 1.1))
     panel.set_ylim(len(bars) - 0.4, -0.6)
@@ -49,4 +51,5 @@ def _numbers(cube: xr.Dataset) -> pd.DataFrame:
             table = {"curve": f"{title(cube, method)}, {phase}", "parameter": cube["parameter"].values}
             table |= {"first_order": one["sobol_first"].values, "total": one["sobol_total"].values}
             tables.append(pd.DataFrame(table))
-    return pd.concat(tables, ignore_index=True).dropna()
+    table = pd.concat(tables, ignore_index=True).dropna()
+    return table.assign(sum_of_totals=table.groupby("curve").total.transform("sum"))

@@ -17,7 +17,7 @@ NAMES = {"disc": "one disc", "column": "column, up and down", "rows": "rows of s
 def draw(cube: xr.Dataset, stem: Path) -> None:
     """Writes the figure and its numbers."""
     networks = [str(name) for name in cube["network"].values]
-    figure, panels = plt.subplots(1, len(networks), figsize=(3.6 * len(networks), 5.6), sharey=True, squeeze=False)
+    figure, panels = plt.subplots(1, len(networks), figsize=(max(6.0, 3.6 * len(networks)), 5.6), sharey=True, squeeze=False)
     for panel, network in zip(panels[0], networks, strict=True):
         _panel(panel, cube.sel(network=network), network)
     panels[0, 0].set_ylabel("largest stable step (ms)")
@@ -47,8 +47,7 @@ def march_name(one: xr.Dataset) -> str:
     """Integrator and dashpots of one way of marching."""
     integrator = str(one["march_integrator"].values)
     named = f"eqs. ({integrator.replace('-', '), (')})" if integrator[0].isdigit() else integrator.replace("-", " ")
-    laws = [str(one[f"march_{law}"].values) for law in ("normal", "tangential") if f"march_{law}" in one]
-    implicit = sum(law.endswith("implicit") for law in laws)
+    implicit = int(one["implicit_dashpots"].max())
     return named + {0: "", 1: ", one dashpot semi-implicit"}.get(implicit, ", semi-implicit dashpots")
 
 

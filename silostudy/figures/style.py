@@ -8,6 +8,7 @@ import matplotlib
 matplotlib.use("Agg")
 
 import matplotlib.pyplot as plt
+import numpy as np
 import pandas as pd
 import xarray as xr
 from matplotlib.figure import Figure
@@ -29,6 +30,7 @@ plt.rcParams.update(
         "figure.constrained_layout.use": True,
     }
 )
+AID = "aid"  # gid of what helps the eye and shows no number of the table: the outline of a silo, a bar of scale
 PHASE_LINES = {"switch": (0, (1, 1)), "filling": (0, (4, 2)), "discharge": "-"}
 
 
@@ -58,6 +60,24 @@ def title(cube: xr.Dataset, method: str) -> str:
     one = cube.sel(pressure_method=method)
     number = str(one.pressure_method_number.values)
     return f"{number}  {one.pressure_method_title.values}" if number else str(one.pressure_method_title.values)
+
+
+def drawn(cube: xr.Dataset, method: str) -> str:
+    """How a figure that compares many methods shows one, as its row says."""
+    return str(cube["pressure_method_drawn"].sel(pressure_method=method).values)
+
+
+def phases_of_its_own(cube: xr.Dataset, method: str, static: str) -> list[str]:
+    """Phases with a curve of their own: Jenike's filling, and all of 1969, are the static method's."""
+    pressure = cube["wall_normal_pressure"]
+    filling = pressure.sel(pressure_method=static, phase="filling")
+    shown = []
+    for phase in map(str, cube["phase"].values):
+        one = pressure.sel(pressure_method=method, phase=phase)
+        same = method != static and np.allclose(one, filling, rtol=1e-12, atol=0)
+        if one.notnull().any() and not same:
+            shown.append(phase)
+    return shown
 
 
 def silent(cube: xr.Dataset) -> list[Patch]:

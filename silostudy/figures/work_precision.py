@@ -42,7 +42,15 @@ def draw_group(cube: xr.Dataset, group: str, stem: Path) -> None:
         axis.set_visible(False)
     about = f"CPU time: median of {cube.attrs['repeats']} readings on {cube.attrs['machine']}, {cube.attrs['measured_on']}"
     figure.suptitle(f"{cube.attrs['title']}\n{about}", fontsize=10)
-    save(figure, points, stem)
+    save(figure, written(points), stem)
+
+
+def written(points: pd.DataFrame) -> pd.DataFrame:
+    """The points as they are saved: costs with their unit, and what is drawn of errors too small for a scale of powers."""
+    error = np.maximum(points["error"], LEAST)
+    ends = {"error_drawn": error, "error_low_drawn": np.maximum(points["error_low"], error / 30)}
+    ends["error_kept_drawn"] = np.maximum(points["error_kept"], LEAST)
+    return points.assign(**ends).rename(columns={name: f"{name}_s" for name in points if name.startswith("cost")})
 
 
 def panel(axis, part: pd.DataFrame, problem: xr.Dataset) -> None:

@@ -8,7 +8,7 @@ import numpy as np
 from silostudy.catalogue import Row
 from silostudy.pressure.calls import asking, call, first_line, parameters_of
 from silostudy.pressure.limits import Limit, broken
-from silostudy.soundness import faults_of_function, faults_of_look, faults_of_trial
+from silostudy.soundness import check_numbers, faults_of_function, faults_of_look, faults_of_trial
 
 PHASES = ("filling", "switch", "discharge")
 USUAL_PHASES = ("filling", "discharge")
@@ -132,8 +132,9 @@ REASONS = (
 )
 IN_SCOPE, NO_QUANTITY, NO_PHASE, NO_PLAN, NO_PROPERTY, OUT_OF_RANGE, ABOVE_CONTACT, NO_HOPPER = range(len(REASONS))
 
-# a curve of its own; a thin one, of the handbook; one edge of a band, of a set of characteristic values
-DRAWN = ("curve", "handbook", "set")
+# a curve of its own; a thin one, of the handbook; one edge of a band, of a set of characteristic values; a dotted one, of a
+# reading that leaves the source's misprints in; none
+DRAWN = ("curve", "handbook", "set", "misprint", "none")
 
 Quantities = Mapping[str, Callable]
 
@@ -159,7 +160,7 @@ class PressureMethod(Row):
     table_key: method under which the tables keep its own values, where several rows share them.
     number: how the handbook numbers the curve in Fig. 4.2.11; empty where it is not in that figure.
     initial_state: from which state in the hopper the switch to flow starts.
-    drawn: one of DRAWN: how a figure that compares many methods shows it.
+    drawn: one of DRAWN: how a figure that compares many methods shows it; drawn_as_printed: how its reading with misprints.
     """
 
     phases: Mapping[str, Quantities]
@@ -171,6 +172,7 @@ class PressureMethod(Row):
     marker: str
     number: str = ""
     drawn: str = "curve"
+    drawn_as_printed: str = "none"
     initial_state: str = ""
     as_printed: Mapping[str, Quantities] = field(default_factory=dict)
     misprinted_table: bool = False
@@ -225,8 +227,9 @@ class PressureMethod(Row):
         """What is wrong with the row, in words."""
         yield from super().faults()
         yield from faults_of_look(self)
-        if self.drawn not in DRAWN:
-            yield f"drawn = {self.drawn!r}: must be one of {', '.join(DRAWN)}"
+        for name in ("drawn", "drawn_as_printed"):
+            if getattr(self, name) not in DRAWN:
+                yield f"{name} = {getattr(self, name)!r}: must be one of {', '.join(DRAWN)}"
         yield from _faults_of_names(self)
         for name, function, unit, place in _functions(self):
             faults = list(faults_of_function(name, function, unit, parameters_of(function), PARAMETERS))
@@ -247,7 +250,9 @@ def _faults_of_names(row: PressureMethod) -> Iterator[str]:
         ("varies", row.varies, PARAMETERS),
         ("plans_of", row.plans_of, QUANTITIES | HOPPER_QUANTITIES | TOTALS),
     ):
-        if strange := [one for one in given if one not in known]:
+        if isinstance(given, str):
+            yield f"{name} = {given!r}: must be several, as {{{given!r}}}"
+        elif strange := [one for one in given if one not in known]:
             yield f"{name}: {', '.join(map(str, strange))} unknown; known: {', '.join(known)}"
     if not row.plans or not row.phases:
         yield "plans and phases must not be empty"
@@ -279,5 +284,5 @@ def _tried(function: Callable, place: str | None) -> None:
     usual = {name: np.full((2, 1), value) for name, (_, _, value) in PARAMETERS.items()}
     where = None if place is None else np.array([[0.5, 1.0, 1.5]] * 2)
     with np.errstate(all="ignore"):
-        found = call(function, where, usual)
-    np.broadcast_to(np.asarray(found, dtype=float), (2, 1) if where is None else where.shape)
+        found = check_numbers(lambda: call(function, where, usual))
+    np.broadcast_to(found, (2, 1) if where is None else where.shape)

@@ -218,6 +218,7 @@ ROW = PressureMethod(
     marker="D",
     number="8",
     drawn="handbook",
+    drawn_as_printed="misprint",
     as_printed={"discharge": {"wall_normal_pressure": printed_envelope}},
     equilibrium=("filling", "switch"),
 )

@@ -70,14 +70,23 @@ def build(config: SceneConfig, solids: Family[SolidRow], where: str = "") -> Sce
         allowed = f"solid {config.solid} has no wall friction of its own: choose a wall kind ({', '.join(WALLS)})"
         raise BadInput("scene.wall", None, f"{allowed} or give scene.properties.wall_friction", where)
     require_possible(scene, where)
-    if scene.wall_friction_end == "upper" and not scene.on_roughness_group and not _spreads_known(scene):
-        allowed = "needs one of Pieper's roughness groups as wall, or scene.properties.a_mu and a_K"
-        raise BadInput("scene.wall_friction_end", "upper", allowed, where)
+    _require_end(scene, where)
     return scene
 
 
+def _require_end(scene: Scene, where: str) -> None:
+    """BadInput where the end of the wall friction that is asked for is not known."""
+    end = scene.wall_friction_end
+    if end == "lower" and scene.on_roughness_group:
+        allowed = "Pieper's roughness groups have no lower end: give scene.properties.wall_friction, a_mu and a_K"
+        raise BadInput("scene.wall_friction_end", end, allowed, where)
+    if end != "mean" and not scene.on_roughness_group and not _spreads_known(scene):
+        allowed = "needs one of Pieper's roughness groups as wall, or scene.properties.a_mu and a_K"
+        raise BadInput("scene.wall_friction_end", end, allowed, where)
+
+
 def _spreads_known(scene: Scene) -> bool:
-    """Whether wall friction and lateral pressure ratio have an upper end."""
+    """Whether wall friction and lateral pressure ratio have ends."""
     values = solid_parameters(scene, "")
     return not (isnan(values["wall_friction"]) or isnan(values["lateral_pressure_ratio"]))
 

@@ -33,7 +33,9 @@ def read_earthquake(asked: Earthquake, folder: Path, where: str) -> Expansion:
 
 
 def check_same_silo(scene: Scene, shaken: SeismicScene, where: str) -> None:
-    """BadInput unless the shaken tube is the silo of a shell study, filled alike."""
+    """BadInput unless the shaken tube is the silo of a shell study, filled alike, and its bottom flat."""
+    if scene.silo.hopper:
+        raise BadInput("earthquake.study", scene.silo.plan, "needs a flat bottom: EN 1998-4's pressure is for one", where)
     tube = shaken.silo
     ours = (scene.silo.diameter / 2, scene.silo.cylinder_depth, solid_parameters(scene, "")["unit_weight"])
     theirs = (

@@ -52,8 +52,8 @@ def solid_parameters(scene: Scene, method: str, as_printed: bool = False, varies
     rule = scene.lateral_pressure_ratio_rule
     if "lateral_pressure_ratio" not in scene.own and (rule or isnan(values["lateral_pressure_ratio"])):
         values["lateral_pressure_ratio"] = K_RULES[rule or "rankine"](phi)
-    if scene.wall_friction_end == "upper" and "wall_friction" not in varies:
-        values |= upper_friction(scene, values)
+    if scene.wall_friction_end != "mean" and "wall_friction" not in varies:
+        values |= friction_at_end(scene, values)
     values["hopper_wall_friction_uncapped"] = _hopper_friction(scene, values)
     values["hopper_wall_friction"] = capped(values["hopper_wall_friction_uncapped"], phi)
     values["wall_friction_uncapped"] = values["wall_friction"]
@@ -61,19 +61,24 @@ def solid_parameters(scene: Scene, method: str, as_printed: bool = False, varies
     return values
 
 
-def upper_friction(scene: Scene, values: dict[str, float]) -> dict[str, float]:
-    """Wall friction and lateral pressure ratio (1) at the end that is unsafe for buckling of a steel wall.
+def friction_at_end(scene: Scene, values: dict[str, float]) -> dict[str, float]:
+    """Wall friction and lateral pressure ratio (1) at an end of their scatter.
 
-    Source: silo_handbook, section 4.5.1 (Pieper: roughness factor + 0.05); else the mean values times their spreads, as
-    EN 1991-4 does (second-hand); NaN where a spread is not known.  More friction also lowers the pressure that steadies the
-    wall: both go together.  The spreads are then counted, and 1 for whatever method asks for them.
+    Upper: the largest axial force of a wall.  Lower friction with the upper lateral pressure ratio: the largest pressure, under
+    which the foot of a wall yields.  Source: silo_handbook, section 4.5.1 (Pieper: roughness factor + 0.05, upper end only);
+    else the mean values by their spreads, as EN 1991-4 does (second-hand); NaN where a spread is not known.  The spreads are
+    then counted, and 1 for whatever method asks for them.
     """
     if scene.wall is not None and scene.on_roughness_group:
         rough = scene.wall.factors.get(scene.solid.grain, nan) + PIEPER_BUCKLING
         return {"wall_friction": tan(rough * values["internal_friction_angle"])}
-    spreads = {"wall_friction": "a_mu", "lateral_pressure_ratio": "a_K"}
-    raised = {name: values[name] * values.get(spread, nan) for name, spread in spreads.items()}
-    return {**raised, **dict.fromkeys(spreads.values(), 1.0)}
+    a_mu, a_K = (values.get(spread, nan) for spread in ("a_mu", "a_K"))
+    return {
+        "wall_friction": values["wall_friction"] * (a_mu if scene.wall_friction_end == "upper" else 1 / a_mu),
+        "lateral_pressure_ratio": values["lateral_pressure_ratio"] * a_K,
+        "a_mu": 1.0,
+        "a_K": 1.0,
+    }
 
 
 def _table_values(row: SolidRow) -> dict[str, float]:

@@ -2,17 +2,19 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass, fields
-from math import sqrt
+from math import nan, pi, sqrt
 from pathlib import Path
 from typing import Any
 
 from silostudy.config.buckling import BucklingStudy, TestCylinder
-from silostudy.config.shell import ShellStudy, SteelSilo
+from silostudy.config.shell import BOTH, ShellStudy, SteelSilo
 from silostudy.config.steel import Cylinder, Making, SiloWall, Steel
+from silostudy.errors import BadInput
 from silostudy.scene.build import pressure_builder
 from silostudy.scene.earthquake import check_same_silo, read_earthquake
 from silostudy.scene.expand import Expansion
 from silostudy.scene.scene import Scene
+from silostudy.tables.constants import STANDARD_GRAVITY
 from silostudy.tables.miller1977 import TESTS, MillerTest
 
 QUALITY = {"A": 40.0, "B": 25.0, "C": 16.0}  # EN 1993-1-6: Q of the fabrication quality classes, second-hand transcription
@@ -28,6 +30,7 @@ class Shell:
     shell_radius: float
     thickness: float
     bay_length: float
+    total_length: float
     ring_area: float
     fabricated: bool
     safe_constants: bool
@@ -63,7 +66,7 @@ def steel(config: Steel) -> dict[str, Any]:
 def tested(config: TestCylinder) -> Shell:
     """A test cylinder: the small ones count as manufactured, the large ones as fabricated; steel with nu = 0.3."""
     test = TESTS[config.test]
-    sizes = ("youngs_modulus", "yield_stress", "shell_radius", "thickness", "bay_length", "ring_area")
+    sizes = ("youngs_modulus", "yield_stress", "shell_radius", "thickness", "bay_length", "total_length", "ring_area")
     return Shell(
         **{name: getattr(test, name) for name in sizes},
         **making(config),
@@ -85,6 +88,7 @@ def cylinder(config: Cylinder) -> Shell:
         shell_radius=config.radius_m,
         thickness=thickness,
         bay_length=bay,
+        total_length=nan if area else bay,
         ring_area=area,
         lower_internal_pressure=lower * 1e3,
         upper_internal_pressure=(lower if upper is None else upper) * 1e3,
@@ -96,7 +100,8 @@ class Wall:
     """The steel wall of a silo's cylinder.
 
     steel: parameters of the buckling rules by name; edges: depth of each strake's lower edge over the cylinder's height,
-    with its thickness (m) beside it; bay_length: ring spacing (m), None without rings.
+    with its thickness (m) beside it; bay_length: ring spacing (m), None without rings; unit_weight: of the steel (N m-3);
+    imposed_force: axial force (N/m) of roof and snow.
     """
 
     steel: dict[str, float]
@@ -105,6 +110,8 @@ class Wall:
     bay_length: float | None
     ring_area: float
     safety_factor: float
+    unit_weight: float
+    imposed_force: float
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -121,18 +128,30 @@ def shell_builder(study: ShellStudy, folder: Path, where: str) -> Callable[..., 
     shaken = read_earthquake(study.earthquake, folder, where) if study.earthquake else None
 
     def build_one(config: SteelSilo, settings: dict) -> ShellScene:
+        _require_wall(config, where)
         scene = build(config, settings)
         own = {item.name: getattr(scene, item.name) for item in fields(scene)}
         if shaken is None:
-            return ShellScene(**own, shell=wall(config.shell))
+            return ShellScene(**own, shell=wall(config.shell, scene.silo.diameter / 2))
         check_same_silo(scene, shaken.study.scene, where)
-        return ShellScene(**own, shell=wall(config.shell), earthquake=shaken)
+        return ShellScene(**own, shell=wall(config.shell, scene.silo.diameter / 2), earthquake=shaken)
 
     return build_one
 
 
-def wall(config: SiloWall) -> Wall:
-    """The wall that a configuration describes."""
+def _require_wall(config: SteelSilo, where: str) -> None:
+    """BadInput for an end of the friction that is two, and for a strake too thick for a shell."""
+    if config.wall_friction_end == BOTH:
+        raise BadInput("wall_friction_end", BOTH, "is an axis of its own: sweep lower and upper", where)
+    thickest = config.silo.diameter_m / 2 * 1e3
+    for number, strake in enumerate(config.shell.strakes):
+        if strake.thickness_mm >= thickest:
+            allowed = f"must be below the silo's radius, {thickest:g} mm"
+            raise BadInput(f"scene.shell.strakes.{number}.thickness_mm", strake.thickness_mm, allowed, where)
+
+
+def wall(config: SiloWall, inner_radius: float) -> Wall:
+    """The wall that a configuration describes, of a cylinder of this radius (m); roof and snow rest on its top all round."""
     return Wall(
         steel=steel(config),
         edges=tuple(strake.down_to for strake in config.strakes),
@@ -140,4 +159,6 @@ def wall(config: SiloWall) -> Wall:
         bay_length=config.rings.spacing_m if config.rings else None,
         ring_area=config.rings.area_cm2 * 1e-4 if config.rings else 0.0,
         safety_factor=config.safety_factor,
+        unit_weight=config.density_kg_m3 * STANDARD_GRAVITY,
+        imposed_force=config.roof_kN * 1e3 / (2 * pi * inner_radius) + config.snow_kPa * 1e3 * inner_radius / 2,
     )

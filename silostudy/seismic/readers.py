@@ -64,9 +64,10 @@ def _at2_factor(line: str, unit: str | None, where: str) -> float:
     if re.search(r"VELOCITY|DISPLACEMENT", line, re.IGNORECASE):
         raise BadInput("record", short(line.strip()), "must be an acceleration", where)
     said = re.search(r"UNITS? OF\s+([^\s,;]+)", line, re.IGNORECASE)
-    if said is None and unit is None:
+    spelt = (said_unit(said[1]) or said[1]) if said else unit_in([line])
+    if spelt is None and unit is None:
         raise BadInput("record", short(line.strip()), "must say UNITS OF G, or the study its acceleration_unit", where)
-    return agreed(unit, said and (said_unit(said[1]) or said[1]), where)
+    return agreed(unit, spelt, where)
 
 
 def _at2_header(line: str, where: str) -> tuple[int, float]:

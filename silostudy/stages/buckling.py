@@ -15,4 +15,5 @@ KIND = Kind(
         ),
     ),
     about=("silostudy.commands.about:rules",),
+    table="silostudy.commands.compare_steel:buckling",
 )

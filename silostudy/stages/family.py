@@ -74,6 +74,7 @@ class Kind(Entry):
     traits(asking, scenes): what its errors hang on, for a kind that may ask for an accuracy, or whose scenes may
     about: functions of an expansion that give the lines which `silostudy check` says of it; timed: further ones, which
     measure something first
+    table: function of an expansion without sweep that gives the lines which `silostudy compare` prints of it
     """
 
     model: str
@@ -82,6 +83,7 @@ class Kind(Entry):
     traits: str = ""
     about: tuple[str, ...] = ()
     timed: tuple[str, ...] = ()
+    table: str = ""
 
     @cached_property
     def parts(self) -> Parts | None:

@@ -17,4 +17,5 @@ KIND = Kind(
         ),
     ),
     about=("silostudy.commands.about:shaking",),
+    table="silostudy.commands.compare_steel:seismic",
 )

@@ -19,5 +19,11 @@ KIND = Kind(
             borrows={"earthquake": "seismic"},
         ),
     ),
-    about=(*PRESSURE.about, "silostudy.commands.about:earthquake", "silostudy.commands.about:rules"),
+    about=(
+        *PRESSURE.about,
+        "silostudy.commands.about:earthquake",
+        "silostudy.commands.about:rules",
+        "silostudy.commands.about:rings",
+    ),
+    table="silostudy.commands.compare_steel:shell",
 )

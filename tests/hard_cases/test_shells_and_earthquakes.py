@@ -21,8 +21,8 @@ from tests.test_seismic.test_beam import MODEL
 
 SHELL = {
     "youngs_modulus": 2.1e11, "shell_poisson_ratio": 0.3, "yield_stress": 2.35e8, "shell_radius": 5.0, "thickness": 0.01,
-    "bay_length": 10.0, "ring_area": 0.0, "fabricated": 1.0, "safe_constants": 0.0, "fabrication_quality": 25.0,
-    "end_factor": 1.0, "lower_internal_pressure": 0.0, "upper_internal_pressure": 0.0,
+    "bay_length": 10.0, "total_length": 20.0, "ring_area": 0.0, "fabricated": 1.0, "safe_constants": 0.0,
+    "fabrication_quality": 25.0, "end_factor": 1.0, "lower_internal_pressure": 0.0, "upper_internal_pressure": 0.0,
 }  # fmt: skip
 
 
@@ -34,7 +34,7 @@ def test_radius_over_thickness_from_ten_to_a_million(rule, slender):
     if found["buckling_stress_scope"] != IN_SCOPE:
         assert found["buckling_stress_scope"] == OUT_OF_RANGE
         assert np.isnan(found["buckling_stress"])
-        assert slender >= 1500
+        assert slender < 20 or slender >= 1500
         return
     assert 0.0 < found["buckling_stress"] <= 1.1 * SHELL["yield_stress"]
     assert found["elastic_knockdown_factor"] <= 1.05  # Miller's short bays stand a little above the perfect long shell

@@ -59,6 +59,7 @@ def identifying(truth: float, **more) -> dict:
     return {name: value for name, value in content.items() if name not in ("sweep", "outputs", "sine", "assumed", "published")}
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("truth", [0.61803, 0.777])
 def test_a_study_finds_the_coefficient_as_well_as_it_asked(truth):
     found = {}

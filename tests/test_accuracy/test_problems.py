@@ -50,12 +50,17 @@ def test_every_problem_has_ladders_from_coarse_to_fine(row):
         assert (steps > 0).all() or (steps < 0).all()
 
 
-@pytest.mark.parametrize(("rung", "factor"), FALLS.items(), ids=map("-".join, FALLS))
+@pytest.mark.parametrize(
+    ("rung", "factor"),
+    [pytest.param(*each, marks=pytest.mark.long if each[0][0] == "dem_impact" else ()) for each in FALLS.items()],
+    ids=map("-".join, FALLS),
+)
 def test_errors_fall_with_the_order_of_the_method(rung, factor):
     coarse, fine = errors(*rung, last=2)
     assert coarse / fine == pytest.approx(factor, rel=0.12)
 
 
+@pytest.mark.long
 def test_a_finer_step_drowns_in_single_precision():
     """Below some step a disc at rest no longer moves by a digit; doubles go on getting better."""
     rounded = errors("dem_static", dem_static.SINGLE, "wall_force", last=3)

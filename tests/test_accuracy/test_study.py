@@ -81,7 +81,7 @@ def test_figures(cube, tmp_path, monkeypatch):
         assert any(text.startswith("Pareto front") for text in told)
     reached = costs[costs["ladder"] != ""]
     assert (reached["error"] <= reached["asked"]).all()
-    ordered = reached.pivot_table(index=["problem", "quantity"], columns="asked", values="cost").dropna()
+    ordered = reached.pivot_table(index=["problem", "quantity"], columns="asked", values="cost_s").dropna()
     assert (ordered[0.01] >= ordered[0.1]).all()
 
 

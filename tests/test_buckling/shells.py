@@ -9,6 +9,7 @@ STEEL = {
     "shell_radius": 5.0,
     "thickness": 0.01,
     "bay_length": 4.0,
+    "total_length": np.nan,
     "ring_area": 0.0,
     "fabricated": True,
     "safe_constants": False,

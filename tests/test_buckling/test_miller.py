@@ -62,12 +62,15 @@ def test_readings_that_the_tests_do_not_decide(cube, rival):
 
 
 def test_scope_of_the_other_rules(cube):
-    for rule, covered in (("classical", 8), ("nasa_sp8007", 8), ("en1993_1_6_2007", 45), ("en1993_1_6_2025", 45)):
+    for rule, covered in (("classical", 8), ("nasa_sp8007", 8), ("en1993_1_6_2007", 41), ("en1993_1_6_2025", 41)):
         strength = cube["buckling_stress"].sel({"rule": rule})
         assert int(strength.notnull().sum()) == covered
         meanings = str(cube["buckling_stress_scope"].attrs["flag_meanings"]).split()
         masked = cube["buckling_stress_scope"].sel({"rule": rule}).values[strength.isnull().values]
-        assert {meanings[flag] for flag in masked} <= {"rings_not_covered"}
+        assert {meanings[flag] for flag in masked} <= {
+            "rings_not_covered",
+            "rings_too_small_to_count",
+        }  # the large tests' whole lengths are not known
 
 
 def test_european_rules_are_safe_for_every_test(cube):

@@ -29,6 +29,7 @@ STUDY = {
             "quality": "B",
             "manufacture": "fabricated",
             "safety_factor": 1.5,
+            "density_kg_m3": 0.0,
             "strakes": [{"down_to": 0.5, "thickness_mm": 6.0}, {"down_to": 1.0, "thickness_mm": 9.0}],
         },
     },

@@ -117,7 +117,7 @@ def test_sizes_and_ratios_are_the_same_shell():
     for name in ("thickness_mm", "bay_length_m"):
         ratios["scene"].pop(name)
     one, other = (expanded(content).cases[0].scene for content in (cylinder(ring_area_cm2=40.0), ratios))
-    assert vars(one) == pytest.approx(vars(other))
+    assert vars(one) == pytest.approx(vars(other), nan_ok=True)  # the whole length of a ringed cylinder is not known
 
 
 def test_map_covers_what_it_says():

@@ -1,15 +1,19 @@
 """The `silostudy` command as a user types it."""
 
 import csv
+import os
 import re
+from pathlib import Path
 
 import pytest
 import yaml
 
 from silostudy.__main__ import main
 from silostudy.choice.fronts import FRONTS
+from silostudy.commands.explain_scene import PARTS
 from silostudy.cube.io import read
 from silostudy.pressure import PRESSURE
+from silostudy.stages import FILE_KINDS
 from silostudy.tables.asked import quantities
 from tests.conftest import ROOT
 from tests.own import BOTH, LAW
@@ -80,6 +84,9 @@ def test_compare_by_flags(capsys, tmp_path):
 def test_compare_by_file_and_its_refusals(capsys):
     assert "deutsch, discharge" in said(capsys, "compare", WHEAT)
     assert "without sweep" in said(capsys, "compare", ROOT / "config/studies/wheat-family.yaml", status=2)
+    for flag, value, told in (("--diameter", 3, "3.0"), ("--methods", "janssen", "['janssen']"), ("--wall", "d1", "'d1'")):
+        wrong = said(capsys, "compare", WHEAT, flag, value, status=2)
+        assert f"{flag} = {told}: write it into {WHEAT}" in wrong
     assert "--solid = None: is missing" in said(capsys, "compare", "--diameter", 5, "--depth", 18, status=2)
     wrong = said(capsys, "compare", "--diameter", -5, "--depth", 18, "--solid", "wheat_benchmark", status=2)
     assert "scene.silo.diameter_m = -5.0: must be greater than 0" in wrong
@@ -98,6 +105,21 @@ def test_check_counts(capsys):
     assert "1584 case(s): diameter 6 x slenderness 11 x solid 8 x wall 3" in out
     assert "1900800 values a quantity" in out
     assert "flour on painted_concrete: no wall_friction in the tables" in out
+
+
+def test_check_refuses_a_price_where_there_is_none(capsys):
+    for file, kind in ((WHEAT, "pressure"), (ROOT / "config/scenes/kiyama-17-18.yaml", "dem")):
+        assert f"--price = True: kind {kind} has none to tell" in said(capsys, "check", file, "--price", status=2)
+
+
+def test_a_study_goes_by_its_name_whatever_stands_in_it(capsys, tmp_path, monkeypatch):
+    (tmp_path / "config/studies").mkdir(parents=True)
+    (tmp_path / "config/studies/wheat.v2.yaml").write_bytes(Path(WHEAT).read_bytes())
+    (tmp_path / "wheat.v2").mkdir()
+    monkeypatch.chdir(tmp_path)
+    assert "1 case(s)" in said(capsys, "check", "wheat.v2")
+    said(capsys, "cases", "wheat.v2", "cases.csv")
+    assert Path("cases.csv").read_text().startswith("case")
 
 
 def test_check_tells_the_price_of_a_sweep(capsys):
@@ -167,13 +189,64 @@ def test_a_users_own_file_is_listed_explained_and_compared(capsys, tmp_path):
     assert "63.55" in own  # K gamma z at 18 m
     assert said(capsys, "compare", *silo, "--methods", "frictionles", *mine, status=2).count("\n") == 1
     assert "unknown; known: janssen" in said(capsys, "explain", "frictionless", status=2)
-    assert "write `methods_from` into" in said(capsys, "compare", WHEAT, *mine, status=2)
+    assert "--methods-from = " in said(capsys, "compare", WHEAT, *mine, status=2)
+    scene = ROOT / "config/scenes/kiyama-17-18.yaml"
+    assert f"write `methods_from` into {scene}" in said(capsys, "explain", scene, *mine, status=2)
 
 
 def test_a_law_is_explained_in_every_family_that_has_its_key(capsys):
     told = said(capsys, "explain", "spring-slider")
     assert "rolling_stiffness (N), zero or more: from rolling_stiffness_N" in told
     assert "tangential_stiffness (N m-2)" in told
+
+
+@pytest.mark.parametrize("part", PARTS)
+def test_every_part_of_a_scene_is_listed_and_explained(capsys, part):
+    listed = said(capsys, "list", part)
+    for key, row in PARTS[part].items():
+        assert re.search(rf"^{key} +{re.escape(row.title)}$", listed, re.MULTILINE)
+        assert f"{row.title} ({key}, of {part})" in said(capsys, "explain", key)
+
+
+@pytest.mark.parametrize("kind", FILE_KINDS)
+def test_every_kind_explains_its_keys(capsys, kind):
+    told = said(capsys, "explain", kind)
+    assert f"(kind: {kind})" in told
+    for name, field in FILE_KINDS[kind].study.model_fields.items():
+        assert re.search(rf"^  {name}( \(.*?\))?: {re.escape(field.description)}", told, re.MULTILINE)
+
+
+def test_explain_names_a_sections_keys_units_and_choices(capsys):
+    told = said(capsys, "explain", "dem")
+    assert "      gap_m (m): gap between neighbours at the start [must be given]" in told
+    assert "tangential: law of the tangential force [spring-slider] {none, spring-slider," in told
+    assert "[17-18] {17-18, 17-19, velocity-verlet}" in told
+
+
+def test_check_builds_a_scene(capsys, tmp_path):
+    """Its step is told or refused, and the files that it names are read."""
+    scene = yaml.safe_load((ROOT / "config/scenes/kiyama-17-18.yaml").read_text())
+    path = tmp_path / "scene.yaml"
+    path.write_text(yaml.safe_dump(scene))
+    assert re.search(r"^  \d+ discs, at most [\d,]+ steps of \S+ s$", said(capsys, "check", path), re.MULTILINE)
+    path.write_text(yaml.safe_dump(scene | {"quake": {"file": "nowhere.csv"}}))
+    assert "nowhere.csv" in said(capsys, "check", path, status=2)
+    undamped = scene["discs"] | {"normal_damping_N_s_m2": 0.0}
+    path.write_text(yaml.safe_dump(scene | {"discs": undamped, "march": scene["march"] | {"integrator": "17-19"}}))
+    assert "feeds energy into springs without a dashpot" in said(capsys, "check", path, status=2)
+
+
+@pytest.mark.parametrize("threads", [0, 1 + (os.cpu_count() or 1)])
+def test_no_more_threads_than_cores(capsys, tmp_path, threads):
+    told = said(capsys, "dem", ROOT / "config/scenes/kiyama-17-18.yaml", tmp_path / "o.nc", "--threads", threads, status=2)
+    assert f"--threads = {threads}: must be 1 to" in told
+
+
+def test_no_device_or_pipe_is_replaced(capsys, tmp_path):
+    os.mkfifo(tmp_path / "pipe")
+    for arguments in (("cases", WHEAT), ("dem", ROOT / "config/scenes/kiyama-17-18.yaml")):
+        assert "is a device or a pipe" in said(capsys, *arguments, tmp_path / "pipe", status=2)
+    assert (tmp_path / "pipe").is_fifo()
 
 
 def test_own_solids_cite_their_own_source(capsys, tmp_path, study):

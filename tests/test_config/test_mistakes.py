@@ -9,7 +9,8 @@ import yaml
 
 from silostudy.__main__ import main
 from silostudy.choice.expand import expand_file
-from silostudy.config.load import load_project, read_yaml
+from silostudy.config.dem import DemScene
+from silostudy.config.load import load_project, read_yaml, validated
 from silostudy.config.schema import study_schema
 from silostudy.errors import BadInput
 from tests.conftest import ROOT, SMALL, expanded
@@ -50,7 +51,7 @@ MISTAKES = {
     "unknown solid": (scene(solid="sand"), "scene.solid = 'sand': unknown; known: cement, cement_clinker, maize, wheat"),
     "unknown wall": (scene(wall="glass"), "scene.wall = 'glass': must be 'grooved_concrete', 'as_cast_concrete'"),
     "unknown method": ({"methods": ["jansen"]}, "methods.0 = 'jansen': unknown; known: janssen, reimbert"),
-    "unknown plan": (silo(plan="oval"), "found using 'plan' does not match any of the expected tags: 'circular'"),
+    "unknown plan": (silo(plan="oval"), "scene.silo.plan = 'oval': unknown; known: circular, square"),
     "unknown key": ({"colour": "red"}, "colour = 'red': unknown key"),
     "unknown kind": ({"kind": "presure"}, "kind = 'presure': unknown; known: accuracy, buckling, grains"),
     "no text as kind": ({"kind": ["pressure"]}, "kind = ['pressure']: unknown; known: accuracy, buckling, grains"),
@@ -130,6 +131,18 @@ def test_all_mistakes_are_told_at_once(study):
     with pytest.raises(BadInput) as caught:
         expanded(study)
     assert len(str(caught.value).split("\n")) == 2
+
+
+def test_a_mistake_in_a_list_is_one_line():
+    """The list is not called empty beside it, and a section without its kind is told so."""
+    scene = read_yaml(ROOT / "config/scenes/kiyama-17-18.yaml")
+    wrong = scene | {"events": [{"when": "never", "do": "stop"}], "packing": {"across": 18}}
+    with pytest.raises(BadInput) as caught:
+        validated(DemScene, wrong, "s.yaml")
+    told = str(caught.value).split("\n")
+    assert told[0] == "s.yaml: packing.kind: is missing"
+    assert told[1].startswith("s.yaml: events.0.when = 'never': must be 'time'")
+    assert len(told) == 2
 
 
 def test_wall_friction_above_tan_phi_is_capped_and_said(study, tmp_path, capsys):

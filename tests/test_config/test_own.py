@@ -108,6 +108,13 @@ MISTAKES = {
     "twice": (("ROW = ", "ROWS = [0, 0]\nROWS[0] = ROWS[1] = "), "row frictionless: this key is already taken"),
     "syntax": (("return", "retrun"), "line 8: SyntaxError: invalid syntax"),
     "import": (("import ANY_PLAN,", "import ANY_PLAN, NOTHING,"), "line 3: ImportError: cannot import name 'NOTHING'"),
+    "no result": (("lateral_pressure_ratio * unit_weight * z", "None"), r"gives no real numbers but \[None\]"),
+    "complex": (("unit_weight * z", "unit_weight * z * 1j"), "gives no real numbers but"),
+    "infinite": (("unit_weight * z", "unit_weight * z * float('inf')"), "gives an infinite value"),
+    "chance": (("unit_weight * z", "__import__('random').random() * z"), "gives other values when it is called again"),
+    "a row as rows": (("\n)\n", "\n)\nROWS = ROW\n"), "ROWS must be a tuple or a list of rows"),
+    "plans in one word": (("plans=ANY_PLAN", "plans='circular'"), "plans = 'circular': must be several, as {'circular'}"),
+    "no text": (("import ANY_PLAN", "import\0ANY_PLAN"), "SyntaxError: source code string cannot contain null bytes"),
     "exit": (("ROW = ", "raise SystemExit('no')\nROW = "), "line 11: SystemExit: no"),
 }  # fmt: skip
 
@@ -120,6 +127,21 @@ def test_a_mistake_is_one_line_with_file_and_row(saved, name):
     assert re.search(rf"^{re.escape(str(path))}: methods_from = 'mine.py': .*{expected}", refused(path))
 
 
+@pytest.mark.parametrize("line", ["import helper", "from helper import x", "from . import helper", "from .helper import x"])
+def test_an_import_of_another_file_is_refused_from_wherever_it_would_come(saved, tmp_path, monkeypatch, line):
+    (tmp_path / "helper.py").write_text("x = 1\n")
+    path = saved(f"{line}\n{THEORY}")
+    expected = r"methods_from = 'mine.py': line 1: imports \.?(helper)?, which is no installed package"
+    assert re.search(expected, refused(path))
+    monkeypatch.syspath_prepend(tmp_path)  # as where the pipeline's own folder is searched
+    assert re.search(expected, refused(path))
+
+
+def test_a_file_beside_hides_no_installed_package(saved, tmp_path):
+    (tmp_path / "numpy.py").write_text("")
+    assert expand_file(saved(f"import numpy.linalg, json\n{THEORY}")).study.method_keys == ("janssen", "frictionless")
+
+
 def test_a_file_that_is_missing_or_of_no_use_here(saved, tmp_path):
     path = saved(RULE)
     assert "methods_from = 'mine.py': holds no pressure method" in refused(path)
@@ -128,9 +150,13 @@ def test_a_file_that_is_missing_or_of_no_use_here(saved, tmp_path):
 
 
 def test_a_rule_masks_for_a_known_reason(tmp_path):
-    (tmp_path / "mine.py").write_text(RULE.replace("(SUCTION, under", "(99, under"))
+    (tmp_path / "mine.py").write_text(
+        RULE.replace("limits=(NO_SUCTION,)", "limits=(replace(NO_SUCTION, reason=99),)").replace(
+            "from silo", "from dataclasses import replace\nfrom silo", 1
+        )
+    )
     (tmp_path / "shell.yaml").write_text(yaml.safe_dump(BUCKLING))
-    assert "row a_fifth: limits: under_suction masks for reason 99" in refused(tmp_path / "shell.yaml")
+    assert "masks for reason 99, not one of" in refused(tmp_path / "shell.yaml")
 
 
 def test_a_source_is_words_or_a_key_of_either_bibliography(saved):

@@ -123,6 +123,7 @@ def test_the_bound_follows_a_law_s_own_stiffness():
         scene_model(scene_of(**bare | {"toy_drag_N_s_m2": 1e5}), Path())
 
 
+@pytest.mark.long
 def test_two_laws_of_one_key_are_two_kernels():
     """Another study's law of the same key: its own force, in the same process."""
 

@@ -46,6 +46,14 @@ def saved(tmp_path):
     return save
 
 
+@pytest.mark.parametrize("line", ["text = str(overlap) + 'x'", "import math", "values = [overlap] * int(c[0])"])
+def test_a_law_that_kernels_cannot_hold_is_told_before_a_run(saved, line):
+    path = saved(LAW.replace("    elastic = c[3] * c[0]", f"    {line}\n    elastic = c[3] * c[0]"))
+    with pytest.raises(BadInput, match=r"row stiffer: law, compiled: fails for usual values: [A-Z]") as told:
+        load(path)
+    assert "\n" not in str(told.value)
+
+
 def forces(path, kernels) -> np.ndarray:
     """Wall forces of a scene that another process runs, with the kernels kept in a folder."""
     output = path.with_suffix(".nc")

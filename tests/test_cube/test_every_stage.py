@@ -96,6 +96,7 @@ def test_no_stage_is_left_out():
     assert set(CUBES) == set(STAGES)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("stage", CUBES)
 def test_what_labels_a_dimension_is_a_coordinate(paths, stage):
     """Read without this package: every dimension has a label, and what the table calls a coordinate is one, nothing else."""
@@ -109,6 +110,7 @@ def test_what_labels_a_dimension_is_a_coordinate(paths, stage):
         assert {str(name) for name in cube.coords if name in VARIABLES} <= labels | axes
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("stage", CUBES)
 def test_labels_select_and_numbers_plot(paths, stage):
     """sel at the last label of every dimension gives what isel gives at its place; every curve draws over its labels."""
@@ -123,6 +125,7 @@ def test_labels_select_and_numbers_plot(paths, stage):
     plt.close("all")
 
 
+@pytest.mark.long
 def test_wall_forces_are_selected_by_time_and_wall(paths):
     with xr.open_dataset(paths["dem"]) as cube:
         left = cube.wall_normal_force_mean.sel(wall_cell=cube.wall_name == "left")

@@ -62,7 +62,9 @@ NEUTRAL = {
 }
 
 
-@pytest.mark.parametrize("effect", ["rolling", "cohesion", "shaking", "observers"])
+@pytest.mark.parametrize(
+    "effect", [*(pytest.param(effect, marks=pytest.mark.long) for effect in ("rolling", "cohesion")), "shaking", "observers"]
+)
 def test_an_effect_with_neutral_parameters_changes_no_bit(effect):
     without, neutral = Engine(silo()), Engine(silo(**NEUTRAL[effect]))
     for engine in (without, neutral):

@@ -69,6 +69,7 @@ def test_what_the_step_creates_in_a_sliding_impact_vanishes_with_it(slider):
     assert created[2] < 0.02
 
 
+@pytest.mark.long
 def test_a_disc_that_spins_on_a_frictionless_floor_loses_nothing():
     touch = contact(friction=0.0)
     disc = free(

@@ -205,6 +205,16 @@ REFUSED = {
     "two dampings": ({"discs__damping_ratio": 0.5}, "not more than one"),
     "too many across": ({"packing__across": 9}, "do not fit"),
     "no such file": ({"packing": {"kind": "given", "file": "none.nc"}}, "none.nc"),
+    "no stress cells": ({"record": {"stress_cells": [0, 3]}}, "must be greater than or equal to 1"),
+    "too many stress cells": ({"record": {"stress_cells": [3, 100_000]}}, "must be less than or equal to 1000"),
+    "rest has no value": (
+        {"events": [{"when": "rest", "value": 3.0, "do": "stop"}]},
+        "value must be left out where when is rest",
+    ),
+    "a disc removed twice": (
+        {"events": [*[{"when": "after", "do": "remove_disc", "disc": 1}] * 2, {"when": "after", "do": "stop"}]},
+        "events remove a disc twice",
+    ),
     "no such record": ({"quake": {"file": "none.csv"}}, "none.csv"),
 }
 
@@ -287,6 +297,7 @@ def test_discharge_stops_at_a_share():
     assert run.recording.happened[-1][1:] == ("discharged", "stop")
 
 
+@pytest.mark.long
 def test_a_hopper_empties_through_its_mouth():
     """Loose discs of many sizes rain into a hopper, rest on it, and leave when its mouth opens; none passes a wall."""
     scene = scene_of(
@@ -314,6 +325,14 @@ def test_shaking(tmp_path):
     )
     run = carried(scene)
     assert np.median(run.engine.column(2)) == pytest.approx(-2.0 * run.engine.time, rel=1e-9)
+
+
+def test_shaking_after_the_end_is_refused(tmp_path):
+    record = tmp_path / "late.csv"
+    record.write_text("time_s,x_m_s2,y_m_s2\n1.0,5,0\n1.1,5,0\n")
+    scene = scene_of(quake={"file": str(record)}, march={"limit_s": 0.5})
+    with pytest.raises(BadInput, match=r"quake.file = 1.0: must begin before the run ends, at 0.5 s"):
+        scene_model(scene, tmp_path)
 
 
 def test_paraview(small, tmp_path):

@@ -1,7 +1,5 @@
 """The packing study: forces at rest against statics and Janssen, arches and their remedy, ensembles that repeat bit by bit."""
 
-from importlib import import_module
-
 import numpy as np
 import pandas as pd
 import pytest
@@ -188,19 +186,6 @@ def test_film_at_rest_holds_the_fill(motion):
 def test_mistakes_are_told(change, told):
     with pytest.raises(BadInput, match=told.replace("(", r"\(")):
         expanded({**CONTENT, "sweep": [], "scene": {**CONTENT["scene"], **change}})
-
-
-DRAWN = {
-    "motion": ("kiyama_fig_6", "kiyama_fig_7", "kiyama_fig_8_9"),
-    "packing": ("kiyama_fig_10", "packing_arching", "packing_against_codes", "packing_sampling"),
-}
-
-
-@pytest.mark.parametrize(("stage", "key"), [(stage, key) for stage, keys in DRAWN.items() for key in keys])
-def test_figures_draw(stage, key, cube, motion, tmp_path):
-    import_module(f"silostudy.figures.{key}").draw(motion if stage == "motion" else cube, tmp_path / key)
-    assert (tmp_path / f"{key}.png").stat().st_size > 10_000
-    assert len(pd.read_csv(tmp_path / f"{key}.csv")) > 1
 
 
 def test_animation_shows_every_other_snapshot(motion, tmp_path):

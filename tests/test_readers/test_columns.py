@@ -126,7 +126,9 @@ def test_quake_is_still_before_and_after_its_record(tmp_path):
     assert not steps[:199].any()
     assert steps[201].any()
     assert not steps[-1].any()
-    assert len(quake(tmp_path, late, limit=0.1)) == 22  # no more than the run needs
+    assert len(quake(tmp_path, late, limit=1.05)) == int(1.05 / 0.005) + 2  # no more than the run needs
+    with pytest.raises(BadInput, match=r"must begin before the run ends, at 0\.1 s"):
+        quake(tmp_path, late, limit=0.1)
 
 
 QUAKES = {

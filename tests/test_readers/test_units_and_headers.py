@@ -51,6 +51,12 @@ def test_at2_that_holds_no_acceleration(tmp_path, unit, line, word):
     refused(written(tmp_path, AT2.replace("ACCELERATION TIME SERIES IN UNITS OF G", line)), "peer_at2", unit, "line 3", word)
 
 
+def test_at2_with_its_unit_in_brackets(tmp_path):
+    path = written(tmp_path, AT2.replace("IN UNITS OF G", "(CM/S2)"))
+    refused(path, "peer_at2", "g", "line 3", "which says gal")
+    assert read_record(path, "peer_at2", None).acceleration == pytest.approx(VALUES / 9.80665 / 100, rel=1e-12)
+
+
 def test_at2_without_a_unit_takes_the_one_told(tmp_path):
     path = written(tmp_path, AT2.replace("IN UNITS OF G", ""))
     assert read_record(path, "peer_at2", "m_s2").acceleration == pytest.approx(VALUES / 9.80665, rel=1e-12)

@@ -76,6 +76,7 @@ def test_round_trip(cube, tmp_path):
     assert read(path).identical(cube)
 
 
+@pytest.mark.long
 def test_equal_inputs_give_equal_cubes(cube):
     assert seismic_cube(expanded(quick())).identical(cube)
 
@@ -125,6 +126,7 @@ def test_every_seismic_output_is_asked_for():
     assert outputs == set(read_yaml(SASAKI)["outputs"])
 
 
+@pytest.mark.long
 def test_measured_file_and_partly_filled(content, tmp_path):
     """A user's own measurement: the base record itself stands for it, so the answer only has to be one of the candidates."""
     times = 0.01 * np.arange(400)
@@ -149,6 +151,7 @@ def test_measured_file_and_partly_filled(content, tmp_path):
         module.draw(cube, tmp_path / module.__name__)
 
 
+@pytest.mark.long
 def test_demand_alone(content, tmp_path, kept):
     """Without anything measured the cube holds the demand on the wall, the same to the last bit, and nothing else."""
     whole = seismic_cube(expanded(content))
@@ -243,6 +246,7 @@ def test_measured_file_must_fit_the_base(content, tmp_path):
         expanded(content, tmp_path)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(("truth", "candidates", "end"), [(0.4, (0.5, 1.0), -1), (0.8, (0.4, 0.7), 1)])
 def test_an_answer_at_the_end_of_the_candidates_is_open(content, tmp_path, kept, truth, candidates, end):
     """A truth of 0.40 under candidates of 0.50 ... 1.00 was stated as 0.5000 +- 0.0071."""

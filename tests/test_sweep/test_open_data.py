@@ -56,6 +56,7 @@ def test_ncdump_prints_it(cube):
     assert whole.rstrip().endswith("}")
 
 
+@pytest.mark.long
 def test_the_guide_of_the_readme_runs_as_it_stands(tmp_path):
     guide, *_ = re.findall(r"```python\n(.*?)```", (ROOT / "README.md").read_text(), flags=re.DOTALL)
     write(pressure_cube(expand_file(ROOT / "config/studies/wheat-family.yaml")), tmp_path / "results/wheat-family/pressure.nc")
@@ -82,6 +83,7 @@ print(silostudy.sweep.merge.merge(path, folder, output, memory=room / 8))
 """
 
 
+@pytest.mark.long
 def test_a_cube_larger_than_the_memory_is_merged(tmp_path):
     """A cube of 64 MB from journals of 155 MB, with 40 MB to spare."""
     count, across, room = 10_000, 800, 40_000_000

@@ -88,6 +88,7 @@ def test_a_changed_file_of_a_scene_reruns_it(finished):
     assert dry(finished)[0] == {"dem", "cases", "part", "merge", "verdict"}
 
 
+@pytest.mark.long
 def test_a_start_from_a_file_is_watched_and_missed(tmp_path):
     make(tmp_path)
     given = SHORT | {"packing": {"kind": "given", "file": "start.nc"}}

@@ -24,7 +24,7 @@ SLENDER = 400.0  # R/t of the last strake
 GAUSS = np.polynomial.legendre.leggauss(100)
 WALL = {
     **STEEL, "shell_poisson_ratio": 0.3, "ring_area": 0.0, "fabricated": True, "safe_constants": False, "bay_length": DEPTH,
-    "inner_radius": RADIUS,
+    "end_factor": 1.0, "inner_radius": RADIUS,
 }  # fmt: skip
 
 

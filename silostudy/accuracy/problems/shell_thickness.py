@@ -10,7 +10,10 @@ from silostudy.buckling.thickness import STOCKIEST, required_thickness, with_thi
 LADDERS = {"halvings of log R/t": (5, 8, 11, 14, 18, 22, 27, 33, 40)}
 SHELLS, MANY = 24, 50  # walls that are compared; how often they stand in the call that is timed
 SAFETY, DIGITS = 1.65, 30
-UNUSED: dict = {"shell_poisson_ratio": 0.3, "ring_area": 0.0, "fabricated": True, "safe_constants": False}  # by this rule
+UNUSED: dict = {
+    "shell_poisson_ratio": 0.3, "ring_area": 0.0, "bay_length": 1.0, "end_factor": 1.0, "fabricated": True,
+    "safe_constants": False,
+}  # by this rule  # fmt: skip
 
 
 def walls() -> tuple[dict[str, np.ndarray], np.ndarray]:
@@ -19,7 +22,7 @@ def walls() -> tuple[dict[str, np.ndarray], np.ndarray]:
     radius = np.geomspace(1.5, 15.0, SHELLS)
     upper = random.uniform(1.0, 2.0, SHELLS) * 7e3 * radius
     given = {name: np.full(SHELLS, value) for name, value in STEEL.items()}
-    given |= {"inner_radius": radius, "bay_length": radius * random.uniform(1.0, 4.0, SHELLS)}
+    given |= {"inner_radius": radius}
     given |= {"lower_internal_pressure": HOOP[1] * upper, "upper_internal_pressure": upper}
     return given, random.uniform(2.0, 8.0, SHELLS) * 9e3 * radius**1.5
 

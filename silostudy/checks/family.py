@@ -1,0 +1,51 @@
+"""What a check of a steel wall beside its buckling is: one row with how far a wall is used, and how thick it must be."""
+
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
+from functools import partial
+from inspect import signature
+
+import numpy as np
+
+from silostudy.catalogue import Row
+from silostudy.soundness import faults_of_function, faults_of_trial
+
+# Every parameter that a check may ask for: (unit, symbol and meaning, a usual value).
+PARAMETERS = {
+    "yield_stress": ("Pa", "f_y", 235e6),
+    "inner_radius": ("m", "R_i", 5.0),
+    "thickness": ("m", "t", 0.01),
+    "upper_internal_pressure": ("Pa", "p, largest, with its safety factor", 40000.0),
+}
+
+
+@dataclass(frozen=True, kw_only=True)
+class SteelCheck(Row):
+    """A check by the membrane forces of a wall.
+
+    utilisation: function(*, parameters) (1), 1 where the wall just carries; needed: the thickness (m) at which it does.
+    """
+
+    utilisation: Callable
+    needed: Callable
+    formula: str
+    validity: str
+
+    @property
+    def needs(self) -> frozenset[str]:
+        """Names of all parameters that its functions ask for."""
+        return frozenset(name for function in (self.utilisation, self.needed) for name in signature(function).parameters)
+
+    def faults(self) -> Iterator[str]:
+        """What is wrong with the row, in words."""
+        yield from super().faults()
+        usual = {key: np.full(2, value) for key, (_, _, value) in PARAMETERS.items()}
+        for name, unit in (("utilisation", "1"), ("needed", "m")):
+            function = getattr(self, name)
+            yield from faults_of_function(name, function, unit, signature(function).parameters, PARAMETERS)
+            yield from faults_of_trial(name, partial(call, function, usual))
+
+
+def call(function: Callable, available: Mapping):
+    """The function, handed those of the available parameters that it asks for."""
+    return function(**{name: available[name] for name in signature(function).parameters})

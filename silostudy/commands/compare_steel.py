@@ -1,0 +1,136 @@
+"""The tables that `silostudy compare` prints of shell, buckling and seismic studies: what the study's last stage gives."""
+
+from math import isnan
+from pkgutil import resolve_name
+from typing import TYPE_CHECKING
+
+from silostudy.errors import BadInput
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+
+def shell(expansion) -> list[str]:
+    """Required thickness and utilisation by method and rule, each with what governs."""
+    from silostudy.compute.pressure import pressure_cube
+    from silostudy.compute.seismic import seismic_cube
+    from silostudy.compute.shell import shell_cube
+    from silostudy.cube.silence import silences
+
+    pressure = pressure_cube(expansion)
+    shaken = expansion.cases[0].scene.earthquake
+    cube = shell_cube(expansion, pressure, shaken and seismic_cube(_settled(shaken)))
+    head = f"{'method, rule':56}thickness   governed by     end  utilised   governed by     end"
+    lines = [head]
+    for method in map(str, cube["pressure_method"].values):
+        for rule in map(str, cube["rule"].values):
+            lines.append(f"{f'{method}, {rule}':56}{_line(cube, {'pressure_method': method, 'rule': rule})}")
+    told = (
+        "largest over depths, phases and strakes; safety factor, own weight, roof and snow included; end of the wall friction"
+    )
+    earthquake = ["the earthquake of the study is in its cube, not in this table"] if shaken else []
+    return [*lines, told, *earthquake, *silences(pressure)]
+
+
+def _settled(asked):
+    from silostudy.choice.expand import resolved
+
+    return resolved(asked, asked.name)
+
+
+def _line(cube: "xr.Dataset", keys: dict[str, str]) -> str:
+    """Thickness (mm) and utilisation of one method and rule."""
+    one = cube.sel(keys)
+    cells = _thickness(one)
+    return cells + _utilisation(one) if "utilisation" in cube else cells
+
+
+def _thickness(one: "xr.Dataset") -> str:
+    largest = _first(one["largest_required_thickness"])
+    if isnan(largest):
+        return f"masked: {_reason(one['required_thickness_scope'])}"
+    by = _governing(one["required_thickness"], one["required_thickness_check"])
+    return f"{largest * 1e3:6.2f} mm{by:>14}{_end(one['largest_required_thickness_friction_end']):>8}"
+
+
+def _utilisation(one: "xr.Dataset") -> str:
+    largest = _first(one["largest_utilisation"])
+    if isnan(largest):
+        return f"  masked: {_reason(one['utilisation_scope'])}"
+    places = ("utilisation", "strake_utilisation")
+    name = max(places, key=lambda name: float(one[name].max()))
+    by = _governing(one[name], one[f"{name}_check"])
+    return f"{largest:10.3f}{by:>14}{_end(one['largest_utilisation_friction_end']):>8}"
+
+
+def _first(values: "xr.DataArray") -> float:
+    """A number that is the same for all cases."""
+    return float(values.values.ravel()[0])
+
+
+def _governing(values: "xr.DataArray", checks: "xr.DataArray") -> str:
+    import numpy as np
+
+    place = int(np.nanargmax(values.values))
+    return checks.attrs["flag_meanings"].split()[int(checks.values.ravel()[place])]
+
+
+def _end(flags: "xr.DataArray") -> str:
+    return flags.attrs["flag_meanings"].split()[int(flags.values.ravel()[0])]
+
+
+def _reason(scope: "xr.DataArray") -> str:
+    """Why a number is masked: the first reason met."""
+    found = scope.values[scope.values > 0]
+    return scope.attrs["flag_meanings"].split()[int(found[0])].replace("_", " ") if found.size else "no load"
+
+
+def buckling(expansion) -> list[str]:
+    """Buckling stress, knock-down and mode by rule, or why a rule is silent."""
+    from silostudy.compute.buckling import buckling_cube
+
+    cube = buckling_cube(expansion)
+    modes = cube["buckling_mode"].attrs["flag_meanings"].split()
+    lines = [f"{'rule':32}buckling stress  over classical  mode"]
+    for rule in map(str, cube["rule"].values):
+        one = cube.sel({"rule": rule})
+        stress = float(one["buckling_stress"])
+        told = f"masked: {_reason(one['buckling_stress_scope'])}"
+        if not isnan(stress):
+            told = f"{stress / 1e6:11.2f} MPa{float(one['knockdown_factor']):16.3f}  {modes[int(one['buckling_mode'])]}"
+        lines.append(f"{rule:32}{told}")
+    return lines
+
+
+def seismic(expansion) -> list[str]:
+    """Demand on the wall by the share of the contents that moves with it."""
+    from silostudy.compute.seismic import seismic_cube
+
+    cube = seismic_cube(expansion)
+    lines = [f"{'contents that move':24}   share  base shear  base moment  axial force   pressure  top peak"]
+    for choice in map(str, cube["mass_choice"].values):
+        one = cube.sel(mass_choice=choice)
+        numbers = (
+            f"{float(one['mass_choice_coefficient']):8.3f}{float(one['base_shear']) / 1e6:9.3f} MN"
+            f"{float(one['base_moment']) / 1e6:8.2f} MN m{float(one['seismic_axial_wall_force'].max()) / 1e3:8.1f} kN/m"
+            f"{float(one['seismic_wall_pressure'].max()) / 1e3:7.2f} kPa{float(one['top_peak']):5.2f} m/s2"
+        )
+        lines.append(f"{choice:24}{numbers}")
+    return lines
+
+
+def table(expansion, where: str) -> list[str]:
+    """The table of a study without sweep; BadInput for a kind that has none."""
+    from silostudy.compute.axes import axis_names
+    from silostudy.compute.shell_ends import KEY
+    from silostudy.stages import KINDS
+    from silostudy.stages.pressure import KIND as PRESSURE
+
+    kind = KINDS[expansion.study.kind]
+    if not kind.table:
+        known = ", ".join(key for key, other in KINDS.items() if other.table or other.key == PRESSURE.key)
+        allowed = f"compare takes studies of kind {known}; use `silostudy {expansion.study.stages[-1]}`"
+        raise BadInput("kind", kind.key, allowed, where)
+    if set(axis_names(expansion.study)) - {KEY}:
+        raise BadInput("study", where, "must be without sweep: compare takes one silo or shell")
+    return resolve_name(kind.table)(expansion)

@@ -1,0 +1,46 @@
+"""What `silostudy explain KIND` says: every key that a file of a kind of study or scene takes."""
+
+from collections.abc import Iterator, Mapping
+from typing import Any
+
+
+def explanation(kind) -> list[str]:
+    """The keys of a kind's files, those of a section further in: name, unit, whether it must be given, what it is."""
+    schema = kind.study.model_json_schema()
+    return [f"{kind.title} (kind: {kind.key})", *_keys(schema, schema.get("$defs", {}), "  ")]
+
+
+def _keys(section: Mapping[str, Any], known: Mapping[str, Any], margin: str) -> Iterator[str]:
+    must = section.get("required", ())
+    for name, field in section.get("properties", {}).items():
+        unit = f" ({field['unit']})" if field.get("unit", "1") not in ("", "1") else ""
+        yield f"{margin}{name}{unit}: {field.get('description', '')}{_preset(name, field, must)}{_choices(field)}"
+        for part in _sections(field, known):
+            if part.get("description"):
+                yield f"{margin}  - {part['description'].splitlines()[0]}"
+            yield from _keys(part, known, f"{margin}    ")
+
+
+def _preset(name: str, field: Mapping[str, Any], must) -> str:
+    if name in must:
+        return " [must be given]"
+    value = field.get("default")
+    return "" if isinstance(value, dict) or value in (None, "", []) else f" [{value}]"
+
+
+def _choices(field: Mapping[str, Any]) -> str:
+    choices = [str(value) for branch in _branches(field) for value in branch.get("enum", ())]
+    return f" {{{', '.join(choices)}}}" if choices else ""
+
+
+def _branches(field: Mapping[str, Any]) -> Iterator[Mapping[str, Any]]:
+    """A field's schema, and those that it is a union or a list of."""
+    yield field
+    for inner in (*field.get("anyOf", ()), *field.get("oneOf", ()), *([field["items"]] if "items" in field else ())):
+        yield from _branches(inner)
+
+
+def _sections(field: Mapping[str, Any], known: Mapping[str, Any]) -> list[Mapping[str, Any]]:
+    """The sections that a field may hold."""
+    named = (known[branch["$ref"].split("/")[-1]] for branch in _branches(field) if "$ref" in branch)
+    return [part for part in named if part.get("properties")]

@@ -1,0 +1,60 @@
+"""What `silostudy explain` says of a discrete-element scene, and of the parts that scenes choose from."""
+
+from pathlib import Path
+
+from silostudy.catalogue import Family, Row
+from silostudy.dem.events import TRIGGERS
+from silostudy.dem.integrate import INTEGRATORS
+from silostudy.dem.rest import REST
+from silostudy.packing import PACKINGS
+
+PARTS: dict[str, Family] = {"packings": PACKINGS, "integrators": INTEGRATORS, "triggers": TRIGGERS, "rest": REST}
+
+
+def explanation(row) -> list[str]:
+    """The lines that explain a packing, an integrator, a trigger or a criterion of rest."""
+    from silostudy.tables.references import with_locator
+
+    part = next(name for name, family in PARTS.items() if row in family.values())
+    lines = [f"{row.title} ({row.key}, of {part})"]
+    for function in ("advance", "measure", "place"):
+        if (told := getattr(row, function, None)) is not None:
+            lines.append(f"  gives     {told.__doc__.splitlines()[0]}")
+    for asked in getattr(row, "asks", ()):
+        lines.append(f"  takes     {asked.name} ({asked.unit}): {asked.text}")
+    if getattr(row, "below", None) is not None:
+        lines.append(f"  below     {row.below:g}, unless a scene's rest.below says otherwise")
+    if getattr(row, "most", None) is not None:
+        lines.append(f"  value     at most {row.most:g}")
+    return [*lines, *([f"  source    {with_locator(row.source, row.locator)}"] if isinstance(row, Row) else [])]
+
+
+def scene_explanation(name: str) -> list[str]:
+    """Each effect of a discrete-element scene: on or off, why, and its measured share of a step."""
+    from silostudy.accuracy.prices import prices
+    from silostudy.choice.dem import load
+    from silostudy.compute.dem import scene_model
+    from silostudy.dem.stability import longest_step
+    from silostudy.scene.dem import effects
+
+    path = Path(name)
+    scene, _ = load(path)
+    model = scene_model(scene, path.parent, name)
+    whole, share = prices(model)
+    lines = [f"{scene.title}: {len(model.x)} discs, {whole / len(model.x) * 1e9:.1f} ns a particle-step"]
+    lines.append(
+        f"  step {model.dt:.3g} s; stability bound of this start {longest_step(model):.3g} s; integrator {model.integrator}"
+    )
+    for effect in effects(scene):
+        price = priced(share.get(effect.name))
+        lines.append(f"  {effect.name:30}{'on ' if effect.on else 'off'}  {price:42}{effect.why}")
+    return lines
+
+
+def priced(price) -> str:
+    """Share of a step; below zero the kernel without the effect was the slower one on these discs."""
+    if price is None:
+        return ""
+    if price.high < 0:
+        return f"{price.time:6.1%} (a step without it is slower here)"
+    return f"{price.time:6.1%} of a step, {price.memory:.0%} of memory"

@@ -1,0 +1,68 @@
+"""What a wall's loads ask of its thickness, and how far a wall of given thickness is used: by buckling and every check."""
+
+from collections.abc import Mapping
+
+import numpy as np
+
+from silostudy.buckling.family import IN_SCOPE, MODES, NO_LOAD, REASONS
+from silostudy.buckling.thickness import required_thickness, with_thickness
+from silostudy.checks import CHECKS, NAMES
+from silostudy.checks.family import call
+from silostudy.cube.variables import flags
+
+
+def designed(parameters: Mapping, safety) -> dict:
+    """The parameters with the safety factor on the pressure that harms, as on the axial stress; what steadies stays."""
+    return {**parameters, "upper_internal_pressure": safety * parameters["upper_internal_pressure"]}
+
+
+def required_thicknesses(rules, parameters: Mapping, force: np.ndarray, safety, own_weight) -> dict:
+    """Thickness by rule, the larger of what buckling and the checks ask for, which of them governs, and the rule's scope.
+
+    own_weight: axial force (N/m) per thickness (m) of the wall above.
+    """
+    design = designed(parameters, safety)
+    found = [required_thickness(rule, design, force, safety, own_weight=own_weight) for rule in rules]
+    checked = np.array([np.broadcast_to(call(row.needed, design), force.shape) for row in CHECKS.values()])
+    largest, governs = worst(np.array([one[0] for one in found]), checked[:, None])
+    meaning = "why required_thickness is masked, or what but the strength keeps the wall from being thinner"
+    return {
+        "required_thickness": largest,
+        "required_thickness_scope": (np.array([one[1] for one in found]), flags(meaning, REASONS)),
+        "required_thickness_check": (governs, flags("check that asks for the most", NAMES)),
+        "check_required_thickness": checked,
+        "check": list(CHECKS),
+    }
+
+
+def worst(buckling: np.ndarray, checked: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """(largest of buckling's numbers and those of each check; position in NAMES); NaN where a rule is silent."""
+    each = np.stack([buckling, *(np.broadcast_to(one, buckling.shape) for one in checked)])
+    silent = np.isnan(buckling)
+    largest = np.where(silent, np.nan, np.fmax.reduce(each, axis=0))
+    return largest, np.where(silent, 0, np.argmax(np.nan_to_num(each, nan=-np.inf), axis=0)).astype(np.int8)
+
+
+def utilisations(rules, parameters: Mapping, force, safety, thickness, dead) -> dict:
+    """Stress, strength, mode and utilisation of a wall of given thickness (m); dead: axial force (N/m) beside the solid's."""
+    design = designed(parameters, safety)
+    stress = (force + dead) / thickness
+    found = [with_thickness(rule, design, thickness) for rule in rules]
+    shape = (len(rules), force.shape[0], *force.shape[2:])
+    names = ("buckling_stress", "buckling_stress_scope", "buckling_mode", "supported_length")
+    strength, scope, mode, length = (np.array([np.broadcast_to(one[name], shape[1:]) for one in found]) for name in names)
+    used = safety * stress / strength[:, :, None]
+    masked = np.where(np.isnan(stress), NO_LOAD, np.broadcast_to(scope[:, :, None], used.shape)).astype(np.int8)
+    checked = np.array([call(row.utilisation, {**design, "thickness": thickness}) for row in CHECKS.values()])
+    largest, governs = worst(np.where(masked == IN_SCOPE, used, np.nan), checked[:, None, :, None])
+    return {
+        "axial_wall_stress": stress,
+        "wall_buckling_stress": strength,
+        "wall_buckling_stress_scope": (scope, flags("why it is masked", REASONS)),
+        "wall_buckling_mode": (mode, flags("how the wall buckles (-1: masked)", MODES)),
+        "wall_supported_length": length,
+        "utilisation": largest,
+        "utilisation_scope": (masked, flags("why utilisation is masked", REASONS)),
+        "utilisation_check": (governs, flags("check by which the wall is used most", NAMES)),
+        "check_utilisation": checked,
+    }

@@ -1,0 +1,62 @@
+# What the rules read and make: files of the user's own, cubes of other studies, and everything that a study asks for.
+
+import hashlib
+from functools import cache
+
+from silostudy.choice.expand import expand_file
+from silostudy.scene.scenes import files_of_scene
+
+
+def digest(content):
+    """A short hash of what a file will hold, where many sources stand behind it and few of their changes change it."""
+    return hashlib.sha256(str(content).encode()).hexdigest()[:12]
+
+
+@cache
+def expansion(name):
+    """A study with its cases."""
+    return expand_file(STUDIES[name])
+
+
+def borrowed(model):
+    """(section, study, stage) of each cube that a study takes from another one."""
+    rows = [STAGES[stage].borrows for stage in model.stages]
+    asked = [(section, getattr(model, section), stage) for row in rows for section, stage in row.items()]
+    return [(section, given.study, stage) for section, given, stage in asked if given]
+
+
+def study_files(name):
+    """The study file and the user's own files that it and its scenes name."""
+    return [STUDIES[name], *expansion(name).files]
+
+
+def scene_files(name):
+    """The scene file and the user's own files that it names."""
+    return [SCENES[name], *files_of_scene(SCENES[name])]
+
+
+def given(files):
+    """Input function of a rule from that of a study's or scene's name, the first of its wildcards.
+
+    It also tells Snakemake, which looks at times alone, what is there but not whole: a dry run plans it and touches nothing.
+    """
+
+    def inputs(wildcards):
+        workflow.dag.forcefiles.update(UNSOUND)
+        return files(wildcards[0])
+
+    return inputs
+
+
+def held(files):
+    """Function of the wildcards that gives a hash of what the user's own files hold: one put in place may be older than results."""
+    return lambda wildcards: digest([file.read_bytes() for file in files(wildcards[0])])
+
+
+def wanted(name):
+    """Every file that a study asks for."""
+    model, folder = MODELS[name], RESULTS / name
+    cubes = [folder / f"{stage}.nc" for stage in model.stages]
+    drawn = [Path(file) for key in model.outputs for file in files_of(key, folder)]
+    swept = [folder / f"{model.kind}-failed.csv", folder / f"parts/{model.kind}-verdict"] if name in SWEEPS else []
+    return [folder / "cases.csv", *cubes, *drawn, *swept]

@@ -1,0 +1,145 @@
+"""A real cube for every output: of the first shipped study that asks for it, with less of what takes long."""
+
+import copy
+from functools import cache
+
+import numpy as np
+import pytest
+import xarray as xr
+
+from silostudy.accuracy import cube as accuracy
+from silostudy.choice.expand import expand
+from silostudy.config.load import read_yaml
+from silostudy.scene.expand import Expansion
+from silostudy.stages import STAGES, called_for
+from silostudy.tables.outputs import OUTPUTS
+from tests.conftest import ROOT
+
+# of two parts, in place of those that take minutes to measure
+PRICES = {
+    "effect": ["a part", "another"],
+    "effect_room": ["pressures", "earthquake"],
+    "effect_time_share": [0.5, 0.1],
+    "effect_time_share_low": [0.45, 0.05],
+    "effect_time_share_high": [0.6, 0.12],
+    "effect_instruction_share": [0.4, np.nan],
+    "effect_memory_share": [0.3, 0.0],
+    "effect_uncounted": ["", "no valgrind"],
+}
+STUDIES = ROOT / "config/studies"
+# what is changed of a shipped study so that its cube takes no time; a study not named here is computed as it ships
+SMALLER: dict[str, dict] = {
+    "accuracy": {
+        "scene": {
+            "problems": ["dem_impact", "depth_levels", "shell_thickness", "history", "beam_frequency"],
+            "repeats": 1,
+            "members": 3,
+            "rungs": 3,
+            "prices": True,
+        }
+    },
+    "grains-amplitude": {
+        "scene": {
+            "box": {"slenderness": 0.5},
+            "packing": "rows_17_18",
+            "wall_friction": 0.176,
+            "shaking": {"amplitude_gal": 100.0, "frequency_Hz": 4.0},
+        },
+        "sweep": [
+            {"axis": "packing", "values": {"packing": ["rows_17_18"]}},
+            {"axis": "amplitude", "values": {"shaking.amplitude_gal": [100.0, 300.0]}},
+        ],
+        "fillings": 2,
+        "cycles": 1,
+        "waited_cycles": 0,
+    },
+    "kiyama-1983": {
+        "sweep": [
+            {"axis": "packing", "values": {"across": [12, 18]}},
+            {"axis": "removal", "values": {"remedy": [False, True]}},
+        ],
+        "scene": {"across": 18, "disc_count": 200},
+        "runs": 2,
+        "discharge_s": 0.6,
+        "stopped_s": 0.1,
+        "rest_limit_s": 1.5,
+        "detailed": [{"across": 18, "run": 0}],
+    },
+    "kiyama-1983-slit": {
+        "sweep": [
+            {"axis": "packing", "values": {"across": [12]}},
+            {"axis": "slit", "values": {"silo.slit_width_m": [0.06, 0.1, 0.14]}},
+        ],
+        "scene": {"across": 18, "disc_count": 200},
+        "runs": 1,
+        "discharge_s": 0.6,
+        "stopped_s": 0.1,
+        "rest_limit_s": 1.5,
+    },
+    "sasaki-1991": {
+        "identification": {
+            "coefficients": {"start": 0.5, "stop": 1.0, "count": 11},
+            "refinement": 2,
+            "recovery_trials": 3,
+            "shown_coefficients": [1.0, 0.75, 0.7, 0.6],
+            "band_Hz": [5.0, 60.0],
+            "damping_mismatch": 0.25,
+            "empty_frequency_rounding_Hz": 0.05,
+            "recovery_noise_ratio": 0.2,
+        },
+    },
+    "stability-map": {
+        "sweep": [
+            {"axis": "network", "values": {"network": ["column"]}},
+            {"axis": "damping", "values": {"discs.damping_ratio": [0.1, 1.0]}},
+            {
+                "axis": "march",
+                "points": [
+                    {"integrator": "17-18", "discs.normal": "spring-dashpot", "discs.tangential": "spring-slider"},
+                    {"integrator": "17-19", "discs.normal": "spring-dashpot", "discs.tangential": "spring-slider"},
+                ],
+            },
+        ],
+        "silo": {"steps_ms": [0.04, 0.05], "reference_step_ms": 0.025, "fillings": 2, "rest_s": 0.4, "parts": 4},
+        "trial_steps": 1000,
+        "peer": False,
+    },
+    "wheat-silo-today": {"uncertainty": {"log2_samples": 6, "seed": 1}},
+}
+
+
+def _nothing(*_: object) -> None:
+    """Tells no progress."""
+
+
+@cache
+def study_of(output: str) -> str:
+    """Name of the first shipped study that asks for an output, of those made small where there are some."""
+    studies = sorted((path.stem for path in STUDIES.glob("*.yaml")), key=lambda name: (name not in SMALLER, name))
+    return next(name for name in studies if output in (read_yaml(STUDIES / f"{name}.yaml").get("outputs") or ()))
+
+
+@cache
+def expansion_of(study: str) -> Expansion:
+    """The cases of a shipped study, made small."""
+    content = copy.deepcopy(read_yaml(STUDIES / f"{study}.yaml")) | copy.deepcopy(SMALLER.get(study, {}))
+    return expand(content, study, f"{study}.yaml", STUDIES)
+
+
+@cache
+def cube_of(study: str, stage: str) -> xr.Dataset:
+    """The cube of a stage of a shipped study, made small, and of the stages and studies that it reads."""
+    expansion, row = expansion_of(study), STAGES[stage]
+    read = [cube_of(study, other) for other in row.reads]
+    asked = [getattr(expansion.study, section) for section in row.borrows]
+    borrowed = [one and cube_of(one.study, other) for one, other in zip(asked, row.borrows.values(), strict=True)]
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(accuracy, "price_variables", lambda repeats, tell: {name: np.array(v) for name, v in PRICES.items()})
+        return row.cube(expansion, _nothing, (*read, *borrowed))
+
+
+def cubes_of(output: str) -> list[xr.Dataset]:
+    """The cubes that an output is drawn from."""
+    row, study = OUTPUTS[output], study_of(output)
+    also = [stage for stage in row.also if stage in called_for(expansion_of(study).study)]
+    return [cube_of(study, stage) for stage in (row.stage, *also)]
