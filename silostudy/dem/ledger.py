@@ -114,8 +114,8 @@ def contact_book(space, laws, *, unequal, flat):
                 if unequal:
                     a, b, m = contacts.arm[at], contacts.other[at], contacts.mass[at]
                 normal, distance = facing(lanes, k)
-                closing, sliding, rolling = rates(lanes, k, normal, a, b)
                 overlap, stored, turned = a + b - distance, old_stored[at], old_rolled[at]
+                closing, sliding, rolling = rates(lanes, k, normal, a, b, overlap, flat)
                 touch = Touch(m, a if flat else a * b / (a + b), dt)
                 slide_spring, roll_spring = slide_stiffness(overlap, touch, c[1]), roll_stiffness(overlap, touch, c[2])
                 if overlap <= 0.0:  # what springs held when the contact opened is lost
@@ -131,7 +131,7 @@ def contact_book(space, laws, *, unequal, flat):
                 if rolls:
                     elastic_energy += of_spring(moment, roll_spring)
                     slid += of_slip(turned - roll_spring * dt * rolling, moment, roll_spring)
-                nearing, along, turning = rates(ledger.lanes, k, normal, a, b)  # on average over the step
+                nearing, along, turning = rates(ledger.lanes, k, normal, a, b, overlap, flat)  # on average over the step
                 elastic_power += (pull - elastic) * nearing + held * along
                 braking += (push - elastic) * nearing
                 if rolls:

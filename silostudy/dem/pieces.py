@@ -38,6 +38,10 @@ class Laws:
         return self.tangential.acts
 
     @property
+    def brakes(self) -> bool:
+        return self.rolling.acts
+
+    @property
     def slides(self) -> bool:
         return self.tangential.stores
 
@@ -47,7 +51,7 @@ class Laws:
 
     @property
     def turns(self) -> bool:
-        return self.drags or self.rolling.acts
+        return self.drags or self.brakes
 
     @property
     def stores(self) -> bool:

@@ -149,6 +149,40 @@ def put(drags: bool, brakes: bool):
     return force
 
 
+@register_jitable(forceinline=True)
+def where(touching, value):
+    """A vector where bodies touch, nothing where they do not."""
+    return value[0] if touching else 0.0, value[1] if touching else 0.0, value[2] if touching else 0.0
+
+
+def walk(gathered: Callable, contact: Callable, unequal: bool, slides: bool, rolls: bool, key: tuple):
+    """Function that takes a stretch of a list contact by contact: the loop that the compiler vectorises."""
+
+    @piece("space", unequal, slides, rolls, *key)
+    def forces(rows, contacts, shape, start, count, lanes, out, stored, rolled, dt, c):
+        gathered(rows, contacts, shape, start, count, lanes)
+        if slides:
+            hx, hy, hz = stored[0][start:], stored[1][start:], stored[2][start:]
+        if rolls:
+            mx, my, mz = rolled[0][start:], rolled[1][start:], rolled[2][start:]
+        arm = contacts.arm[start:] if unequal else contacts.arm
+        other = contacts.other[start:] if unequal else contacts.other
+        mass = contacts.mass[start:] if unequal else contacts.mass
+        a, b, m = arm[0], other[0], mass[0]
+        for k in range(count):
+            if unequal:
+                a, b, m = arm[k], other[k], mass[k]
+            old = (hx[k], hy[k], hz[k]) if slides else (0.0, 0.0, 0.0)
+            turned = (mx[k], my[k], mz[k]) if rolls else (0.0, 0.0, 0.0)
+            held, moment = contact(lanes, out, k, a, b, m, old, turned, dt, c)
+            if slides:
+                hx[k], hy[k], hz[k] = held
+            if rolls:
+                mx[k], my[k], mz[k] = moment
+
+    return forces
+
+
 def move(advance: Callable, holds: bool, turns: bool, key: str):
     """Function that moves sphere i a step, clears its force, and gives the square of its way (m2)."""
 
