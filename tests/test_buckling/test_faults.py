@@ -278,3 +278,15 @@ def test_an_earthquake_needs_a_flat_bottom():
 
     with pytest.raises(BadInput, match="needs a flat bottom"):
         expand(content, "shaken", "shaken.yaml", ROOT / "config/studies")
+
+
+def test_a_wall_too_thick_for_the_limit_of_length_does_not_end_the_search():
+    """H/D 4: R/t 20 is beyond 1.43 for 2025, the thickness sought is not; at H/D 40 every wall that carries is beyond it."""
+    cube = cube_of(rules=("en1993_1_6_2025",), silo={"plan": "circular", "diameter_m": 10.0, "slenderness": 4.0})
+    foot = float(cube["required_thickness"][0, -1])
+    force = axial_wall_force(40.0, hydraulic_radius=2.5, **WHEAT)
+    carried = strength("en1993_1_6_2025", shell_radius=5 + foot / 2, thickness=foot, bay_length=40.0, yield_stress=235e6)
+    assert SAFETY * force / foot == pytest.approx(carried, rel=1e-9)
+    tall = cube_of(rules=("en1993_1_6_2025",), silo={"plan": "circular", "diameter_m": 3.0, "slenderness": 40.0})
+    assert np.isnan(tall["required_thickness"][0, -1])
+    assert REASONS[int(tall["required_thickness_scope"][0, -1])] == "length_out_of_range"
