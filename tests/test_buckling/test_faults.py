@@ -35,9 +35,13 @@ def study(rules=EN, methods=("janssen",), sweep=(), levels=41, steel=None, **sce
     return content | {"relative_depth": {"start": 0.0, "stop": 1.0, "count": levels}}
 
 
-def cube_of(**changes):
-    expansion = expanded(study(**changes))
+def cube_from(content):
+    expansion = expanded(content)
     return shell_cube(expansion, pressure_cube(expansion)).squeeze("pressure_method")
+
+
+def cube_of(**changes):
+    return cube_from(study(**changes))
 
 
 def thickness_mm(cube):
@@ -290,3 +294,17 @@ def test_a_wall_too_thick_for_the_limit_of_length_does_not_end_the_search():
     tall = cube_of(rules=("en1993_1_6_2025",), silo={"plan": "circular", "diameter_m": 3.0, "slenderness": 40.0})
     assert np.isnan(tall["required_thickness"][0, -1])
     assert REASONS[int(tall["required_thickness_scope"][0, -1])] == "length_out_of_range"
+
+
+@pytest.mark.parametrize("where", [0, 2])
+def test_a_strake_beyond_a_rule_leaves_the_whole_wall_unjudged(where, tmp_path, capsys):
+    """A strake of 0.9 mm, R/t 5556, under sound ones: not .970, the most used of the rest."""
+    strakes = [{"down_to": down_to, "thickness_mm": 12.0} for down_to in (0.25, 0.5, 0.75, 1.0)]
+    strakes[where]["thickness_mm"] = 0.9
+    content = study(rules=("miller1977", "en1993_1_6_2007"), steel={"strakes": strakes})
+    cube = cube_from(content)
+    assert np.isnan(cube["largest_utilisation"].sel(rule="en1993_1_6_2007"))
+    assert float(cube["largest_utilisation"].sel(rule="miller1977")) > 5
+    (tmp_path / "thin.yaml").write_text(yaml.safe_dump(content), encoding="utf-8")
+    main(["compare", str(tmp_path / "thin.yaml")])
+    assert "masked: radius over thickness out of range in a part of the wall" in capsys.readouterr().out
