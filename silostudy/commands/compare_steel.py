@@ -4,6 +4,7 @@ from math import isnan
 from pkgutil import resolve_name
 from typing import TYPE_CHECKING
 
+from silostudy.commands.about import cautions, rings
 from silostudy.errors import BadInput
 
 if TYPE_CHECKING:
@@ -29,7 +30,13 @@ def shell(expansion) -> list[str]:
         "largest over depths, phases and strakes; safety factor, own weight, roof and snow included; end of the wall friction"
     )
     earthquake = ["the earthquake of the study is in its cube, not in this table"] if shaken else []
-    return [*lines, told, *earthquake, *silences(pressure)]
+    return [*lines, told, *earthquake, *_unlooked(pressure), *silences(pressure), *rings(expansion), *cautions(expansion)]
+
+
+def _unlooked(pressure: "xr.Dataset") -> list[str]:
+    """That the study's depths end above the foot of the wall."""
+    deepest, foot = float(pressure["depth"].max()), float(pressure["cylinder_depth"].max())
+    return [f"depths end at {deepest:g} m, the wall at {foot:g} m: its foot is not looked at"] * (deepest < foot * (1 - 1e-9))
 
 
 def _settled(asked):

@@ -308,3 +308,18 @@ def test_a_strake_beyond_a_rule_leaves_the_whole_wall_unjudged(where, tmp_path, 
     (tmp_path / "thin.yaml").write_text(yaml.safe_dump(content), encoding="utf-8")
     main(["compare", str(tmp_path / "thin.yaml")])
     assert "masked: radius over thickness out of range in a part of the wall" in capsys.readouterr().out
+
+
+def test_rings_further_apart_than_the_wall_is_high_are_refused():
+    with pytest.raises(BadInput, match="spacing_m.*30.*must not exceed the height of the wall, 20 m"):
+        cube_of(steel={"rings": {"spacing_m": 30.0, "area_cm2": 50.0}})
+
+
+def test_compare_tells_what_of_the_wall_is_not_looked_at_and_which_rings_are_left_out(tmp_path, capsys):
+    content = study(steel={"rings": {"spacing_m": 0.05, "area_cm2": 0.01}}) | {"depth_m": [10.0]}
+    content.pop("relative_depth")
+    (tmp_path / "short.yaml").write_text(yaml.safe_dump(content), encoding="utf-8")
+    main(["compare", str(tmp_path / "short.yaml")])
+    told = capsys.readouterr().out
+    assert "depths end at 10 m, the wall at 20 m" in told
+    assert "note: rings of 0.01 cm2 every 0.05 m" in told
