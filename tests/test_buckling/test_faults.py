@@ -10,6 +10,7 @@ from silostudy.__main__ import main
 from silostudy.buckling import BUCKLING
 from silostudy.buckling.family import REASONS, evaluate
 from silostudy.checks import CHECKS, NAMES
+from silostudy.checks.family import call
 from silostudy.compute.pressure import pressure_cube
 from silostudy.compute.shell import shell_cube
 from silostudy.compute.shell_ends import ENDS
@@ -112,7 +113,7 @@ def test_hoop_tension_is_one_of_the_checks():
     assert (cube["largest_required_thickness"] >= expected * (1 - 1e-12)).all()
     foot = cube.isel(relative_depth=-1)
     governed = {NAMES[flag] for flag in np.unique(foot["required_thickness_check"])}
-    assert "hoop_tension" in governed
+    assert "membrane_yield" in governed
     used = float(foot["check_utilisation"].sel(check="hoop_tension"))
     assert used == pytest.approx(pressure * 5.001 / 0.002 / 235e6, rel=1e-12)
     assert (foot["utilisation"].max("phase") >= used).where(foot["utilisation"].notnull().any("phase"), True).all()
@@ -124,8 +125,40 @@ def test_a_check_is_a_sound_row(row, capsys):
     assert main(["explain", row.key]) == 0
     assert row.formula in capsys.readouterr().out
     wall = {"yield_stress": 235e6, "inner_radius": 5.0, "upper_internal_pressure": 9e4}
-    thickness = row.needed(**wall)
-    assert row.utilisation(**wall, thickness=thickness) == pytest.approx(1, rel=1e-12)
+    wall |= {"axial_wall_force": 4e5, "wall_above": 2e6}
+    thickness = call(row.needed, wall)
+    assert call(row.utilisation, wall | {"thickness": thickness}) == pytest.approx(1, rel=1e-12)
+
+
+def test_axial_compression_beside_hoop_tension_yields_the_wall_sooner():
+    """Little friction, D 20, H 80: the wall that hoop tension alone asks for yields under the axial force beside it."""
+    properties = yaml.safe_load((ROOT / "config/studies/steel-wheat-strakes.yaml").read_text())["scene"]["properties"]
+    silo = {"plan": "circular", "diameter_m": 20.0, "slenderness": 4.0}
+    little = {"wall_friction": 0.02}
+    steel = {"quality": "A", "density_kg_m3": 7850.0, "strakes": [{"down_to": 1.0, "thickness_mm": 40.0}]}
+    cube = cube_of(properties=properties | little, silo=silo, steel=steel, rules=("en1993_1_6_2007",))
+    pressure = float(normal_pressure(80.0, **WHEAT | little, hydraulic_radius=5.0)) * SAFETY
+    force = float(axial_wall_force(80.0, **WHEAT | little, hydraulic_radius=5.0)) * SAFETY
+    own = 7850 * STANDARD_GRAVITY * 80.0 * SAFETY
+
+    def yields(thickness):
+        axial, hoop = force / thickness + own, pressure * (10.0 + thickness / 2) / thickness
+        return np.sqrt(axial**2 + hoop**2 + axial * hoop) / 235e6
+
+    foot = cube.isel(relative_depth=-1).sel(check="membrane_yield")
+    assert yields(float(foot["check_required_thickness"])) == pytest.approx(1, rel=1e-9)
+    assert float(foot["check_utilisation"]) == pytest.approx(yields(0.04), rel=1e-9)
+    assert float(cube["largest_required_thickness"].squeeze()) == pytest.approx(
+        float(foot["check_required_thickness"]), rel=1e-9
+    )
+    assert float(foot["check_required_thickness"]) > 1.05 * float(
+        cube["check_required_thickness"].sel(check="hoop_tension").max()
+    )
+
+
+def test_no_wall_is_thick_enough_where_its_own_weight_yields_it():
+    wall = {"yield_stress": 235e6, "inner_radius": 5.0, "upper_internal_pressure": 9e4, "axial_wall_force": 4e5}
+    assert np.isinf(CHECKS["membrane_yield"].needed(**wall, wall_above=236e6))
 
 
 def test_both_ends_of_a_strake_are_evaluated_between_the_depths():
@@ -311,7 +344,7 @@ def test_a_strake_beyond_a_rule_leaves_the_whole_wall_unjudged(where, tmp_path, 
 
 
 def test_rings_further_apart_than_the_wall_is_high_are_refused():
-    with pytest.raises(BadInput, match="spacing_m.*30.*must not exceed the height of the wall, 20 m"):
+    with pytest.raises(BadInput, match=r"spacing_m.*30.*must not exceed the height of the wall, 20 m"):
         cube_of(steel={"rings": {"spacing_m": 30.0, "area_cm2": 50.0}})
 
 
