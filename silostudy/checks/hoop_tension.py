@@ -21,6 +21,6 @@ ROW = SteelCheck(
     utilisation=utilisation,
     needed=needed,
     formula="n = p r <= t f_y, p the largest pressure times the safety factor, gamma_M0 = 1",
-    validity="membrane force alone: no joints, no bending at edges and rings, no axial force beside it (`membrane_yield` counts it); two public programs, "
-    "printed standard not seen",
+    validity="membrane force alone: no joints, no bending at edges and rings, no axial force beside it (`membrane_yield` "
+    "counts it); two public programs, printed standard not seen",
 )
