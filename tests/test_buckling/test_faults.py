@@ -356,3 +356,8 @@ def test_compare_tells_what_of_the_wall_is_not_looked_at_and_which_rings_are_lef
     told = capsys.readouterr().out
     assert "depths end at 10 m, the wall at 20 m" in told
     assert "note: rings of 0.01 cm2 every 0.05 m" in told
+
+
+def test_a_density_in_other_units_is_refused():
+    with pytest.raises(BadInput, match=r"density_kg_m3.*7\.85.*must be 0, or 1000 to 20000"):
+        cube_of(steel={"density_kg_m3": 7.85})
