@@ -161,7 +161,8 @@ def _forces(panel: Axes, cube: xr.Dataset, method: str, phase: str) -> None:
     else:
         if one["hopper_normal_pressure"].isnull().all():
             why = reason(cube, "hopper_normal_pressure", method, phase)
-            panel.text(0, depth.mean(), "hopper not given:\n" + fill(why, 20), ha="center", va="center", fontsize=7.5)
+            middle = float(cube["cylinder_depth"]) * 0.45  # between the cylinder's walls, as the hopper is too narrow
+            panel.text(0, middle, "hopper not given:\n" + fill(why, 20), ha="center", va="center", fontsize=7.5)
             return
         place, ring = 0, float(one["ring_force"]) if "ring_force" in one else np.nan
         kilo = {
