@@ -53,7 +53,7 @@ def _blank(cube: xr.Dataset, methods: list[str]) -> str:
     """What a blank place means, with the limits that the methods shown keep; and how ties are told."""
     broken = np.unique(cube["limit_broken"].sel(pressure_method=methods))
     limits = [str(cube["limit"].values[number]).split(" (")[0] for number in broken if number > 0]
-    outside = f", or not {' and '.join(limits)}" if limits else ""
+    outside = f", or outside the limit {' and '.join(limits)}" if limits else ""
     return f"blank: no initial field, or no mass flow{outside};\nequal pressures count as filling"
 
 
