@@ -158,7 +158,7 @@ def _forces(panel: Axes, cube: xr.Dataset, method: str, phase: str) -> None:
         together = str(one["pressure_method_initial_state"].values).replace(" = ", "\N{NO-BREAK SPACE}=\N{NO-BREAK SPACE}")
         text += "\n" + fill(f"from the {together}", 20)
         if cube["hopper_normal_pressure"].sel(pressure_method=method, phase="discharge").isnull().all():
-            text += "\n(flow pressures below\nit not given)"
+            text += "\n(flow pressures\nbelow: not given)"
         text += f"\nlargest on its way\n{float(one['switch_force'][most]) / 1e3:.0f} kN at {depth[most]:.1f} m"
     else:
         if one["hopper_normal_pressure"].isnull().all():
