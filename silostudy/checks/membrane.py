@@ -3,6 +3,7 @@
 import numpy as np
 
 from silostudy.checks.family import SteelCheck
+from silostudy.checks.hoop_tension import hoop_stress
 
 
 def equivalent_stress(axial, hoop):
@@ -15,7 +16,7 @@ def equivalent_stress(axial, hoop):
 
 def utilisation(*, axial_wall_force, wall_above, upper_internal_pressure, inner_radius, thickness, yield_stress):
     """Equivalent membrane stress over yield stress (1). Source: en1993_4_1, membrane strength, two programs."""
-    hoop = upper_internal_pressure * (inner_radius + thickness / 2) / thickness
+    hoop = hoop_stress(upper_internal_pressure=upper_internal_pressure, inner_radius=inner_radius, thickness=thickness)
     return equivalent_stress(axial_wall_force / thickness + wall_above, hoop) / yield_stress
 
 
