@@ -4,7 +4,7 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from silostudy.buckling.family import IN_SCOPE, NO_LOAD, OUT_OF_RANGE, BucklingRule, evaluate
+from silostudy.buckling.family import IN_SCOPE, LONG, NO_LOAD, OUT_OF_RANGE, BucklingRule, evaluate
 
 SLENDEREST, STOCKIEST = 10_000, 20  # R/t between which the required thickness is sought
 HALVINGS = 40
@@ -31,15 +31,18 @@ def required_thickness(
     thin, thick = radius / SLENDEREST, radius / STOCKIEST
 
     def enough(thickness):
+        wall = with_thickness(rule, parameters, thickness)
         with np.errstate(invalid="ignore"):
-            return safety * (force / thickness + own_weight) <= with_thickness(rule, parameters, thickness)["buckling_stress"]
+            carries = safety * (force / thickness + own_weight) <= wall["buckling_stress"]
+        return carries | (wall["buckling_stress_scope"] == LONG)  # only a thick wall is too long: the search goes on below it
 
     found, lightest = enough(thick), enough(thin)
     for _ in range(halvings):
         middle = np.sqrt(thin * thick)
         carries = enough(middle)
         thin, thick = np.where(carries, thin, middle), np.where(carries, middle, thick)
-    scope = with_thickness(rule, parameters, np.where(found, thick * (1 - 1e-6), radius / STOCKIEST))["buckling_stress_scope"]
+    found &= with_thickness(rule, parameters, thick)["buckling_stress_scope"] == IN_SCOPE
+    scope = with_thickness(rule, parameters, np.where(found, thick * (1 - 1e-6), thick))["buckling_stress_scope"]
     beyond = lightest | (~found & (scope == IN_SCOPE))  # lighter than the slenderest, or more than the stockiest carries
     scope = np.select([np.isnan(force), beyond], [NO_LOAD, OUT_OF_RANGE], scope).astype(np.int8)
     return np.where(found, thick, np.nan), scope

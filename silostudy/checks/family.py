@@ -16,6 +16,8 @@ PARAMETERS = {
     "inner_radius": ("m", "R_i", 5.0),
     "thickness": ("m", "t", 0.01),
     "upper_internal_pressure": ("Pa", "p, largest, with its safety factor", 40000.0),
+    "axial_wall_force": ("N m-1", "n, largest, compression positive, without the wall above, with its safety factor", 200000.0),
+    "wall_above": ("Pa", "axial stress under the own weight of the wall above, with its safety factor", 0.0),
 }
 
 

@@ -4,6 +4,7 @@ from math import isnan
 from pkgutil import resolve_name
 from typing import TYPE_CHECKING
 
+from silostudy.commands.about import cautions, rings
 from silostudy.errors import BadInput
 
 if TYPE_CHECKING:
@@ -29,7 +30,13 @@ def shell(expansion) -> list[str]:
         "largest over depths, phases and strakes; safety factor, own weight, roof and snow included; end of the wall friction"
     )
     earthquake = ["the earthquake of the study is in its cube, not in this table"] if shaken else []
-    return [*lines, told, *earthquake, *silences(pressure)]
+    return [*lines, told, *earthquake, *_unlooked(pressure), *silences(pressure), *rings(expansion), *cautions(expansion)]
+
+
+def _unlooked(pressure: "xr.Dataset") -> list[str]:
+    """That the study's depths end above the foot of the wall."""
+    deepest, foot = float(pressure["depth"].max()), float(pressure["cylinder_depth"].max())
+    return [f"depths end at {deepest:g} m, the wall at {foot:g} m: its foot is not looked at"] * (deepest < foot * (1 - 1e-9))
 
 
 def _settled(asked):
@@ -48,16 +55,16 @@ def _line(cube: "xr.Dataset", keys: dict[str, str]) -> str:
 def _thickness(one: "xr.Dataset") -> str:
     largest = _first(one["largest_required_thickness"])
     if isnan(largest):
-        return f"masked: {_reason(one['required_thickness_scope'])}"
+        return f"masked: {_reason(one, 'required_thickness')}"
     by = _governing(one["required_thickness"], one["required_thickness_check"])
     return f"{largest * 1e3:6.2f} mm{by:>14}{_end(one['largest_required_thickness_friction_end']):>8}"
 
 
 def _utilisation(one: "xr.Dataset") -> str:
     largest = _first(one["largest_utilisation"])
-    if isnan(largest):
-        return f"  masked: {_reason(one['utilisation_scope'])}"
     places = ("utilisation", "strake_utilisation")
+    if isnan(largest):
+        return f"  masked: {_reason(one, *places)}"
     name = max(places, key=lambda name: float(one[name].max()))
     by = _governing(one[name], one[f"{name}_check"])
     return f"{largest:10.3f}{by:>14}{_end(one['largest_utilisation_friction_end']):>8}"
@@ -79,10 +86,14 @@ def _end(flags: "xr.DataArray") -> str:
     return flags.attrs["flag_meanings"].split()[int(flags.values.ravel()[0])]
 
 
-def _reason(scope: "xr.DataArray") -> str:
-    """Why a number is masked: the first reason met."""
-    found = scope.values[scope.values > 0]
-    return scope.attrs["flag_meanings"].split()[int(found[0])].replace("_", " ") if found.size else "no load"
+def _reason(one: "xr.Dataset", *names: str) -> str:
+    """Why a number is masked: the first reason met that is no want of a load, and whether for a part of the wall alone."""
+    from silostudy.buckling.family import IN_SCOPE, NO_LOAD, REASONS
+
+    flags = [flag for name in names for flag in one[f"{name}_scope"].values[one[name].isnull().values].ravel()]
+    reasons = [REASONS[flag].replace("_", " ") for flag in flags if flag not in (IN_SCOPE, NO_LOAD)]
+    part = " in a part of the wall" if any(one[name].notnull().any() for name in names) else ""
+    return f"{reasons[0]}{part}" if reasons else "no load"
 
 
 def buckling(expansion) -> list[str]:
@@ -95,7 +106,7 @@ def buckling(expansion) -> list[str]:
     for rule in map(str, cube["rule"].values):
         one = cube.sel({"rule": rule})
         stress = float(one["buckling_stress"])
-        told = f"masked: {_reason(one['buckling_stress_scope'])}"
+        told = f"masked: {_reason(one, 'buckling_stress')}"
         if not isnan(stress):
             told = f"{stress / 1e6:11.2f} MPa{float(one['knockdown_factor']):16.3f}  {modes[int(one['buckling_mode'])]}"
         lines.append(f"{rule:32}{told}")

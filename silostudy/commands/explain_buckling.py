@@ -2,8 +2,8 @@
 
 SILO = (
     "  in a silo safety_factor multiplies the axial stress (friction of the solid, own weight, roof, snow) and the "
-    "largest\n            pressure; the smallest guaranteed one stays as it is; hoop tension (`explain hoop_tension`) "
-    "is checked beside"
+    "largest\n            pressure; the smallest guaranteed one stays as it is; hoop tension and membrane "
+    "yield (`list checks`) are checked beside"
 )
 
 

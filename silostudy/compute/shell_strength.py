@@ -23,7 +23,8 @@ def required_thicknesses(rules, parameters: Mapping, force: np.ndarray, safety, 
     """
     design = designed(parameters, safety)
     found = [required_thickness(rule, design, force, safety, own_weight=own_weight) for rule in rules]
-    checked = np.array([np.broadcast_to(call(row.needed, design), force.shape) for row in CHECKS.values()])
+    acting = {**design, "axial_wall_force": safety * force, "wall_above": safety * np.asarray(own_weight)}
+    checked = np.array([np.broadcast_to(call(row.needed, acting), force.shape) for row in CHECKS.values()])
     largest, governs = worst(np.array([one[0] for one in found]), checked[:, None])
     meaning = "why required_thickness is masked, or what but the strength keeps the wall from being thinner"
     return {
@@ -53,7 +54,13 @@ def utilisations(rules, parameters: Mapping, force, safety, thickness, dead) -> 
     strength, scope, mode, length = (np.array([np.broadcast_to(one[name], shape[1:]) for one in found]) for name in names)
     used = safety * stress / strength[:, :, None]
     masked = np.where(np.isnan(stress), NO_LOAD, np.broadcast_to(scope[:, :, None], used.shape)).astype(np.int8)
-    checked = np.array([call(row.utilisation, {**design, "thickness": thickness}) for row in CHECKS.values()])
+    acting = {
+        **design,
+        "thickness": thickness,
+        "axial_wall_force": safety * np.fmax.reduce(force + dead, axis=1),
+        "wall_above": 0.0,
+    }
+    checked = np.array([call(row.utilisation, acting) for row in CHECKS.values()])
     largest, governs = worst(np.where(masked == IN_SCOPE, used, np.nan), checked[:, None, :, None])
     return {
         "axial_wall_stress": stress,

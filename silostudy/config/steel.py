@@ -3,7 +3,7 @@
 from itertools import pairwise
 from typing import Literal, Self, TypeAlias
 
-from pydantic import Field, model_validator
+from pydantic import Field, field_validator, model_validator
 
 from silostudy.config.fields import Strict, described
 from silostudy.config.scene import possible
@@ -94,6 +94,13 @@ class SiloWall(Steel):
     )
     roof_kN: float = described("weight of the roof, on the top of the wall all round", "kN", ge=0, default=0.0)
     snow_kPa: float = described("snow on the roof, over the plan", "kPa", ge=0, le=100, default=0.0)
+
+    @field_validator("density_kg_m3")
+    @classmethod
+    def _heavier_than_water(cls, density):
+        if 0 < density < 1000:
+            raise ValueError("must be 0, or 1000 to 20000 kg/m3: steel has about 7850")
+        return density
 
     @model_validator(mode="after")
     def _strakes_reach_the_foot(self) -> Self:

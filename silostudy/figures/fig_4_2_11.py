@@ -30,7 +30,7 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     kpa = left.secondary_xaxis("top", functions=(lambda t: t * KPA_PER_T_M2, lambda kpa: kpa / KPA_PER_T_M2))
     kpa.set_xlabel("wall normal pressure (kPa)")
     right.set(xlabel="ratio to static Janssen (curve 6)", xlim=(0.5, 6))
-    left.set_ylim(float(cube["cylinder_depth"]) * 1.07, 0)  # room for the numbers at the feet
+    left.set_ylim(float(cube["cylinder_depth"]) * 1.09, 0)  # room for the numbers at the feet
     handles = [*left.get_legend_handles_labels()[0], *silent(cube)]
     figure.legend(handles=handles, loc="outside lower center", ncols=3, fontsize=8)
     figure.suptitle(cube.attrs["title"])

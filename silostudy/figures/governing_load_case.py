@@ -43,16 +43,18 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
         panel.grid(False)
     axes[0, 0].set_ylabel("half angle of the cone (°)")
     handles = [Patch(color=colour, label=f"{short}  {name}") for name, (colour, short) in CASES.items()]
-    handles.append(
-        Patch(
-            facecolor="white",
-            edgecolor="0.6",
-            label="blank: no initial field, or no mass flow; equal pressures count as filling",
-        )
-    )
+    handles.append(Patch(facecolor="white", edgecolor="0.6", label=_blank(cube, methods)))
     figure.legend(handles=handles, loc="outside lower center", ncols=3)
     figure.suptitle(f"{cube.attrs['title']}\nload case and place of the largest hopper wall pressure")
     save(figure, pd.concat(tables, ignore_index=True), stem)
+
+
+def _blank(cube: xr.Dataset, methods: list[str]) -> str:
+    """What a blank place means, with the limits that the methods shown keep; and how ties are told."""
+    broken = np.unique(cube["limit_broken"].sel(pressure_method=methods))
+    limits = [str(cube["limit"].values[number]).split(" (")[0] for number in broken if number > 0]
+    outside = f", or outside the limit {' and '.join(limits)}" if limits else ""
+    return f"blank: no initial field, or no mass flow{outside};\nequal pressures count as filling"
 
 
 def governing(one: xr.Dataset) -> tuple[xr.DataArray, xr.DataArray]:

@@ -80,12 +80,22 @@ def _curves(row, needed: xr.DataArray, cube: xr.Dataset, axis: str, label: str) 
     for rule in map(str, needed["rule"].values):
         values = needed.sel(pressure_method=METHOD, rule=rule)
         marker = str(cube.sel({"rule": rule}).rule_marker.values)
-        right.plot(needed[axis], values, marker=marker, markersize=5, label=rules.name(cube, rule), **rules.look(cube, rule))
+        shown = _ends(cube, rule) if values.isnull().any() else rules.name(cube, rule)
+        right.plot(needed[axis], values, marker=marker, markersize=5, label=shown, **rules.look(cube, rule))
     fixed = f"H/D {float(needed.slenderness):g}" if axis == "diameter" else f"D {float(needed.diameter):g} m"
     for panel, heading in ((left, f"every method, {rules.name(cube, RULE)}"), (right, f"every rule, {title(cube, METHOD)}")):
         panel.set(xlabel=label, title=f"{heading}, {fixed}", ylim=(0, None))
         panel.legend(fontsize=8)
     left.set_ylabel("required thickness (mm)")
+
+
+def _ends(cube: xr.Dataset, rule: str) -> str:
+    """A rule's name, and why its curve ends before the others where it gives nothing."""
+    one = cube.sel(rule=rule, pressure_method=METHOD, wall_friction_end="upper")
+    flags = one["required_thickness_scope"]
+    missing = np.unique(flags.values[one["required_thickness"].isnull().values])
+    reasons = [flags.attrs["flag_meanings"].split()[flag].replace("_", " ") for flag in missing]
+    return rules.name(cube, rule) + (f"; ends: {', '.join(reasons)}" if reasons else "")
 
 
 def _changes(change: xr.DataArray) -> pd.DataFrame:

@@ -30,7 +30,7 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
             share = float(here["mass_choice_coefficient"])
             told = answer(one, "amplitude_error") if choice == "identified" else f"{share:.3g}"
             label = f"{name(one)}: {MASS_CHOICES[choice][1]}, C_eff = {told},\n"
-            label += f"base {float(here['base_shear']) / 1e3:.4g} kN, {float(here['base_moment']) / 1e3:.4g} kN m"
+            label += f"base {float(here['base_shear']) / 1e3:.4g} kN, {float(here['base_moment']) / 1e3:.5g} kN m"
             for panel, (variable, (_, factor)) in zip(panels, PANELS.items(), strict=True):
                 panel.plot(here[variable] * factor, one["depth"], color=colour, marker=marker, markevery=6, markersize=4,
                            linestyle=dash, linewidth=1.2, label=label if panel is grid[0, 0] else None)  # fmt: skip

@@ -28,7 +28,7 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
         tables.append(_numbers(one).assign(case=str(one["case"].values)))
     for panel in panels.flat:
         panel.set_ylabel("acceleration (m/s²)", fontsize=7)
-    head(figure, cube, f"accelerations of base and top, {WINDOW:g} s about the largest measured value (grey: measured)")
+    head(figure, cube, f"accelerations of base and top, {WINDOW:g} s about the largest value of (a) (grey: (a) again)")
     save(figure, pd.concat(tables, ignore_index=True), stem)
 
 

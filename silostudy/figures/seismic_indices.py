@@ -57,7 +57,7 @@ def _answers(panel, one: xr.Dataset, source) -> None:
     keys, values = one["identification"].values, one["effective_mass_coefficient"].values
     found = {str(key): float(value) for key, value in zip(keys, values, strict=True)}
     lines = [
-        f"least e_A: {answer(one, 'amplitude_error', 'uncertainty')}",
+        f"▲ least e_A: {answer(one, 'amplitude_error', 'uncertainty')}",
         f"   coarse: {answer(one, 'amplitude_error_coarse', 'coarse_uncertainty', 2)}",
         f"least e_P: {answer(one, 'phase_error')}; coarse {answer(one, 'phase_error_coarse', places=2)}",
     ]
@@ -66,7 +66,9 @@ def _answers(panel, one: xr.Dataset, source) -> None:
     judged = ("agree" if apart <= float(one["uncertainty"]) else "DISAGREE") if known else "are not judged"
     lines.append(f"e_A and e_P {judged}: {apart:.3f} apart")
     if source:
-        lines.append(f"source, really measured: {source.effective_mass_coefficient:.2f}, f1 = {source.full_frequency:g} Hz")
+        lines.append(
+            f"dotted: source, really measured: {source.effective_mass_coefficient:.2f}, f1 = {source.full_frequency:g} Hz"
+        )
         lines.append(f"(implies contents of {source.implied_mass_ratio:.2f} wall masses)")
         panel.axvline(source.effective_mass_coefficient, color="black", linewidth=0.9, linestyle=":")
     panel.plot(found["amplitude_error"], 0, marker="^", color="black", clip_on=False, markersize=8, linestyle="none",

@@ -58,7 +58,8 @@ def _trials(panel, table: pd.DataFrame, coverage: float) -> None:
                            markersize=4 if within else 8, linewidth=0.7, label=label)  # fmt: skip
     panel.axhline(0, color="black", linewidth=0.8)
     panel.set_xlabel("true C_eff of the synthetic response")
-    panel.legend(fontsize=8, loc="upper left")
+    panel.margins(y=0.16)  # room for the legend above the bars
+    panel.legend(fontsize=8, loc="upper left", ncols=2)
 
 
 def _contributions(panel, one: xr.Dataset) -> pd.DataFrame:

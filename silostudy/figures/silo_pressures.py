@@ -133,10 +133,9 @@ def off_the_wall(table: pd.DataFrame, cube: xr.Dataset, largest: float) -> pd.Da
 
 
 def _pressures(panel: Axes, table: pd.DataFrame) -> None:
-    for (side, _), group in table.groupby(["side", "part"], sort=False):
+    for (side, _), group in table.dropna(subset="pressure_kPa").groupby(["side", "part"], sort=False):
         feet = group[["from_axis_m", "depth_m"]].to_numpy()[::-1]
         outline = np.concatenate([group[["tip_from_axis_m", "tip_depth_m"]].to_numpy(), feet])
-        outline = outline[np.isfinite(outline).all(axis=1)]
         outline = np.vstack([outline, outline[:1]])
         panel.fill(*outline.T, facecolor=COLOURS[side], alpha=0.15, linewidth=0)
         panel.fill(*outline.T, facecolor="none", edgecolor=COLOURS[side], hatch=HATCHES[side], linewidth=0, alpha=0.45)
@@ -156,12 +155,16 @@ def _forces(panel: Axes, cube: xr.Dataset, method: str, phase: str) -> None:
         ring = float(one["switch_force"][place])
         text = f"switch half-way up\nring force {ring / 1e3:.0f} kN"
         most = int(np.nanargmax(one["switch_force"].values))
-        text += "\n" + fill(f"from the {one['pressure_method_initial_state'].values}", 20)
+        together = str(one["pressure_method_initial_state"].values).replace(" = ", "\N{NO-BREAK SPACE}=\N{NO-BREAK SPACE}")
+        text += "\n" + fill(f"from the {together}", 20)
+        if cube["hopper_normal_pressure"].sel(pressure_method=method, phase="discharge").isnull().all():
+            text += "\n(flow pressures\nbelow: not given)"
         text += f"\nlargest on its way\n{float(one['switch_force'][most]) / 1e3:.0f} kN at {depth[most]:.1f} m"
     else:
         if one["hopper_normal_pressure"].isnull().all():
             why = reason(cube, "hopper_normal_pressure", method, phase)
-            panel.text(0, depth.mean(), "hopper not given:\n" + fill(why, 20), ha="center", va="center", fontsize=7.5)
+            middle = float(cube["cylinder_depth"]) * 0.45  # between the cylinder's walls, as the hopper is too narrow
+            panel.text(0, middle, "hopper not given:\n" + fill(why, 20), ha="center", va="center", fontsize=7.5)
             return
         place, ring = 0, float(one["ring_force"]) if "ring_force" in one else np.nan
         kilo = {
@@ -171,7 +174,7 @@ def _forces(panel: Axes, cube: xr.Dataset, method: str, phase: str) -> None:
         text = (
             f"hopper (kN)\ncontents  {kilo['hopper_weight']:7.0f}\nload      {kilo['transition_force']:7.0f}\nwall      "
             f"{kilo['hopper_wall_force']:7.0f}{ring_text}\noutlet    {kilo['outlet_force']:7.0f}\n"
-            f"missing   {abs(float(one['hopper_balance'])):7.0e}"
+            f"missing % {100 * abs(float(one['hopper_balance'])):7.0e}"
         )
     panel.text(0, float(cube["cylinder_depth"]) * 0.45, text, ha="center", va="center", fontsize=7.5, family="monospace")
     if ring > 0:

@@ -8,7 +8,7 @@ import pandas as pd
 import xarray as xr
 
 from silostudy.figures.style import save, title
-from silostudy.figures.uncertainty_bands import distinct_methods
+from silostudy.figures.uncertainty_bands import distinct_methods, missing
 
 LOOKS = {
     "internal_friction_angle": ("#F4A582", "////"),
@@ -38,7 +38,7 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     panel.set(xlabel="share of the variance of the largest wall pressure (first-order Sobol index)", xlim=(0, 1.1))
     panel.set_ylim(len(bars) - 0.4, -0.6)
     panel.grid(axis="y", visible=False)
-    figure.suptitle(cube.attrs["title"])
+    figure.suptitle("\n".join([cube.attrs["title"], *missing(cube)]), fontsize=10)
     figure.legend(loc="outside lower center", ncols=3)
     save(figure, numbers, stem)
 

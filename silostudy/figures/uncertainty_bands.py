@@ -47,8 +47,16 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     found = {label: handle for panel in axes.flat for handle, label in zip(*panel.get_legend_handles_labels(), strict=True)}
     figure.legend(found.values(), found.keys(), loc="outside lower center", ncols=4)
     sampled = "scatter of friction angle, wall friction, lateral pressure ratio and unit weight"
-    figure.suptitle(f"{cube.attrs['title']}\n{sampled} (methods that coincide are shown once)")
+    figure.suptitle("\n".join([cube.attrs["title"], f"{sampled} (methods that coincide are shown once)", *missing(cube)]))
     save(figure, pd.concat(tables, ignore_index=True).dropna(), stem)
+
+
+def missing(cube: xr.Dataset) -> list[str]:
+    """A line that names the methods without quantiles, and why; none where all have some."""
+    quantiles = cube["wall_normal_pressure_quantile"]
+    silent = quantiles.isnull().all([dim for dim in quantiles.dims if dim != "pressure_method"])
+    names = [title(cube, str(method)) for method in cube["pressure_method"].values[silent.values]]
+    return [f"not shown, some samples lie beyond the range of their source: {', '.join(names)}"] if names else []
 
 
 def distinct_methods(cube: xr.Dataset) -> list[str]:

@@ -128,8 +128,8 @@ def shell_builder(study: ShellStudy, folder: Path, where: str) -> Callable[..., 
     shaken = read_earthquake(study.earthquake, folder, where) if study.earthquake else None
 
     def build_one(config: SteelSilo, settings: dict) -> ShellScene:
-        _require_wall(config, where)
         scene = build(config, settings)
+        _require_wall(config, scene.silo.wall_depth, where)
         own = {item.name: getattr(scene, item.name) for item in fields(scene)}
         if shaken is None:
             return ShellScene(**own, shell=wall(config.shell, scene.silo.diameter / 2))
@@ -139,8 +139,8 @@ def shell_builder(study: ShellStudy, folder: Path, where: str) -> Callable[..., 
     return build_one
 
 
-def _require_wall(config: SteelSilo, where: str) -> None:
-    """BadInput for an end of the friction that is two, and for a strake too thick for a shell."""
+def _require_wall(config: SteelSilo, height: float, where: str) -> None:
+    """BadInput for an end of the friction that is two, for a strake too thick for a shell, and for rings beyond the wall."""
     if config.wall_friction_end == BOTH:
         raise BadInput("wall_friction_end", BOTH, "is an axis of its own: sweep lower and upper", where)
     thickest = config.silo.diameter_m / 2 * 1e3
@@ -148,6 +148,10 @@ def _require_wall(config: SteelSilo, where: str) -> None:
         if strake.thickness_mm >= thickest:
             allowed = f"must be below the silo's radius, {thickest:g} mm"
             raise BadInput(f"scene.shell.strakes.{number}.thickness_mm", strake.thickness_mm, allowed, where)
+    rings = config.shell.rings
+    if rings and rings.spacing_m > height:
+        allowed = f"must not exceed the height of the wall, {height:g} m; leave out rings for none"
+        raise BadInput("scene.shell.rings.spacing_m", rings.spacing_m, allowed, where)
 
 
 def wall(config: SiloWall, inner_radius: float) -> Wall:

@@ -92,7 +92,9 @@ def _knet_unit(content: bytes, path: Path) -> str:
 
 def _check_knet(trace: Any, path: Path) -> None:
     """BadInput unless a K-NET file holds as many samples and as large a peak as its header says."""
-    header, count = trace.stats.knet, len(trace.data)
+    header, count = trace.stats.get("knet"), len(trace.data)
+    if header is None:
+        raise BadInput("record", str(path), f"must have a whole K-NET header before its {count} samples")
     said = header["duration"] * trace.stats.sampling_rate
     if count != said:
         told = f"says {header['duration']:g} s of {trace.stats.sampling_rate:g} Hz, {said:g} samples; the file holds {count}"

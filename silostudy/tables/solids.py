@@ -1,5 +1,6 @@
 """Stored solids: the handbook's tables, and a user's own file in the same columns."""
 
+from collections.abc import Iterable
 from dataclasses import dataclass, field, fields, replace
 from math import isnan, nan, tan
 from pathlib import Path
@@ -71,9 +72,15 @@ def check_property(name: str, value: float, where: str) -> None:
         raise BadInput(written, shown, f"must lie {ends}", where)
 
 
-def read_solids(path: Path) -> Family[SolidRow]:
-    """Solids of a CSV file; BadInput for a key taken twice or a value out of range."""
-    return Family("solid", [_solid(raw) for raw in rows(path, ("solid", "grain"), UNITS)])
+def read_solids(path: Path, taken: Iterable[str] = ()) -> Family[SolidRow]:
+    """Solids of a CSV file; BadInput, with file and line, for a key taken twice or a value out of range."""
+    found: dict[str, SolidRow] = {}
+    for raw in rows(path, ("solid", "grain"), UNITS):
+        where, row = raw["where"], _solid(raw)
+        if row.key in found or row.key in taken:
+            raise BadInput("solid", row.key, "this key is already taken by another row", where)
+        found[row.key] = row
+    return Family("solid", found.values())
 
 
 def _solid(raw: dict) -> SolidRow:
@@ -99,7 +106,7 @@ def _solid(raw: dict) -> SolidRow:
 
 def own_solids(path: Path) -> Family[SolidRow]:
     """The package's solids with those of a user's file, whose sources may be the user's own."""
-    mine, references = read_solids(path).values(), own_references(path)
+    mine, references = read_solids(path, SOLIDS).values(), own_references(path)
     return SOLIDS.joined(
         replace(row, source=own_source(row.source, path, references, f"{path.name}, {row.key}")) for row in mine
     )

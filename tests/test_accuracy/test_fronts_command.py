@@ -55,4 +55,4 @@ def test_trials_are_summed_up_by_quantity(shells, tmp_path, capsys):
 
 def test_an_unknown_kind_lists_the_known(capsys):
     assert main(["fronts", "--kind", "shells"]) == 2
-    assert "unknown; known: dem, pressure, shell, seismic, packing" in capsys.readouterr().err
+    assert "unknown; known: dem, packing, pressure, seismic, shell" in capsys.readouterr().err

@@ -18,6 +18,7 @@ MOST = 0.02  # of the instructions by hand
 SILOS = ("friction", "no friction")
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("name", SILOS)
 def test_by_hand_gives_the_same_bits(name):
     pair = engines(silos(8, 12)[name])

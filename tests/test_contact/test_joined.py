@@ -94,6 +94,7 @@ def scene_of(context=FAMILIES, **discs) -> DemScene:
     return validated(DemScene, content, "toy.yaml", context)
 
 
+@pytest.mark.long
 def test_laws_that_join_run_from_the_scene_to_the_cube():
     scene = scene_of()
     model = scene_model(scene, Path())

@@ -140,3 +140,17 @@ def test_the_paper_s_dashpot_follows_from_its_stiffness():
     mass = kiyama.DENSITY * pi * kiyama.RADIUS**2
     critical = 2.0 * sqrt(mass * kiyama.NORMAL_STIFFNESS)
     assert kiyama.DAMPING_RATIO * critical == pytest.approx(kiyama.NORMAL_DAMPING, rel=5e-3)
+
+
+@pytest.mark.parametrize("key", [row.key for row in TANGENTIAL.values() if row.acts])
+@pytest.mark.parametrize("speed", [1e-4, 10.0])
+def test_a_motion_in_space_is_one_in_the_plane_along_its_direction(key, speed):
+    """Where it sticks and where it slips: three numbers along a direction are the plane's one times that direction."""
+    law, along = TANGENTIAL[key].law, np.array([2.0, -1.0, 2.0]) / 3.0
+    c = tuple(np.array([1e6, 30.0, 1.0, 0.5])[-len(TANGENTIAL[key].coefficients) :])
+    at = touch(2.0, 1e-5), 100.0, 100.0, c
+    plane = law(7.0, speed, *at)
+    space = law(tuple(7.0 * along), tuple(speed * along), *at)
+    assert np.array(space[1]) == pytest.approx(plane[1] * along, rel=1e-12)
+    if TANGENTIAL[key].stores:
+        assert np.array(space[0]) == pytest.approx(plane[0] * along, rel=1e-12)

@@ -192,7 +192,7 @@ def test_eccentric_channel_by_geometry(size):
     theta, psi, offset = eccentric.channel(radius, size, mu, phi)
     crossing = radius * np.array([np.cos(theta), np.sin(theta)])
     assert np.hypot(crossing[0] - offset, crossing[1]) == pytest.approx(size * radius, rel=1e-9)
-    side = np.linspace(-radius, radius, 3001)
+    side = np.linspace(-radius, radius, 1501)
     x, y = np.meshgrid(side, side)
     inside = (np.hypot(x, y) <= radius) & (np.hypot(x - offset, y) <= size * radius)
     counted = inside.sum() * (side[1] - side[0]) ** 2

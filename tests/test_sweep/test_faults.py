@@ -46,6 +46,7 @@ def test_random_faults(place, tmp_path, faults, capsys):
         print(f"\n{breaker.happened.total()} faults {dict(breaker.happened)}, {finished} sweeps brought to their end")
 
 
+@pytest.mark.long
 def test_a_failed_case_leaves_the_others(tmp_path):
     """A step beyond stability for the stiffest walls: those cases are masked and listed, the run says so and fails."""
     stiff = {"axis": "stiffness", "values": {"walls.normal_stiffness_N_m2": [1.9e7, 1.9e12]}}

@@ -138,6 +138,7 @@ def test_a_figure_is_one_file_and_one_row(project, study):
     assert numbers["depth_m"].tolist() == [18.0]
 
 
+@pytest.mark.long
 def test_a_kind_of_study_is_declared_once(project):
     (project / "silostudy/stages/toy.py").write_text(KIND)
     (project / "silostudy/compute/toy.py").write_text(CODE)
