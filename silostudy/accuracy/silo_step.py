@@ -39,7 +39,7 @@ def at_rest(model: Model, time: float) -> np.ndarray | None:
         engine.step_to(round(time / model.dt))
     except Explosion:
         return None
-    return engine.places if np.abs(engine.discs.rows[: engine.n, 2:4]).max() < CALM else None
+    return engine.places if np.abs(engine.bodies.rows[: engine.n, 2:4]).max() < CALM else None
 
 
 def peer_at_rest(model: Model, time: float) -> np.ndarray | None:

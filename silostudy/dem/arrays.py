@@ -22,8 +22,23 @@ class Discs(NamedTuple):
     label: np.ndarray  # number of the disc in its packing
 
 
+class Spheres(NamedTuple):
+    """rows (n, 16): x, y, z (m), u, v, w (m/s), p, q, r (rad/s), force (N), torque (N m); held (n, 8): an integrator's own."""
+
+    rows: np.ndarray
+    held: np.ndarray
+    radius: np.ndarray  # m; length one where all are equal, as are the next three
+    mass: np.ndarray  # kg
+    inverse_mass: np.ndarray
+    inverse_inertia: np.ndarray
+    label: np.ndarray  # number of the sphere in its packing
+
+
 class Contacts(NamedTuple):
-    """A list of near pairs in the order (first, second), or of discs near walls in the order (disc, wall)."""
+    """A list of near pairs in the order (first, second), or of bodies near walls in the order (body, wall).
+
+    Numbers are those of discs, per metre thickness; histories of spheres are N and N m, in three rows.
+    """
 
     first: np.ndarray
     second: np.ndarray
@@ -100,7 +115,7 @@ class Ledger(NamedTuple):
 class Shared(NamedTuple):
     """What all threads of a scene step together; clock: steps made, then a disc that ran away, thread by thread."""
 
-    discs: Discs
+    bodies: Discs | Spheres
     walls: Walls
     blocks: Blocks
     record: Record
@@ -130,10 +145,10 @@ class March(NamedTuple):
 
     pair_coefficients: tuple[tuple[float, ...], ...]
     wall_coefficients: tuple[tuple[float, ...], ...]
-    gravity: tuple[float, float]
+    gravity: tuple[float, ...]
     dt: float
     stop: int
-    discs: int  # that are left
+    bodies: int  # that are left
     parties: int  # threads
     smallest: float  # radius, m
     skin: float  # m; 0: chosen by the engine

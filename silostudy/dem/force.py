@@ -2,8 +2,8 @@
 
 from silostudy.contact.family import Touch
 from silostudy.dem.cache import piece
+from silostudy.dem.dimension import Dimension
 from silostudy.dem.pieces import Laws
-from silostudy.dem.plane import Dimension
 
 
 def gather_pass(space: Dimension, *, flat: bool):

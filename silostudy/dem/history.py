@@ -7,12 +7,14 @@ import numpy as np
 from numba import types
 from numba.extending import overload
 
+from silostudy.dem.arrays import aligned
+
 NONE = (0.0, 0.0, 0.0)
 
 
 def histories(room: int, components: int) -> np.ndarray:
     """Histories of so many contacts, nothing held."""
-    return np.zeros(room if components == 1 else (components, room))
+    return aligned(room) if components == 1 else aligned(components, room)
 
 
 def entry(history, k):

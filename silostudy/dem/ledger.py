@@ -47,8 +47,8 @@ def balance(account: np.ndarray) -> float:
 
 def carry_out(engine, gone: np.ndarray) -> None:
     """Book the kinetic and potential energy that discs take with them; `gone` marks them among those left."""
-    account, rows, mass = engine.ledger.account, engine.discs.rows[: engine.n][gone], engine.mass[gone]
-    speed = engine.discs.held[: engine.n][gone, :3] if len(engine.discs.held) else rows[:, [U, V, W]]
+    account, rows, mass = engine.ledger.account, engine.bodies.rows[: engine.n][gone], engine.mass[gone]
+    speed = engine.bodies.held[: engine.n][gone, :3] if len(engine.bodies.held) else rows[:, [U, V, W]]
     inertia = 0.5 * mass * engine.radius[gone] ** 2
     kinetic = float((0.5 * mass * (speed[:, 0] ** 2 + speed[:, 1] ** 2) + 0.5 * inertia * speed[:, 2] ** 2).sum())
     potential = -float((mass * (rows[:, [X, Y]] @ np.asarray(engine.gravity))).sum())
@@ -66,7 +66,7 @@ def take_springs(engine, energy: float) -> None:
 def change_gravity(engine, gravity: tuple[float, float]) -> None:
     """Book what another gravity (m/s2) adds to the potential energy of discs where they are."""
     change = np.subtract(gravity, engine.gravity)
-    work = -float((engine.mass * (engine.discs.rows[: engine.n, [X, Y]] @ change)).sum())
+    work = -float((engine.mass * (engine.bodies.rows[: engine.n, [X, Y]] @ change)).sum())
     engine.ledger.account[[POTENTIAL, GRAVITY]] += work
 
 
@@ -179,8 +179,8 @@ def book_pass(pieces):
     @piece(pieces)
     def book(shared, share, march, last, pull, kick):
         ledger, shape, lanes = shared.ledger, shared.walls.shape, share.scratch.lanes
-        account, rows, pairs, near = ledger.account, shared.discs.rows, share.pairs, share.near
-        kinetic, potential, falling, shaking = discs_book(shared.discs, ledger.mean, share.hi, pull, march.gravity, kick)
+        account, rows, pairs, near = ledger.account, shared.bodies.rows, share.pairs, share.near
+        kinetic, potential, falling, shaking = discs_book(shared.bodies, ledger.mean, share.hi, pull, march.gravity, kick)
         pair = of_pairs(
             rows, ledger, pairs, shape, pairs.begin[last], ledger.pair_stored, ledger.pair_rolled,
             march.dt, march.pair_coefficients, lanes,

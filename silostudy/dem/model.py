@@ -4,12 +4,15 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
 from math import isfinite, pi
+from typing import ClassVar
 
 import numpy as np
 
 from silostudy.contact import Law
+from silostudy.dem.dimension import Dimension
 from silostudy.dem.integrate import INTEGRATORS, PLAIN
 from silostudy.dem.pieces import Laws, Pieces
+from silostudy.dem.plane import PLANE
 from silostudy.errors import BadInput, unknown
 
 TINY = 1e-200  # kg m: beyond it and its inverse, squares of what the engine computes with leave the range of numbers
@@ -81,6 +84,8 @@ class Contact:
 class Model:
     """Discs (m, m/s, kg/m3), walls, contacts, gravity (m/s2), base acceleration a step (m/s2), integrator and step (s)."""
 
+    space: ClassVar[Dimension] = PLANE
+
     x: np.ndarray
     y: np.ndarray
     radius: np.ndarray
@@ -139,6 +144,25 @@ class Model:
         return self.walls[self.wall_number(name)]
 
     @property
+    def place(self) -> np.ndarray:
+        """Place (n, 2) of the centres, m."""
+        return np.stack([self.x, self.y], axis=-1)
+
+    @property
+    def velocity(self) -> np.ndarray:
+        """Velocity (n, 2) at the start, m/s."""
+        return self._started(self.u, self.v)
+
+    @property
+    def spin(self) -> np.ndarray:
+        """Spin (n, 1) at the start, rad/s."""
+        return self._started(self.w)
+
+    def _started(self, *columns: np.ndarray | None) -> np.ndarray:
+        still = np.zeros(len(self.x))
+        return np.stack([still if column is None else column for column in columns], axis=-1)
+
+    @property
     def unequal(self) -> bool:
         return bool(np.ptp(self.radius) > 0.0)
 
@@ -151,6 +175,7 @@ class Model:
     def pieces(self) -> Pieces:
         """What these contents call for."""
         return Pieces(
+            space=self.space,
             pair_laws=self.pair_contact.laws,
             wall_laws=self.wall_contact.laws,
             integrator=self.integrator,

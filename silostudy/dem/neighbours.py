@@ -1,7 +1,7 @@
 """The list of near contacts: made anew when a disc has moved beyond its allowance, carrying the histories over.
 
 What the list holds beyond the touching contacts never changes a result: forces of contacts that do not touch are zero,
-and the order of the others is fixed by the numbers of the discs.
+and the order of the others is fixed by the numbers of the bodies.
 """
 
 import numpy as np
@@ -9,10 +9,10 @@ from numba import njit
 
 from silostudy.dem import history
 from silostudy.dem.arrays import BLOCK
-from silostudy.dem.cells import OPTIONS, bin_discs, cell_of
-from silostudy.dem.lanes import X, Y
+from silostudy.dem.body import place, square_gap
+from silostudy.dem.cache import OPTIONS
+from silostudy.dem.cells import bin_bodies, cell_of
 from silostudy.dem.vectors import WIDTH
-from silostudy.dem.walls import nearest
 
 SHIFT = 32  # key = first << SHIFT | second
 LOW = (1 << SHIFT) - 1
@@ -79,19 +79,21 @@ def pad(contacts, fill, first, second):
 
 
 @njit(**OPTIONS)
-def near_discs(rows, radius, skin, i, lo, grid, scratch):
-    """Discs after i within reach of it, in order; pairs with a disc before `lo` go to scratch.cross. Gives how many.
+def near_bodies(bodies, skin, i, lo, grid, scratch):
+    """Bodies after i within reach of it, in order; pairs with a body before `lo` go to scratch.cross. Gives how many.
 
-    A disc that another is pressed half through is noted, one more than its number.
+    A body that another is pressed half through is noted, one more than its number.
     """
-    x0, y0, size, nx, ny = grid
-    found = scratch.found
-    x, y = rows[i, X], rows[i, Y]
-    cx, cy = cell_of(x, x0, size, nx), cell_of(y, y0, size, ny)
+    (x0, y0, z0), size, (nx, ny, nz) = grid
+    found, radius = scratch.found, bodies.radius
+    x, y, z = place(bodies, i)
+    cx, cy, cz = cell_of(x, x0, size, nx), cell_of(y, y0, size, ny), cell_of(z, z0, size, nz)
     own = radius[i if radius.size > 1 else 0]
     reach_i = own + skin[i // BLOCK]
     count, crossing = 0, scratch.cross[0]
-    for row in range(max(cy - 1, 0), min(cy + 2, ny)):
+    rows, layers = min(cy + 2, ny) - max(cy - 1, 0), min(cz + 2, nz) - max(cz - 1, 0)
+    for turn in range(layers * rows):
+        row = (max(cz - 1, 0) + turn // rows) * ny + max(cy - 1, 0) + turn % rows
         begin = scratch.cell_begin[row * nx + max(cx - 1, 0)]
         end = scratch.cell_begin[row * nx + min(cx + 2, nx)]
         for t in range(begin, end):
@@ -100,11 +102,12 @@ def near_discs(rows, radius, skin, i, lo, grid, scratch):
                 continue
             other = radius[j if radius.size > 1 else 0]
             reach = reach_i + other + skin[j // BLOCK]
-            dx, dy = rows[j, X] - x, rows[j, Y] - y
-            if dx * dx + dy * dy >= reach * reach:
+            xj, yj, zj = place(bodies, j)
+            square = (xj - x) * (xj - x) + (yj - y) * (yj - y) + (zj - z) * (zj - z)
+            if square >= reach * reach:
                 continue
             least = own + other - TOO_DEEP * min(own, other)
-            if dx * dx + dy * dy < least * least:
+            if square < least * least:
                 scratch.counts[PRESSED] = i + 1
             if j < lo:
                 crossing += 1
@@ -135,12 +138,12 @@ def ghost_of(j, scratch, base):
 
 
 @njit(**OPTIONS)
-def enter(discs, contacts, fill, i, j, first, second):
+def enter(bodies, contacts, fill, i, j, first, second):
     """Write one pair of the list, with its radii and reduced mass where discs differ."""
     contacts.first[fill], contacts.second[fill] = first, second
     if contacts.arm.size > 1:
-        contacts.arm[fill], contacts.other[fill] = discs.radius[i], discs.radius[j]
-        contacts.mass[fill] = 1.0 / (discs.inverse_mass[i] + discs.inverse_mass[j])
+        contacts.arm[fill], contacts.other[fill] = bodies.radius[i], bodies.radius[j]
+        contacts.mass[fill] = 1.0 / (bodies.inverse_mass[i] + bodies.inverse_mass[j])
 
 
 @njit(**OPTIONS)
@@ -167,11 +170,11 @@ def sort(keys, begin, end):
 
 
 @njit(**OPTIONS)
-def list_pairs(discs, contacts, memory, blocks, scratch, n, lo, hi, base):
+def list_pairs(bodies, contacts, memory, blocks, scratch, n, lo, hi, base):
     """List the near pairs of discs lo to hi, then the pairs that reach back to earlier threads; False if room is short."""
     widest = largest_of(blocks.skin, (n + BLOCK - 1) // BLOCK)
-    largest = largest_of(discs.radius, min(n, discs.radius.size))
-    grid = bin_discs(discs.rows, n, 2.0 * (largest + widest), scratch.cell_begin, scratch.order)
+    largest = largest_of(bodies.radius, min(n, bodies.radius.size))
+    grid = bin_bodies(bodies, n, 2.0 * (largest + widest), scratch.cell_begin, scratch.order)
     kept, room, dummy = scratch.counts[KEPT_PAIRS], contacts.first.size - WIDTH, base + scratch.ghost.size
     scratch.slot[:] = -1
     scratch.counts[GHOSTS] = 0
@@ -182,7 +185,7 @@ def list_pairs(discs, contacts, memory, blocks, scratch, n, lo, hi, base):
         if (i - lo) % BLOCK == 0:
             fill = pad(contacts, fill, dummy, dummy + 1)
             contacts.begin[(i - lo) // BLOCK] = fill
-        count = near_discs(discs.rows, discs.radius, blocks.skin, i, lo, grid, scratch)
+        count = near_bodies(bodies, blocks.skin, i, lo, grid, scratch)
         if fill + count > room or count == scratch.found.size:
             return False
         for c in range(count):
@@ -190,19 +193,19 @@ def list_pairs(discs, contacts, memory, blocks, scratch, n, lo, hi, base):
             second = j if j < hi else ghost_of(j, scratch, base)
             if second < 0:
                 return False
-            enter(discs, contacts, fill, i, j, i, second)
+            enter(bodies, contacts, fill, i, j, i, second)
             at = recall(contacts, fill, (np.int64(i) << SHIFT) | j, memory, kept, at)
             fill += 1
     last = (hi - lo + BLOCK - 1) // BLOCK
     fill = pad(contacts, fill, dummy, dummy + 1)
     contacts.begin[last] = fill
-    fill = list_crossing(discs, contacts, memory, scratch, fill, base)
+    fill = list_crossing(bodies, contacts, memory, scratch, fill, base)
     contacts.begin[last + 1] = pad(contacts, fill, dummy, dummy + 1)
     return fill >= 0
 
 
 @njit(**OPTIONS)
-def list_crossing(discs, contacts, memory, scratch, fill, base):
+def list_crossing(bodies, contacts, memory, scratch, fill, base):
     """List the pairs whose first disc belongs to an earlier thread; -1 if room is short."""
     crossing = scratch.cross[0]
     if crossing >= scratch.cross.size or fill + crossing > contacts.first.size - WIDTH:
@@ -215,30 +218,30 @@ def list_crossing(discs, contacts, memory, scratch, fill, base):
         first = ghost_of(i, scratch, base)
         if first < 0:
             return -1
-        enter(discs, contacts, fill, i, j, first, j)
+        enter(bodies, contacts, fill, i, j, first, j)
         at = recall(contacts, fill, key, memory, scratch.counts[KEPT_PAIRS], at)
         fill += 1
     return fill
 
 
 @njit(**OPTIONS)
-def list_walls(discs, near, memory, walls, blocks, scratch, lo, hi, dummy):
+def list_walls(bodies, near, memory, walls, blocks, scratch, lo, hi, dummy):
     """List the discs lo to hi near each live wall, in the order (disc, wall); False if room is short."""
     fill, at, kept = 0, 0, scratch.counts[KEPT_WALLS]
     for i in range(lo, hi):
-        radius = discs.radius[i if discs.radius.size > 1 else 0]
+        radius = bodies.radius[i if bodies.radius.size > 1 else 0]
         reach, least = radius + blocks.skin[i // BLOCK], (1.0 - TOO_DEEP) * radius
         for q in range(walls.live.size):
-            dx, dy, _ = nearest(walls.shape, q, discs.rows[i, X], discs.rows[i, Y])
-            if not walls.live[q] or dx * dx + dy * dy >= reach * reach:
+            square = square_gap(bodies, walls.shape, q, i)
+            if not walls.live[q] or square >= reach * reach:
                 continue
-            if dx * dx + dy * dy < least * least:
+            if square < least * least:
                 scratch.counts[PRESSED] = i + 1
             if fill >= near.first.size - WIDTH:
                 return False
             near.first[fill], near.second[fill] = i, q
             if near.arm.size > 1:
-                near.arm[fill], near.mass[fill] = discs.radius[i], discs.mass[i]
+                near.arm[fill], near.mass[fill] = bodies.radius[i], bodies.mass[i]
             at = recall(near, fill, (np.int64(i) << SHIFT) | q, memory, kept, at)
             fill += 1
     near.begin[0] = pad(near, fill, dummy, 0)

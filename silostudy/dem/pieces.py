@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 from silostudy.contact import COHESION, DEFAULTS, LAWS, NO_COHESION, NO_ROLLING, NO_TANGENTIAL, NORMAL, ROLLING, TANGENTIAL
 from silostudy.contact.family import CohesionLaw, NormalLaw, RollingLaw, TangentialLaw
-from silostudy.dem.plane import PLANE, Dimension
+from silostudy.dem.dimension import Dimension
 
 
 @dataclass(frozen=True, repr=False)
@@ -62,10 +62,10 @@ class Laws:
 class Pieces:
     """What a scene calls for; everything else is not compiled in."""
 
+    space: Dimension
     pair_laws: Laws
     wall_laws: Laws
     integrator: str
-    space: Dimension = PLANE
     unequal: bool = False  # discs of several sizes
     shaken: bool = False  # the box is accelerated
     watched: bool = False  # wall forces are recorded every step

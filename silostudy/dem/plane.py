@@ -1,15 +1,13 @@
-"""The plane: what of contacts and of motions belongs to two dimensions.
-
-Passes are written once for any dimension and close over the functions of one; another is a second table like PLANE.
-"""
+"""The plane: what of contacts and of motions belongs to two dimensions."""
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from math import sqrt
 
 from numba.extending import register_jitable
 
+from silostudy.dem.arrays import LANES, Discs
 from silostudy.dem.cache import piece
+from silostudy.dem.dimension import Dimension
 from silostudy.dem.lanes import (
     DU,
     DV,
@@ -32,29 +30,7 @@ from silostudy.dem.lanes import (
     gather,
     scatter,
 )  # fmt: skip
-from silostudy.dem.walls import gather_walls, scatter_walls
-
-
-@dataclass(frozen=True, repr=False)
-class Dimension:
-    """What the passes close over: functions, and factories of functions where a piece may be left out."""
-
-    key: str
-    gather: Callable  # lanes of the relative motion of pairs
-    gather_walls: Callable  # the same of bodies near walls
-    scatter: Callable
-    scatter_walls: Callable
-    facing: Callable  # (lanes, k) -> normal, distance (m)
-    reduced: Callable  # flat -> (lanes, k, a, b) -> reduced radius (m)
-    rates: Callable  # unequal -> (lanes, k, normal, a, b, depth, flat) -> closing, sliding (m/s), difference of spins (1/s)
-    carry: Callable  # (history, normal) -> the history as the contact stands now
-    put: Callable  # drags, brakes -> (out, k, normal, push, drag, moment, a, b, depth, flat): lanes of force
-    where: Callable  # (touching, drag or moment) -> it, or nothing
-    walk: Callable  # gathered, contact, unequal, slides, rolls, key -> function of a stretch of a list
-    move: Callable  # advance, holds, turns -> function that moves one body and gives the square of its way (m2)
-
-    def __repr__(self) -> str:
-        return self.key  # the same in every process: kept kernels are named by it
+from silostudy.dem.walls import cell_count, gather_walls, note_walls, scatter_walls, walls_of
 
 
 @register_jitable
@@ -164,12 +140,32 @@ def move(advance: Callable, holds: bool, turns: bool, key: str):
     return moved
 
 
+@register_jitable
+def pushed(gravity, quake, step):
+    """Acceleration (m/s2) of discs in a box that is accelerated."""
+    return gravity[0] - quake[step, 0], gravity[1] - quake[step, 1]
+
+
 PLANE = Dimension(
     key="plane",
+    body="disc",
+    bodies=Discs,
+    place=(X, Y),
+    velocity=(U, V),
+    spin=(W,),
+    row=8,
+    inverse_inertia=2.0,
+    lanes=(6, LANES),
+    forces=(4, LANES),
+    components=1,
+    felt=2,
     gather=gather,
     gather_walls=gather_walls,
     scatter=scatter,
     scatter_walls=scatter_walls,
+    note_walls=note_walls,
+    walls_of=walls_of,
+    cell_count=cell_count,
     facing=facing,
     reduced=reduced,
     rates=rates,
@@ -178,4 +174,5 @@ PLANE = Dimension(
     where=where,
     walk=walk,
     move=move,
+    pushed=pushed,
 )

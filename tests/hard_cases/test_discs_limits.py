@@ -55,9 +55,9 @@ def test_step_just_below_and_just_above_the_bound(share, stays):
     x, y = settled.places.T
     bound = longest_step(_at(x, y))
     engine = Engine(pile(dt=share * bound))
-    engine.discs.rows[: engine.n] = settled.discs.rows[: engine.n]
+    engine.bodies.rows[: engine.n] = settled.bodies.rows[: engine.n]
     engine.give_memories(*settled.take_memories())
-    engine.discs.rows[: engine.n, 2:4] += 1e-6 * np.random.default_rng(0).standard_normal((engine.n, 2))
+    engine.bodies.rows[: engine.n, 2:4] += 1e-6 * np.random.default_rng(0).standard_normal((engine.n, 2))
     before = energy(engine)
     engine.step_to(20_000)
     assert (energy(engine) < 1e-3 * before) if stays else (energy(engine) > 1e3 * before)

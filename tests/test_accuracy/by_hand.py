@@ -13,7 +13,7 @@ from numba.extending import register_jitable
 from silostudy.accuracy.prices import still, without
 from silostudy.accuracy.silo import silo_of_rows
 from silostudy.dem.arrays import BLOCK, LANES
-from silostudy.dem.cells import OPTIONS
+from silostudy.dem.cache import OPTIONS
 from silostudy.dem.engine import Engine
 from silostudy.dem.kernel import first_runaway, relist, worst
 from silostudy.dem.lanes import DU, DV, DX, DY, FX, FY, SPIN_SUM, TORQUE, U, V, W, X, Y, gather, scatter
@@ -157,12 +157,12 @@ def kernel_by_hand(rough: bool):
             if step >= march.stop:
                 break
             word = one_step(
-                shared.discs, share.pairs, share.near, shared.walls, shared.blocks, share.scratch, laws, share.hi,
+                shared.bodies, share.pairs, share.near, shared.walls, shared.blocks, share.scratch, laws, share.hi,
                 march.gravity[0], march.gravity[1], march.dt,
             )  # fmt: skip
             step += 1
             if word == STALE:
-                runaway = first_runaway(shared.discs, share.lo, share.hi, march.dt)
+                runaway = first_runaway(shared.bodies, share.lo, share.hi, march.dt)
                 if runaway >= 0:
                     word = EXPLODED
                     clock[2 + number] = runaway

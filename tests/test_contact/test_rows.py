@@ -54,7 +54,7 @@ def test_a_law_costs_what_its_row_says(family, row):
     undamped = {name: 0.0 if "normal_damping" in name and family != "normal" else value for name, value in KNOWN.items()}
     touch = Contact.taking(laws, undamped)
     engine = Engine(silo(across=5, height=0.12, pair_contact=touch, wall_contact=touch, booked=True, dt=5e-6))
-    engine.discs.rows[: engine.n, 4] = 30.0  # spin, which rolling resistance brakes
+    engine.bodies.rows[: engine.n, 4] = 30.0  # spin, which rolling resistance brakes
     engine.step_to(4000)
     account = engine.ledger.account
     for name, entry in (("dashpot", DASHPOT), ("sliding", SLIDING)):

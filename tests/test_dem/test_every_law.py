@@ -53,4 +53,4 @@ def test_a_law_settles_and_its_ledger_closes(laws):
     walls = sums_by_wall(model, mean)
     carried = walls[FLOOR][0] + sum(walls[name][1] for name in SIDES)
     assert carried == pytest.approx(model.mass.sum() * 9.81, rel=2e-2)
-    assert np.isfinite(engine.discs.rows[: engine.n]).all()
+    assert np.isfinite(engine.bodies.rows[: engine.n]).all()

@@ -124,7 +124,7 @@ for tangential in sys.argv[1:]:
     laws = Laws.of(tangential=tangential)
     engine = Engine(silo(pair_contact=contact(laws=laws), wall_contact=contact(2.0, 0.176, laws=laws)))
     engine.step_to(1000)
-    print(tangential, hashlib.sha256(engine.discs.rows.tobytes()).hexdigest(), sum(engine._kernel.stats.cache_hits.values()))
+    print(tangential, hashlib.sha256(engine.bodies.rows.tobytes()).hexdigest(), sum(engine._kernel.stats.cache_hits.values()))
 """
 
 

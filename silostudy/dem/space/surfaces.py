@@ -10,7 +10,7 @@ from math import hypot, sqrt
 import numpy as np
 from numba import njit
 
-from silostudy.dem.cells import OPTIONS
+from silostudy.dem.cache import OPTIONS
 
 TURNED, FLAT = 0.0, 1.0  # kinds of surface, in the first column of their shapes
 JOINED, OUT_OF_REACH = 1.0, 1e30
