@@ -46,7 +46,7 @@ def contact_pass(space: Dimension, laws: Laws, *, unequal: bool, flat: bool):
         touching = overlap > 0.0
         depth = overlap if touching else 0.0
         closing, sliding, rolling = rates(lanes, k, normal, a, b, depth, flat)
-        touch = Touch(m, reduced(lanes, k, a, b), dt)
+        touch = Touch(m, reduced(lanes, k, a, b), dt, depth, closing)
         old, rolled = carry(stored, normal), carry(turned, normal)
         _, push, held, drag, moment = answer(depth, closing, sliding, rolling, old, rolled, touch, c)
         push = push - cohesion_law(c[3]) if touching else 0.0

@@ -116,7 +116,7 @@ def contact_book(space, laws, *, unequal, flat):
                 normal, distance = facing(lanes, k)
                 overlap, stored, turned = a + b - distance, old_stored[at], old_rolled[at]
                 closing, sliding, rolling = rates(lanes, k, normal, a, b, overlap, flat)
-                touch = Touch(m, a if flat else a * b / (a + b), dt)
+                touch = Touch(m, a if flat else a * b / (a + b), dt, overlap, closing)
                 slide_spring, roll_spring = slide_stiffness(overlap, touch, c[1]), roll_stiffness(overlap, touch, c[2])
                 if overlap <= 0.0:  # what springs held when the contact opened is lost
                     slid += of_spring(stored, slide_spring) if slides else 0.0

@@ -85,6 +85,7 @@ class Model:
     """Discs (m, m/s, kg/m3), walls, contacts, gravity (m/s2), base acceleration a step (m/s2), integrator and step (s)."""
 
     space: ClassVar[Dimension] = PLANE
+    columns: ClassVar[tuple[str, ...]] = ("x", "y", "radius", "u", "v", "w")
 
     x: np.ndarray
     y: np.ndarray
@@ -104,7 +105,7 @@ class Model:
     w: np.ndarray | None = None
 
     def __post_init__(self):
-        for name in ("x", "y", "radius", "u", "v", "w"):
+        for name in self.columns:
             value = getattr(self, name)
             if value is not None:
                 value = np.broadcast_to(np.asarray(value, float), np.shape(self.x))
@@ -118,7 +119,7 @@ class Model:
             if not (isfinite(value) and value > 0.0):
                 raise BadInput(name, value, "must be positive")
         if not len(self.x):
-            raise BadInput("x", len(self.x), "a scene needs a disc at least")
+            raise BadInput("x", len(self.x), f"a scene needs a {self.space.body} at least")
         with np.errstate(over="ignore", under="ignore"):
             inertia = self.mass * self.radius**2
         if not ((inertia > TINY) & (inertia < 1.0 / TINY)).all():

@@ -207,3 +207,9 @@ def move(advance: Callable, holds: bool, turns: bool, key: str):
         return dx * dx + dy * dy + dz * dz
 
     return moved
+
+
+@register_jitable
+def pushed(gravity, quake, step):
+    """Acceleration (m/s2) of spheres in a box that is accelerated."""
+    return gravity[0] - quake[step, 0], gravity[1] - quake[step, 1], gravity[2] - quake[step, 2]

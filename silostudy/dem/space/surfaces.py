@@ -16,7 +16,8 @@ TURNED, FLAT = 0.0, 1.0  # kinds of surface, in the first column of their shapes
 JOINED, OUT_OF_REACH = 1.0, 1e30
 AXIS_X, AXIS_Y, START_R, START_Z, ALONG_R, ALONG_Z, LENGTH, START_END, END_END = range(1, 10)  # columns of a turned line
 COUNT, NORMAL, CORNERS, SIDES = 1, 2, 5, 17  # columns of a flat piece: corners, unit normal, their places, joined sides
-COLUMNS = 21
+ACROSS, UPWARD = 21, 26  # of a flat piece: unit vectors in its plane, each followed by its least coordinate and its length
+COLUMNS = 31
 
 
 @njit(**OPTIONS)
@@ -83,23 +84,3 @@ def nearest_flat(shape, wall, x, y, z):
         height = px * nx + py * ny + pz * nz
         return height * nx, height * ny, height * nz
     return found
-
-
-def turned(axis, start, end, joined=(False, False)) -> np.ndarray:
-    """Shape of a line from start to end (distance from the axis and height, m) turned about an upright axis (x, y, m)."""
-    (r0, z0), (r1, z1) = start, end
-    length = hypot(r1 - r0, z1 - z0)
-    row = [TURNED, *axis, r0, z0, (r1 - r0) / length, (z1 - z0) / length, length, *(JOINED if one else 0.0 for one in joined)]
-    return np.array(row + [0.0] * (COLUMNS - len(row)))
-
-
-def flat(corners, joined=()) -> np.ndarray:
-    """Shape of a convex polygon of three or four corners (m), which run counter-clockwise as the solid sees them."""
-    corners = np.asarray(corners, float)
-    normal = np.cross(corners[1] - corners[0], corners[2] - corners[0])
-    row = np.zeros(COLUMNS)
-    row[0], row[COUNT] = FLAT, len(corners)
-    row[NORMAL : NORMAL + 3] = normal / np.linalg.norm(normal)
-    row[CORNERS : CORNERS + corners.size] = corners.ravel()
-    row[SIDES : SIDES + len(joined)] = [JOINED if one else 0.0 for one in joined]
-    return row
