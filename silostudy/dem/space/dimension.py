@@ -3,7 +3,7 @@
 from silostudy.dem.arrays import LANES, Spheres
 from silostudy.dem.dimension import Dimension
 from silostudy.dem.space.felt import gather_walls, note_walls, scatter_walls
-from silostudy.dem.space.lanes import CURVED, PLACE, SECOND_Z, SPARE, SPIN, VELOCITY, gather, scatter
+from silostudy.dem.space.lanes import HISTORIES, NEW, OLD, PLACE, SPARE, SPIN, VELOCITY, gather, scatter
 from silostudy.dem.space.motion import carry, facing, move, pushed, put, rates, reduced, walk, where
 from silostudy.dem.space.walls import cell_count, walls_of
 
@@ -16,8 +16,8 @@ SPACE = Dimension(
     spin=SPIN,
     row=SPARE + 1,
     inverse_inertia=2.5,
-    lanes=(1, (CURVED + 1) * LANES),
-    forces=(1, (SECOND_Z + 1) * LANES),
+    lanes=(1, (OLD + HISTORIES) * LANES),
+    forces=(1, (NEW + HISTORIES) * LANES),
     components=3,
     felt=3,
     gather=gather,

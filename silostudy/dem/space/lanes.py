@@ -18,6 +18,8 @@ PLACE, VELOCITY, SPIN, FORCE, TORQUE = (X, Y, Z), (U, V, W), (P, Q, R), (FX, FY,
 DX, DY, DZ, DU, DV, DW, SUM_P, SUM_Q, SUM_R, APART_P, APART_Q, APART_R, CURVED = range(13)
 # lanes of force and of the torques on both
 FORCE_X, FORCE_Y, FORCE_Z, FIRST_X, FIRST_Y, FIRST_Z, SECOND_X, SECOND_Y, SECOND_Z = range(9)
+# histories stand among the lanes while forces are computed, before and after: of sliding, then of rolling
+OLD, NEW, HISTORIES = 13, 9, 6
 
 ROW = 4  # a sphere's row has two to this power of numbers
 _SECOND_LINE = [-0.0] * 8  # the one number that changes nothing where it is added

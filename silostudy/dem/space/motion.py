@@ -21,6 +21,8 @@ from silostudy.dem.space.lanes import (
     FX,
     FY,
     FZ,
+    NEW,
+    OLD,
     SECOND_X,
     SECOND_Y,
     SECOND_Z,
@@ -122,7 +124,7 @@ def carry(old, normal):
     """A history turned into the plane across the normal, as long as before."""
     new = across(old, normal)
     before, after = dot(old, old), dot(new, new)
-    factor = sqrt(before / after) if after > 0.0 else 0.0
+    factor = sqrt(before / (after if after > 0.0 else 1.0))
     return factor * new[0], factor * new[1], factor * new[2]
 
 
@@ -155,16 +157,35 @@ def where(touching, value):
     return value[0] if touching else 0.0, value[1] if touching else 0.0, value[2] if touching else 0.0
 
 
+@register_jitable(forceinline=True)
+def bring(history, start, count, lanes, lane):
+    """Copy three rows of histories into lanes that follow each other."""
+    for n in range(3):
+        for k in range(count):
+            lanes[0, (lane + n) * LANES + k] = history[n, start + k]
+
+
+@register_jitable(forceinline=True)
+def take(lanes, lane, history, start, count):
+    """Copy lanes that follow each other into three rows of histories."""
+    for n in range(3):
+        for k in range(count):
+            history[n, start + k] = lanes[0, (lane + n) * LANES + k]
+
+
 def walk(gathered: Callable, contact: Callable, unequal: bool, slides: bool, rolls: bool, key: tuple):
-    """Function that takes a stretch of a list contact by contact: the loop that the compiler vectorises."""
+    """Function that takes a stretch of a list contact by contact: the loop that the compiler vectorises.
+
+    It reads and writes two arrays only: with a history each the compiler finds too many that may overlap.
+    """
 
     @piece("space", unequal, slides, rolls, *key)
     def forces(rows, contacts, shape, start, count, lanes, out, stored, rolled, dt, c):
         gathered(rows, contacts, shape, start, count, lanes)
         if slides:
-            hx, hy, hz = stored[0][start:], stored[1][start:], stored[2][start:]
+            bring(stored, start, count, lanes, OLD)
         if rolls:
-            mx, my, mz = rolled[0][start:], rolled[1][start:], rolled[2][start:]
+            bring(rolled, start, count, lanes, OLD + 3)
         arm = contacts.arm[start:] if unequal else contacts.arm
         other = contacts.other[start:] if unequal else contacts.other
         mass = contacts.mass[start:] if unequal else contacts.mass
@@ -172,13 +193,21 @@ def walk(gathered: Callable, contact: Callable, unequal: bool, slides: bool, rol
         for k in range(count):
             if unequal:
                 a, b, m = arm[k], other[k], mass[k]
-            old = (hx[k], hy[k], hz[k]) if slides else (0.0, 0.0, 0.0)
-            turned = (mx[k], my[k], mz[k]) if rolls else (0.0, 0.0, 0.0)
+            old = three(lanes, OLD, k) if slides else (0.0, 0.0, 0.0)
+            turned = three(lanes, OLD + 3, k) if rolls else (0.0, 0.0, 0.0)
             held, moment = contact(lanes, out, k, a, b, m, old, turned, dt, c)
             if slides:
-                hx[k], hy[k], hz[k] = held
+                out[0, NEW * LANES + k] = held[0]
+                out[0, (NEW + 1) * LANES + k] = held[1]
+                out[0, (NEW + 2) * LANES + k] = held[2]
             if rolls:
-                mx[k], my[k], mz[k] = moment
+                out[0, (NEW + 3) * LANES + k] = moment[0]
+                out[0, (NEW + 4) * LANES + k] = moment[1]
+                out[0, (NEW + 5) * LANES + k] = moment[2]
+        if slides:
+            take(out, NEW, stored, start, count)
+        if rolls:
+            take(out, NEW + 3, rolled, start, count)
 
     return forces
 
