@@ -5,8 +5,6 @@ from typing import NamedTuple
 import numpy as np
 
 BLOCK = 128  # discs that are moved together, right after the last contact that can touch them
-# contacts whose forces are computed together, in the first-level cache; no power of two: its lanes would share cache sets
-LANES = 376
 LINE = 64  # bytes of a cache line
 
 

@@ -19,6 +19,7 @@ class Dimension:
     spin: tuple[int, ...]
     row: int  # numbers in a row, whole cache lines
     inverse_inertia: float  # of a body, times mass and square of radius
+    stretch: int  # contacts whose forces are computed together
     lanes: tuple[int, int]  # of relative motion
     forces: tuple[int, int]  # lanes of force
     components: int  # of a history

@@ -16,6 +16,8 @@ X, Y, U, V, W, FX, FY, TORQUE = range(8)  # numbers of a disc's row
 DX, DY, DU, DV, SPIN_SUM, SPIN_DIFFERENCE = range(6)  # lanes of relative motion, first less second
 FORCE_X, FORCE_Y, FIRST_TORQUE, SECOND_TORQUE = range(4)  # lanes of force; the second torque is taken from the second
 
+# contacts whose forces are computed together, in the first-level cache; no power of two: its lanes would share cache sets
+STRETCH = 376
 ROW = 3  # a disc's row has two to this power of numbers
 
 
@@ -50,7 +52,7 @@ def _gather(typing, rows, first, second, start, lanes, offset):
             b = load(builder, data, row_of(builder, two, args[3], lane, ROW), EIGHT)
             relative.append(mix(builder, builder.fsub(a, b), builder.fadd(a, b), [0, 1, 2, 3, 12, 4, 6, 7]))
         for component, column in enumerate(transpose(builder, relative)[:6]):
-            store(builder, column, out, lane_of(builder, args[5], component), EIGHT)
+            store(builder, column, out, lane_of(builder, args[5], component, STRETCH), EIGHT)
         return context.get_dummy_value()
 
     return types.void(rows, first, second, start, lanes, offset), generate
@@ -60,7 +62,7 @@ def _gather(typing, rows, first, second, start, lanes, offset):
 def _scatter(typing, rows, first, second, start, force, offset):
     def generate(context, builder, signature, args):
         data, one, two, lanes = (base_of(context, builder, signature, args, k) for k in (0, 1, 2, 4))
-        fx, fy, own, others = (load(builder, lanes, lane_of(builder, args[5], component), EIGHT) for component in range(4))
+        fx, fy, own, others = (load(builder, lanes, lane_of(builder, args[5], component, STRETCH), EIGHT) for component in range(4))
         nothing = ir.Constant(EIGHT, [0.0] * WIDTH)  # for the spin that stands before the force in a row
         for lane, push in enumerate(transpose(builder, [nothing, fx, fy, own, nothing, fx, fy, others])):
             for indices, half, add in ((one, [0, 1, 2, 3], builder.fadd), (two, [4, 5, 6, 7], builder.fsub)):

@@ -13,11 +13,11 @@ import numpy as np
 from numba.extending import register_jitable
 
 from silostudy.contact.family import Touch
-from silostudy.dem.arrays import LANES, Ledger, aligned
+from silostudy.dem.arrays import Ledger, aligned
 from silostudy.dem.cache import piece
 from silostudy.dem.force import gather_pass, response
 from silostudy.dem.integrate import INTEGRATORS
-from silostudy.dem.lanes import FX, FY, TORQUE, U, V, W, X, Y
+from silostudy.dem.lanes import FX, FY, STRETCH, TORQUE, U, V, W, X, Y
 
 ENTRIES = ("kinetic", "potential", "elastic", "dashpot", "sliding", "carried_out", "base", "gravity", "created")
 KINETIC, POTENTIAL, ELASTIC, DASHPOT, SLIDING, CARRIED_OUT, BASE, GRAVITY, CREATED = range(len(ENTRIES))
@@ -31,7 +31,7 @@ def empty(rows: np.ndarray, room: int, wall_room: int) -> Ledger:
     return Ledger(
         account=np.zeros(TURNOVER + 1),
         mean=aligned(*(rows.shape if asked else (0, 8))),
-        lanes=aligned(6, LANES if asked else 0),
+        lanes=aligned(6, STRETCH if asked else 0),
         pair_stored=np.zeros(room),
         pair_rolled=np.zeros(room),
         wall_stored=np.zeros(wall_room),
@@ -99,14 +99,15 @@ def contact_book(space, laws, *, unequal, flat):
     forces, and power that dashpots take where contacts stick and where they slip."""
     gathered, facing, rates, answer = gather_pass(space, flat=flat), space.facing, space.rates(unequal), response(laws)
     slide_stiffness, roll_stiffness, cohesion_law = laws.tangential.stiffness, laws.rolling.stiffness, laws.cohesion.law
+    stretch = space.stretch
     energy, slides, rolls, tangential_law = laws.normal.energy, laws.slides, laws.rolls, laws.tangential.law
 
     @piece(space, laws, unequal, flat)
     def book(rows, ledger, contacts, shape, count, old_stored, old_rolled, dt, c, lanes):
         elastic_energy = slid = elastic_power = braking = rubbing = 0.0
         a, b, m = contacts.arm[0], contacts.other[0], contacts.mass[0]
-        for start in range(0, count, LANES):
-            many = min(LANES, count - start)
+        for start in range(0, count, stretch):
+            many = min(stretch, count - start)
             gathered(rows, contacts, shape, start, many, lanes)
             gathered(ledger.mean, contacts, shape, start, many, ledger.lanes)
             for k in range(many):

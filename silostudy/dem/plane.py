@@ -5,7 +5,7 @@ from math import sqrt
 
 from numba.extending import register_jitable
 
-from silostudy.dem.arrays import LANES, Discs
+from silostudy.dem.arrays import Discs
 from silostudy.dem.cache import piece
 from silostudy.dem.dimension import Dimension
 from silostudy.dem.lanes import (
@@ -21,6 +21,7 @@ from silostudy.dem.lanes import (
     SECOND_TORQUE,
     SPIN_DIFFERENCE,
     SPIN_SUM,
+    STRETCH,
     TORQUE,
     U,
     V,
@@ -155,8 +156,9 @@ PLANE = Dimension(
     spin=(W,),
     row=8,
     inverse_inertia=2.0,
-    lanes=(6, LANES),
-    forces=(4, LANES),
+    stretch=STRETCH,
+    lanes=(6, STRETCH),
+    forces=(4, STRETCH),
     components=1,
     felt=2,
     gather=gather,

@@ -8,7 +8,7 @@ import numpy as np
 from numba import njit
 
 from silostudy.contact.family import Touch
-from silostudy.dem.arrays import LANES, aligned
+from silostudy.dem.arrays import aligned
 from silostudy.dem.cache import OPTIONS, named
 from silostudy.dem.dimension import Dimension
 from silostudy.dem.force import force_pass
@@ -33,11 +33,11 @@ class Contacts:
 @cache
 def reader(space: Dimension, laws: Laws, unequal: bool, flat: bool):
     """Compiled function that computes the forces of a list without changing its histories."""
-    forces = force_pass(space, laws, unequal=unequal, flat=flat)
+    forces, stretch = force_pass(space, laws, unequal=unequal, flat=flat), space.stretch
 
     def read(rows, contacts, shape, count, lanes, out, stored, rolled, dt, c):
-        for start in range(0, count, LANES):
-            many = min(LANES, count - start)
+        for start in range(0, count, stretch):
+            many = min(stretch, count - start)
             forces(rows, contacts, shape, start, many, lanes, out[:, start:], stored, rolled, dt, c)
 
     return njit(**OPTIONS)(named(read, repr((space, laws, unequal, flat))))
@@ -45,7 +45,7 @@ def reader(space: Dimension, laws: Laws, unequal: bool, flat: bool):
 
 def _forces(engine, laws, contacts, count, flat, c):
     out = np.zeros((4, count))
-    lanes = aligned(6, LANES)
+    lanes = aligned(*engine.space.lanes)
     pieces = engine.model.pieces
     read = reader(pieces.space, laws, pieces.unequal, flat)
     stored, rolled = contacts.stored[..., :count].copy(), contacts.rolled[..., :count].copy()

@@ -4,7 +4,7 @@ from math import sqrt
 
 import numpy as np
 
-from silostudy.dem.arrays import BLOCK, LANES
+from silostudy.dem.arrays import BLOCK
 from silostudy.dem.cache import piece
 from silostudy.dem.dimension import Dimension
 from silostudy.dem.force import force_pass
@@ -18,13 +18,13 @@ FRESH, STALE, REMEMBERED, SHORT_OF_ROOM, EXPLODED = range(5)  # what a thread sa
 def contact_pass(space: Dimension, laws: Laws, *, unequal: bool, flat: bool, watched: bool = False):
     """Function that adds the forces of a stretch of a list to its discs, and notes what walls feel where they are watched."""
     forces, note_walls = force_pass(space, laws, unequal=unequal, flat=flat), space.note_walls
-    scatter, scatter_walls = space.scatter, space.scatter_walls
+    scatter, scatter_walls, stretch = space.scatter, space.scatter_walls, space.stretch
 
     @piece(space, laws, unequal, flat, watched)
     def contacts_between(shared, contacts, begin, end, scratch, dt, c, number):
         rows = shared.bodies.rows
-        for start in range(begin, end, LANES):
-            count = min(end - start, LANES)
+        for start in range(begin, end, stretch):
+            count = min(end - start, stretch)
             forces(
                 rows, contacts, shared.walls.shape, start, count, scratch.lanes, scratch.force,
                 contacts.stored, contacts.rolled, dt, c,

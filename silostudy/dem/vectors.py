@@ -6,8 +6,6 @@ The compiler does not find them by itself.  A builder writes instructions; a bas
 from llvmlite import ir
 from numba.core import cgutils
 
-from silostudy.dem.arrays import LANES
-
 WIDTH = 8  # contacts taken at a time
 REAL, INDEX, LANE = ir.DoubleType(), ir.IntType(64), ir.IntType(32)
 EIGHT, FOUR = ir.VectorType(REAL, 8), ir.VectorType(REAL, 4)
@@ -44,9 +42,9 @@ def plus(builder, value, constant):
     return builder.add(value, ir.Constant(INDEX, constant))
 
 
-def lane_of(builder, lane, component):
-    """Where eight numbers of a component start among the lanes of a scratch, which all have the same length."""
-    return plus(builder, lane, component * LANES)
+def lane_of(builder, lane, component, stretch):
+    """Where eight numbers of a component start among the lanes of a scratch, each of which holds a stretch."""
+    return plus(builder, lane, component * stretch)
 
 
 def row_of(builder, indices, start, lane, shift):

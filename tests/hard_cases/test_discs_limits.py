@@ -5,9 +5,9 @@ from math import pi
 import numpy as np
 import pytest
 
-from silostudy.dem.arrays import LANES
 from silostudy.dem.engine import Engine, Explosion
 from silostudy.dem.events import Event
+from silostudy.dem.lanes import STRETCH
 from silostudy.dem.model import Wall
 from silostudy.dem.run import Run
 from silostudy.dem.stability import longest_step
@@ -138,7 +138,7 @@ def test_lists_that_end_on_and_off_the_lanes(across):
         assert listed % 8 == 0
     assert all(np.array_equal(found[0], other) for other in found[1:])
     if across == 28:
-        assert listed > 2 * LANES
+        assert listed > 2 * STRETCH
 
 
 def test_lists_that_run_out_of_room():

@@ -1,9 +1,9 @@
 """Space: the table that the passes of a kernel of spheres close over."""
 
-from silostudy.dem.arrays import LANES, Spheres
+from silostudy.dem.arrays import Spheres
 from silostudy.dem.dimension import Dimension
 from silostudy.dem.space.felt import gather_walls, note_walls, scatter_walls
-from silostudy.dem.space.lanes import HISTORIES, NEW, OLD, PLACE, SPARE, SPIN, VELOCITY, gather, scatter
+from silostudy.dem.space.lanes import HISTORIES, NEW, OLD, PLACE, SPARE, SPIN, STRETCH, VELOCITY, gather, scatter
 from silostudy.dem.space.motion import carry, facing, move, pushed, put, rates, reduced, walk, where
 from silostudy.dem.space.walls import cell_count, walls_of
 
@@ -16,8 +16,9 @@ SPACE = Dimension(
     spin=SPIN,
     row=SPARE + 1,
     inverse_inertia=2.5,
-    lanes=(1, (OLD + HISTORIES) * LANES),
-    forces=(1, (NEW + HISTORIES) * LANES),
+    stretch=STRETCH,
+    lanes=(1, (OLD + HISTORIES) * STRETCH),
+    forces=(1, (NEW + HISTORIES) * STRETCH),
     components=3,
     felt=3,
     gather=gather,

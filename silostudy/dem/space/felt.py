@@ -5,7 +5,6 @@ from math import atan2, pi, sqrt
 from numba import njit
 from numba.extending import register_jitable
 
-from silostudy.dem.arrays import LANES
 from silostudy.dem.cache import OPTIONS
 from silostudy.dem.space.lanes import (
     APART_P,
@@ -15,6 +14,7 @@ from silostudy.dem.space.lanes import (
     FIRST_X,
     FORCE_X,
     FX,
+    STRETCH,
     SUM_P,
     TX,
     P,
@@ -46,10 +46,10 @@ def gather_walls(rows, shape, sphere, wall, start, count, lanes):
         dx, dy, dz, curved = nearest(shape, wall[start + k], rows[i, X], rows[i, Y], rows[i, Z])
         away = dx, dy, dz
         for n in range(3):
-            lanes[0, (DX + n) * LANES + k] = away[n]
-            lanes[0, (DU + n) * LANES + k] = rows[i, U + n]
-            lanes[0, (SUM_P + n) * LANES + k] = lanes[0, (APART_P + n) * LANES + k] = rows[i, P + n]
-        lanes[0, CURVED * LANES + k] = curved
+            lanes[0, (DX + n) * STRETCH + k] = away[n]
+            lanes[0, (DU + n) * STRETCH + k] = rows[i, U + n]
+            lanes[0, (SUM_P + n) * STRETCH + k] = lanes[0, (APART_P + n) * STRETCH + k] = rows[i, P + n]
+        lanes[0, CURVED * STRETCH + k] = curved
 
 
 @register_jitable
@@ -58,8 +58,8 @@ def scatter_walls(rows, sphere, start, count, force):
     for k in range(count):
         i = sphere[start + k]
         for n in range(3):
-            rows[i, FX + n] += force[0, (FORCE_X + n) * LANES + k]
-            rows[i, TX + n] += force[0, (FIRST_X + n) * LANES + k]
+            rows[i, FX + n] += force[0, (FORCE_X + n) * STRETCH + k]
+            rows[i, TX + n] += force[0, (FIRST_X + n) * STRETCH + k]
 
 
 @njit(**OPTIONS)
@@ -108,7 +108,7 @@ def note_walls(rows, walls, near, start, count, force, record, part):
             share, turn, (ux, uy, uz) = turned_frame(walls.shape, q, px, py, pz)
         else:
             share, turn, (ux, uy, uz) = flat_frame(walls.shape, q, px, py, pz)
-        fx, fy, fz = force[0, FORCE_X * LANES + k], force[0, (FORCE_X + 1) * LANES + k], force[0, (FORCE_X + 2) * LANES + k]
+        fx, fy, fz = force[0, FORCE_X * STRETCH + k], force[0, (FORCE_X + 1) * STRETCH + k], force[0, (FORCE_X + 2) * STRETCH + k]
         cx, cy, cz = ny * uz - nz * uy, nz * ux - nx * uz, nx * uy - ny * ux
         record.force[part, at, 0] = fx * nx + fy * ny + fz * nz
         record.force[part, at, 1] = fx * ux + fy * uy + fz * uz

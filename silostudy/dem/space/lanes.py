@@ -2,14 +2,13 @@
 
 A sphere is one row of two cache lines: x, y, z, u, v, w, p, q, then r and the force and the torque that gather on it.
 Every function here has its meaning in plain Python, and the vector form beside it as numba's overload.
-Scratches are flat: numbers of one kind stand `LANES` apart, or the compiler does not see that they never overlap.
+Scratches are flat: numbers of one kind stand `STRETCH` apart, or the compiler does not see that they never overlap.
 """
 
 from llvmlite import ir
 from numba import types
 from numba.extending import intrinsic, overload
 
-from silostudy.dem.arrays import LANES
 from silostudy.dem.vectors import EIGHT, LANE, WIDTH, base_of, lane_of, load, mix, plus, row_of, store, transpose
 
 X, Y, Z, U, V, W, P, Q, R, FX, FY, FZ, TX, TY, TZ, SPARE = range(16)  # numbers of a sphere's row
@@ -21,6 +20,8 @@ FORCE_X, FORCE_Y, FORCE_Z, FIRST_X, FIRST_Y, FIRST_Z, SECOND_X, SECOND_Y, SECOND
 # histories stand among the lanes while forces are computed, before and after: of sliding, then of rolling
 OLD, NEW, HISTORIES = 13, 9, 6
 
+# contacts whose forces are computed together, in the first-level cache
+STRETCH = 120
 ROW = 4  # a sphere's row has two to this power of numbers
 _SECOND_LINE = [-0.0] * 8  # the one number that changes nothing where it is added
 
@@ -31,10 +32,10 @@ def gather(rows, first, second, start, count, lanes):
     for k in range(count):
         a, b = rows[first[start + k]], rows[second[start + k]]
         for lane, component in enumerate((*PLACE, *VELOCITY)):
-            flat[lane * LANES + k] = a[component] - b[component]
+            flat[lane * STRETCH + k] = a[component] - b[component]
         for n, component in enumerate(SPIN):
-            flat[(SUM_P + n) * LANES + k] = a[component] + b[component]
-            flat[(APART_P + n) * LANES + k] = a[component] - b[component]
+            flat[(SUM_P + n) * STRETCH + k] = a[component] + b[component]
+            flat[(APART_P + n) * STRETCH + k] = a[component] - b[component]
 
 
 def scatter(rows, first, second, start, count, force):
@@ -46,10 +47,10 @@ def scatter(rows, first, second, start, count, force):
     for k in range(count):
         a, b = rows[first[start + k]], rows[second[start + k]]
         for n in range(3):
-            a[FORCE[n]] += flat[(FORCE_X + n) * LANES + k]
-            b[FORCE[n]] -= flat[(FORCE_X + n) * LANES + k]
-            a[TORQUE[n]] += flat[(FIRST_X + n) * LANES + k]
-            b[TORQUE[n]] += flat[(SECOND_X + n) * LANES + k]
+            a[FORCE[n]] += flat[(FORCE_X + n) * STRETCH + k]
+            b[FORCE[n]] -= flat[(FORCE_X + n) * STRETCH + k]
+            a[TORQUE[n]] += flat[(FIRST_X + n) * STRETCH + k]
+            b[TORQUE[n]] += flat[(SECOND_X + n) * STRETCH + k]
 
 
 @intrinsic
@@ -67,7 +68,7 @@ def _gather(typing, rows, first, second, start, lanes, offset):
             apart.append(builder.insert_element(spins, builder.fadd(c, d), ir.Constant(LANE, 1)))
         columns, rest = transpose(builder, near), transpose(builder, apart)
         for lane, column in enumerate([*columns, rest[1], rest[P], rest[Q], rest[0]]):
-            store(builder, column, out, lane_of(builder, args[5], lane), EIGHT)
+            store(builder, column, out, lane_of(builder, args[5], lane, STRETCH), EIGHT)
         return context.get_dummy_value()
 
     return types.void(rows, first, second, start, lanes, offset), generate
@@ -77,7 +78,7 @@ def _gather(typing, rows, first, second, start, lanes, offset):
 def _scatter(typing, rows, first, second, start, force, offset):
     def generate(context, builder, signature, args):
         bodies, one, two, lanes = (base_of(context, builder, signature, args, k) for k in (0, 1, 2, 4))
-        pushes = [load(builder, lanes, lane_of(builder, args[5], lane), EIGHT) for lane in range(9)]
+        pushes = [load(builder, lanes, lane_of(builder, args[5], lane, STRETCH), EIGHT) for lane in range(9)]
         nothing = ir.Constant(EIGHT, _SECOND_LINE)
         onto_first = transpose(builder, [nothing, *pushes[:6], nothing])
         away = [builder.fneg(push) for push in pushes[:3]]

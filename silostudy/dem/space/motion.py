@@ -5,7 +5,6 @@ from math import sqrt
 
 from numba.extending import register_jitable
 
-from silostudy.dem.arrays import LANES
 from silostudy.dem.cache import piece
 from silostudy.dem.space.lanes import (
     APART_P,
@@ -26,6 +25,7 @@ from silostudy.dem.space.lanes import (
     SECOND_X,
     SECOND_Y,
     SECOND_Z,
+    STRETCH,
     SUM_P,
     TX,
     TY,
@@ -42,10 +42,21 @@ from silostudy.dem.space.lanes import (
 )  # fmt: skip
 
 
-@register_jitable(forceinline=True)
-def three(lanes, lane, k):
-    """Three numbers of contact k that stand in lanes after each other."""
-    return lanes[0, lane * LANES + k], lanes[0, (lane + 1) * LANES + k], lanes[0, (lane + 2) * LANES + k]
+def three(lane: int) -> Callable:
+    """Function that gives the three numbers of contact k that stand in lanes after each other.
+
+    The places are constants: with a lane as argument the compiler fetches eight contacts one by one.
+    """
+    one, two, last = lane * STRETCH, (lane + 1) * STRETCH, (lane + 2) * STRETCH
+
+    @piece("space", lane)
+    def numbers(lanes, k):
+        return lanes[0, one + k], lanes[0, two + k], lanes[0, last + k]
+
+    return numbers
+
+
+away_of, velocity_of, summed_of, apart_of, held_of, turned_of = map(three, (DX, DU, SUM_P, APART_P, OLD, OLD + 3))
 
 
 @register_jitable(forceinline=True)
@@ -70,7 +81,7 @@ def across(vector, normal):
 @register_jitable
 def facing(lanes, k):
     """Normal (unit vector from the second body to the first) and distance (m) of the centres."""
-    d = three(lanes, DX, k)
+    d = away_of(lanes, k)
     distance = sqrt(dot(d, d))
     inverse = 1.0 / distance
     return (d[0] * inverse, d[1] * inverse, d[2] * inverse), distance
@@ -81,7 +92,7 @@ def reduced(flat: bool):
 
     @piece("space", flat)
     def radius(lanes, k, a, b):
-        return a / (1.0 - a * lanes[0, CURVED * LANES + k]) if flat else a * b / (a + b)
+        return a / (1.0 - a * lanes[0, CURVED * STRETCH + k]) if flat else a * b / (a + b)
 
     return radius
 
@@ -94,7 +105,7 @@ def rates(unequal: bool):
 
     @piece("space", unequal)
     def speeds(lanes, k, normal, a, b, depth, flat):
-        d, summed, apart = three(lanes, DU, k), three(lanes, SUM_P, k), three(lanes, APART_P, k)
+        d, summed, apart = velocity_of(lanes, k), summed_of(lanes, k), apart_of(lanes, k)
         closing = -dot(d, normal)
         if flat:
             spin = a * summed[0], a * summed[1], a * summed[2]
@@ -144,9 +155,9 @@ def put(drags: bool, brakes: bool):
         if brakes:
             own = own[0] + moment[0], own[1] + moment[1], own[2] + moment[2]
             others = others[0] - moment[0], others[1] - moment[1], others[2] - moment[2]
-        out[0, FORCE_X * LANES + k], out[0, FORCE_Y * LANES + k], out[0, FORCE_Z * LANES + k] = fx, fy, fz
-        out[0, FIRST_X * LANES + k], out[0, FIRST_Y * LANES + k], out[0, FIRST_Z * LANES + k] = own
-        out[0, SECOND_X * LANES + k], out[0, SECOND_Y * LANES + k], out[0, SECOND_Z * LANES + k] = others
+        out[0, FORCE_X * STRETCH + k], out[0, FORCE_Y * STRETCH + k], out[0, FORCE_Z * STRETCH + k] = fx, fy, fz
+        out[0, FIRST_X * STRETCH + k], out[0, FIRST_Y * STRETCH + k], out[0, FIRST_Z * STRETCH + k] = own
+        out[0, SECOND_X * STRETCH + k], out[0, SECOND_Y * STRETCH + k], out[0, SECOND_Z * STRETCH + k] = others
 
     return force
 
@@ -162,7 +173,7 @@ def bring(history, start, count, lanes, lane):
     """Copy three rows of histories into lanes that follow each other."""
     for n in range(3):
         for k in range(count):
-            lanes[0, (lane + n) * LANES + k] = history[n, start + k]
+            lanes[0, (lane + n) * STRETCH + k] = history[n, start + k]
 
 
 @register_jitable(forceinline=True)
@@ -170,7 +181,7 @@ def take(lanes, lane, history, start, count):
     """Copy lanes that follow each other into three rows of histories."""
     for n in range(3):
         for k in range(count):
-            history[n, start + k] = lanes[0, (lane + n) * LANES + k]
+            history[n, start + k] = lanes[0, (lane + n) * STRETCH + k]
 
 
 def walk(gathered: Callable, contact: Callable, unequal: bool, slides: bool, rolls: bool, key: tuple):
@@ -193,17 +204,17 @@ def walk(gathered: Callable, contact: Callable, unequal: bool, slides: bool, rol
         for k in range(count):
             if unequal:
                 a, b, m = arm[k], other[k], mass[k]
-            old = three(lanes, OLD, k) if slides else (0.0, 0.0, 0.0)
-            turned = three(lanes, OLD + 3, k) if rolls else (0.0, 0.0, 0.0)
+            old = held_of(lanes, k) if slides else (0.0, 0.0, 0.0)
+            turned = turned_of(lanes, k) if rolls else (0.0, 0.0, 0.0)
             held, moment = contact(lanes, out, k, a, b, m, old, turned, dt, c)
             if slides:
-                out[0, NEW * LANES + k] = held[0]
-                out[0, (NEW + 1) * LANES + k] = held[1]
-                out[0, (NEW + 2) * LANES + k] = held[2]
+                out[0, NEW * STRETCH + k] = held[0]
+                out[0, (NEW + 1) * STRETCH + k] = held[1]
+                out[0, (NEW + 2) * STRETCH + k] = held[2]
             if rolls:
-                out[0, (NEW + 3) * LANES + k] = moment[0]
-                out[0, (NEW + 4) * LANES + k] = moment[1]
-                out[0, (NEW + 5) * LANES + k] = moment[2]
+                out[0, (NEW + 3) * STRETCH + k] = moment[0]
+                out[0, (NEW + 4) * STRETCH + k] = moment[1]
+                out[0, (NEW + 5) * STRETCH + k] = moment[2]
         if slides:
             take(out, NEW, stored, start, count)
         if rolls:

@@ -5,7 +5,7 @@ A turned line is a cylinder, a cone, a ring or a disc by where it stands; its en
 that they are touched from.  Flat pieces are convex polygons of three or four corners.
 """
 
-from math import hypot, sqrt
+from math import sqrt
 
 import numpy as np
 from numba import njit
