@@ -7,7 +7,7 @@ from numba.extending import register_jitable
 from scipy.integrate import solve_ivp
 from scipy.optimize import brentq
 
-from silostudy.contact.family import Coefficient
+from silostudy.contact.family import Coefficient, Given
 
 LEAST = 1e-3  # restitution below which no dashpot is sought
 
@@ -59,9 +59,40 @@ def damping_where_cut(restitution: float) -> float:
     return float(brentq(lambda damping: restitution_of_cut(damping) - restitution, 0.0, 40.0, xtol=1e-12))
 
 
-STIFFNESS = Coefficient(name="hertz_stiffness", unit="Pa", positive=True, text="4/3 E* of the contact")
-DAMPING = Coefficient(name="hertz_damping", unit="Pa1/2", text="damping number by the root of 4/3 E*")
-SHEAR_STIFFNESS = Coefficient(name="mindlin_stiffness", unit="Pa", positive=True, text="8 G* of the contact")
+def hertz_stiffness(given: Given) -> float:
+    """4/3 E* (Pa) of two bodies, each of a Young's modulus (Pa) and a Poisson's ratio."""
+    return 4.0 / 3.0 * contact_modulus(*_of_both(given))
+
+
+def hertz_damping(given: Given) -> float:
+    """Damping number by the root of 4/3 E* (Pa1/2), for the restitution (1) under the law of the normal force."""
+    restitution = given["restitution"]
+    if restitution is None:
+        return 0.0
+    assert given.normal.damped is not None  # every law of Hertz has one
+    return given.normal.damped(restitution) * sqrt(hertz_stiffness(given))
+
+
+def mindlin_stiffness(given: Given) -> float:
+    """8 G* (Pa) of two bodies."""
+    return 8.0 * contact_shear_modulus(*_of_both(given))
+
+
+def _of_both(given: Given) -> tuple[float, float, float, float]:
+    (modulus, ratio), (other_modulus, other_ratio) = given["materials"]
+    return modulus, ratio, other_modulus, other_ratio
+
+
+MATERIALS = ("materials",)  # Young's modulus (Pa) and Poisson's ratio of both bodies
+STIFFNESS = Coefficient(
+    name="hertz_stiffness", unit="Pa", fields=(MATERIALS,), prepare=hertz_stiffness, positive=True, stiffness_power=1.0
+)
+DAMPING = Coefficient(
+    name="hertz_damping", unit="Pa1/2", fields=(MATERIALS, ("restitution",)), prepare=hertz_damping, damping_power=1.0
+)
+SHEAR_STIFFNESS = Coefficient(
+    name="mindlin_stiffness", unit="Pa", fields=(MATERIALS,), prepare=mindlin_stiffness, positive=True, stiffness_power=1.0
+)
 
 
 @register_jitable

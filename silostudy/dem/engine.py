@@ -139,7 +139,7 @@ class Engine:
     @property
     def nbytes(self) -> int:
         """Memory (bytes) of all arrays that stepping needs."""
-        bundles = [self.bodies, self.walls, self.blocks, self.record, self.ledger]
+        bundles: list[tuple] = [self.bodies, self.walls, self.blocks, self.record, self.ledger]
         for part in self.parts:
             bundles += [part.pairs, part.near, *part.memories, part.scratch]
         return sum(array.nbytes for bundle in bundles for array in bundle)
@@ -234,7 +234,9 @@ class Engine:
 
     def _joined(self, which: int, counter: int) -> Memory:
         """The parts' memories as one: a pair that two threads share is kept once, its histories being the same."""
-        kept = [Memory(*(column[..., : part.scratch.counts[counter]] for column in part.memories[which])) for part in self.parts]
+        kept = [
+            Memory(*(column[..., : part.scratch.counts[counter]] for column in part.memories[which])) for part in self.parts
+        ]
         key = np.concatenate([memory.key for memory in kept])
         _, order = np.unique(key, return_index=True)
         return Memory(*(np.concatenate(columns, axis=-1)[..., order] for columns in zip(*kept, strict=True)))

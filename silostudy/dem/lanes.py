@@ -62,7 +62,9 @@ def _gather(typing, rows, first, second, start, lanes, offset):
 def _scatter(typing, rows, first, second, start, force, offset):
     def generate(context, builder, signature, args):
         data, one, two, lanes = (base_of(context, builder, signature, args, k) for k in (0, 1, 2, 4))
-        fx, fy, own, others = (load(builder, lanes, lane_of(builder, args[5], component, STRETCH), EIGHT) for component in range(4))
+        fx, fy, own, others = (
+            load(builder, lanes, lane_of(builder, args[5], component, STRETCH), EIGHT) for component in range(4)
+        )
         nothing = ir.Constant(EIGHT, [0.0] * WIDTH)  # for the spin that stands before the force in a row
         for lane, push in enumerate(transpose(builder, [nothing, fx, fy, own, nothing, fx, fy, others])):
             for indices, half, add in ((one, [0, 1, 2, 3], builder.fadd), (two, [4, 5, 6, 7], builder.fsub)):

@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 
-from silostudy.contact import COHESION, DEFAULTS, LAWS, NO_COHESION, NO_ROLLING, NO_TANGENTIAL, NORMAL, ROLLING, TANGENTIAL
+from silostudy.contact import COHESION, DEFAULTS, FAMILIES, NO_COHESION, NO_ROLLING, NO_TANGENTIAL, NORMAL, ROLLING, TANGENTIAL
 from silostudy.contact.family import CohesionLaw, NormalLaw, RollingLaw, TangentialLaw
 from silostudy.dem.dimension import Dimension
 
@@ -19,7 +19,7 @@ class Laws:
     @classmethod
     def of(cls, **keys: str) -> "Laws":
         """The package's laws by their keys."""
-        return cls(**{family: LAWS[family][key] for family, key in keys.items()})
+        return cls(**{family: FAMILIES[family][key] for family, key in keys.items()})
 
     def __repr__(self) -> str:
         """What tells the laws apart in the names of kept kernels: the same in every process."""

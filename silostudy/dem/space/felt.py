@@ -23,6 +23,7 @@ from silostudy.dem.space.lanes import (
     Y,
     Z,
 )
+from silostudy.dem.space.motion import three
 from silostudy.dem.space.surfaces import (
     ACROSS,
     ALONG_R,
@@ -36,6 +37,8 @@ from silostudy.dem.space.surfaces import (
     UPWARD,
     nearest,
 )
+
+force_of = three(FORCE_X)  # N, on the sphere
 
 
 @register_jitable
@@ -108,7 +111,11 @@ def note_walls(rows, walls, near, start, count, force, record, part):
             share, turn, (ux, uy, uz) = turned_frame(walls.shape, q, px, py, pz)
         else:
             share, turn, (ux, uy, uz) = flat_frame(walls.shape, q, px, py, pz)
-        fx, fy, fz = force[0, FORCE_X * STRETCH + k], force[0, (FORCE_X + 1) * STRETCH + k], force[0, (FORCE_X + 2) * STRETCH + k]
+        fx, fy, fz = (
+            force[0, FORCE_X * STRETCH + k],
+            force[0, (FORCE_X + 1) * STRETCH + k],
+            force[0, (FORCE_X + 2) * STRETCH + k],
+        )
         cx, cy, cz = ny * uz - nz * uy, nz * ux - nx * uz, nx * uy - ny * ux
         record.force[part, at, 0] = fx * nx + fy * ny + fz * nz
         record.force[part, at, 1] = fx * ux + fy * uy + fz * uz

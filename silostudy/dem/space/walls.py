@@ -52,7 +52,9 @@ class TurnedLine(Surface):
     def __post_init__(self):
         super().__post_init__()
         if not np.isfinite([*self.start, *self.end, *self.axis]).all() or min(self.start[0], self.end[0]) < 0.0:
-            raise BadInput(self.name, (self.start, self.end), "distances from the axis and heights must be finite, none negative")
+            raise BadInput(
+                self.name, (self.start, self.end), "distances from the axis and heights must be finite, none negative"
+            )
         if self.start == self.end:
             raise BadInput(self.name, self.start, "a surface must have an extent")
 
