@@ -10,6 +10,7 @@ import pytest
 from silostudy.choice.expand import expand, expand_file
 from silostudy.compute.pressure import pressure_cube
 from silostudy.scene.expand import Expansion
+from tests.kernels import save_memory
 
 ROOT = Path(__file__).parents[1]
 SMALL = {
@@ -22,6 +23,8 @@ SMALL = {
     "methods": ["janssen", "reimbert"],
     "depth_m": [1.0, 2.0, 18.0],
 }
+
+save_memory()
 
 
 @pytest.fixture

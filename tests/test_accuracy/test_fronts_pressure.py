@@ -42,6 +42,7 @@ def test_an_integral_over_a_jump():
     assert curve.integrals()[-1] == pytest.approx(0.7123 + 3 * (2.0 - 0.7123), rel=1e-9)
 
 
+@pytest.mark.long
 def test_samples_meet_what_was_asked_of_other_solids():
     found = fronts_samples.trials(lambda text: None, 4)
     assert np.mean([trial.met for trial in found]) >= 0.95

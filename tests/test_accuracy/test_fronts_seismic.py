@@ -23,6 +23,7 @@ def unseen(count: int) -> list[fronts_seismic.Shaking]:
     return list(fronts_seismic.shakings(1, count, 0.3, 0.015))
 
 
+@pytest.mark.long
 @threadpool_limits.wrap(limits=1)
 def test_refinements_meet_what_was_asked_on_other_scenes():
     """Wherever in a step of the candidates the truth lies."""

@@ -94,6 +94,7 @@ def test_an_accuracy_study_takes_no_sweep_and_no_unknown_problem():
         expanded(CONTENT | {"outputs": ["effect_prices"]})
 
 
+@pytest.mark.long
 def test_prices_of_optional_parts(tmp_path, monkeypatch):
     """The part that samples a thousand solids costs nearly all there is."""
     parts = {part.name: part for part in prices.PARTS}

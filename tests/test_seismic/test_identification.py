@@ -186,6 +186,7 @@ def test_scatter_of_the_empty_frequency_is_in_the_uncertainty(bank, rounding):
     assert found == pytest.approx(2 * (34.3 / full) ** 2 * rounding / 34.3 / ratio, rel=0.2)
 
 
+@pytest.mark.long
 def test_recovery_with_a_badly_known_empty_frequency(bank):
     """Half a hertz of scatter: stated, the truth comes back; a judge who takes the frequency for exact misses most trials."""
     unsure = replace(bank.question, frequency_mismatch=0.5 / 34.3)

@@ -97,7 +97,10 @@ def test_users_materials_extend_the_tables(tmp_path):
         (HEADER + "barley,fine_grain,-7,28,0.4,me,test\n", "unit_weight_kN_m3 = -7.0: must lie between 0 and 200"),
         (HEADER + "barley,fine_grain,7,90,0.4,me,test\n", "internal_friction_angle_deg = 90.0: must lie between 0 and 90"),
         (HEADER + "barley,dust,7,28,0.4,me,test\n", "grain = 'dust': must be one of powder, fine_grain, coarse_grain"),
-        (HEADER + "wheat,fine_grain,7,28,0.4,silo_handbook,test\n", "mine.csv line 2: solid = 'wheat': this key is already taken"),
+        (
+            HEADER + "wheat,fine_grain,7,28,0.4,silo_handbook,test\n",
+            "mine.csv line 2: solid = 'wheat': this key is already taken",
+        ),
         (HEADER + "b,fine_grain,7,28,0.4,me,my test\n" * 2, "mine.csv line 3: solid = 'b': this key is already taken"),
         (HEADER + "barley,fine_grain,7,28,0.4,me\n", "has more or fewer cells than the header"),
         (HEADER.replace("unit_weight_kN_m3", "unit_weight_lb") + "b,fine_grain,7,28,0.4,me,t\n", "unit_weight_lb"),
