@@ -24,7 +24,7 @@ class Dimension:
     forces: tuple[int, int]  # lanes of force
     components: int  # of a history
     felt: int  # components of what a wall feels
-    gather: Callable  # lanes of the relative motion of pairs
+    gather: Callable  # apart -> lanes of the relative motion of pairs, with the difference of their spins or without
     gather_walls: Callable  # the same of bodies near walls
     scatter: Callable
     scatter_walls: Callable

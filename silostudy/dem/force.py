@@ -6,11 +6,11 @@ from silostudy.dem.dimension import Dimension
 from silostudy.dem.pieces import Laws
 
 
-def gather_pass(space: Dimension, *, flat: bool):
+def gather_pass(space: Dimension, laws: Laws, *, unequal: bool, flat: bool):
     """Function that turns a stretch of a list into lanes of relative motion, of pairs or of bodies near walls."""
-    gather, gather_walls = space.gather, space.gather_walls
+    gather, gather_walls = space.gather(unequal or laws.brakes), space.gather_walls
 
-    @piece(space, flat)
+    @piece(space, laws.brakes, unequal, flat)
     def gathered(rows, contacts, shape, start, count, lanes):
         if flat:
             gather_walls(rows, shape, contacts.first, contacts.second, start, count, lanes)
@@ -62,5 +62,6 @@ def force_pass(space: Dimension, laws: Laws, *, unequal: bool, flat: bool):
 
     A contact's force depends on nothing but its own numbers: the same bits wherever it stands in the list.
     """
-    gathered, contact = gather_pass(space, flat=flat), contact_pass(space, laws, unequal=unequal, flat=flat)
+    gathered = gather_pass(space, laws, unequal=unequal, flat=flat)
+    contact = contact_pass(space, laws, unequal=unequal, flat=flat)
     return space.walk(gathered, contact, unequal, laws.slides, laws.rolls, (laws, flat))

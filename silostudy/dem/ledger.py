@@ -97,7 +97,8 @@ def of_slip(trial, held, stiffness):
 def contact_book(space, laws, *, unequal, flat):
     """Function that gives, of the contacts of a list: elastic energy, loss of springs that slid, power of the elastic
     forces, and power that dashpots take where contacts stick and where they slip."""
-    gathered, facing, rates, answer = gather_pass(space, flat=flat), space.facing, space.rates(unequal), response(laws)
+    gathered = gather_pass(space, laws, unequal=unequal, flat=flat)
+    facing, rates, answer = space.facing, space.rates(unequal), response(laws)
     slide_stiffness, roll_stiffness, cohesion_law = laws.tangential.stiffness, laws.rolling.stiffness, laws.cohesion.law
     stretch = space.stretch
     energy, slides, rolls, tangential_law = laws.normal.energy, laws.slides, laws.rolls, laws.tangential.law

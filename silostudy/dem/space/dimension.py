@@ -3,7 +3,19 @@
 from silostudy.dem.arrays import Spheres
 from silostudy.dem.dimension import Dimension
 from silostudy.dem.space.felt import gather_walls, note_walls, scatter_walls
-from silostudy.dem.space.lanes import HISTORIES, NEW, OLD, PLACE, SPARE, SPIN, STRETCH, VELOCITY, gather, scatter
+from silostudy.dem.space.lanes import (
+    HISTORIES,
+    NEW,
+    OLD,
+    PLACE,
+    SPARE,
+    SPIN,
+    STRETCH,
+    VELOCITY,
+    gather,
+    gather_rolling,
+    scatter,
+)
 from silostudy.dem.space.motion import carry, facing, move, pushed, put, rates, reduced, walk, where
 from silostudy.dem.space.walls import cell_count, walls_of
 
@@ -21,7 +33,7 @@ SPACE = Dimension(
     forces=(1, (NEW + HISTORIES) * STRETCH),
     components=3,
     felt=3,
-    gather=gather,
+    gather=lambda apart: gather if apart else gather_rolling,
     gather_walls=gather_walls,
     scatter=scatter,
     scatter_walls=scatter_walls,

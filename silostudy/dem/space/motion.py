@@ -39,6 +39,8 @@ from silostudy.dem.space.lanes import (
     X,
     Y,
     Z,
+    bring,
+    take,
 )  # fmt: skip
 
 
@@ -168,35 +170,20 @@ def where(touching, value):
     return value[0] if touching else 0.0, value[1] if touching else 0.0, value[2] if touching else 0.0
 
 
-@register_jitable(forceinline=True)
-def bring(history, start, count, lanes, lane):
-    """Copy three rows of histories into lanes that follow each other."""
-    for n in range(3):
-        for k in range(count):
-            lanes[0, (lane + n) * STRETCH + k] = history[n, start + k]
-
-
-@register_jitable(forceinline=True)
-def take(lanes, lane, history, start, count):
-    """Copy lanes that follow each other into three rows of histories."""
-    for n in range(3):
-        for k in range(count):
-            history[n, start + k] = lanes[0, (lane + n) * STRETCH + k]
-
-
 def walk(gathered: Callable, contact: Callable, unequal: bool, slides: bool, rolls: bool, key: tuple):
     """Function that takes a stretch of a list contact by contact: the loop that the compiler vectorises.
 
     It reads and writes two arrays only: with a history each the compiler finds too many that may overlap.
     """
+    slid, turned, new_slid, new_turned = OLD * STRETCH, (OLD + 3) * STRETCH, NEW * STRETCH, (NEW + 3) * STRETCH
 
     @piece("space", unequal, slides, rolls, *key)
     def forces(rows, contacts, shape, start, count, lanes, out, stored, rolled, dt, c):
         gathered(rows, contacts, shape, start, count, lanes)
         if slides:
-            bring(stored, start, count, lanes, OLD)
+            bring(stored, start, count, lanes, slid)
         if rolls:
-            bring(rolled, start, count, lanes, OLD + 3)
+            bring(rolled, start, count, lanes, turned)
         arm = contacts.arm[start:] if unequal else contacts.arm
         other = contacts.other[start:] if unequal else contacts.other
         mass = contacts.mass[start:] if unequal else contacts.mass
@@ -205,8 +192,8 @@ def walk(gathered: Callable, contact: Callable, unequal: bool, slides: bool, rol
             if unequal:
                 a, b, m = arm[k], other[k], mass[k]
             old = held_of(lanes, k) if slides else (0.0, 0.0, 0.0)
-            turned = turned_of(lanes, k) if rolls else (0.0, 0.0, 0.0)
-            held, moment = contact(lanes, out, k, a, b, m, old, turned, dt, c)
+            rolled_before = turned_of(lanes, k) if rolls else (0.0, 0.0, 0.0)
+            held, moment = contact(lanes, out, k, a, b, m, old, rolled_before, dt, c)
             if slides:
                 out[0, NEW * STRETCH + k] = held[0]
                 out[0, (NEW + 1) * STRETCH + k] = held[1]
@@ -216,9 +203,9 @@ def walk(gathered: Callable, contact: Callable, unequal: bool, slides: bool, rol
                 out[0, (NEW + 4) * STRETCH + k] = moment[1]
                 out[0, (NEW + 5) * STRETCH + k] = moment[2]
         if slides:
-            take(out, NEW, stored, start, count)
+            take(out, new_slid, stored, start, count)
         if rolls:
-            take(out, NEW + 3, rolled, start, count)
+            take(out, new_turned, rolled, start, count)
 
     return forces
 
