@@ -37,7 +37,7 @@ def restore(engine: Engine, saved: dict[str, np.ndarray]) -> None:
     engine.walls.live[:] = saved["live"]
     engine.record.window[:] = saved["window"]
     engine.ledger.account[:] = saved["account"]
-    engine.gravity = float(saved["gravity"][0]), float(saved["gravity"][1])
+    engine.gravity = tuple(float(part) for part in saved["gravity"])
     engine.contacts = _contacts_from(engine, list(saved["coefficients"]))
     memories = [Memory(*(saved[f"{kind}_{name}"] for name in Memory._fields)) for kind in ("pair", "wall")]
     engine.give_memories(*memories)
