@@ -95,7 +95,7 @@ class Model:
     pair_contact: Contact
     wall_contact: Contact
     dt: float
-    gravity: tuple[float, float]
+    gravity: tuple[float, ...]
     integrator: str = PLAIN.key
     quake: np.ndarray | None = None
     watched: bool = False
@@ -129,9 +129,12 @@ class Model:
         names = [wall.name for wall in self.walls]
         if len(set(names)) < len(names):
             raise BadInput("walls", names, "each wall needs a name of its own")
-        for law in (self.pair_contact.laws.rows[0], self.wall_contact.laws.rows[0]):
-            if self.unequal and law.one_size:
-                raise BadInput("normal", law.key, "the curve is for discs of one size")
+        for law in (*self.pair_contact.laws.rows, *self.wall_contact.laws.rows):
+            if f"{self.space.body}s" not in law.grains:
+                raise BadInput("law", law.key, f"is a law of {' and '.join(law.grains)}, not of {self.space.body}s")
+        for normal in (self.pair_contact.laws.normal, self.wall_contact.laws.normal):
+            if self.unequal and normal.one_size:
+                raise BadInput("normal", normal.key, "the curve is for discs of one size")
 
     def wall_number(self, name: str) -> int:
         """Number of the wall of a name, as contacts count walls; BadInput for a name that no wall has."""

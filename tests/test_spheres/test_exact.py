@@ -8,9 +8,19 @@ from scipy.integrate import solve_ivp
 
 from silostudy.contact import elastic
 from silostudy.dem.engine import Engine
+from silostudy.dem.model import Contact
+from silostudy.dem.pieces import Laws
+from silostudy.errors import BadInput
 from tests.test_spheres.scenes import DENSITY, GRAVITY, INERTIA, MASS, MODULUS, POISSON, RADIUS, contact, heap, rows, spheres
 
 pytestmark = pytest.mark.long  # one kernel, but a large one
+
+
+def of_discs():
+    laws = Laws.of(normal="line-contact")
+    return Contact(laws, {one.name: 1.0 for one in laws.normal.coefficients})
+
+
 E_STAR = elastic.contact_modulus(MODULUS, POISSON, MODULUS, POISSON)
 
 
@@ -173,3 +183,17 @@ def test_all_spheres_stay_inside(settled):
     assert (place[:, 2] > 0.9 * RADIUS).all()
     density = settled.n * MASS / DENSITY / (np.pi * wide**2 * (place[:, 2].max() + RADIUS))
     assert 0.4 < density < 0.65  # solid fraction
+
+
+@pytest.mark.parametrize(
+    ("changes", "message"),
+    [
+        ({"gravity": (0.0, -9.81)}, "gravity = .* must have three components"),
+        ({"booked": True}, "booked = True: the energy ledger is of discs"),
+        ({"pair_contact": of_discs()}, "law = 'line-contact': is a law of discs, not of spheres"),
+        ({"radius": np.array([0.0])}, "radius = 0.0: must be positive"),
+    ],
+)
+def test_models_that_are_none(changes, message):
+    with pytest.raises(BadInput, match=message):
+        spheres([(0.0, 0.0, 0.0)], **changes)

@@ -9,6 +9,8 @@ import numpy as np
 from silostudy.dem.dimension import Dimension
 from silostudy.dem.model import Model
 from silostudy.dem.space.dimension import SPACE
+from silostudy.dem.space.walls import Surface
+from silostudy.errors import BadInput
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -22,9 +24,17 @@ class SphereModel(Model):
     columns: ClassVar[tuple[str, ...]] = ("x", "y", "z", "radius", "u", "v", "w", "p", "q", "r")
 
     z: np.ndarray
+    walls: tuple[Surface, ...]  # type: ignore[assignment]  # surfaces stand where a plane has walls
     p: np.ndarray | None = None
     q: np.ndarray | None = None
     r: np.ndarray | None = None
+
+    def __post_init__(self):
+        super().__post_init__()
+        if len(self.gravity) != 3:
+            raise BadInput("gravity", self.gravity, "must have three components (m/s2)")
+        if self.booked:
+            raise BadInput("booked", self.booked, "the energy ledger is of discs")
 
     @property
     def place(self) -> np.ndarray:
