@@ -75,11 +75,13 @@ class Walls(NamedTuple):
 
 
 class Blocks(NamedTuple):
-    """Per block of discs: the distance travelled since the list was made, the distance it allows, the last step's most."""
+    """Per block of bodies (m): travel since the list was made, what it allows, the last step's most; of both lists."""
 
     travel: np.ndarray
     skin: np.ndarray
     peak: np.ndarray
+    wide_travel: np.ndarray  # up to the last list; infinite: the wide list does not hold
+    wide_skin: np.ndarray
 
 
 class Scratch(NamedTuple):
@@ -91,11 +93,15 @@ class Scratch(NamedTuple):
     motion_bits: np.ndarray  # the same memory as unsigned integers: their maximum vectorises, and a NaN comes out largest
     cell_begin: np.ndarray
     order: np.ndarray
-    found: np.ndarray  # neighbours of one disc
-    cross: np.ndarray  # keys of pairs whose first disc belongs to an earlier thread
+    found: np.ndarray  # neighbours of one body
+    wide: np.ndarray  # the wide list: later bodies that may come near, body after body
+    wide_begin: np.ndarray  # where those of each body begin
+    wide_body: np.ndarray  # bodies that may come near walls
+    wide_wall: np.ndarray  # and which
+    cross: np.ndarray  # keys of pairs of the wide list whose first body belongs to an earlier thread
     slot: np.ndarray
     ghost: np.ndarray
-    counts: np.ndarray  # ghosts, kept pair histories, kept wall histories, a disc pressed too deep
+    counts: np.ndarray  # ghosts, kept pair histories, kept wall histories, a body pressed too deep, entries of wide_body
 
 
 class Ledger(NamedTuple):

@@ -9,9 +9,10 @@ from silostudy.dem.integrate import INTEGRATORS
 from silostudy.dem.kernel import kernel
 from silostudy.dem.ledger import empty
 from silostudy.dem.model import Model
-from silostudy.dem.neighbours import GHOSTS, KEPT_PAIRS, KEPT_WALLS, harvest
+from silostudy.dem.neighbours import harvest
 from silostudy.dem.part import Part
 from silostudy.dem.sweep import EXPLODED, FRESH, REMEMBERED, SHORT_OF_ROOM, STALE
+from silostudy.dem.wide import GHOSTS, KEPT_PAIRS, KEPT_WALLS
 from silostudy.errors import BadInput
 
 FAR = 1e9  # m: where the pair stands that pads the lists
@@ -53,7 +54,7 @@ class Engine:
         self.bodies = self._bodies(label.astype(np.int32))
         self.walls: Walls = self.space.walls_of(model.walls)
         blocks = self.n // BLOCK + 2
-        self.blocks = Blocks(np.zeros(blocks), np.zeros(blocks), np.zeros(blocks))
+        self.blocks = Blocks(*np.zeros((5, blocks)))
         self.clock = np.zeros(2 + threads, np.int64)
         self.said = np.full(threads, REMEMBERED)
         self.gate = np.zeros(2, np.int64)

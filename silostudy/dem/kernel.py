@@ -13,11 +13,12 @@ from silostudy.dem.arrays import BLOCK
 from silostudy.dem.body import motion, spin, square_speed
 from silostudy.dem.cache import OPTIONS, named
 from silostudy.dem.integrate import INTEGRATORS
-from silostudy.dem.neighbours import GHOSTS, PRESSED, allow, harvest, list_pairs, list_walls
+from silostudy.dem.neighbours import harvest, list_pairs, list_walls
 from silostudy.dem.pieces import Pieces
 from silostudy.dem.sweep import EXPLODED, FRESH, REMEMBERED, SHORT_OF_ROOM, STALE, sweep_pass
 from silostudy.dem.threads import meet
 from silostudy.dem.walls import add_to_window
+from silostudy.dem.wide import GHOSTS, PRESSED, allow, allow_wide, list_wide, wide_holds
 
 
 @njit(**OPTIONS)
@@ -42,11 +43,18 @@ def relist(shared, share, march):
         last = (hi - lo + BLOCK - 1) // BLOCK
         harvest(share.pairs, share.near, share.pair_memory, share.wall_memory, scratch, last, base)
         said[number] = REMEMBERED
-    allow(blocks, lo // BLOCK, (hi + BLOCK - 1) // BLOCK, march.smallest, march.skin)
+    own, after = lo // BLOCK, (hi + BLOCK - 1) // BLOCK
+    allow(blocks, own, after, march.smallest, march.skin)
     meet(shared.gate, march.parties)
-    enough = list_pairs(bodies, share.pairs, share.pair_memory, blocks, scratch, march.bodies, lo, hi, base)
+    enough, stays = True, wide_holds(blocks, (march.bodies + BLOCK - 1) // BLOCK)  # all threads find the same
+    meet(shared.gate, march.parties)
+    if not stays:
+        allow_wide(blocks, own, after, march.smallest)
+        meet(shared.gate, march.parties)
+        enough = list_wide(bodies, shared.walls, blocks, scratch, march.bodies, lo, hi)
+    enough = enough and list_pairs(bodies, share.pairs, share.pair_memory, blocks, scratch, lo, hi, base)
     dummy = base + scratch.ghost.size
-    enough = enough and list_walls(bodies, share.near, share.wall_memory, shared.walls, blocks, scratch, lo, hi, dummy)
+    enough = enough and list_walls(bodies, share.near, share.wall_memory, shared.walls, blocks, scratch, dummy)
     said[number] = FRESH if enough else SHORT_OF_ROOM
     if scratch.counts[PRESSED] > 0:
         said[number] = EXPLODED

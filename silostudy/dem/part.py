@@ -4,9 +4,9 @@ import numpy as np
 
 from silostudy.dem.arrays import BLOCK, Contacts, Memory, Scratch, aligned
 from silostudy.dem.history import histories
-from silostudy.dem.neighbours import KEPT_PAIRS, KEPT_WALLS
 from silostudy.dem.pieces import Laws
 from silostudy.dem.vectors import WIDTH
+from silostudy.dem.wide import KEPT_PAIRS, KEPT_WALLS
 
 
 class Part:
@@ -17,7 +17,7 @@ class Part:
         self.room, self.wall_room = 3 * BLOCK * WIDTH + int(2.7 * engine.most), 64 + engine.most // 16
         self.ghost_room = 0 if engine.threads == 1 else 1024 + 8 * int(engine.n**0.5)
         self.memories = (self._memory(0), self._memory(0))
-        self.counts = np.zeros(4, np.int64)
+        self.counts = np.zeros(5, np.int64)
         self.make_lists()
 
     def _memory(self, room: int) -> Memory:
@@ -42,6 +42,7 @@ class Part:
     def make_lists(self):
         """Lists with the room asked for; memories grow with them and keep what they hold."""
         engine, model = self.engine, self.engine.model
+        engine.blocks.wide_travel[:] = np.inf
         mass, radius = engine.bodies.mass[0], engine.bodies.radius[0]
         self.pairs = self._contacts(self.room, model.pair_contact.laws, radius, 0.5 * mass)
         self.near = self._contacts(self.wall_room, model.wall_contact.laws, 0.0, mass)
@@ -60,6 +61,10 @@ class Part:
             cell_begin=np.zeros(engine.n + 1024, np.int32),
             order=np.zeros(engine.n, np.int32),
             found=np.zeros(1024, np.int32),
+            wide=np.zeros(2 * self.room, np.int32),
+            wide_begin=np.zeros(engine.n + 1, np.int64),
+            wide_body=np.zeros(2 * self.wall_room, np.int32),
+            wide_wall=np.zeros(2 * self.wall_room, np.int32),
             cross=np.zeros(4 * self.ghost_room + 1, np.int64),
             slot=np.zeros(engine.n if engine.threads > 1 else 0, np.int32),
             ghost=np.zeros(self.ghost_room, np.int32),
