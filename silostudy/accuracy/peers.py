@@ -98,14 +98,14 @@ class Lammps:
             """)
 
     @property
-    def discs(self) -> int:
+    def grains(self) -> int:
         """Discs that are left."""
         return int(self.lammps.get_natoms())
 
     @property
     def places(self) -> np.ndarray:
         """x, y (m) of the discs that are left."""
-        return np.array(self.lammps.numpy.extract_atom("x")[: self.discs, :2])
+        return np.array(self.lammps.numpy.extract_atom("x")[: self.grains, :2])
 
     def step(self, steps: int) -> None:
         """Step on."""

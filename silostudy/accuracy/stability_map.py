@@ -75,7 +75,7 @@ class Peer:
 
     def step(self, steps: int) -> None:
         self.code.step(steps)
-        if self.code.discs < self.count:
+        if self.code.grains < self.count:
             raise Explosion(0, steps, 1.0, "LAMMPS lost a disc")
 
     def _columns(self) -> tuple[np.ndarray, np.ndarray]:
