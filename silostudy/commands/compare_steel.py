@@ -106,7 +106,7 @@ def buckling(expansion) -> list[str]:
     for rule in map(str, cube["rule"].values):
         one = cube.sel({"rule": rule})
         stress = float(one["buckling_stress"])
-        told = f"masked: {_reason(one, 'buckling_stress')}"
+        told = f"masked, its range: {cube['rule_limit'].values[int(one['rule_limit_broken'])]}"
         if not isnan(stress):
             told = f"{stress / 1e6:11.2f} MPa{float(one['knockdown_factor']):16.3f}  {modes[int(one['buckling_mode'])]}"
         lines.append(f"{rule:32}{told}")

@@ -26,6 +26,12 @@ def name(cube: xr.Dataset, rule: str) -> str:
     return str(cube.sel({"rule": rule}).rule_title.values)
 
 
+def limits(cube: xr.Dataset, rule: str) -> list[str]:
+    """The limits of its range that mask a rule somewhere in a buckling cube, in words."""
+    numbers = np.unique(cube["rule_limit_broken"].sel({"rule": rule}))
+    return [str(cube["rule_limit"].values[number]) for number in numbers if number > 0]
+
+
 def is_rival(cube: xr.Dataset, rule: str) -> bool:
     """Whether a name on the rule axis is a rival reading of a source rather than a rule."""
     return rule in cube.attrs["rival_readings"].split()
