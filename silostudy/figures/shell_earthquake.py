@@ -36,7 +36,7 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     methods = [Line2D([], [], label=title(cube, key), **look(cube, key)) for key in map(str, cube["pressure_method"].values)]
     figure.legend(handles=methods, loc="outside lower left", ncols=1, fontsize=8, title="pressure methods")
     figure.legend(handles=_rules(cube, first), loc="outside lower right", ncols=2, fontsize=8, title=NEEDED)
-    figure.suptitle(_head(cube), fontsize=10)
+    figure.suptitle("\n".join([_head(cube), *_masked(cube.sel(pressure_method=first))]), fontsize=10)
     save(figure, _numbers(cube), stem)
 
 
@@ -76,19 +76,26 @@ def _rules(cube: xr.Dataset, method: str) -> list[Line2D]:
     handles, needed = [], _needed(cube.sel(pressure_method=method))
     for rule in map(str, cube["rule"].values):
         one = needed.sel({"rule": rule})
-        static, shaken = float(one["static"]) * 1e3, float(one["shaken"]) * 1e3
-        label = f"{rules.name(cube, rule)}: {static:.1f} mm, {shaken:.1f} mm"
+        static, shaken = ("masked" if np.isnan(one[key]) else f"{float(one[key]) * 1e3:.1f} mm" for key in ("static", "shaken"))
+        label = f"{rules.name(cube, rule)}: {static}, {shaken}"
         marker = str(one["rule_marker"].values)
         handles.append(Line2D([], [], color=rules.look(cube, rule)["color"], marker=marker, label=label))
     return handles
 
 
 def _needed(cube: xr.Dataset) -> xr.Dataset:
-    """Thickness (m) that a wall of one thickness needs: static, and with the earthquake too."""
-    static = cube["required_thickness"].max("depth")
-    return xr.Dataset(
-        {"static": static, "shaken": np.fmax(static, cube["earthquake_required_thickness"].max(["side", "depth"]))}
-    )
+    """Thickness (m) that a wall of one thickness needs, static and with the earthquake; NaN where a depth is not judged."""
+    static, shaken = "required_thickness", "earthquake_required_thickness"
+    judged = ~rules.unjudged(cube, static).any("depth"), ~rules.unjudged(cube, shaken).any(["side", "depth"])
+    needed = cube[static].max("depth").where(judged[0])
+    with_earthquake = np.fmax(needed, cube[shaken].max(["side", "depth"]))
+    return xr.Dataset({"static": needed, "shaken": with_earthquake.where(judged[0] & judged[1])})
+
+
+def _masked(one: xr.Dataset) -> list[str]:
+    """At how many depths the shown curves and thicknesses are masked, and why."""
+    names = ("required_thickness", "earthquake_required_thickness", "utilisation", "earthquake_utilisation")
+    return [text for line in rules.passed_over(one, *names) for text in textwrap.wrap(line, 150)]
 
 
 def _head(cube: xr.Dataset) -> str:
