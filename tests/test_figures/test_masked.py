@@ -58,7 +58,8 @@ def test_lone_points_of_the_overpressure_are_explained(tmp_path, kept):
     overpressure_over_slenderness.draw(cubes_of("overpressure_over_slenderness")[0], tmp_path / "over")
     told = legend(kept[0])
     assert "ACI 313-77, discharge: gives nothing in 1464 of 1584 cases: solid property missing; out of its range" in told
-    assert "aci313" not in told and "jenike_funnel" not in told
+    assert "aci313" not in told
+    assert "jenike_funnel" not in told
     table = pd.read_csv(tmp_path / "over.csv")
     assert kept[0].axes[1].get_ylim()[1] > table["max"].max()  # no band is cut
 
@@ -86,13 +87,14 @@ def test_summary_keeps_the_rules_that_give_nothing(tmp_path):
     shell_summary.draw(cube, tmp_path / "summary")
     table = pd.read_csv(tmp_path / "summary.csv").query("rule == 'miller1977' and pressure_method == 'janssen'")
     row = table[table.wall_friction_end == "upper"].iloc[0]
-    assert np.isnan(row.utilisation) and row.masked_depths == cube.sizes["depth"]
+    assert np.isnan(row.utilisation)
+    assert row.masked_depths == cube.sizes["depth"]
     assert row.masked_why == "hoop stress at yield"
 
 
 def test_compare_shows_the_shaken_wall(capsys):
     assert main(["compare", str(ROOT / "config/studies/steel-wheat-shaken.yaml")]) == 0
-    static, shaken = capsys.readouterr().out.split("with the earthquake")
+    shaken = capsys.readouterr().out.split("with the earthquake")[1]
     cube = cube_of("steel-wheat-shaken", "shell")
     one = cube.sel(rule="en1993_1_6_2007", pressure_method="janssen")
     (line,) = (line for line in shaken.splitlines() if line.startswith("janssen, en1993_1_6_2007"))
