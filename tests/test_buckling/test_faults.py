@@ -361,3 +361,33 @@ def test_compare_tells_what_of_the_wall_is_not_looked_at_and_which_rings_are_lef
 def test_a_density_in_other_units_is_refused():
     with pytest.raises(BadInput, match=r"density_kg_m3.*7\.85.*must be 0, or 1000 to 20000"):
         cube_of(steel={"density_kg_m3": 7.85})
+
+
+@pytest.mark.parametrize("rule", ["miller1977", "classical", "nasa_sp8007", *EN])
+def test_no_rule_judges_a_wall_that_is_not_thin(rule):
+    assert reason(rule, thickness=0.8 * 5.0) == "radius_over_thickness_out_of_range"
+    assert reason(rule, thickness=5.0 / 20.1) == "in_scope"
+
+
+def test_a_strake_that_is_no_thin_wall_is_masked_by_every_rule_and_check(capsys):
+    """A strake of 0.8 r: no rule and no membrane force speaks for it."""
+    strakes = [{"down_to": 0.5, "thickness_mm": 10.0}, {"down_to": 1.0, "thickness_mm": 4000.0}]
+    cube = cube_of(rules=("miller1977", "classical", "en1993_1_6_2007"), steel={"strakes": strakes})
+    for name in ("utilisation", "check_utilisation"):
+        above, below = (cube[name].sel(relative_depth=part) for part in (slice(0.1, 0.5), slice(0.55, 1)))
+        assert above.sel(phase="filling").notnull().all() if "phase" in above.dims else above.notnull().all()
+        assert below.isnull().all()
+        scope = cube[f"{name}_scope"].sel(relative_depth=1.0)
+        assert "radius_over_thickness_out_of_range" in {REASONS[flag] for flag in np.unique(scope)}
+    assert cube["largest_utilisation"].isnull().all()
+    main(["explain", "hoop_tension"])
+    assert "t/r <= 0.05" in capsys.readouterr().out
+
+
+def test_a_thickness_that_the_checks_ask_for_beyond_a_thin_wall_is_masked():
+    """Soft steel under much wheat: hoop tension asks for 1.15 of 30 m, membrane yield for more than r/20."""
+    wide = {"plan": "circular", "diameter_m": 60.0, "slenderness": 4.0}
+    cube = cube_of(rules=("classical",), silo=wide, steel={"yield_stress_MPa": 15.0}).isel(relative_depth=-1)
+    assert cube["check_required_thickness"].isnull().values.tolist() == [check == "membrane_yield" for check in CHECKS]
+    assert cube["required_thickness"].isnull().all()
+    assert REASONS[int(cube["required_thickness_scope"].squeeze())] == "radius_over_thickness_out_of_range"
