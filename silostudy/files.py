@@ -131,6 +131,13 @@ def check_writable(folder: Path) -> None:
         raise BadInput("results folder", str(folder), "cannot be written")
 
 
+def check_folder(folder: Path) -> None:
+    """BadInput unless files can be written into a folder, without making it."""
+    if folder.exists() and not folder.is_dir():
+        raise BadInput("results folder", str(folder), "is a file")
+    check_writable(folder)
+
+
 def check_output(path: Path, read: Iterable[Path] = ()) -> None:
     """BadInput unless a file can be written there, without writing it, and it is none of the files that are read."""
     check_writable(path.parent)

@@ -1,6 +1,7 @@
 """From a scene file to a cube: the command, restart, refusals, events, effects."""
 
 import copy
+import re
 from dataclasses import replace
 from pathlib import Path
 
@@ -343,3 +344,22 @@ def test_paraview(small, tmp_path):
     assert len(discs.points) == len(run.engine.model.x)
     assert np.all(discs.point_data["radius"] == 0.01)
     assert len(forces.cells_dict["line"]) == len(run.recording.snapshots[0]["pairs"])
+
+
+@pytest.mark.parametrize(
+    ("name", "told"),
+    [
+        ("run.checkpoint", "is where the checkpoints go"),
+        ("run", "is the folder of the files for ParaView"),
+        ("taken.nc", "taken.*is a file"),
+    ],
+)
+def test_what_a_run_writes_has_places_of_its_own(name, told, tmp_path, capsys):
+    """Else the last checkpoint would go with the result, or ParaView's folder fail when the run has ended."""
+    record = SMALL["record"] | {"checkpoint_every_s": 0.01, "paraview": True}
+    (tmp_path / "scene.yaml").write_text(yaml.safe_dump(SMALL | {"record": record}))
+    (tmp_path / "taken").touch()
+    assert main(["dem", str(tmp_path / "scene.yaml"), str(tmp_path / name)]) == 2
+    (line,) = capsys.readouterr().err.splitlines()
+    assert re.search(told, line)
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["scene.yaml", "taken"]
