@@ -88,8 +88,8 @@ def _needed(cube: xr.Dataset) -> xr.Dataset:
     static, shaken = "required_thickness", "earthquake_required_thickness"
     judged = ~rules.unjudged(cube, static).any("depth"), ~rules.unjudged(cube, shaken).any(["side", "depth"])
     needed = cube[static].max("depth").where(judged[0])
-    with_earthquake = np.fmax(needed, cube[shaken].max(["side", "depth"]))
-    return xr.Dataset({"static": needed, "shaken": with_earthquake.where(judged[0] & judged[1])})
+    with_earthquake = cube[shaken].max(["side", "depth"]).where(judged[0] & judged[1])
+    return xr.Dataset({"static": needed, "shaken": with_earthquake.where(~(needed > with_earthquake), needed)})
 
 
 def _masked(one: xr.Dataset) -> list[str]:
