@@ -7,7 +7,7 @@ import pytest
 
 from silostudy.scene.dem import contacts_of, effects
 
-from .test_scene import scene_of
+from .small import scene_of
 
 RATIO, STIFFNESS, DENSITY = 0.1, 9.46e6, 2650.0
 
