@@ -21,8 +21,7 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     """Writes the figure and its numbers, all for the thickest strake (the largest over depth and phases), in mm."""
     rules.demand(cube, "wall_friction_end", ("mean", "upper"))
     level = "relative_depth" if "relative_depth" in cube.dims else "depth"
-    judged = ~rules.unjudged(cube, "required_thickness").any(level)
-    needed = cube["required_thickness"].max(level).where(judged) * 1e3
+    needed = rules.worst(cube, "required_thickness", level) * 1e3
     covered = needed.notnull().any([dim for dim in needed.dims if dim != "pressure_method"])
     kept = {"pressure_method": np.flatnonzero(covered)}
     cube, needed = cube.isel(kept), needed.isel(kept)

@@ -40,6 +40,11 @@ def unjudged(cube: xr.Dataset, name: str) -> xr.DataArray:
     return cube[name].isnull() & (flags != 0) & (flags != loadless(flags))
 
 
+def worst(cube: xr.Dataset, name: str, dims: str | list[str]) -> xr.DataArray:
+    """The largest over some dimensions; NaN where one of them is not judged, as the rest would look like a sound wall."""
+    return cube[name].max(dims).where(~unjudged(cube, name).any(dims))
+
+
 def loadless(flags: xr.DataArray) -> int:
     """The flag that says that a wall has no load, or an unknown one."""
     return flags.attrs["flag_meanings"].split().index(NO_LOAD)

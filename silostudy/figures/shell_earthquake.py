@@ -14,7 +14,7 @@ from silostudy.figures.style import look, save, title
 
 WITHOUT = {"linestyle": (0, (4, 2)), "linewidth": 1.0}
 WITH = {"linestyle": "-", "linewidth": 1.7}
-NEEDED = "buckling rules: thickness that a wall of one thickness needs, without and with the earthquake"
+NEEDED = "buckling rules: thickness that a wall of one thickness needs by {}, without and with the earthquake"
 SIDES = {"pressed": "#B2182B", "lifted": "#2166AC"}
 PRESSURES = {"pressed": ("upper_internal_pressure", "largest"), "lifted": ("lower_internal_pressure", "smallest guaranteed")}
 
@@ -35,7 +35,8 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     panels[2].set_title(f"{title(cube, first)}, worst phase and side", fontsize=9)
     methods = [Line2D([], [], label=title(cube, key), **look(cube, key)) for key in map(str, cube["pressure_method"].values)]
     figure.legend(handles=methods, loc="outside lower left", ncols=1, fontsize=8, title="pressure methods")
-    figure.legend(handles=_rules(cube, first), loc="outside lower right", ncols=2, fontsize=8, title=NEEDED)
+    needed = NEEDED.format(title(cube, first))
+    figure.legend(handles=_rules(cube, first), loc="outside lower right", ncols=2, fontsize=8, title=needed)
     figure.suptitle("\n".join([_head(cube), *_masked(cube.sel(pressure_method=first))]), fontsize=10)
     save(figure, _numbers(cube), stem)
 
@@ -66,8 +67,8 @@ def _utilisations(panel, one: xr.Dataset) -> None:
         here = one.sel({"rule": rule})
         marks = {"color": rules.look(one, rule)["color"], "marker": str(here["rule_marker"].values), "markersize": 5}
         marks["markevery"] = max(1, len(z) // 8)
-        panel.plot(here["utilisation"].max("phase"), z, **marks, **WITHOUT)
-        panel.plot(here["earthquake_utilisation"].max(["phase", "side"]), z, **marks, **WITH)
+        panel.plot(rules.worst(here, "utilisation", "phase"), z, **marks, **WITHOUT)
+        panel.plot(rules.worst(here, "earthquake_utilisation", ["phase", "side"]), z, **marks, **WITH)
     panel.axvline(1, color="black", linewidth=0.8)
 
 
@@ -85,11 +86,9 @@ def _rules(cube: xr.Dataset, method: str) -> list[Line2D]:
 
 def _needed(cube: xr.Dataset) -> xr.Dataset:
     """Thickness (m) that a wall of one thickness needs, static and with the earthquake; NaN where a depth is not judged."""
-    static, shaken = "required_thickness", "earthquake_required_thickness"
-    judged = ~rules.unjudged(cube, static).any("depth"), ~rules.unjudged(cube, shaken).any(["side", "depth"])
-    needed = cube[static].max("depth").where(judged[0])
-    with_earthquake = cube[shaken].max(["side", "depth"]).where(judged[0] & judged[1])
-    return xr.Dataset({"static": needed, "shaken": with_earthquake.where(~(needed > with_earthquake), needed)})
+    static = rules.worst(cube, "required_thickness", "depth")
+    shaken = rules.worst(cube, "earthquake_required_thickness", ["side", "depth"])
+    return xr.Dataset({"static": static, "shaken": shaken.where(~(static > shaken), static)})
 
 
 def _masked(one: xr.Dataset) -> list[str]:
@@ -114,10 +113,10 @@ def _numbers(cube: xr.Dataset) -> pd.DataFrame:
 
     The thickness (mm) is for the whole wall.
     """
-    shown = {"static": cube["utilisation"].max("phase")}
+    shown = {"static": rules.worst(cube, "utilisation", "phase")}
     for side in map(str, cube["side"].values):
-        shown[side] = cube["earthquake_utilisation"].sel(side=side, drop=True).max("phase")
-    shown["worst_side"] = cube["earthquake_utilisation"].max(["phase", "side"])
+        shown[side] = rules.worst(cube.sel(side=side, drop=True), "earthquake_utilisation", "phase")
+    shown["worst_side"] = rules.worst(cube, "earthquake_utilisation", ["phase", "side"])
     shown["axial_wall_force"] = cube["axial_wall_force"].max("phase")
     shown["earthquake_axial_wall_force"] = cube["earthquake_axial_wall_force"].sel(side="pressed", drop=True).max("phase")
     for side, (name, _) in PRESSURES.items():

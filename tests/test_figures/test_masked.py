@@ -15,6 +15,7 @@ from silostudy.figures import (
     required_thickness,
     shell_earthquake,
     shell_summary,
+    silo_pressures,
 )
 from tests.conftest import ROOT
 from tests.test_figures.small_cubes import cube_of, cubes_of
@@ -75,8 +76,12 @@ def test_thickness_of_a_wall_not_judged_is_not_shown(tmp_path, kept):
 def test_shaken_wall_says_where_it_is_not_judged(tmp_path, kept):
     where = {"rule": "miller1977", "pressure_method": "janssen", "side": "pressed", "depth": 20.0}
     (cube,) = cubes_of("shell_earthquake")
+    cube = masked(cube, "earthquake_utilisation", where)
     shell_earthquake.draw(masked(cube, "earthquake_required_thickness", where), tmp_path / "shaken")
     assert "earthquake required thickness masked (hoop stress at yield) at Miller (1977) 1 of 322 depths" in head(kept[0])
+    full = kept[0].axes[2].lines[1].get_xdata()  # Miller's, whose pressed side is masked at the foot: not the lifted one's
+    assert np.isnan(full[-1])
+    assert np.isfinite(full[:-1]).all()
     assert "mm, masked" in " ".join(text.get_text() for text in kept[0].legends[1].get_texts())
 
 
@@ -101,3 +106,12 @@ def test_compare_shows_the_shaken_wall(capsys):
     used = max(float(one["earthquake_utilisation"].max()), float(one["earthquake_strake_utilisation"].max()))
     needed = float(one["earthquake_required_thickness"].max()) * 1e3
     assert line.split()[2:] == [f"{needed:.2f}", "mm", "buckling", "pressed", f"{used:.3f}", "buckling", "pressed"]
+
+
+def test_pressures_of_several_sets_are_no_single_state(tmp_path, kept):
+    (cube,) = cubes_of("silo_pressures")
+    silo_pressures.draw(cube, tmp_path / "silo")
+    starred = {panel.get_title().split(":2006")[0] for panel in kept[0].axes if "*" in panel.get_title()}
+    assert starred == {"EN 1991-4"}
+    assert "each by their own set of characteristic values" in head(kept[0])
+    assert not silo_pressures.of_sets(cube_of("wheat-silo-today", "pressure"), "en1991_4_mean")
