@@ -91,6 +91,16 @@ def test_mu_cut_to_tan_phi_is_told_and_may_stay_uncut():
     assert on_wall(uncut, "wall_friction_traction", depth=9.0) > on_wall(cut, "wall_friction_traction", depth=9.0)
 
 
+def test_a_mean_mu_cut_to_tan_phi_is_told_in_every_set():
+    """A mean of 0.9 is cut to tan 30 before a_mu: the sets of cylinder and hopper come from that, and say so."""
+    rough = {"wall_friction": 0.9, "hopper_wall_friction": 0.9}
+    one = cube_of(hopper=CONE, properties=rough).sel(pressure_method="en1991_4", phase="filling")
+    for place in ("wall_normal_pressure", "hopper"):
+        values = one.sel(used_for=place)
+        found = [float(values[f"used_wall_friction{end}"]) for end in ("", "_uncapped", "_capped")]
+        assert found == pytest.approx([np.tan(np.pi / 6) / 1.16, 0.9 / 1.16, 1])
+
+
 def test_the_patch_of_a_circle_is_masked_elsewhere_and_a_band_goes_round_other_plans():
     square = cube_of({"plan": "square", "width_m": 4.0, "cylinder_depth_m": 18.0})
     for name in ("patch_resultant", "patch_pressure", "patch_depth"):
