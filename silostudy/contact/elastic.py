@@ -102,6 +102,13 @@ def contact_radius(touch):
 
 
 @register_jitable
+def shrinking(touch):
+    """Radius of a contact over that of a step before (1) where it unloads, one where it loads."""
+    before = touch.overlap - touch.closing * touch.dt
+    return np.sqrt(touch.overlap / before) if before > touch.overlap else 1.0
+
+
+@register_jitable
 def dashpot(damping, touch):
     """Damping (N s/m) of a contact whose restitution is the same at every speed: by the root of mass and contact radius."""
     return damping * np.sqrt(touch.mass * contact_radius(touch))
