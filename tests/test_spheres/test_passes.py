@@ -1,6 +1,6 @@
 """The vector passes and the surfaces of space against their meaning in plain Python."""
 
-from math import hypot, pi
+from math import hypot, pi, sqrt
 
 import numpy as np
 import pytest
@@ -11,6 +11,7 @@ from silostudy.dem.cache import OPTIONS
 from silostudy.dem.space import lanes as of_lanes
 from silostudy.dem.space.felt import flat_frame, turned_frame
 from silostudy.dem.space.lanes import HISTORIES, NEW, OLD, STRETCH
+from silostudy.dem.space.motion import carry
 from silostudy.dem.space.surfaces import OUT_OF_REACH, nearest
 from silostudy.dem.space.walls import FlatPiece, TurnedLine, walls_of
 from silostudy.errors import BadInput
@@ -140,3 +141,13 @@ def test_places_on_a_surface():
 def test_surfaces_that_are_none(make, message):
     with pytest.raises(BadInput, match=message):
         make()
+
+
+def test_a_history_turns_with_its_contact():
+    """Into the plane across the new normal, as long as before; one along the normal is lost."""
+    normal = np.array([2.0, -1.0, 2.0]) / 3.0
+    turned = np.array(carry((3.0, 1.0, -2.0), tuple(normal)))
+    assert turned @ normal == pytest.approx(0.0, abs=1e-14)
+    assert np.linalg.norm(turned) == pytest.approx(sqrt(14.0), rel=1e-14)
+    assert carry(tuple(5.0 * normal), tuple(normal)) == pytest.approx((0.0, 0.0, 0.0), abs=1e-14)
+    assert carry((0.0, 0.0, 0.0), tuple(normal)) == (0.0, 0.0, 0.0)

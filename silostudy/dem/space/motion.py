@@ -43,6 +43,8 @@ from silostudy.dem.space.lanes import (
     take,
 )  # fmt: skip
 
+UPRIGHT = 1e-12  # square of the sine below which a history counts as along the normal: the rest is rounding
+
 
 def three(lane: int) -> Callable:
     """Function that gives the three numbers of contact k that stand in lanes after each other.
@@ -134,10 +136,11 @@ def rates(unequal: bool):
 
 @register_jitable(forceinline=True)
 def carry(old, normal):
-    """A history turned into the plane across the normal, as long as before."""
+    """A history turned into the plane across the normal, as long as before; of one along the normal nothing is left."""
     new = across(old, normal)
     before, after = dot(old, old), dot(new, new)
-    factor = sqrt(before / (after if after > 0.0 else 1.0))
+    stands = after > UPRIGHT * before
+    factor = sqrt((before if stands else 0.0) / (after if stands else 1.0))
     return factor * new[0], factor * new[1], factor * new[2]
 
 
