@@ -12,6 +12,7 @@ from silostudy.dem.model import Contact
 from silostudy.dem.pieces import Laws
 from silostudy.dem.space.model import SphereModel
 from silostudy.dem.space.walls import TurnedLine
+from silostudy.tables.constants import ROUNDED_GRAVITY
 
 DIAMETER, DENSITY = 0.004, 2500.0  # m, kg/m3: glass beads
 MODULUS, POISSON = 1e7, 0.2  # Pa: softened, as is usual
@@ -67,5 +68,5 @@ def bin_of_spheres(count: int, wide: float) -> SphereModel:
     return SphereModel(
         x=place[:, 0], y=place[:, 1], z=place[:, 2], radius=np.full(count, 0.5 * DIAMETER), density=DENSITY,
         walls=walls_of(wide, high), pair_contact=contact_of("pair"), wall_contact=contact_of("wall"), dt=STEP,
-        gravity=(0.0, 0.0, -9.81),
+        gravity=(0.0, 0.0, -ROUNDED_GRAVITY),
     )  # fmt: skip
