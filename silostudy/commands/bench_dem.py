@@ -4,6 +4,7 @@ import os
 import subprocess
 import sys
 import time
+from pathlib import Path
 from typing import Any
 
 from silostudy.accuracy.silo import LEVELS, OPEN, silo_of_rows
@@ -18,19 +19,31 @@ BATCH_OF_PEER = 3
 
 
 def run(chosen) -> None:
-    import pandas as pd
+    with_peer = has_peer()
+    rows = [row for name in SIZES for row in compare(name, with_peer)]
+    rows += threads() + large(rows) + batch(with_peer) + memory() + start_up()
+    show(rows, chosen.output)
 
+
+def has_peer() -> bool:
+    """Whether LAMMPS can be timed here; says why where it cannot."""
     from silostudy.accuracy.peers import available
-    from silostudy.figures.style import save_table
 
     missing = available()
     if missing:
         print(f"{missing}: its rows are left out")
-    rows = [row for name in SIZES for row in compare(name, not missing)]
-    rows += threads() + large(rows) + batch(not missing) + memory() + start_up()
+    return not missing
+
+
+def show(rows: list[dict], output: Path) -> None:
+    """Print the table of a bench and write it."""
+    import pandas as pd
+
+    from silostudy.figures.style import save_table
+
     table = pd.DataFrame(rows)
     print(table.to_string(index=False, float_format=lambda value: f"{value:.4g}"))
-    save_table(table, chosen.output)
+    save_table(table, output)
 
 
 class Ours:

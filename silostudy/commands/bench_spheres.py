@@ -3,7 +3,7 @@
 import time
 
 from silostudy.accuracy.bin_of_spheres import DIAMETER, PLUG, bin_of_spheres
-from silostudy.commands.bench_dem import in_turn
+from silostudy.commands.bench_dem import has_peer, in_turn, show
 
 # spheres, radius of the bin (m), steps that settle, steps a turn
 SIZES = {"5 thousand": (5_000, 0.05, 30_000, 1_000), "50 thousand": (50_000, 0.108, 30_000, 100)}
@@ -14,19 +14,8 @@ CHEAPER = "gran/hertz/history"  # a law of the peer without a restitution
 
 
 def run(chosen) -> None:
-    import pandas as pd
-
-    from silostudy.accuracy.peers import available
-    from silostudy.figures.style import save_table
-
-    missing = available()
-    if missing:
-        print(f"{missing}: its rows are left out")
-    sizes = SIZES | (MOST if chosen.most else {})
-    rows = [found for name in sizes for found in compare(name, sizes[name], not missing)] + threads()
-    table = pd.DataFrame(rows)
-    print(table.to_string(index=False, float_format=lambda value: f"{value:.4g}"))
-    save_table(table, chosen.output)
+    with_peer, sizes = has_peer(), SIZES | (MOST if chosen.most else {})
+    show([found for size in sizes.values() for found in compare(size, with_peer)] + threads(), chosen.output)
 
 
 class Ours:
@@ -53,7 +42,7 @@ class Ours:
         return sum(part.pairs.begin[self.engine.blocks_of(part)] for part in self.engine.parts) / self.engine.n
 
 
-def compare(name: str, size: tuple, with_peer: bool) -> list[dict]:
+def compare(size: tuple, with_peer: bool) -> list[dict]:
     """Both codes, settled and discharging, in turn, by CPU time."""
     count, wide, settle, steps = size
     model = bin_of_spheres(count, wide)

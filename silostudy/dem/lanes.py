@@ -8,9 +8,9 @@ Every function here has its meaning in plain Python, and the vector form beside 
 
 from llvmlite import ir
 from numba import types
-from numba.extending import intrinsic, overload
+from numba.extending import intrinsic
 
-from silostudy.dem.vectors import EIGHT, FOUR, WIDTH, base_of, lane_of, load, mix, plus, row_of, store, transpose
+from silostudy.dem.vectors import EIGHT, FOUR, WIDTH, base_of, in_eights, lane_of, load, mix, plus, row_of, store, transpose
 
 X, Y, U, V, W, FX, FY, TORQUE = range(8)  # numbers of a disc's row
 DX, DY, DU, DV, SPIN_SUM, SPIN_DIFFERENCE = range(6)  # lanes of relative motion, first less second
@@ -76,19 +76,5 @@ def _scatter(typing, rows, first, second, start, force, offset):
     return types.void(rows, first, second, start, force, offset), generate
 
 
-@overload(gather)
-def _gather_overload(rows, first, second, start, count, lanes):
-    def eight_at_a_time(rows, first, second, start, count, lanes):
-        for k in range(0, count, WIDTH):
-            _gather(rows, first, second, start + k, lanes, k)  # type: ignore[call-arg]
-
-    return eight_at_a_time
-
-
-@overload(scatter)
-def _scatter_overload(rows, first, second, start, count, force):
-    def eight_at_a_time(rows, first, second, start, count, force):
-        for k in range(0, count, WIDTH):
-            _scatter(rows, first, second, start + k, force, k)  # type: ignore[call-arg]
-
-    return eight_at_a_time
+in_eights(gather, _gather)
+in_eights(scatter, _scatter)

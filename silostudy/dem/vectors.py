@@ -3,8 +3,13 @@
 The compiler does not find them by itself.  A builder writes instructions; a base is a pointer to numbers.
 """
 
+from collections.abc import Callable
+
 from llvmlite import ir
 from numba.core import cgutils
+from numba.extending import overload
+
+from silostudy.dem.cache import named
 
 WIDTH = 8  # contacts taken at a time
 REAL, INDEX, LANE = ir.DoubleType(), ir.IntType(64), ir.IntType(32)
@@ -65,3 +70,17 @@ def transpose(builder, rows):
                 turned[k + distance] = mix(builder, rows[k], rows[k + distance], high)
         rows = turned
     return rows
+
+
+def in_eights(meaning: Callable, instruction: Callable) -> None:
+    """Give an indexed pass that is written in plain Python its compiled form: an instruction for eight contacts, in turn."""
+
+    def eight_at_a_time(rows, first, second, start, count, lanes):
+        for k in range(0, count, WIDTH):
+            instruction(rows, first, second, start + k, lanes, k)
+
+    compiled = named(eight_at_a_time, f"{meaning.__module__}.{meaning.__name__}")
+
+    @overload(meaning)
+    def _compiled(rows, first, second, start, count, lanes):
+        return compiled

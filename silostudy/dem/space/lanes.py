@@ -9,7 +9,7 @@ from llvmlite import ir
 from numba import types
 from numba.extending import intrinsic, overload
 
-from silostudy.dem.vectors import EIGHT, LANE, WIDTH, base_of, lane_of, load, mix, plus, row_of, store, transpose
+from silostudy.dem.vectors import EIGHT, LANE, WIDTH, base_of, in_eights, lane_of, load, mix, plus, row_of, store, transpose
 
 X, Y, Z, U, V, W, P, Q, R, FX, FY, FZ, TX, TY, TZ, SPARE = range(16)  # numbers of a sphere's row
 PLACE, VELOCITY, SPIN, FORCE, TORQUE = (X, Y, Z), (U, V, W), (P, Q, R), (FX, FY, FZ), (TX, TY, TZ)
@@ -146,31 +146,9 @@ def _scatter(typing, rows, first, second, start, force, offset):
     return types.void(rows, first, second, start, force, offset), generate
 
 
-@overload(gather_rolling)
-def _gather_rolling_overload(rows, first, second, start, count, lanes):
-    def eight_at_a_time(rows, first, second, start, count, lanes):
-        for k in range(0, count, WIDTH):
-            _gather_rolling(rows, first, second, start + k, lanes, k)  # type: ignore[call-arg]
-
-    return eight_at_a_time
-
-
-@overload(gather)
-def _gather_overload(rows, first, second, start, count, lanes):
-    def eight_at_a_time(rows, first, second, start, count, lanes):
-        for k in range(0, count, WIDTH):
-            _gather(rows, first, second, start + k, lanes, k)  # type: ignore[call-arg]
-
-    return eight_at_a_time
-
-
-@overload(scatter)
-def _scatter_overload(rows, first, second, start, count, force):
-    def eight_at_a_time(rows, first, second, start, count, force):
-        for k in range(0, count, WIDTH):
-            _scatter(rows, first, second, start + k, force, k)  # type: ignore[call-arg]
-
-    return eight_at_a_time
+in_eights(gather_rolling, _gather_rolling)
+in_eights(gather, _gather)
+in_eights(scatter, _scatter)
 
 
 @overload(bring)
