@@ -12,7 +12,7 @@ from silostudy.config.own import OwnMethods, families_of, key_of, keys_of
 from silostudy.config.scene import SceneConfig
 from silostudy.config.study import BaseStudy, distinct
 from silostudy.pressure import PRESSURE
-from silostudy.pressure.family import PHASES, USUAL_PHASES
+from silostudy.pressure.family import PHASES, USUAL_PHASES, usual
 from silostudy.tables.outputs import OUTPUTS
 
 MethodKey: TypeAlias = key_of(PRESSURE)  # type: ignore[valid-type]
@@ -38,7 +38,7 @@ class PressureStudy(Asked, OwnMethods, BaseStudy):
     materials: str | None = described(
         "CSV file with further solids, relative to the study file, in the columns of the solids table", "", default=None
     )
-    methods: MethodKeys = described("pressure methods, or all", "")
+    methods: MethodKeys = described("pressure methods, or all (but for those that stand on one source alone: name them)", "")
     as_printed: tuple[MethodKey, ...] = described(
         "methods to give a second time with the source's misprints left in", "", default=()
     )
@@ -127,7 +127,7 @@ class PressureStudy(Asked, OwnMethods, BaseStudy):
     @property
     def method_keys(self) -> tuple[str, ...]:
         """The methods asked for, in order."""
-        return tuple(self.family(PRESSURE)) if self.methods == "all" else self.methods
+        return usual(self.family(PRESSURE)) if self.methods == "all" else self.methods
 
     @property
     def depths(self) -> list[float]:

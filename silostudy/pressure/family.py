@@ -60,8 +60,15 @@ CHANNEL_QUANTITIES = {
     "static_friction_traction": "Pa",
     "adjacent_normal_pressure": "Pa",
     "adjacent_friction_traction": "Pa",
+    "channel_resultant": "N m-1",
 }
-CHANNEL_TOTALS = {"channel_half_width": "rad", "channel_eccentricity": "m", "channel_radius": "m"}
+CHANNEL_TOTALS = {
+    "channel_half_width": "rad",
+    "channel_eccentricity": "m",
+    "channel_radius": "m",
+    "channel_shear": "N",
+    "channel_moment": "N m",
+}
 # values that a method reckons with, after caps and factors, by what it reckons
 USED = {
     "unit_weight": "N m-3",
@@ -158,6 +165,7 @@ class PressureMethod(Row):
     varies: parameters that the method itself takes at several values: no switch of the scene moves them.
     not_computed: what the source treats and the method leaves out, for want of checked formulas.
     table_key: method under which the tables keep its own values, where several rows share them.
+    on_request: stands on one source alone, so that `all` leaves it out and a study has to name it.
     number: how the handbook numbers the curve in Fig. 4.2.11; empty where it is not in that figure.
     initial_state: from which state in the hopper the switch to flow starts.
     drawn: one of DRAWN: how a figure that compares many methods shows it; drawn_as_printed: how its reading with misprints.
@@ -170,6 +178,7 @@ class PressureMethod(Row):
     validity: str
     colour: str
     marker: str
+    on_request: bool = False
     number: str = ""
     drawn: str = "curve"
     drawn_as_printed: str = "none"
@@ -234,6 +243,11 @@ class PressureMethod(Row):
         for name, function, unit, place in _functions(self):
             faults = list(faults_of_function(name, function, unit, parameters_of(function), PARAMETERS))
             yield from faults or faults_of_trial(name, lambda f=function, at=place: _tried(f, at))  # type: ignore[misc]
+
+
+def usual(rows: Mapping[str, PressureMethod]) -> tuple[str, ...]:
+    """Keys of the methods that the word all stands for."""
+    return tuple(key for key, row in rows.items() if not row.on_request)
 
 
 def _faults_of_names(row: PressureMethod) -> Iterator[str]:

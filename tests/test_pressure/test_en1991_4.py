@@ -223,3 +223,53 @@ def test_table_e1():
     assert (wheat.a_phi, wheat.lateral_pressure_ratio, wheat.a_K, wheat.a_mu) == (1.12, 0.54, 1.11, 1.16)
     assert (wheat.d1, wheat.d2, wheat.d3, wheat.patch_factor) == (0.24, 0.38, 0.57, 0.5)
     assert len([row for row in SOLIDS.values() if row.source == "en1991_4_2006"]) == 25
+
+
+ECCENTRIC = [key for key, row in PRESSURE.items() if row.channel]
+
+
+def round_the_ring(method, size, z, scene=SLENDER):
+    """(angles, pressures) round the wall at depth z (m), the zones of wall put together from what the method gives."""
+    channel = PRESSURE[method].channel["discharge"]
+    here = scene | {"channel_size": size}
+    p_c, p_s, p_a = (
+        float(call(channel[f"{zone}_normal_pressure"], np.float64(z), here)) for zone in ("channel", "static", "adjacent")
+    )
+    theta = float(call(channel["channel_half_width"], None, here))
+    angles = np.linspace(-np.pi, np.pi, 400_001)
+    return angles, np.select([abs(angles) < theta, abs(angles) < 2 * theta], [p_c, p_a], p_s), p_s
+
+
+@pytest.mark.parametrize("method", ECCENTRIC)
+@pytest.mark.parametrize("size", CHANNEL_SIZES)
+def test_zones_of_a_channel_in_equilibrium_round_the_ring(method, size):
+    """The mean round the ring is the static pressure; what is left is the horizontal resultant that the method gives."""
+    angles, pressure, static = round_the_ring(method, size, 9.0)
+    assert np.trapezoid(pressure, angles) / (2 * np.pi) == pytest.approx(static, rel=1e-4)
+    push = -np.trapezoid(pressure * np.cos(angles), angles) * 2.5
+    found = call(PRESSURE[method].channel["discharge"]["channel_resultant"], np.float64(9.0), SLENDER | {"channel_size": size})
+    assert float(found) == pytest.approx(push, rel=1e-3)
+    assert push > 0
+
+
+@pytest.mark.parametrize("method", ECCENTRIC)
+@pytest.mark.parametrize(("depth", "contact"), [(12.0, 0.0), (6.0, 0.5)])
+def test_shear_and_moment_of_a_channel_are_the_integrals_of_its_resultant(method, depth, contact):
+    channel = PRESSURE[method].channel["discharge"]
+    scene = SLENDER | {"channel_size": 0.4, "cylinder_depth": depth, "contact_depth": contact}
+    level = lambda z: float(call(channel["channel_resultant"], np.float64(z), scene))  # noqa: E731
+    shear, moment = (float(call(channel[f"channel_{name}"], None, scene).squeeze()) for name in ("shear", "moment"))
+    assert shear == pytest.approx(quad(level, contact, depth)[0], rel=1e-8)
+    assert moment == pytest.approx(quad(lambda z: level(z) * (depth - z), contact, depth)[0], rel=1e-8)
+
+
+def test_the_friction_set_has_the_larger_axial_force_and_the_normal_set_the_larger_pressure():
+    normal, friction = (
+        {
+            name: float(call(PRESSURE[method].channel["discharge"][name], np.float64(11.0), SLENDER | {"channel_size": 0.6}))
+            for name in ("static_normal_pressure", "static_friction_traction")
+        }
+        for method in ("en1991_4_eccentric", "en1991_4_eccentric_friction")
+    )
+    assert normal["static_normal_pressure"] > friction["static_normal_pressure"]
+    assert normal["static_friction_traction"] < friction["static_friction_traction"]

@@ -20,7 +20,7 @@ USUAL = {name: value for name, (_, _, value) in PARAMETERS.items()} | {
     "top_cone_height": 0.5, "contact_depth": 0.5 / 3, "hopper_half_angle": np.radians(30.0), "hopper_wall_friction": 0.5,
 }  # fmt: skip
 OWN = {
-    "en1991_4_eccentric": {"outlet_eccentricity": 1.5, "filling_eccentricity": 1.5},
+    **{key: {"outlet_eccentricity": 1.5, "filling_eccentricity": 1.5} for key, row in PRESSURE.items() if row.channel},
     "jenike_funnel_1973": {"cylinder_depth": 30.0, "outlet_depth": 30.0, "channel_half_angle": np.radians(8.0)},
 }
 SQUAT = {"h_o/z_o": {"cylinder_depth": 6.0}}  # limits that hold for some silos only
