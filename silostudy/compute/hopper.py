@@ -117,22 +117,33 @@ def _contents(parameters: Mapping) -> np.ndarray:
 
 
 def _wall_force(row: PressureMethod, phase: str, parameters: Mapping) -> np.ndarray:
-    """Vertical force (N) on the hopper wall, in two parts that meet at the peak of the pressure, where it has a kink."""
+    """Vertical force (N) on the hopper wall, of a rectangle on both pairs of walls.
+
+    In two parts that meet at the peak of the pressure, where it has a kink.
+    """
     top, bottom = heights(parameters)
     peak = row.totals[phase].get("peak_height")
     middle = (top + bottom) / 2 if peak is None else np.clip(call(peak, None, parameters), bottom, top)
 
-    def pressures(x):
-        wall = _of_wall(row, phase, x, parameters)
-        return wall["hopper_normal_pressure"][0], wall["hopper_friction_traction"][0]
+    def force(side, slope):
+        def pressures(x):
+            wall = _of_wall(row, phase, x, parameters)
+            return [wall[f"hopper_{side}{quantity}"][0] for quantity in ("normal_pressure", "friction_traction")]
 
-    return hopper_wall_force(pressures, (bottom, middle), parameters) + hopper_wall_force(pressures, (middle, top), parameters)
+        return sum(hopper_wall_force(pressures, part, parameters, slope) for part in ((bottom, middle), (middle, top)))
+
+    slope, ratio = np.tan(parameters["hopper_half_angle"]), parameters["end_ratio"]
+    whole = force("", slope)
+    if "hopper_end_normal_pressure" not in row.hopper[phase]:
+        return whole
+    ends, share = force("end_", ratio * slope), (1 / (1 + ratio))[..., 0]  # in the perimeter; NaN where none is flatter
+    return np.where(np.isnan(ends), whole, (1 - share) * whole + share * ends)
 
 
 def _shape(parameters: Mapping) -> dict:
     """The hopper's dimensions and its flow pattern by the mass-flow limit, (axes...)."""
     friction = parameters["effective_friction_angle"], parameters["hopper_wall_friction"]
-    pattern = mass_flow.flow_pattern(parameters["hopper_half_angle"], *friction, parameters["slot"])
+    pattern = mass_flow.flow_pattern(parameters["hopper_half_angle"], *friction, parameters["circular"])
     found = {
         "hopper_height": heights(parameters)[0],
         "hopper_half_angle": parameters["hopper_half_angle"],

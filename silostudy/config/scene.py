@@ -20,8 +20,15 @@ WallKey: TypeAlias = Literal[tuple(WALLS)]  # type: ignore[valid-type]
 class Hopper(Strict):
     """A hopper below the cylinder."""
 
-    half_angle_deg: float = described("hopper half angle from the vertical", "deg", **possible("half_angle_deg"))
-    outlet_width_m: float = described("inner width (diameter) of the outlet; 0: the apex", "m", ge=0, default=0.0)
+    half_angle_deg: float = described(
+        "hopper half angle from the vertical: of a cone, a pyramid or a wedge; below a rectangle that of the long walls, which "
+        "the end walls meet in one apex",
+        "deg",
+        **possible("half_angle_deg"),
+    )
+    outlet_width_m: float = described(
+        "inner width (diameter) of the outlet, below a rectangle its shorter side; 0: the apex", "m", ge=0, default=0.0
+    )
     wall: WallKey | None = described("wall kind of the hopper; null: as the cylinder's", "", default=None)
 
 

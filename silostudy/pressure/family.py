@@ -25,6 +25,8 @@ HOPPER_QUANTITIES = {
     "hopper_normal_pressure": "Pa",
     "hopper_friction_traction": "Pa",
     "hopper_vertical_pressure": "Pa",
+    "hopper_end_normal_pressure": "Pa",
+    "hopper_end_friction_traction": "Pa",
     "switch_force": "N",
 }
 # one number for the whole silo; the last ones are the numbers behind the others
@@ -88,7 +90,9 @@ SLOT = frozenset({"slot"})
 ANY_PLAN = frozenset(PLANS)
 CELLS = ANY_PLAN - SLOT
 CIRCULAR = frozenset({"circular"})
-WITH_HOPPER = CIRCULAR | SLOT  # a cone or a wedge below
+CONE_OR_WEDGE = CIRCULAR | SLOT
+PYRAMID = frozenset({"square", "rectangular"})
+WITH_HOPPER = CONE_OR_WEDGE | PYRAMID
 
 # Every parameter a method may ask for: (unit, symbol, a usual value); the scene room provides them by these names.
 PARAMETERS = {
@@ -116,6 +120,7 @@ PARAMETERS = {
     "perimeter": ("m", "U", 15.708),
     "circular": ("1", "plan is a circle", 1.0),
     "slot": ("1", "1 - m", 0.0),
+    "end_ratio": ("1", "L/D of a rectangle", 1.0),
     "hopper_half_angle": ("rad", "theta, beta", 0.4),
     "hopper_wall_friction": ("1", "mu_h = tan phi'", 0.3),
     "outlet_width": ("m", "B", 0.5),
@@ -216,7 +221,7 @@ class PressureMethod(Row):
         return "; ".join((*dict.fromkeys(limit.words() for limit in self.limits), self.validity))
 
     def covers(self, quantity: str) -> frozenset[str]:
-        """Plans for which the method gives a quantity; below a circle lies a cone, below a slot a wedge."""
+        """Plans for which the method gives a quantity; below a circle lies a cone, a slot a wedge, a rectangle a pyramid."""
         plans = self.plans_of.get(quantity, self.plans)
         return plans & WITH_HOPPER if quantity in HOPPER_QUANTITIES or quantity in OF_HOPPER else plans
 

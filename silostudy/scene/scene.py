@@ -119,6 +119,7 @@ def geometry_parameters(scene: Scene) -> dict[str, float]:
         **{name: getattr(silo, name) for name in names},
         "circular": float(silo.plan == "circular"),
         "slot": float(silo.plan == "slot"),
+        "end_ratio": silo.length / silo.diameter if silo.plan == "rectangular" else 1.0,
         "hopper_half_angle": silo.hopper.half_angle if silo.hopper else nan,
         "outlet_width": silo.hopper.outlet_width if silo.hopper else nan,
         "contact_depth": silo.contact_depth,

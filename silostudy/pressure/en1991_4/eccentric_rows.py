@@ -146,7 +146,8 @@ NOT_COMPUTED = (
 SAID = (
     "a separate load case beside symmetric discharge; its pressures are local: wall_normal_pressure is that of the adjacent "
     "zone, the largest of the three channels, which do not hang on how eccentric the outlet is; friction from one program; "
-    "static pressures of squat silos from one program; printed standard not seen; no published numbers: checked against geometry"
+    "static pressures of squat silos from one program; printed standard not seen; no published numbers: checked "
+    "against geometry"
 )
 ROWS = (
     case(

@@ -67,6 +67,8 @@ HOPPER = Limit(
         "hopper_normal_pressure",
         "hopper_friction_traction",
         "hopper_vertical_pressure",
+        "hopper_end_normal_pressure",
+        "hopper_end_friction_traction",
         "outlet_force",
         "hopper_steep",
         "hopper_effective_friction",

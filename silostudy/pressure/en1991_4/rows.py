@@ -19,8 +19,7 @@ COMMON: dict[str, Any] = {
 LEFT_OUT = (
     "retaining silos (h_c/d_c <= 0.4): masked",
     "the simplified rules of action assessment class 1, and which class asks for which load case: the user chooses",
-    "the bottom load magnifier C_b on the vertical load (three public programs take 1.0, 1.0 and 1.2; here 1.0), flat bottoms, "
-    "pyramidal hoppers",
+    "the bottom load magnifier C_b on the vertical load (three public programs take 1.0, 1.0 and 1.2; here 1.0), flat bottoms",
     "thick-walled patch loads, the uniform increase in place of patches, rapid filling, temperature, entrained air, silage, "
     "earthquake",
     "the patch factor of discharge jumps by two at h_c/d_c = 1.2, where one public program's form for squat silos ends: not "
@@ -29,7 +28,7 @@ LEFT_OUT = (
 FORMULA = (
     "p_hf = gamma R/mu (1 - exp(-z/z_o)), z_o = R/(K mu), for h_c/d_c >= 2, below it a power law from the highest wall contact "
     "h_o down; discharge times C_h, C_w; hopper p_v = gamma h/(n - 1) [x/h - (x/h)^n] + p_vft (x/h)^n, p_n = F p_v, "
-    "n = S (F mu cot beta + F - 1), S = 2 for a cone, 1 for a wedge"
+    "n = S (F mu cot beta + F - 1), S = 2 for a cone or a square pyramid, 1 for a wedge; the sum over both pairs of a rectangle"
 )
 SEEN = "printed standard not seen; no published numbers: checked in 50-digit arithmetic and by equilibrium"
 OF_HOPPER = {phase: {ON_HOPPER: used(f"hopper_{phase}", "hopper_wall_friction")} for phase in USUAL_PHASES}
@@ -42,7 +41,7 @@ DESIGN = PressureMethod(
     hopper={phase: in_hopper.pressures(phase) for phase in USUAL_PHASES},
     totals={phase: in_hopper.totals(phase) | patches.totals(phase) | on_wall.numbers(phase) for phase in USUAL_PHASES},
     limits=(*limits.ALL, limits.HOPPER),
-    plans_of=patches.PLANS,
+    plans_of=patches.PLANS | in_hopper.PLANS,
     values={
         **{quantity: described(name) for quantity, name in on_wall.DESIGN_SETS.items()},
         "hopper in filling": described("hopper_filling"),
