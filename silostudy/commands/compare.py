@@ -60,8 +60,8 @@ def run(chosen: argparse.Namespace) -> None:
         expansion = expand(_study(chosen), "compare", "compare", Path())
     cube = pressure_cube(expansion)
     balanced = {method.label: method.row.equilibrium for method in methods_of(expansion)}
-    lines = [*table(cube, balanced), *silences(cube), *hopper_table(cube), *channel_table(cube), *values_used(cube)]
-    lines += cautions(expansion)
+    lines = [*table(cube, balanced), *silences(cube), *hopper_table(cube), *channel_table(cube), *class_told(cube)]
+    lines += [*values_used(cube), *cautions(expansion)]
     print("\n".join(lines))
     if chosen.figure:
         from silostudy.figures.comparison_today import draw
@@ -198,7 +198,17 @@ def channel_table(cube: "xr.Dataset") -> list[str]:
                 pressures = "".join(f"{float(one[f'{zone}_normal_pressure'][-1]) / 1e3:9.2f}" for zone in zones)
                 forces = "".join(f"{float(one[f'channel_{name}']) / 1e3:12.1f}" for name in ("shear", "moment"))
                 lines.append(f"{method}, k_c {size:.2f}, within {edge:.1f}, to {2 * edge:.1f} deg{pressures}{forces}")
-    return lines
+    return lines if len(lines) > 1 else []
+
+
+def class_told(cube: "xr.Dataset") -> list[str]:
+    """The least action assessment class by capacity and outlet, where a method judges it."""
+    from numpy import fmax
+
+    if "least_assessment_class" not in cube:
+        return []
+    least = float(fmax.reduce(cube["least_assessment_class"].values, axis=None))
+    return [f"action assessment class of EN 1991-4: {least:.0f} or higher"] if isfinite(least) else []
 
 
 def values_used(cube: "xr.Dataset") -> list[str]:

@@ -3,7 +3,7 @@
 
 def explanation(row) -> list[str]:
     """The lines that explain a method."""
-    from silostudy.pressure.family import PARAMETERS
+    from silostudy.pressure.parameters import PARAMETERS
     from silostudy.tables.handbook import errata
     from silostudy.tables.references import with_locator
 

@@ -60,6 +60,19 @@ class AnySilo(Strict):
         "half angle of the flow channel from the vertical, for funnel flow; null: not known", "deg", gt=0, lt=90, default=None
     )
 
+    action_assessment_class: Literal[1, 2, 3] | None = described(
+        "action assessment class of EN 1991-4: 1 the simplified rules may serve, 3 large eccentric discharge is a load case; "
+        "null: not declared, the least one by capacity and outlet counts (`least_assessment_class`)",
+        "",
+        default=None,
+    )
+    dynamic_bottom_load: bool = described(
+        "whether the solid may act dynamically on hopper or floor, as in slender silos with solids of more than low cohesion "
+        "or of interlocking grains; EN 1991-4 then has C_b = 1.2 in place of 1.0 (one source)",
+        "",
+        default=False,
+    )
+
     @model_validator(mode="after")
     def _one_depth(self) -> Self:
         if (self.cylinder_depth_m is None) == (self.slenderness is None):

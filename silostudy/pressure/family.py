@@ -8,6 +8,7 @@ import numpy as np
 from silostudy.catalogue import Row
 from silostudy.pressure.calls import asking, call, first_line, parameters_of
 from silostudy.pressure.limits import Limit, broken
+from silostudy.pressure.parameters import PARAMETERS
 from silostudy.soundness import check_numbers, faults_of_function, faults_of_look, faults_of_trial
 
 PHASES = ("filling", "switch", "discharge")
@@ -44,7 +45,10 @@ TOTALS = {
     "patch_height": "m",
     "patch_resultant": "N",
     "band_pressure": "Pa",
+    "bottom_pressure": "Pa",
+    "bottom_load_magnifier": "1",
     "slenderness_class": "1",
+    "least_assessment_class": "1",
     "normal_pressure_increase": "1",
     "wall_friction_increase": "1",
     "patch_load_factor": "1",
@@ -93,43 +97,6 @@ CIRCULAR = frozenset({"circular"})
 CONE_OR_WEDGE = CIRCULAR | SLOT
 PYRAMID = frozenset({"square", "rectangular"})
 WITH_HOPPER = CONE_OR_WEDGE | PYRAMID
-
-# Every parameter a method may ask for: (unit, symbol, a usual value); the scene room provides them by these names.
-PARAMETERS = {
-    "unit_weight": ("N m-3", "gamma", 8000.0),
-    "internal_friction_angle": ("rad", "phi", 0.52),
-    "wall_friction": ("1", "mu = tan phi_o", 0.4),
-    "lateral_pressure_ratio": ("1", "K", 0.4),
-    "poisson_ratio": ("1", "nu", 0.3),
-    "hydraulic_radius": ("m", "R = A/U", 1.25),
-    "diameter": ("m", "D", 5.0),
-    "cylinder_depth": ("m", "H", 18.0),
-    "outlet_depth": ("m", "total depth", 20.0),
-    "top_cone_height": ("m", "h", 0.0),
-    "contact_depth": ("m", "h_o", 0.0),
-    "powder": ("1", "grain class", 0.0),
-    "i_phi": ("1", "i", 0.548),
-    "unit_weight_lower": ("N m-3", "gamma lower", 7000.0),
-    "effective_friction_angle": ("rad", "delta", 0.8),
-    "repose_angle": ("rad", "phi_r", 0.6),
-    "a_phi": ("1", "a_phi", 1.12),
-    "a_K": ("1", "a_K", 1.11),
-    "a_mu": ("1", "a_mu", 1.16),
-    "patch_factor": ("1", "C_op", 0.5),
-    "length": ("m", "L", 0.0),
-    "perimeter": ("m", "U", 15.708),
-    "circular": ("1", "plan is a circle", 1.0),
-    "slot": ("1", "1 - m", 0.0),
-    "end_ratio": ("1", "L/D of a rectangle", 1.0),
-    "hopper_half_angle": ("rad", "theta, beta", 0.4),
-    "hopper_wall_friction": ("1", "mu_h = tan phi'", 0.3),
-    "outlet_width": ("m", "B", 0.5),
-    "filling_eccentricity": ("m", "e_f", 0.5),
-    "outlet_eccentricity": ("m", "e_o", 0.5),
-    "sets_capped": ("1", "mu of every set <= tan phi", 1.0),
-    "channel_size": ("1", "k_c", 0.4),
-    "channel_half_angle": ("rad", "of the flow channel", 0.15),
-}
 
 # Why a value is masked: position = flag value in the cube.
 REASONS = (

@@ -112,4 +112,6 @@ def _silo(config: AnySilo, where: str) -> Silo:
         filling_eccentricity=config.filling_eccentricity_m,
         outlet_eccentricity=config.outlet_eccentricity_m,
         channel_half_angle=radians(config.channel_half_angle_deg or nan),
+        assessment_class=config.action_assessment_class or 0,
+        dynamic_bottom=config.dynamic_bottom_load,
     )

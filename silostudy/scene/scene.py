@@ -127,6 +127,9 @@ def geometry_parameters(scene: Scene) -> dict[str, float]:
         "outlet_eccentricity": silo.outlet_eccentricity,
         "sets_capped": float(scene.characteristic_friction == "capped"),
         "channel_half_angle": silo.channel_half_angle,
+        "volume": silo.volume,
+        "assessment_class": float(silo.assessment_class),
+        "dynamic_bottom": float(silo.dynamic_bottom),
     }
 
 

@@ -10,7 +10,7 @@ from scipy.integrate import quad
 from silostudy.errors import BadInput
 from silostudy.pressure import PRESSURE, hopper_shape
 from silostudy.pressure.calls import call
-from silostudy.pressure.en1991_4 import cylinder, eccentric, hopper, patch
+from silostudy.pressure.en1991_4 import classes, cylinder, eccentric, factors, hopper, patch
 from silostudy.pressure.en1991_4.characteristic import characteristic
 from silostudy.pressure.family import CHANNEL_SIZES
 from silostudy.tables.solids import SOLIDS
@@ -47,9 +47,10 @@ def test_power_law_in_fifty_digits(depth, mu, k, repose, contact):
         return
     with mpmath.workdps(60):
         exact = exact_power_law(mpmath.mpf(z), 8e3, 1.25, mu, k, contact, repose)
-    relative = 3e-14 * (1 + z / depth)  # z - h_o itself is rounded
+    left = 1.25 / (1.25 - k * mu * contact)
+    relative = 3e-14 * (left + z / depth)  # z - h_o and R - K mu h_o themselves are rounded
     assert float(found[0]) == pytest.approx(float(exact[0]), rel=relative, abs=0)
-    assert float(found[1]) == pytest.approx(float(exact[1]), rel=3e-14, abs=0)
+    assert float(found[1]) == pytest.approx(float(exact[1]), rel=3e-14 * left, abs=0)
 
 
 @pytest.mark.parametrize("step", [0.0, 1e-15, -1e-15, 1e-12, -1e-12, 1e-8, -1e-8, 1e-4, -1e-4, 0.3, -0.3])
@@ -273,3 +274,48 @@ def test_the_friction_set_has_the_larger_axial_force_and_the_normal_set_the_larg
     )
     assert normal["static_normal_pressure"] > friction["static_normal_pressure"]
     assert normal["static_friction_traction"] < friction["static_friction_traction"]
+
+
+@pytest.mark.parametrize(
+    ("tonnes", "eccentricity", "expected"),
+    [(99, 0.0, 1), (101, 0.4, 2), (999, 0.26, 2), (1001, 0.25, 2), (1001, 0.26, 3), (9999, 0.2, 2), (10_001, 0.0, 3)],
+)
+def test_least_assessment_class(tonnes, eccentricity, expected):
+    given_ = {"volume": tonnes * 1e3 * 9.80665 / 8e3, "unit_weight": 8e3, "diameter": 5.0}
+    assert classes.least_class(**given_, outlet_eccentricity=5 * eccentricity) == expected
+    for declared in (1.0, 2.0, 3.0):
+        taken = classes.class_taken(assessment_class=declared, **given_, outlet_eccentricity=5 * eccentricity)
+        assert taken == declared
+
+
+def test_simplified_factors_of_class_1():
+    """Slender, e = 0.1 d_c: C_h = 1.15 + 1.5 * 1.04 * C_op; between squat and slender nothing is given."""
+    off_axis = {"filling_eccentricity": 0.5, "outlet_eccentricity": 0.2, "diameter": 5.0}
+    assert factors.simplified_normal_factor(patch_factor=0.5, **off_axis, cylinder_depth=10.0) == pytest.approx(1.93)
+    assert factors.simplified_friction_factor(**off_axis, cylinder_depth=10.0) == pytest.approx(1.456)
+    assert factors.simplified_normal_factor(patch_factor=0.5, **off_axis, cylinder_depth=5.0) == 1.0
+    assert np.isnan(factors.simplified_friction_factor(**off_axis, cylinder_depth=9.9))
+
+
+def test_class_1_takes_mean_values_on_the_wall_and_magnifies_the_load_on_the_hopper():
+    own = {"method": "en1991_4_class_1", "z": 9.0}
+    assert value("wall_normal_pressure", **own) == value("wall_normal_pressure", method="en1991_4_mean", z=9.0)
+    assert value("wall_friction_traction", "discharge", **own) == pytest.approx(
+        1.4 * (1 + 0.4 * 0.1) * value("wall_friction_traction", method="en1991_4_mean", z=9.0)
+    )
+    load = {
+        key: float(call(PRESSURE[key].totals["filling"]["transition_force"], None, SLENDER))
+        for key in ("en1991_4", "en1991_4_class_1")
+    }
+    assert load["en1991_4_class_1"] == pytest.approx(1.3 * load["en1991_4"])
+    assert "patch_pressure" not in PRESSURE["en1991_4_class_1"].totals["filling"]
+
+
+def test_the_bottom_is_loaded_by_the_pressure_at_the_transition_times_its_magnifier():
+    totals = PRESSURE["en1991_4"].totals["filling"]
+    p_v = value("vertical_pressure", z=12.0)
+    for dynamic, magnifier in ((0.0, 1.0), (1.0, 1.2)):
+        scene = SLENDER | {"dynamic_bottom": dynamic}
+        assert float(call(totals["bottom_load_magnifier"], None, scene)) == magnifier
+        assert float(call(totals["bottom_pressure"], None, scene)) == pytest.approx(magnifier * p_v)
+        assert float(call(totals["transition_force"], None, scene)) == pytest.approx(magnifier * p_v * np.pi * 25 / 4)

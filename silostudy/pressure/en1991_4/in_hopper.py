@@ -3,8 +3,8 @@
 import numpy as np
 
 from silostudy.pressure import hopper_shape
-from silostudy.pressure.calls import asking
-from silostudy.pressure.en1991_4 import hopper
+from silostudy.pressure.calls import asking, call, parameters_of
+from silostudy.pressure.en1991_4 import factors, hopper
 from silostudy.pressure.en1991_4.characteristic import PROPERTIES, characteristic
 from silostudy.pressure.en1991_4.on_wall import CYLINDER, SEEN, filled, take
 
@@ -48,52 +48,61 @@ def exponent(phase, given):
     return hopper.exponent(ratio, long, mu) + (1 - given["slot"]) * hopper.exponent(end_ratio, ends, end_mu)
 
 
-def load(given):
-    """Vertical pressure p_vft (Pa) at the transition."""
-    return filled(given["cylinder_depth"], "vertical_load", given)[1]
+def load(magnifier, given):
+    """Vertical pressure p_vft (Pa) on the bottom: C_b times that at the transition."""
+    return call(magnifier, None, given) * filled(given["cylinder_depth"], "vertical_load", given)[1]
 
 
-def mean_pressure(x, phase, given):
+def mean_pressure(x, phase, magnifier, given):
     """Mean vertical pressure p_v (Pa) at height x (m) above the apex."""
     height = hopper_shape.apex_height(given["diameter"], given["hopper_half_angle"])
-    weight, top = given["unit_weight"] * height, load(given)
+    weight, top = given["unit_weight"] * height, load(magnifier, given)
     return hopper.vertical_pressure(x / height, weight=weight, exponent=exponent(phase, given), top=top)
 
 
-def _pressure(quantity, phase, pair=0):
+def _pressure(quantity, phase, magnifier, pair=0):
     def function(x, **given):
         _, mu, ratio = wall_state(phase, half_angles(given)[pair], given)
         share = {"normal_pressure": ratio, "friction_traction": mu * ratio, "vertical_pressure": 1.0}[quantity]
-        return share * mean_pressure(x, phase, given)
+        return share * mean_pressure(x, phase, magnifier, given)
 
     where = " on the end walls" * pair
-    return asking(function, HOPPER, f"{quantity.replace('_', ' ').capitalize()} (Pa){where} at height x (m). {SEEN}", "x")
+    names = (*HOPPER, *parameters_of(magnifier))
+    return asking(function, names, f"{quantity.replace('_', ' ').capitalize()} (Pa){where} at height x (m). {SEEN}", "x")
 
 
-def pressures(phase):
-    """Pressures on the hopper's wall in a phase."""
-    each = {f"hopper_{quantity}": _pressure(quantity, phase) for quantity in hopper.QUANTITIES}
-    return each | {f"hopper_end_{quantity}": _pressure(quantity, phase, pair=1) for quantity in hopper.QUANTITIES[:2]}
+def pressures(phase, magnifier=factors.bottom_magnifier):
+    """Pressures on the hopper's wall in a phase, under a load magnified by C_b."""
+    each = {f"hopper_{quantity}": _pressure(quantity, phase, magnifier) for quantity in hopper.QUANTITIES}
+    return each | {
+        f"hopper_end_{quantity}": _pressure(quantity, phase, magnifier, pair=1) for quantity in hopper.QUANTITIES[:2]
+    }
 
 
-def totals(phase):
-    """Forces at the transition and the outlet (N), and the numbers behind; EN 1991-4 has no ring force."""
+def totals(phase, magnifier=factors.bottom_magnifier):
+    """Load on the bottom, forces at the transition and the outlet, and the numbers behind; EN 1991-4 has no ring force."""
+    own = parameters_of(magnifier)
+
+    def bottom(**given):
+        return load(magnifier, given)
 
     def transition(**given):
         height = hopper_shape.apex_height(given["diameter"], given["hopper_half_angle"])
-        return load(given) * hopper_shape.area(height, **take(given, SHAPE))
+        return load(magnifier, given) * hopper_shape.area(height, **take(given, SHAPE))
 
     def outlet(**given):
         x = hopper_shape.outlet_height(given["outlet_width"], given["hopper_half_angle"])
         area = hopper_shape.area(x, **take(given, SHAPE))
-        return np.where(x > 0, area * mean_pressure(x, phase, given), 0.0)
+        return np.where(x > 0, area * mean_pressure(x, phase, magnifier, given), 0.0)
 
     def power(**given):
         return exponent(phase, given)
 
     return {
-        "transition_force": asking(transition, HOPPER, f"Downward force p_vft A (N) on the hopper. {SEEN}", None),
-        "outlet_force": asking(outlet, (*HOPPER, "outlet_width"), f"Downward force (N) on the outlet. {SEEN}", None),
+        "bottom_load_magnifier": magnifier,
+        "bottom_pressure": asking(bottom, (*CYLINDER, *own), f"Mean vertical pressure p_vft (Pa) on the bottom. {SEEN}", None),
+        "transition_force": asking(transition, (*HOPPER, *own), f"Downward force p_vft A (N) on the hopper. {SEEN}", None),
+        "outlet_force": asking(outlet, (*HOPPER, *own, "outlet_width"), f"Downward force (N) on the outlet. {SEEN}", None),
         **{name: _number(place, phase, doc) for place, (name, doc) in enumerate(NUMBERS.items())},
         "hopper_exponent": asking(power, WALL, f"Exponent n (1) of the pressure in the hopper. {SEEN}", None),
     }
