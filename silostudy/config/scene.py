@@ -148,6 +148,9 @@ class SolidProperties(Strict):
         "effective_friction_angle_deg", "effective angle of friction in flow (Jenike's delta)", "deg"
     )
     repose_angle_deg: float | None = replacing("repose_angle_deg", "angle of repose", "deg")
+    largest_particle_mm: float | None = replacing(
+        "largest_particle_mm", "size of the largest particle; EN 1991-4 covers up to 0.03 of the silo's width", "mm"
+    )
     a_phi: float | None = replacing("a_phi", "spread of the friction angle: upper over mean", "1")
     a_K: float | None = replacing("a_K", "spread of the lateral pressure ratio: upper over mean", "1")
     a_mu: float | None = replacing("a_mu", "spread of the wall friction: upper over mean", "1")
@@ -188,5 +191,13 @@ class SceneConfig(Strict):
         "programs disagree)",
         "",
         default="capped",
+    )
+    wall_contact_share: float | None = described(
+        "a_w, share of the surface of a corrugated wall on which the solid slides (EN 1991-4 wall category D4; AS 3774: crest "
+        "over crest and trough, one source); on the rest it slides on itself; wall and properties.wall_friction are then "
+        "those of the flat sheet; null: a flat wall",
+        gt=0,
+        le=1,
+        default=None,
     )
     properties: SolidProperties = described("values that replace the table's", "", default=SolidProperties())

@@ -33,6 +33,8 @@ PARAMETERS = {
     "filling_eccentricity": ("m", "e_f", 0.5),
     "outlet_eccentricity": ("m", "e_o", 0.5),
     "sets_capped": ("1", "mu of every set <= tan phi", 1.0),
+    "contact_share": ("1", "a_w, of a corrugated wall", 1.0),
+    "largest_particle": ("m", "largest particle", 0.005),
     "channel_size": ("1", "k_c", 0.4),
     "channel_half_angle": ("rad", "of the flow channel", 0.15),
     "volume": ("m3", "of the contents", 380.0),

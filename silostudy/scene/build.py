@@ -40,7 +40,10 @@ def pressure_builder(study: PressureStudy, folder: Path, where: str) -> Callable
 
 
 def _require_spreads(scene: Scene, where: str) -> None:
-    """BadInput unless the solid's scatter is known."""
+    """BadInput unless the solid's scatter is known, and that of its friction on the wall."""
+    if scene.contact_share < 1:
+        allowed = "how the friction of a corrugated wall scatters is not known: uncertainty needs a flat wall"
+        raise BadInput("scene.wall_contact_share", scene.contact_share, allowed, where)
     values = solid_parameters(scene, "")
     for name, written in SPREADS.items():
         if isnan(values[name]):
@@ -63,6 +66,7 @@ def build(config: SceneConfig, solids: Family[SolidRow], where: str = "") -> Sce
         lateral_pressure_ratio_rule=config.lateral_pressure_ratio_rule,
         wall_friction_end=config.wall_friction_end,
         characteristic_friction=config.characteristic_friction,
+        contact_share=1.0 if config.wall_contact_share is None else config.wall_contact_share,
         own=own,
         hopper_wall=WALLS[config.silo.hopper.wall] if config.silo.hopper and config.silo.hopper.wall else None,
     )

@@ -319,3 +319,16 @@ def test_the_bottom_is_loaded_by_the_pressure_at_the_transition_times_its_magnif
         assert float(call(totals["bottom_load_magnifier"], None, scene)) == magnifier
         assert float(call(totals["bottom_pressure"], None, scene)) == pytest.approx(magnifier * p_v)
         assert float(call(totals["transition_force"], None, scene)) == pytest.approx(magnifier * p_v * np.pi * 25 / 4)
+
+
+@pytest.mark.parametrize("name", ["wall_normal", "wall_friction"])
+def test_friction_of_a_corrugated_wall_is_made_of_like_values(name):
+    scene = {one: BIN[one] for one in PROPERTIES}
+    sign = {"wall_normal": -1, "wall_friction": 1}[name]
+    inside, flat = np.tan(scene["internal_friction_angle"] * 1.1**sign), 0.3 * 1.15**sign
+    assert characteristic(name, **scene, contact_share=0.2)[0] == pytest.approx(0.8 * inside + 0.2 * flat)
+    assert characteristic(name, **scene, contact_share=1.0)[0] == pytest.approx(flat)
+    rough = characteristic(name, **(scene | {"wall_friction": 5.0}), contact_share=0.2)[0]
+    assert rough == pytest.approx(inside)  # never more than the solid on itself
+    hopper_filling = PRESSURE["en1991_4"].used["filling"]["hopper"]["wall_friction"]
+    assert call(hopper_filling, None, BIN | {"contact_share": 0.2}) == call(hopper_filling, None, BIN)  # of flat sheet

@@ -1,10 +1,11 @@
 """Scenes: plans and their hydraulic radius, the equivalent surface, what each method is handed, and the cases of a study."""
 
-from math import pi, sin, sqrt, tan
+from math import pi, radians, sin, sqrt, tan
 
 import pytest
 
-from silostudy.scene.scene import solid_parameters
+from silostudy.errors import BadInput
+from silostudy.scene.scene import geometry_parameters, solid_parameters
 from silostudy.scene.silo import Hopper, Silo
 from silostudy.tables.walls import WALLS
 from tests.conftest import expanded
@@ -109,3 +110,33 @@ def test_case_ids_follow_the_scene_and_nothing_else(study):
     assert expanded(study).cases[0].id == first
     study["scene"]["silo"]["diameter_m"] = 5.1
     assert expanded(study).cases[0].id != first
+
+
+def test_a_corrugated_wall_rubs_partly_on_the_solid_itself(study):
+    study["scene"] |= {"wall": "d1", "solid": "wheat_e1", "wall_contact_share": 0.25}
+    scene = expanded(study).cases[0].scene
+    inside, sheet = tan(radians(30)), 0.24
+    assert solid_parameters(scene, "")["wall_friction"] == pytest.approx(0.75 * inside + 0.25 * sheet)
+    varied = solid_parameters(scene, "", varies={"wall_friction", "contact_share"})
+    assert varied["wall_friction"] == sheet  # the method makes its own of it
+    assert solid_parameters(scene, "")["hopper_wall_friction"] == sheet
+    with pytest.raises(BadInput, match="uncertainty needs a flat wall"):
+        expanded(study | {"uncertainty": {"log2_samples": 6}})
+
+
+def test_volume_of_the_contents():
+    cone = Silo(plan="circular", diameter=4.0, wall_depth=10.0, hopper=Hopper(half_angle=radians(45), outlet_width=0.4))
+    assert cone.volume == pytest.approx(pi * 4 * (10 + 2 * (1 - 1e-3) / 3))
+    wedge = Silo(
+        plan="slot", diameter=4.0, length=3.0, wall_depth=10.0, hopper=Hopper(half_angle=radians(45), outlet_width=0.4)
+    )
+    assert wedge.volume == pytest.approx(12 * (10 + 2 * (1 - 1e-2) / 2))
+    assert Silo(plan="rectangular", diameter=4.0, length=6.0, wall_depth=10.0).volume == pytest.approx(240)
+
+
+def test_declarations_for_en_1991_4_reach_the_methods(study):
+    study["scene"]["silo"] |= {"action_assessment_class": 3, "dynamic_bottom_load": True}
+    scene = expanded(study).cases[0].scene
+    parameters = geometry_parameters(scene)
+    assert (parameters["assessment_class"], parameters["dynamic_bottom"]) == (3.0, 1.0)
+    assert parameters["volume"] == pytest.approx(pi / 4 * 25 * (18 + 2.5 / 3))

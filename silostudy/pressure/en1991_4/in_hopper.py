@@ -25,7 +25,7 @@ def wall_state(phase, half_angle, given):
 
     Discharge in a shallow hopper is taken as filling: as two public programs of three have it.
     """
-    properties = take(given, PROPERTIES) | {"wall_friction": given["hopper_wall_friction"]}
+    properties = take(given, PROPERTIES) | {"wall_friction": given["hopper_wall_friction"], "contact_share": 1.0}
     mu, k, _ = characteristic("hopper_filling", **properties)
     steep, effective = hopper.is_steep(half_angle, mu, k), hopper.effective_friction(half_angle, mu, k)
     ratio = hopper.filling_ratio(half_angle, effective)

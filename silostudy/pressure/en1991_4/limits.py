@@ -73,6 +73,11 @@ ALL = (
     Limit(measure=Measure("h_b", "m", _apex_depth), below=100.0, why=SCOPE),
     Limit(measure=DIAMETER, below=60.0, why=SCOPE),
     Limit(
+        measure=Measure("largest particle/d_c", "1", lambda *, largest_particle, diameter: largest_particle / diameter),
+        most=0.03,
+        why="EN 1991-4:2006, 1.1.2, by the publisher's scope paragraph, one source; the older edition is read as 0.3",
+    ),
+    Limit(
         measure=Measure("heap height/(d_c/2 tan phi_r)", "1", _heap_share),
         most=1.0,
         why="a heap is no steeper than the angle of repose",
