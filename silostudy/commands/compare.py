@@ -2,12 +2,11 @@
 
 import argparse
 from collections.abc import Collection, Mapping
-from itertools import product
 from math import isfinite
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from silostudy.commands import compare_steel
+from silostudy.commands import compare_loads, compare_steel
 from silostudy.commands.about import cautions
 from silostudy.commands.families import add_methods_from
 from silostudy.errors import BadInput
@@ -60,7 +59,7 @@ def run(chosen: argparse.Namespace) -> None:
         expansion = expand(_study(chosen), "compare", "compare", Path())
     cube = pressure_cube(expansion)
     balanced = {method.label: method.row.equilibrium for method in methods_of(expansion)}
-    lines = [*table(cube, balanced), *silences(cube), *hopper_table(cube), *channel_table(cube), *class_told(cube)]
+    lines = [*table(cube, balanced), *silences(cube), *hopper_table(cube), *compare_loads.told(cube)]
     lines += [*values_used(cube), *cautions(expansion)]
     print("\n".join(lines))
     if chosen.figure:
@@ -181,34 +180,6 @@ def _limit(cube: "xr.Dataset") -> str:
 
     limit, angle = float(cube["mass_flow_limit"]), float(cube["hopper_half_angle"])
     return f" (half angle {degrees(angle):.1f} deg, limit {degrees(limit):.1f} deg, margin 3 deg)" if isfinite(limit) else ""
-
-
-def channel_table(cube: "xr.Dataset") -> list[str]:
-    """The zones of wall in large eccentric discharge at the transition, a line for each size of the flow channel."""
-    from math import degrees
-
-    if "channel" not in cube:
-        return []
-    zones = ("channel", "adjacent", "static")
-    lines = ["flow channel: (kPa at the transition) in it, beside it, at rest; shear (kN) and moment (kN m) at the transition"]
-    for method in map(str, cube["pressure_method"].values):
-        for size, phase in product(cube["channel"].values, map(str, cube["phase"].values)):
-            one = cube.sel(pressure_method=method, phase=phase, channel=size)
-            if isfinite(edge := degrees(float(one["channel_half_width"]))):
-                pressures = "".join(f"{float(one[f'{zone}_normal_pressure'][-1]) / 1e3:9.2f}" for zone in zones)
-                forces = "".join(f"{float(one[f'channel_{name}']) / 1e3:12.1f}" for name in ("shear", "moment"))
-                lines.append(f"{method}, k_c {size:.2f}, within {edge:.1f}, to {2 * edge:.1f} deg{pressures}{forces}")
-    return lines if len(lines) > 1 else []
-
-
-def class_told(cube: "xr.Dataset") -> list[str]:
-    """The least action assessment class by capacity and outlet, where a method judges it."""
-    from numpy import fmax
-
-    if "least_assessment_class" not in cube:
-        return []
-    least = float(fmax.reduce(cube["least_assessment_class"].values, axis=None))
-    return [f"action assessment class of EN 1991-4: {least:.0f} or higher"] if isfinite(least) else []
 
 
 def values_used(cube: "xr.Dataset") -> list[str]:

@@ -4,7 +4,7 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-from silostudy.compute.evaluate import AskedMethod, masked, with_reasons
+from silostudy.compute.evaluate import AskedMethod, filled, masked
 from silostudy.config.fields import expand
 from silostudy.cube.variables import attributes
 from silostudy.pressure import hopper_shape, mass_flow
@@ -12,7 +12,6 @@ from silostudy.pressure.calls import call, parameters_of
 from silostudy.pressure.family import (
     HOPPER_QUANTITIES,
     IN_SCOPE,
-    NO_PHASE,
     NO_QUANTITY,
     OUT_OF_RANGE,
     TOTALS,
@@ -27,9 +26,7 @@ BALANCE = ("hopper_weight", "hopper_wall_force", "hopper_balance")
 def total_variables(expansion: Expansion, methods: list[AskedMethod], given: Sequence[Mapping]) -> dict:
     """Every total that a method of the study gives, each (method, phase, axes...), with its scope flags."""
     offered = [name for name in TOTALS if any(name in total for method in methods for total in method.row.totals.values())]
-    return _variables(
-        expansion, given, methods, offered, lambda row, phase, parameters: _totals(row, phase, offered, parameters)
-    )
+    return filled(expansion, given, methods, offered, lambda row, phase, parameters: _totals(row, phase, offered, parameters))
 
 
 def hopper_variables(expansion: Expansion, methods: list[AskedMethod], given: Sequence[Mapping]) -> dict:
@@ -40,21 +37,9 @@ def hopper_variables(expansion: Expansion, methods: list[AskedMethod], given: Se
         top, bottom = heights(parameters)
         return _of_wall(row, phase, top - places * (top - bottom), parameters)
 
-    wall = _variables(expansion, given, methods, HOPPER_QUANTITIES, on_wall, places.size)
-    balance = _variables(expansion, given, methods, BALANCE, balanced)
+    wall = filled(expansion, given, methods, HOPPER_QUANTITIES, on_wall, places.size)
+    balance = filled(expansion, given, methods, BALANCE, balanced)
     return {**wall, **balance, **_shape(given[0]), "hopper_position": places}
-
-
-def _variables(expansion, given, methods, names, evaluate, *last_shape) -> dict:
-    """The named quantities with their scope flags, filled by evaluate(row, phase, parameters) -> name -> (value, scope)."""
-    shape = (len(methods), len(expansion.study.phases), *expansion.shape, *last_shape)
-    values = {name: np.full(shape, np.nan) for name in names}
-    scopes = {name: np.full(shape, NO_PHASE, dtype=np.int8) for name in names}
-    for m, (method, parameters) in enumerate(zip(methods, given, strict=True)):
-        for p, phase in enumerate(expansion.study.phases):
-            for name, (value, scope) in evaluate(method.row, phase, parameters).items():
-                values[name][m, p], scopes[name][m, p] = value, scope
-    return values | with_reasons(scopes)
 
 
 def heights(parameters: Mapping) -> tuple[np.ndarray, np.ndarray]:

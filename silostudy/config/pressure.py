@@ -51,6 +51,9 @@ class PressureStudy(Asked, OwnMethods, BaseStudy):
         "places on the hopper wall, 0 the transition ... 1 the outlet; null: no results for the hopper wall", default=None
     )
 
+    floor_position: Range | Numbers | None = described(
+        "places on a flat circular floor, 0 the middle ... 1 the wall; null: no results for the floor", default=None
+    )
     uncertainty: Uncertainty | None = described(
         "sample the solid's scatter through every method (a stage of its own); null: do not", "", default=None
     )
@@ -87,12 +90,12 @@ class PressureStudy(Asked, OwnMethods, BaseStudy):
             raise ValueError("depths must not be negative")
         return depths
 
-    @field_validator("hopper_position")
+    @field_validator("hopper_position", "floor_position")
     @classmethod
-    def _on_the_hopper(cls, places):
+    def _on_the_bottom(cls, places):
         listed = expand(places) if places is not None else []
         if any(b <= a for a, b in pairwise(listed)) or any(not 0 <= place <= 1 for place in listed):
-            raise ValueError("places on the hopper wall must increase from 0 to 1, none twice")
+            raise ValueError("places on a bottom must increase from 0 to 1, none twice")
         return places
 
     @model_validator(mode="after")

@@ -32,6 +32,18 @@ class Hopper(Strict):
     wall: WallKey | None = described("wall kind of the hopper; null: as the cylinder's", "", default=None)
 
 
+class FlexibleWall(Strict):
+    """How far a circular wall gives way to the pressure, for AS 3774's squat containers; it is not read off a shell's wall."""
+
+    thickness_mm: float = described("thickness of the wall", "mm", gt=0)
+    youngs_modulus_GPa: float = described("Young's modulus of the wall", "GPa", **possible("youngs_modulus_GPa"))
+    solid_modulus_factor: float = described(
+        "modulus of the stored solid over its vertical pressure: 70 for dry grain, 100 for small and 150 for large hard "
+        "mineral particles (one source)",
+        gt=0,
+    )
+
+
 class AnySilo(Strict):
     """What every plan shares."""
 
@@ -60,6 +72,11 @@ class AnySilo(Strict):
         "half angle of the flow channel from the vertical, for funnel flow; null: not known", "deg", gt=0, lt=90, default=None
     )
 
+    flexible_wall: FlexibleWall | None = described(
+        "the wall's stiffness, where it may lower the pressure (AS 3774, squat circular containers); null: a rigid wall",
+        "",
+        default=None,
+    )
     action_assessment_class: Literal[1, 2, 3] | None = described(
         "action assessment class of EN 1991-4: 1 the simplified rules may serve, 3 large eccentric discharge is a load case; "
         "null: not declared, the least one by capacity and outlet counts (`least_assessment_class`)",

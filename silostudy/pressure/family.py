@@ -30,6 +30,8 @@ HOPPER_QUANTITIES = {
     "hopper_end_friction_traction": "Pa",
     "switch_force": "N",
 }
+# on a flat floor, over the distance from the axis
+FLOOR_QUANTITIES = {"floor_normal_pressure": "Pa", "floor_shear_traction": "Pa"}
 # one number for the whole silo; the last ones are the numbers behind the others
 TOTALS = {
     "transition_force": "N",
@@ -56,6 +58,12 @@ TOTALS = {
     "hopper_effective_friction": "1",
     "hopper_pressure_ratio": "1",
     "hopper_exponent": "1",
+    "far_side_increase": "1",
+    "far_side_depth": "m",
+    "far_side_pressure": "Pa",
+    "near_side_decrease": "1",
+    "near_side_half_angle": "rad",
+    "eccentric_band_height": "m",
 }
 # on the wall of a silo in large eccentric discharge, by the size of the flow channel
 CHANNEL_SIZES = (0.25, 0.40, 0.60)  # k_c: radius of the channel over that of the silo
@@ -108,8 +116,9 @@ REASONS = (
     "outside_published_range",
     "above_wall_contact",
     "no_hopper",
+    "no_flat_floor",
 )
-IN_SCOPE, NO_QUANTITY, NO_PHASE, NO_PLAN, NO_PROPERTY, OUT_OF_RANGE, ABOVE_CONTACT, NO_HOPPER = range(len(REASONS))
+IN_SCOPE, NO_QUANTITY, NO_PHASE, NO_PLAN, NO_PROPERTY, OUT_OF_RANGE, ABOVE_CONTACT, NO_HOPPER, NO_FLOOR = range(len(REASONS))
 
 # a curve of its own; a thin one, of the handbook; one edge of a band, of a set of characteristic values; a dotted one, of a
 # reading that leaves the source's misprints in; none
@@ -128,6 +137,7 @@ class PressureMethod(Row):
     misprinted_table: the source misprints one of the method's parameters (tables/solids_by_method.csv).
     equilibrium: phases in which weight = vertical pressure + wall friction holds to rounding.
     hopper: phase -> quantity -> function(x, *, parameters), x the height (m) above the hopper's apex.
+    floor: phase -> name of FLOOR_QUANTITIES -> function(x, *, parameters), x the distance (m) from the axis.
     totals: phase -> name of TOTALS -> function(*, parameters).
     limits: the method's range as data; beyond it values are masked.
     plans_of: plans of quantities that do not cover all of the method's.
@@ -159,6 +169,7 @@ class PressureMethod(Row):
     misprinted_table: bool = False
     equilibrium: tuple[str, ...] = ()
     hopper: Mapping[str, Quantities] = field(default_factory=dict)
+    floor: Mapping[str, Quantities] = field(default_factory=dict)
     totals: Mapping[str, Quantities] = field(default_factory=dict)
     limits: tuple[Limit, ...] = ()
     plans_of: Mapping[str, frozenset[str]] = field(default_factory=dict)
@@ -177,7 +188,9 @@ class PressureMethod(Row):
     @property
     def needs(self) -> frozenset[str]:
         """Names of all parameters that its functions and its limits ask for."""
-        tables = (*self.phases.values(), *self.hopper.values(), *self.totals.values(), *self.channel.values())
+        tables = (
+            each for table in (self.phases, self.hopper, self.floor, self.totals, self.channel) for each in table.values()
+        )
         functions = [self.static, *(function for quantities in tables for function in quantities.values())]
         functions += [limit.measure.of for limit in self.limits]
         return frozenset(name for function in functions for name in parameters_of(function))
@@ -229,12 +242,13 @@ def _faults_of_names(row: PressureMethod) -> Iterator[str]:
         ("equilibrium", row.equilibrium, row.phases),
         *((f"phases[{phase!r}]", found, QUANTITIES) for phase, found in row.phases.items()),
         *((f"hopper[{phase!r}]", found, HOPPER_QUANTITIES) for phase, found in row.hopper.items()),
+        *((f"floor[{phase!r}]", found, FLOOR_QUANTITIES) for phase, found in row.floor.items()),
         *((f"totals[{phase!r}]", found, TOTALS) for phase, found in row.totals.items()),
         *((f"channel[{phase!r}]", found, CHANNEL_QUANTITIES | CHANNEL_TOTALS) for phase, found in row.channel.items()),
         *((f"used[{phase!r}]", found, USED_FOR) for phase, found in row.used.items()),
         *((f"used[{phase!r}]", each, USED) for phase, found in row.used.items() for each in found.values()),
         ("varies", row.varies, PARAMETERS),
-        ("plans_of", row.plans_of, QUANTITIES | HOPPER_QUANTITIES | TOTALS),
+        ("plans_of", row.plans_of, QUANTITIES | HOPPER_QUANTITIES | FLOOR_QUANTITIES | TOTALS),
     ):
         if isinstance(given, str):
             yield f"{name} = {given!r}: must be several, as {{{given!r}}}"
@@ -256,6 +270,7 @@ def _functions(row: PressureMethod) -> Iterator[tuple[str, Callable, str, str | 
     for tables, units, place in (
         (row.phases, QUANTITIES, "z"),
         (row.hopper, HOPPER_QUANTITIES, "x"),
+        (row.floor, FLOOR_QUANTITIES, "x"),
         (row.totals, TOTALS, None),
         (row.channel, CHANNEL_QUANTITIES, "z"),
         (row.channel, CHANNEL_TOTALS, None),

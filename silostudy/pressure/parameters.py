@@ -35,6 +35,8 @@ PARAMETERS = {
     "sets_capped": ("1", "mu of every set <= tan phi", 1.0),
     "contact_share": ("1", "a_w, of a corrugated wall", 1.0),
     "largest_particle": ("m", "largest particle", 0.005),
+    "wall_flexibility": ("m N-1", "1/(E_w t)", 0.0),
+    "solid_modulus_factor": ("1", "chi, modulus of the solid over its vertical pressure", 100.0),
     "channel_size": ("1", "k_c", 0.4),
     "channel_half_angle": ("rad", "of the flow channel", 0.15),
     "volume": ("m3", "of the contents", 380.0),

@@ -8,7 +8,7 @@ from typing import Any
 
 from silostudy.catalogue import Family
 from silostudy.config.pressure import PressureStudy
-from silostudy.config.scene import AnySilo, SceneConfig
+from silostudy.config.scene import AnySilo, FlexibleWall, SceneConfig
 from silostudy.errors import BadInput
 from silostudy.scene.possible import require_possible
 from silostudy.scene.scene import Scene, solid_parameters
@@ -95,6 +95,14 @@ def _spreads_known(scene: Scene) -> bool:
     return not (isnan(values["wall_friction"]) or isnan(values["lateral_pressure_ratio"]))
 
 
+def _flexibility(wall: FlexibleWall | None) -> dict[str, float]:
+    """How a silo's wall gives way; nothing of a rigid one."""
+    if wall is None:
+        return {}
+    stiffness = wall.youngs_modulus_GPa * 1e9 * wall.thickness_mm / 1e3
+    return {"wall_flexibility": 1 / stiffness, "solid_modulus_factor": wall.solid_modulus_factor}
+
+
 def _silo(config: AnySilo, where: str) -> Silo:
     sizes = config.model_dump()
     diameter = next(sizes[name] for name in ("diameter_m", "width_m", "inscribed_diameter_m") if name in sizes)
@@ -116,6 +124,7 @@ def _silo(config: AnySilo, where: str) -> Silo:
         filling_eccentricity=config.filling_eccentricity_m,
         outlet_eccentricity=config.outlet_eccentricity_m,
         channel_half_angle=radians(config.channel_half_angle_deg or nan),
+        **_flexibility(config.flexible_wall),
         assessment_class=config.action_assessment_class or 0,
         dynamic_bottom=config.dynamic_bottom_load,
     )

@@ -137,6 +137,8 @@ def geometry_parameters(scene: Scene) -> dict[str, float]:
         "contact_share": scene.contact_share,
         "sets_capped": float(scene.characteristic_friction == "capped"),
         "channel_half_angle": silo.channel_half_angle,
+        "wall_flexibility": silo.wall_flexibility,
+        "solid_modulus_factor": silo.solid_modulus_factor,
         "volume": silo.volume,
         "assessment_class": float(silo.assessment_class),
         "dynamic_bottom": float(silo.dynamic_bottom),

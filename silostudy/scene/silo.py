@@ -30,6 +30,8 @@ class Silo:
     filling_eccentricity: float = 0.0  # of the heap
     outlet_eccentricity: float = 0.0
     channel_half_angle: float = nan  # of the flow channel in funnel flow (rad)
+    wall_flexibility: float = 0.0  # 1/(E_w t) of the wall (m N-1); 0: rigid
+    solid_modulus_factor: float = 0.0  # chi: modulus of the solid over its vertical pressure
     assessment_class: int = 0  # declared action assessment class of EN 1991-4; 0: none
     dynamic_bottom: bool = False  # the solid may act dynamically on the bottom
 

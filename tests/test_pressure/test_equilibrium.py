@@ -58,10 +58,11 @@ def test_vertical_equilibrium(method, phase, scene, share):
     vertical = call(functions["vertical_pressure"], z, scene)
     hung = call(functions["axial_wall_force"], z, scene) / scene["hydraulic_radius"]
     if np.isfinite(vertical):
-        assert float((vertical + hung) / weight) == pytest.approx(1, rel=1e-12, abs=0)
+        largest = max(abs(float(vertical)), float(weight))  # a swelling solid presses with more than its weight
+        assert float(vertical + hung) == pytest.approx(float(weight), rel=0, abs=1e-12 * largest)
     else:
         assert method.startswith(("din1055_1964", "reimbert", "en1991_4", "as3774"))
-        # DIN's relieved part; a cone too high for Reimbert's c; EN's limits; AS 3774's squat containers
+        # DIN's relieved part; a cone too high for Reimbert's c; EN's limits; a swelling solid beyond all numbers
 
 
 @pytest.mark.parametrize(("method", "phase"), CLAIMS)
