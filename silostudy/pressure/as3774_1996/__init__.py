@@ -25,7 +25,6 @@ ROW = PressureMethod(
     static=janssen.normal_pressure,
     plans=CIRCULAR | SLOT,
     plans_of=dict.fromkeys((*floor.PRESSURES, *eccentric.TOTALS), CIRCULAR),
-    not_computed=("upper and lower values of the properties: those handed over serve throughout",),
     formula="p_ni = gamma r_c/mu (1 - exp(-z/z_o)), z_o = r_c/(mu k), k from phi and mu, squat: a ramp from h_o to 1.5 h_o; "
     "flow times max(7.6 (h_b/d_c)^0.06 - 6.4, 1.2) c_c, friction times 1.2 (planar 1.4); hopper p_n = k_h p_v, "
     "k_h = tan a/(tan a + mu_h), in flow EN 1991-4's F_e with the exponent j = c_h [k_hf (mu_h cot a + 1) - 1]; "

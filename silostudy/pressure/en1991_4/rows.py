@@ -16,14 +16,6 @@ COMMON: dict[str, Any] = {
     "table_key": "en1991_4",
     "varies": VARIED,
 }
-LEFT_OUT = (
-    "retaining silos (h_c/d_c <= 0.4): masked",
-    "from memory only: how a heap presses on the floor of a silo that is not slender",
-    "thick-walled patch loads, the uniform increase in place of patches, rapid filling, temperature, entrained air, silage, "
-    "earthquake",
-    "the patch factor of discharge jumps by two at h_c/d_c = 1.2, where one public program's form for squat silos ends: not "
-    "smoothed",
-)
 FORMULA = (
     "p_hf = gamma R/mu (1 - exp(-z/z_o)), z_o = R/(K mu), for h_c/d_c >= 2, below it a power law from the highest wall contact "
     "h_o down; discharge times C_h, C_w; hopper p_v = gamma h/(n - 1) [x/h - (x/h)^n] + p_vft (x/h)^n, p_n = F p_v, "
@@ -49,7 +41,6 @@ DESIGN = PressureMethod(
         "every quantity": "unit weight upper; mu at most tan phi of its set unless characteristic_friction is uncapped",
     },
     used={phase: OF_WALL[phase] | OF_HOPPER[phase] for phase in USUAL_PHASES},
-    not_computed=LEFT_OUT,
     formula=FORMULA,
     validity="discharge in shallow hoppers as filling (two public programs of three); each quantity with the characteristic "
     "values that are unfavourable for it, so that together they are no single state of equilibrium (the sets' own rows are); "
