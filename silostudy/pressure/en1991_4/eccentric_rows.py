@@ -163,7 +163,7 @@ ROWS = (
         "en1991_4_eccentric_friction",
         "EN 1991-4:2006, large eccentric discharge, friction set (one source)",
         "wall_friction",
-        "#F4A582",
+        "#762A83",
         "$e$",
         not_computed=NOT_COMPUTED,
         validity=f"the solid at rest with the set for the wall friction, as one program has it: for the axial force; {SAID}",
