@@ -8,6 +8,7 @@ from inspect import signature
 import numpy as np
 
 from silostudy.catalogue import Row
+from silostudy.limits import Limit, Measure
 from silostudy.soundness import faults_of_function, faults_of_trial
 
 # Every parameter that a check may ask for: (unit, symbol and meaning, a usual value).
@@ -19,6 +20,11 @@ PARAMETERS = {
     "axial_wall_force": ("N m-1", "n, largest, compression positive, without the wall above, with its safety factor", 200000.0),
     "wall_above": ("Pa", "axial stress under the own weight of the wall above, with its safety factor", 0.0),
 }
+THIN_WALL = Limit(
+    measure=Measure("t/r", "1", lambda *, inner_radius, thickness: 1 / (inner_radius / thickness + 0.5)),
+    most=1 / 20,
+    why="membrane forces are those of thin shells; EN 1993-1-6's r/t of 20, from memory",
+)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -32,6 +38,11 @@ class SteelCheck(Row):
     needed: Callable
     formula: str
     validity: str
+
+    @property
+    def range(self) -> str:
+        """The limit in words, then what else there is to say of the check's range."""
+        return f"{THIN_WALL.words()}; {self.validity}"
 
     @property
     def needs(self) -> frozenset[str]:

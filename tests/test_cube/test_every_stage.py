@@ -31,11 +31,11 @@ from tests.conftest import ROOT, expanded
 from tests.test_accuracy.test_silo_step import SILO
 from tests.test_accuracy.test_stability_map import RESTING
 from tests.test_buckling.test_shell_earthquake import SHAKEN, STUDY, shell_cube, together
-from tests.test_dem.test_scene import carried, scene_of
+from tests.test_dem.small import carried, scene_of
 from tests.test_figures.test_hopper_figures import BIN
 from tests.test_packing.test_study import CONTENT as PACKING
+from tests.test_seismic.conftest import quick
 from tests.test_seismic.test_grains import CONTENT as GRAINS
-from tests.test_seismic.test_study import quick
 from tests.test_sweep.sweeps import compute, save, stand_in
 
 SIZES = {"axis": "size", "values": {"silo.diameter_m": [4.0, 6.0], "silo.cylinder_depth_m": [10.0, 15.0]}}

@@ -15,7 +15,7 @@ from silostudy.pressure.en1991_4 import hopper as en_hopper
 from silostudy.pressure.family import REASONS
 from silostudy.pressure.saturation import growth_excess
 from tests.conftest import expanded
-from tests.test_pressure.test_hoppers import BIN
+from tests.test_pressure.bins import BIN
 
 ROW = PRESSURE["as3774_1996"]
 SQUAT = BIN | {"cylinder_depth": 4.0, "contact_depth": 0.5}
