@@ -11,7 +11,7 @@ if TYPE_CHECKING:
 
 def told(cube: "xr.Dataset") -> list[str]:
     """The lines of every load case that the cube holds."""
-    return [*_bottom(cube), *_patches(cube), *_bands(cube), *_sides(cube), *_channels(cube), *_class(cube)]
+    return [*_bottom(cube), *_floor(cube), *_patches(cube), *_bands(cube), *_sides(cube), *_channels(cube), *_class(cube)]
 
 
 def _states(cube: "xr.Dataset", name: str) -> Iterator[tuple[str, "xr.Dataset"]]:
@@ -33,6 +33,15 @@ def _bottom(cube: "xr.Dataset") -> list[str]:
         magnifier = float(one["bottom_load_magnifier"]) if "bottom_load_magnifier" in one else float("nan")
         lines.append(f"{name:44}{float(one['bottom_pressure']) / 1e3:10.2f}" + f"  C_b {magnifier:.2f}" * isfinite(magnifier))
     return _headed("mean vertical pressure on the bottom (kPa)", lines)
+
+
+def _floor(cube: "xr.Dataset") -> list[str]:
+    lines = []
+    for place in cube["floor_position"].values if "floor_position" in cube else ():
+        for name, one in _states(cube.sel(floor_position=place), "floor_normal_pressure"):
+            pressure, shear = (float(one[f"floor_{what}"]) / 1e3 for what in ("normal_pressure", "shear_traction"))
+            lines.append(f"{name:44}{pressure:10.2f}{shear:9.2f}  {place:.2f} of the radius")
+    return _headed("flat floor (kPa): pressure and outward shear from the middle to the wall", lines)
 
 
 def _patches(cube: "xr.Dataset") -> list[str]:

@@ -65,6 +65,9 @@ class AnySilo(Strict):
         ge=0,
         default=0.0,
     )
+    heap_at_repose: bool = described(
+        "whether the heap stands at the solid's angle of repose, in place of top_cone_height_m", "", default=False
+    )
     hopper: Hopper | None = described("the hopper; null: a flat bottom", "", default=None)
     filling_eccentricity_m: float = described("distance of the heap's top from the axis", "m", ge=0, default=0.0)
     outlet_eccentricity_m: float = described("distance of the outlet's middle from the axis", "m", ge=0, default=0.0)
@@ -94,6 +97,12 @@ class AnySilo(Strict):
     def _one_depth(self) -> Self:
         if (self.cylinder_depth_m is None) == (self.slenderness is None):
             raise ValueError("give either cylinder_depth_m or slenderness, and not both")
+        return self
+
+    @model_validator(mode="after")
+    def _one_heap(self) -> Self:
+        if self.heap_at_repose and self.top_cone_height_m:
+            raise ValueError("give either top_cone_height_m or heap_at_repose, and not both")
         return self
 
 

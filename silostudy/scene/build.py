@@ -2,7 +2,7 @@
 
 import json
 from collections.abc import Callable
-from math import isnan, nan, radians
+from math import isnan, nan, radians, tan
 from pathlib import Path
 from typing import Any
 
@@ -60,7 +60,7 @@ def build(config: SceneConfig, solids: Family[SolidRow], where: str = "") -> Sce
         quantity, _, factor = split_unit(name)
         own[quantity] = value * factor
     scene = Scene(
-        silo=_silo(config.silo, where),
+        silo=_silo(config.silo, own.get("repose_angle", solids[config.solid].repose_angle), where),
         solid=solids[config.solid],
         wall=WALLS[config.wall] if config.wall else None,
         lateral_pressure_ratio_rule=config.lateral_pressure_ratio_rule,
@@ -103,7 +103,17 @@ def _flexibility(wall: FlexibleWall | None) -> dict[str, float]:
     return {"wall_flexibility": 1 / stiffness, "solid_modulus_factor": wall.solid_modulus_factor}
 
 
-def _silo(config: AnySilo, where: str) -> Silo:
+def _heap(config: AnySilo, diameter: float, repose_angle: float, where: str) -> float:
+    """Height (m) of the heap above the highest wall contact."""
+    if not config.heap_at_repose:
+        return config.top_cone_height_m
+    if isnan(repose_angle):
+        allowed = "the solid has no angle of repose: give scene.properties.repose_angle_deg"
+        raise BadInput("scene.silo.heap_at_repose", True, allowed, where)
+    return diameter / 2 * tan(repose_angle)
+
+
+def _silo(config: AnySilo, repose_angle: float, where: str) -> Silo:
     sizes = config.model_dump()
     diameter = next(sizes[name] for name in ("diameter_m", "width_m", "inscribed_diameter_m") if name in sizes)
     depth = config.cylinder_depth_m or (config.slenderness or 0.0) * diameter
@@ -119,7 +129,7 @@ def _silo(config: AnySilo, where: str) -> Silo:
         length=sizes.get("length_m", 0.0),
         sides=sizes.get("sides", 0),
         wall_depth=depth,
-        top_cone_height=config.top_cone_height_m,
+        top_cone_height=_heap(config, diameter, repose_angle, where),
         hopper=hopper,
         filling_eccentricity=config.filling_eccentricity_m,
         outlet_eccentricity=config.outlet_eccentricity_m,

@@ -140,3 +140,18 @@ def test_declarations_for_en_1991_4_reach_the_methods(study):
     parameters = geometry_parameters(scene)
     assert (parameters["assessment_class"], parameters["dynamic_bottom"]) == (3.0, 1.0)
     assert parameters["volume"] == pytest.approx(pi / 4 * 25 * (18 + 2.5 / 3))
+
+
+def test_a_heap_at_the_angle_of_repose(study):
+    study["scene"] |= {"solid": "wheat_e1", "wall": "d2"}
+    study["scene"]["silo"]["heap_at_repose"] = True
+    silo = expanded(study).cases[0].scene.silo
+    assert silo.top_cone_height == pytest.approx(2.5 * tan(radians(34)))
+    assert silo.contact_depth == pytest.approx(2.5 * tan(radians(34)) / 3)  # h_o of the codes
+    study["scene"]["silo"]["top_cone_height_m"] = 1.0
+    with pytest.raises(BadInput, match="either top_cone_height_m or heap_at_repose"):
+        expanded(study)
+    study["scene"] |= {"solid": "cement", "wall": "roughness_5"}
+    study["scene"]["silo"]["top_cone_height_m"] = 0.0
+    with pytest.raises(BadInput, match="no angle of repose"):
+        expanded(study)
