@@ -44,6 +44,24 @@ class FlexibleWall(Strict):
     )
 
 
+class Cooling(Strict):
+    """A wall that cools on its contents (AS 3774, one source)."""
+
+    temperature_drop_K: float = described("how far the wall cools against the solid", "K", gt=0)
+    expansion_per_K: float = described("thermal expansion of the wall: 1.2e-5 of steel", "K-1", gt=0, le=1e-3)
+
+
+class RapidFilling(Strict):
+    """A powder filled in faster than its air leaves (AS 3774, one source)."""
+
+    rise_m_h: float = described("how fast the surface rises", "m h-1", gt=0)
+    air_time_h: float = described(
+        "c_F, how long the air stays: flour and ground phosphate 0.14, pulverised coal 0.15, cement 0.19, lime powder 0.36",
+        "h",
+        gt=0,
+    )
+
+
 class AnySilo(Strict):
     """What every plan shares."""
 
@@ -80,6 +98,8 @@ class AnySilo(Strict):
         "",
         default=None,
     )
+    cooling: Cooling | None = described("a cooling of the wall; null: none", "", default=None)
+    rapid_filling: RapidFilling | None = described("a rapid filling; null: none", "", default=None)
     action_assessment_class: Literal[1, 2, 3] | None = described(
         "action assessment class of EN 1991-4: 1 the simplified rules may serve, 3 large eccentric discharge is a load case; "
         "null: not declared, the least one by capacity and outlet counts (`least_assessment_class`)",

@@ -37,6 +37,8 @@ PARAMETERS = {
     "largest_particle": ("m", "largest particle", 0.005),
     "wall_flexibility": ("m N-1", "1/(E_w t)", 0.0),
     "solid_modulus_factor": ("1", "chi, modulus of the solid over its vertical pressure", 100.0),
+    "cooling_strain": ("1", "alpha dT of the wall", 2.4e-4),
+    "fluid_depth": ("m", "c_F v_F in rapid filling", 2.0),
     "channel_size": ("1", "k_c", 0.4),
     "channel_half_angle": ("rad", "of the flow channel", 0.15),
     "volume": ("m3", "of the contents", 380.0),

@@ -135,6 +135,8 @@ def _silo(config: AnySilo, repose_angle: float, where: str) -> Silo:
         outlet_eccentricity=config.outlet_eccentricity_m,
         channel_half_angle=radians(config.channel_half_angle_deg or nan),
         **_flexibility(config.flexible_wall),
+        cooling_strain=config.cooling.temperature_drop_K * config.cooling.expansion_per_K if config.cooling else 0.0,
+        fluid_depth=config.rapid_filling.rise_m_h * config.rapid_filling.air_time_h if config.rapid_filling else 0.0,
         assessment_class=config.action_assessment_class or 0,
         dynamic_bottom=config.dynamic_bottom_load,
     )

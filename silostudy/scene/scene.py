@@ -139,6 +139,8 @@ def geometry_parameters(scene: Scene) -> dict[str, float]:
         "channel_half_angle": silo.channel_half_angle,
         "wall_flexibility": silo.wall_flexibility,
         "solid_modulus_factor": silo.solid_modulus_factor,
+        "cooling_strain": silo.cooling_strain,
+        "fluid_depth": silo.fluid_depth,
         "volume": silo.volume,
         "assessment_class": float(silo.assessment_class),
         "dynamic_bottom": float(silo.dynamic_bottom),

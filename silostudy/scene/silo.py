@@ -32,6 +32,8 @@ class Silo:
     channel_half_angle: float = nan  # of the flow channel in funnel flow (rad)
     wall_flexibility: float = 0.0  # 1/(E_w t) of the wall (m N-1); 0: rigid
     solid_modulus_factor: float = 0.0  # chi: modulus of the solid over its vertical pressure
+    cooling_strain: float = 0.0  # alpha dT of a cooling wall
+    fluid_depth: float = 0.0  # c_F v_F (m) in rapid filling
     assessment_class: int = 0  # declared action assessment class of EN 1991-4; 0: none
     dynamic_bottom: bool = False  # the solid may act dynamically on the bottom
 

@@ -9,7 +9,7 @@ from scipy.integrate import quad
 
 from silostudy.compute.pressure import pressure_cube
 from silostudy.pressure import PRESSURE
-from silostudy.pressure.as3774_1996 import eccentric, floor, hopper, wall
+from silostudy.pressure.as3774_1996 import cooling, eccentric, floor, hopper, wall
 from silostudy.pressure.calls import call
 from silostudy.pressure.en1991_4 import hopper as en_hopper
 from silostudy.pressure.family import REASONS
@@ -180,3 +180,31 @@ def test_floor_and_one_source_methods_in_a_study(study):
     assert "as3774_1996" in everything
     assert not {key for key, row in PRESSURE.items() if row.on_request} & set(everything)
     assert expanded(study | {"methods": ["as3774_1996_swelling"]}).study.method_keys == ("as3774_1996_swelling",)
+
+
+def test_a_cooling_wall_at_its_two_limits():
+    """A rigid solid: alpha dT E_w t/r; a rigid wall: alpha dT E_s/(1 - nu), nu = 0.3."""
+    strain, stiffness = 1.2e-5 * 20, 200e9 * 5e-3
+    own = {"radius": 2.5, "wall_flexibility": 1 / stiffness}
+    assert cooling.ring_pressure(strain, **own, solid_modulus=1e30) == pytest.approx(strain * stiffness / 2.5)
+    assert cooling.ring_pressure(strain, radius=2.5, wall_flexibility=0.0, solid_modulus=5e6) == pytest.approx(
+        strain * 5e6 / 0.7
+    )
+
+
+def test_cooling_is_added_to_the_filling_pressure():
+    scene = BIN | {"cooling_strain": 2e-4, "solid_modulus_factor": 100.0, "wall_flexibility": 1e-9}
+    row, z = PRESSURE["as3774_1996_cooling"].phases["filling"]["wall_normal_pressure"], np.float64(6.0)
+    modulus = 100 * float(call(ROW.phases["filling"]["vertical_pressure"], z, scene))
+    expected = 10 * 2e-4 / (2.5e-9 + 0.7 / modulus)
+    filling = float(call(ROW.phases["filling"]["wall_normal_pressure"], z, scene))
+    assert float(call(row, z, scene)) == pytest.approx(filling + expected)
+    assert float(call(row, np.float64(0.0), scene)) == 0.0
+
+
+@pytest.mark.parametrize(("z", "expected"), [(1.0, 0.6 * 8e3), (2.0, 8e3 * 1.2), (3.0, 8e3 * 1.2)])
+def test_rapid_filling(z, expected):
+    row = PRESSURE["as3774_1996_rapid_filling"].phases["filling"]["wall_normal_pressure"]
+    assert float(call(row, np.float64(z), BIN | {"fluid_depth": 1.2})) == pytest.approx(expected)
+    normal = float(call(ROW.phases["filling"]["wall_normal_pressure"], np.float64(z), BIN))
+    assert float(call(row, np.float64(z), BIN | {"fluid_depth": 1e-3})) == pytest.approx(normal)  # never less

@@ -27,6 +27,9 @@ OWN = {
 }
 # limits on what has steps: a scene within, and one beyond
 STEPS = {
+    "strain of the cooling": ({"cooling_strain": 1e-6}, {"cooling_strain": 0.0}),
+    "chi": ({"solid_modulus_factor": 1.0}, {"solid_modulus_factor": 0.0}),
+    "c_F v_F": ({"fluid_depth": 0.1}, {"fluid_depth": 0.0}),
     "action assessment class, declared": ({"assessment_class": 1.0}, {"assessment_class": 2.0}),
     "least action assessment class": ({"volume": 120.0}, {"volume": 125.0}),
     "action assessment class, where": ({"assessment_class": 3.0}, {"assessment_class": 2.0}),

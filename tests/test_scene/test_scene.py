@@ -155,3 +155,16 @@ def test_a_heap_at_the_angle_of_repose(study):
     study["scene"]["silo"]["top_cone_height_m"] = 0.0
     with pytest.raises(BadInput, match="no angle of repose"):
         expanded(study)
+
+
+def test_special_loads_of_a_silo_reach_the_methods(study):
+    study["scene"]["silo"] |= {
+        "flexible_wall": {"thickness_mm": 5.0, "youngs_modulus_GPa": 200.0, "solid_modulus_factor": 70.0},
+        "cooling": {"temperature_drop_K": 30.0, "expansion_per_K": 1.2e-5},
+        "rapid_filling": {"rise_m_h": 12.0, "air_time_h": 0.14},
+    }
+    parameters = geometry_parameters(expanded(study).cases[0].scene)
+    assert parameters["wall_flexibility"] == pytest.approx(1e-9)
+    assert parameters["solid_modulus_factor"] == 70.0
+    assert parameters["cooling_strain"] == pytest.approx(3.6e-4)
+    assert parameters["fluid_depth"] == pytest.approx(1.68)

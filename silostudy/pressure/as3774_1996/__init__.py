@@ -1,4 +1,4 @@
-"""AS 3774-1996, loads on bulk solids containers, second-hand: walls, hopper, floor, eccentric discharge, swelling.
+"""AS 3774-1996, loads on bulk solids containers, second-hand: walls, hopper, floor, eccentric discharge, special loads.
 
 The printed standard was not seen; the public draft pages of a wiki are the account, a second program agrees where that is
 said.  What h_b counts is taken as the depth of the cylinder and r_c as the hydraulic radius (with it the initial state is in
@@ -6,7 +6,7 @@ vertical equilibrium); both are readings.
 """
 
 from silostudy.pressure import janssen
-from silostudy.pressure.as3774_1996 import eccentric, floor, hopper, swelling, wall
+from silostudy.pressure.as3774_1996 import cooling, eccentric, floor, hopper, rapid_filling, swelling, wall
 from silostudy.pressure.family import CIRCULAR, SLOT, USUAL_PHASES, PressureMethod
 
 ROW = PressureMethod(
@@ -36,4 +36,4 @@ ROW = PressureMethod(
     marker="8",
     equilibrium=("filling",),
 )
-ROWS = (swelling.ROW,)
+ROWS = (swelling.ROW, cooling.ROW, rapid_filling.ROW)
