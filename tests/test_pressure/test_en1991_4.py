@@ -7,6 +7,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.integrate import quad
 
+from silostudy.compute.pressure import pressure_cube
 from silostudy.errors import BadInput
 from silostudy.pressure import PRESSURE, hopper_shape
 from silostudy.pressure.calls import call
@@ -14,6 +15,7 @@ from silostudy.pressure.en1991_4 import classes, cylinder, eccentric, factors, h
 from silostudy.pressure.en1991_4.characteristic import characteristic
 from silostudy.pressure.family import CHANNEL_SIZES
 from silostudy.tables.solids import SOLIDS
+from tests.conftest import expanded
 from tests.test_pressure.bins import BIN
 
 SLENDER = BIN | {"cylinder_depth": 12.0}
@@ -332,3 +334,24 @@ def test_friction_of_a_corrugated_wall_is_made_of_like_values(name):
     assert rough == pytest.approx(inside)  # never more than the solid on itself
     hopper_filling = PRESSURE["en1991_4"].used["filling"]["hopper"]["wall_friction"]
     assert call(hopper_filling, None, BIN | {"contact_share": 0.2}) == call(hopper_filling, None, BIN)  # of flat sheet
+
+
+def silent(cube, method):
+    return bool(cube["wall_normal_pressure"].sel(pressure_method=method).isnull().all())
+
+
+def test_the_declared_class_decides_which_load_cases_are_given(study):
+    silo = {"plan": "circular", "diameter_m": 3.0, "cylinder_depth_m": 9.0, "outlet_eccentricity_m": 1.0}
+    study["scene"] |= {"silo": silo, "solid": "wheat_e1", "wall": "d2"}
+    study |= {"methods": ["en1991_4", "en1991_4_class_1", "en1991_4_eccentric"], "depth_m": [9.0]}
+    # silent methods by the class declared: eccentric discharge is given unless a lower class than 3 is declared
+    for declared, expected in ((None, set()), (1, {"en1991_4_eccentric"}), (2, {"en1991_4_class_1", "en1991_4_eccentric"}),
+                               (3, {"en1991_4_class_1"})):  # fmt: skip
+        study["scene"]["silo"] = silo | {"action_assessment_class": declared}
+        cube = pressure_cube(expanded(study))
+        assert {method for method in study["methods"] if silent(cube, method)} == expected
+        assert (cube["least_assessment_class"].sel(pressure_method="en1991_4") == 1).all()
+    study["scene"]["silo"] = silo | {"cylinder_depth_m": 29.0, "diameter_m": 5.0, "action_assessment_class": 1}
+    cube = pressure_cube(expanded(study))
+    assert silent(cube, "en1991_4_class_1")  # more than 100 t
+    assert (cube["least_assessment_class"].sel(pressure_method="en1991_4") == 2).all()
