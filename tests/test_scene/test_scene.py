@@ -5,8 +5,9 @@ from math import pi, radians, sin, sqrt, tan
 import pytest
 
 from silostudy.errors import BadInput
-from silostudy.scene.scene import geometry_parameters, solid_parameters
+from silostudy.scene.scene import Scene, geometry_parameters, solid_parameters
 from silostudy.scene.silo import Hopper, Silo
+from silostudy.tables.solids import SOLIDS
 from silostudy.tables.walls import WALLS
 from tests.conftest import expanded
 
@@ -168,3 +169,10 @@ def test_special_loads_of_a_silo_reach_the_methods(study):
     assert parameters["solid_modulus_factor"] == 70.0
     assert parameters["cooling_strain"] == pytest.approx(3.6e-4)
     assert parameters["fluid_depth"] == pytest.approx(1.68)
+
+
+def test_only_a_rectangle_s_end_walls_are_flatter_than_its_long_ones():
+    sizes = {"diameter": 4.0, "length": 6.0, "wall_depth": 10.0}
+    for plan, ratio in (("rectangular", 1.5), ("slot", 1.0), ("circular", 1.0)):
+        scene = Scene(silo=Silo(plan=plan, **sizes), solid=SOLIDS["wheat_e1"])
+        assert geometry_parameters(scene)["end_ratio"] == ratio
