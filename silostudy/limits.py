@@ -7,6 +7,7 @@ from math import inf
 
 import numpy as np
 
+INSIDE = "within all limits"  # what a cube says where no limit is broken
 ROUNDING = 1e-12  # relative: how far beyond a closed end still counts as on it
 
 

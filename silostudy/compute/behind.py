@@ -5,11 +5,10 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 
 from silostudy.compute.evaluate import AskedMethod
+from silostudy.limits import INSIDE
 from silostudy.pressure.calls import call, parameters_of
 from silostudy.pressure.family import ON_HOPPER, USED, USED_FOR, PressureMethod, Quantities
 from silostudy.scene.expand import Expansion
-
-INSIDE = "within all limits"
 
 
 def used_variables(expansion: Expansion, methods: list[AskedMethod], given: Sequence[Mapping]) -> dict[str, np.ndarray]:

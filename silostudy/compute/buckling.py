@@ -8,10 +8,10 @@ import xarray as xr
 from silostudy.buckling import BUCKLING, RIVALS
 from silostudy.buckling.family import MODES, PARAMETERS, QUANTITIES, REASONS, BucklingRule, evaluate
 from silostudy.compute.axes import sweep_of
-from silostudy.compute.behind import INSIDE
 from silostudy.compute.miller_charts import charts
 from silostudy.cube.assemble import assemble
 from silostudy.cube.variables import flags
+from silostudy.limits import INSIDE
 from silostudy.scene.expand import Expansion
 
 SHOWN = ("yield_stress", "youngs_modulus", "shell_radius", "thickness", "bay_length", "ring_area")

@@ -55,6 +55,7 @@ def test_why_a_slider_that_drops_its_dashpot_may_not_ask():
     assert left[1] > 0.4
 
 
+@pytest.mark.long
 def test_an_unseen_silo_is_tried(small):
     """Every error and cost comes from runs of its own; the whole trial is `silostudy fronts --trial`."""
     found = fronts_dem.trials(lambda text: None, 1, 4)

@@ -22,6 +22,7 @@ def test_numbers_of_curves():
     assert kink_number(np.minimum(3 * Z, 1.0)) == 0  # a plateau to the foot, which is a level
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("quantity", fronts_pressure.QUANTITIES, ids=lambda quantity: quantity.name)
 def test_levels_meet_what_was_asked_on_other_silos(quantity):
     """With few more levels than would have met it."""

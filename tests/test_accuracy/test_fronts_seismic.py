@@ -42,6 +42,7 @@ def test_levels_keep_the_moment_on_other_scenes():
     assert np.median([trial.setting for trial in found]) <= fronts_seismic.LEVELS[-1] / 4
 
 
+@pytest.mark.long
 def test_no_scene_of_the_trial_was_measured_on():
     measured = [one.question.tube for one in fronts_seismic.shakings(0, fronts_seismic.MOVED, 0.4, 0.008)]
     assert not any(one.question.tube in measured for one in unseen(fronts_seismic.UNSEEN))

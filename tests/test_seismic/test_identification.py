@@ -113,6 +113,7 @@ def test_frequency_that_no_mass_explains():
         identify.coefficient_of_frequency(MODEL, 0.026, empty / 1000)
 
 
+@pytest.mark.long
 def test_both_indices_find_a_clean_truth_at_once(bank):
     coefficients = bank.question.coefficients
     for truth in (0.6, 0.8):
@@ -171,6 +172,7 @@ def test_contributions_answer_to_their_causes(bank):
     assert answered(same, question, 0.7, 0.05, random).contributions[1] == 0
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("rounding", [0.05, 0.5])
 def test_scatter_of_the_empty_frequency_is_in_the_uncertainty(bank, rounding):
     """By hand from the shift at a fixed full frequency: C_eff = ((f_e/f_f)^2 - 1)/ratio moves by 2 (f_e/f_f)^2 df_e/f_e/ratio.
