@@ -14,6 +14,7 @@ from silostudy.choice.expand import expand
 from silostudy.choice.pressure import LEVELS
 from silostudy.pressure import PRESSURE
 from silostudy.pressure.calls import call
+from silostudy.pressure.family import usual
 from silostudy.scene.expand import Expansion
 from silostudy.scene.scene import parameters_of_scenes
 from silostudy.tables.solids import SOLIDS
@@ -91,7 +92,7 @@ def studies(seed: int, count: int, methods: int | None = None) -> Iterator[dict]
             silo["hopper"] = {"half_angle_deg": random.uniform(12.0, 40.0), "outlet_width_m": 0.1 * width}
         scene = {"silo": silo, "solid": str(random.choice(list(SOLIDS))), "wall": str(random.choice(walls)),
                  "properties": {"poisson_ratio": random.uniform(0.2, 0.4)}}  # fmt: skip
-        keys = [str(key) for key in random.permutation(list(PRESSURE))[: random.integers(1, methods + 1) if methods else None]]
+        keys = [str(key) for key in random.permutation(usual(PRESSURE))[: random.integers(1, methods + 1) if methods else None]]
         yield {
             "kind": "pressure",
             "title": "a silo at random",

@@ -77,27 +77,16 @@ def _measure(row) -> dict:
     return {"method": row.key, "phase": phase, "pressures_per_s": 1 / whole, "loop_per_s": 1 / single, "ratio": single / whole}
 
 
-# what only some methods ask for: any values of a usual size
-EXTRA = {
-    "unit_weight_lower": 7000.0,
-    "slot": 0.0,
-    "sets_capped": 1.0,
-    "repose_angle": 0.6,
-    "a_phi": 1.12,
-    "a_K": 1.11,
-    "a_mu": 1.16,
-    "channel_half_angle": 0.15,
-}
-
-
 def _sweep(cases: int):
     """Depths (cases, DEPTHS) and parameters (cases, 1) of silos of every size, with the proportions that charts ask for."""
     import numpy as np
 
+    from silostudy.pressure.parameters import PARAMETERS
+
     diameter = np.linspace(3, 20, cases)[:, None]
     depth = 3.6 * diameter
-    given = {"unit_weight": 7845.32, "internal_friction_angle": 0.5236, "poisson_ratio": 0.4, "powder": 0.0, "i_phi": 0.548}
-    given |= EXTRA
+    given = {name: value for name, (_, _, value) in PARAMETERS.items()}  # what only some ask for: of a usual size
+    given |= {"unit_weight": 7845.32, "internal_friction_angle": 0.5236, "poisson_ratio": 0.4, "powder": 0.0, "i_phi": 0.548}
     given |= {"wall_friction": 0.44, "lateral_pressure_ratio": 0.45, "top_cone_height": 0.0, "contact_depth": 0.0}
     sizes = {"diameter": diameter, "hydraulic_radius": diameter / 4, "cylinder_depth": depth, "outlet_depth": 1.1 * depth}
     constant = {name: np.full_like(diameter, value) for name, value in given.items()}

@@ -35,7 +35,12 @@ def _methods(chosen):
     from silostudy.pressure import PRESSURE
 
     for row in families(chosen)[PRESSURE.name].values():
-        yield f"{row.key:22}", f"{row.title:32}", f"{', '.join(row.phases):20}", f"{row.source}, {row.locator}"
+        yield (
+            f"{row.key:22}",
+            f"{row.title:32}",
+            f"{', '.join(row.phases):20}",
+            f"{row.source}, {row.locator}{' (one source: only where named)' * row.on_request}",
+        )
 
 
 def _buckling(chosen):

@@ -12,6 +12,7 @@ from silostudy.pressure.family import (
     ABOVE_CONTACT,
     IN_SCOPE,
     NO_HOPPER,
+    NO_PHASE,
     NO_PLAN,
     NO_PROPERTY,
     OUT_OF_RANGE,
@@ -99,6 +100,21 @@ def above_contact(found: tuple, z: np.ndarray, parameters: Mapping) -> tuple:
 def with_reasons(scopes: Mapping[str, np.ndarray]) -> dict[str, tuple]:
     """The flags of quantities that say why their values are masked, as the cube's variables."""
     return {f"{name}_scope": (values, flags(f"why {name} is masked", REASONS)) for name, values in scopes.items()}
+
+
+def filled(expansion, given, methods, names, evaluate, *last_shape) -> dict:
+    """The named quantities of every method and phase with their scope flags.
+
+    evaluate(row, phase, parameters) -> name -> (value, scope).
+    """
+    shape = (len(methods), len(expansion.study.phases), *expansion.shape, *last_shape)
+    values = {name: np.full(shape, np.nan) for name in names}
+    scopes = {name: np.full(shape, NO_PHASE, dtype=np.int8) for name in names}
+    for m, (method, parameters) in enumerate(zip(methods, given, strict=True)):
+        for p, phase in enumerate(expansion.study.phases):
+            for name, (value, scope) in evaluate(method.row, phase, parameters).items():
+                values[name][m, p], scopes[name][m, p] = value, scope
+    return values | with_reasons(scopes)
 
 
 def method_coordinates(methods: list[AskedMethod]) -> dict[str, list[str]]:

@@ -4,7 +4,7 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-from silostudy.compute.evaluate import AskedMethod, masked, with_reasons
+from silostudy.compute.evaluate import AskedMethod, filled, masked
 from silostudy.config.fields import expand
 from silostudy.cube.variables import attributes
 from silostudy.pressure import hopper_shape, mass_flow
@@ -12,7 +12,6 @@ from silostudy.pressure.calls import call, parameters_of
 from silostudy.pressure.family import (
     HOPPER_QUANTITIES,
     IN_SCOPE,
-    NO_PHASE,
     NO_QUANTITY,
     OUT_OF_RANGE,
     TOTALS,
@@ -27,9 +26,7 @@ BALANCE = ("hopper_weight", "hopper_wall_force", "hopper_balance")
 def total_variables(expansion: Expansion, methods: list[AskedMethod], given: Sequence[Mapping]) -> dict:
     """Every total that a method of the study gives, each (method, phase, axes...), with its scope flags."""
     offered = [name for name in TOTALS if any(name in total for method in methods for total in method.row.totals.values())]
-    return _variables(
-        expansion, given, methods, offered, lambda row, phase, parameters: _totals(row, phase, offered, parameters)
-    )
+    return filled(expansion, given, methods, offered, lambda row, phase, parameters: _totals(row, phase, offered, parameters))
 
 
 def hopper_variables(expansion: Expansion, methods: list[AskedMethod], given: Sequence[Mapping]) -> dict:
@@ -40,21 +37,9 @@ def hopper_variables(expansion: Expansion, methods: list[AskedMethod], given: Se
         top, bottom = heights(parameters)
         return _of_wall(row, phase, top - places * (top - bottom), parameters)
 
-    wall = _variables(expansion, given, methods, HOPPER_QUANTITIES, on_wall, places.size)
-    balance = _variables(expansion, given, methods, BALANCE, balanced)
+    wall = filled(expansion, given, methods, HOPPER_QUANTITIES, on_wall, places.size)
+    balance = filled(expansion, given, methods, BALANCE, balanced)
     return {**wall, **balance, **_shape(given[0]), "hopper_position": places}
-
-
-def _variables(expansion, given, methods, names, evaluate, *last_shape) -> dict:
-    """The named quantities with their scope flags, filled by evaluate(row, phase, parameters) -> name -> (value, scope)."""
-    shape = (len(methods), len(expansion.study.phases), *expansion.shape, *last_shape)
-    values = {name: np.full(shape, np.nan) for name in names}
-    scopes = {name: np.full(shape, NO_PHASE, dtype=np.int8) for name in names}
-    for m, (method, parameters) in enumerate(zip(methods, given, strict=True)):
-        for p, phase in enumerate(expansion.study.phases):
-            for name, (value, scope) in evaluate(method.row, phase, parameters).items():
-                values[name][m, p], scopes[name][m, p] = value, scope
-    return values | with_reasons(scopes)
 
 
 def heights(parameters: Mapping) -> tuple[np.ndarray, np.ndarray]:
@@ -117,22 +102,33 @@ def _contents(parameters: Mapping) -> np.ndarray:
 
 
 def _wall_force(row: PressureMethod, phase: str, parameters: Mapping) -> np.ndarray:
-    """Vertical force (N) on the hopper wall, in two parts that meet at the peak of the pressure, where it has a kink."""
+    """Vertical force (N) on the hopper wall, of a rectangle on both pairs of walls.
+
+    In two parts that meet at the peak of the pressure, where it has a kink.
+    """
     top, bottom = heights(parameters)
     peak = row.totals[phase].get("peak_height")
     middle = (top + bottom) / 2 if peak is None else np.clip(call(peak, None, parameters), bottom, top)
 
-    def pressures(x):
-        wall = _of_wall(row, phase, x, parameters)
-        return wall["hopper_normal_pressure"][0], wall["hopper_friction_traction"][0]
+    def force(side, slope):
+        def pressures(x):
+            wall = _of_wall(row, phase, x, parameters)
+            return [wall[f"hopper_{side}{quantity}"][0] for quantity in ("normal_pressure", "friction_traction")]
 
-    return hopper_wall_force(pressures, (bottom, middle), parameters) + hopper_wall_force(pressures, (middle, top), parameters)
+        return sum(hopper_wall_force(pressures, part, parameters, slope) for part in ((bottom, middle), (middle, top)))
+
+    slope, ratio = np.tan(parameters["hopper_half_angle"]), parameters["end_ratio"]
+    whole = force("", slope)
+    if "hopper_end_normal_pressure" not in row.hopper[phase]:
+        return whole
+    ends, share = force("end_", ratio * slope), (1 / (1 + ratio))[..., 0]  # in the perimeter; NaN where none is flatter
+    return np.where(np.isnan(ends), whole, (1 - share) * whole + share * ends)
 
 
 def _shape(parameters: Mapping) -> dict:
     """The hopper's dimensions and its flow pattern by the mass-flow limit, (axes...)."""
     friction = parameters["effective_friction_angle"], parameters["hopper_wall_friction"]
-    pattern = mass_flow.flow_pattern(parameters["hopper_half_angle"], *friction, parameters["slot"])
+    pattern = mass_flow.flow_pattern(parameters["hopper_half_angle"], *friction, parameters["circular"])
     found = {
         "hopper_height": heights(parameters)[0],
         "hopper_half_angle": parameters["hopper_half_angle"],

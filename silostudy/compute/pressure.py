@@ -19,6 +19,7 @@ from silostudy.compute.evaluate import (
     sources_of,
     with_reasons,
 )
+from silostudy.compute.floor import floor_variables
 from silostudy.compute.hopper import hopper_variables, total_variables
 from silostudy.cube.assemble import assemble
 from silostudy.pressure.calls import call
@@ -55,6 +56,8 @@ def pressure_cube(expansion: Resolved) -> xr.Dataset:
     for variables in (total_variables, used_variables, limit_variables):
         data |= variables(expansion, methods, given)
     data |= channel_variables(expansion, methods, given, z)
+    if study.floor_position is not None:
+        data |= floor_variables(expansion, methods, given)
     if study.hopper_position is not None:
         data |= hopper_variables(expansion, methods, given)
     notes = {**expansion.promise, **study.own_methods}

@@ -12,7 +12,7 @@ from silostudy.config.own import OwnMethods, families_of, key_of, keys_of
 from silostudy.config.scene import SceneConfig
 from silostudy.config.study import BaseStudy, distinct
 from silostudy.pressure import PRESSURE
-from silostudy.pressure.family import PHASES, USUAL_PHASES
+from silostudy.pressure.family import PHASES, USUAL_PHASES, usual
 from silostudy.tables.outputs import OUTPUTS
 
 MethodKey: TypeAlias = key_of(PRESSURE)  # type: ignore[valid-type]
@@ -38,7 +38,7 @@ class PressureStudy(Asked, OwnMethods, BaseStudy):
     materials: str | None = described(
         "CSV file with further solids, relative to the study file, in the columns of the solids table", "", default=None
     )
-    methods: MethodKeys = described("pressure methods, or all", "")
+    methods: MethodKeys = described("pressure methods, or all (but for those that stand on one source alone: name them)", "")
     as_printed: tuple[MethodKey, ...] = described(
         "methods to give a second time with the source's misprints left in", "", default=()
     )
@@ -51,6 +51,9 @@ class PressureStudy(Asked, OwnMethods, BaseStudy):
         "places on the hopper wall, 0 the transition ... 1 the outlet; null: no results for the hopper wall", default=None
     )
 
+    floor_position: Range | Numbers | None = described(
+        "places on a flat circular floor, 0 the middle ... 1 the wall; null: no results for the floor", default=None
+    )
     uncertainty: Uncertainty | None = described(
         "sample the solid's scatter through every method (a stage of its own); null: do not", "", default=None
     )
@@ -87,12 +90,12 @@ class PressureStudy(Asked, OwnMethods, BaseStudy):
             raise ValueError("depths must not be negative")
         return depths
 
-    @field_validator("hopper_position")
+    @field_validator("hopper_position", "floor_position")
     @classmethod
-    def _on_the_hopper(cls, places):
+    def _on_the_bottom(cls, places):
         listed = expand(places) if places is not None else []
         if any(b <= a for a, b in pairwise(listed)) or any(not 0 <= place <= 1 for place in listed):
-            raise ValueError("places on the hopper wall must increase from 0 to 1, none twice")
+            raise ValueError("places on a bottom must increase from 0 to 1, none twice")
         return places
 
     @model_validator(mode="after")
@@ -127,7 +130,7 @@ class PressureStudy(Asked, OwnMethods, BaseStudy):
     @property
     def method_keys(self) -> tuple[str, ...]:
         """The methods asked for, in order."""
-        return tuple(self.family(PRESSURE)) if self.methods == "all" else self.methods
+        return usual(self.family(PRESSURE)) if self.methods == "all" else self.methods
 
     @property
     def depths(self) -> list[float]:

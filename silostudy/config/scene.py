@@ -20,9 +20,46 @@ WallKey: TypeAlias = Literal[tuple(WALLS)]  # type: ignore[valid-type]
 class Hopper(Strict):
     """A hopper below the cylinder."""
 
-    half_angle_deg: float = described("hopper half angle from the vertical", "deg", **possible("half_angle_deg"))
-    outlet_width_m: float = described("inner width (diameter) of the outlet; 0: the apex", "m", ge=0, default=0.0)
+    half_angle_deg: float = described(
+        "hopper half angle from the vertical: of a cone, a pyramid or a wedge; below a rectangle that of the long walls, which "
+        "the end walls meet in one apex",
+        "deg",
+        **possible("half_angle_deg"),
+    )
+    outlet_width_m: float = described(
+        "inner width (diameter) of the outlet, below a rectangle its shorter side; 0: the apex", "m", ge=0, default=0.0
+    )
     wall: WallKey | None = described("wall kind of the hopper; null: as the cylinder's", "", default=None)
+
+
+class FlexibleWall(Strict):
+    """How far a circular wall gives way to the pressure, for AS 3774's squat containers; it is not read off a shell's wall."""
+
+    thickness_mm: float = described("thickness of the wall", "mm", gt=0)
+    youngs_modulus_GPa: float = described("Young's modulus of the wall", "GPa", **possible("youngs_modulus_GPa"))
+    solid_modulus_factor: float = described(
+        "modulus of the stored solid over its vertical pressure: 70 for dry grain, 100 for small and 150 for large hard "
+        "mineral particles (one source)",
+        gt=0,
+    )
+
+
+class Cooling(Strict):
+    """A wall that cools on its contents (AS 3774, one source)."""
+
+    temperature_drop_K: float = described("how far the wall cools against the solid", "K", gt=0)
+    expansion_per_K: float = described("thermal expansion of the wall: 1.2e-5 of steel", "K-1", gt=0, le=1e-3)
+
+
+class RapidFilling(Strict):
+    """A powder filled in faster than its air leaves (AS 3774, one source)."""
+
+    rise_m_h: float = described("how fast the surface rises", "m h-1", gt=0)
+    air_time_h: float = described(
+        "c_F, how long the air stays: flour and ground phosphate 0.14, pulverised coal 0.15, cement 0.19, lime powder 0.36",
+        "h",
+        gt=0,
+    )
 
 
 class AnySilo(Strict):
@@ -46,6 +83,9 @@ class AnySilo(Strict):
         ge=0,
         default=0.0,
     )
+    heap_at_repose: bool = described(
+        "whether the heap stands at the solid's angle of repose, in place of top_cone_height_m", "", default=False
+    )
     hopper: Hopper | None = described("the hopper; null: a flat bottom", "", default=None)
     filling_eccentricity_m: float = described("distance of the heap's top from the axis", "m", ge=0, default=0.0)
     outlet_eccentricity_m: float = described("distance of the outlet's middle from the axis", "m", ge=0, default=0.0)
@@ -53,10 +93,36 @@ class AnySilo(Strict):
         "half angle of the flow channel from the vertical, for funnel flow; null: not known", "deg", gt=0, lt=90, default=None
     )
 
+    flexible_wall: FlexibleWall | None = described(
+        "the wall's stiffness, where it may lower the pressure (AS 3774, squat circular containers); null: a rigid wall",
+        "",
+        default=None,
+    )
+    cooling: Cooling | None = described("a cooling of the wall; null: none", "", default=None)
+    rapid_filling: RapidFilling | None = described("a rapid filling; null: none", "", default=None)
+    action_assessment_class: Literal[1, 2, 3] | None = described(
+        "action assessment class of EN 1991-4: 1 the simplified rules may serve, 3 large eccentric discharge is a load case; "
+        "null: not declared, the least one by capacity and outlet counts (`least_assessment_class`)",
+        "",
+        default=None,
+    )
+    dynamic_bottom_load: bool = described(
+        "whether the solid may act dynamically on hopper or floor, as in slender silos with solids of more than low cohesion "
+        "or of interlocking grains; EN 1991-4 then has C_b = 1.2 in place of 1.0 (one source)",
+        "",
+        default=False,
+    )
+
     @model_validator(mode="after")
     def _one_depth(self) -> Self:
         if (self.cylinder_depth_m is None) == (self.slenderness is None):
             raise ValueError("give either cylinder_depth_m or slenderness, and not both")
+        return self
+
+    @model_validator(mode="after")
+    def _one_heap(self) -> Self:
+        if self.heap_at_repose and self.top_cone_height_m:
+            raise ValueError("give either top_cone_height_m or heap_at_repose, and not both")
         return self
 
 
@@ -128,6 +194,9 @@ class SolidProperties(Strict):
         "effective_friction_angle_deg", "effective angle of friction in flow (Jenike's delta)", "deg"
     )
     repose_angle_deg: float | None = replacing("repose_angle_deg", "angle of repose", "deg")
+    largest_particle_mm: float | None = replacing(
+        "largest_particle_mm", "size of the largest particle; EN 1991-4 covers up to 0.03 of the silo's width", "mm"
+    )
     a_phi: float | None = replacing("a_phi", "spread of the friction angle: upper over mean", "1")
     a_K: float | None = replacing("a_K", "spread of the lateral pressure ratio: upper over mean", "1")
     a_mu: float | None = replacing("a_mu", "spread of the wall friction: upper over mean", "1")
@@ -168,5 +237,13 @@ class SceneConfig(Strict):
         "programs disagree)",
         "",
         default="capped",
+    )
+    wall_contact_share: float | None = described(
+        "a_w, share of the surface of a corrugated wall on which the solid slides (EN 1991-4 wall category D4; AS 3774: crest "
+        "over crest and trough, one source); on the rest it slides on itself; wall and properties.wall_friction are then "
+        "those of the flat sheet; null: a flat wall",
+        gt=0,
+        le=1,
+        default=None,
     )
     properties: SolidProperties = described("values that replace the table's", "", default=SolidProperties())

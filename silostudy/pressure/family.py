@@ -8,6 +8,7 @@ import numpy as np
 from silostudy.catalogue import Row
 from silostudy.pressure.calls import asking, call, first_line, parameters_of
 from silostudy.pressure.limits import Limit, broken
+from silostudy.pressure.parameters import PARAMETERS
 from silostudy.soundness import check_numbers, faults_of_function, faults_of_look, faults_of_trial
 
 PHASES = ("filling", "switch", "discharge")
@@ -25,8 +26,12 @@ HOPPER_QUANTITIES = {
     "hopper_normal_pressure": "Pa",
     "hopper_friction_traction": "Pa",
     "hopper_vertical_pressure": "Pa",
+    "hopper_end_normal_pressure": "Pa",
+    "hopper_end_friction_traction": "Pa",
     "switch_force": "N",
 }
+# on a flat floor, over the distance from the axis
+FLOOR_QUANTITIES = {"floor_normal_pressure": "Pa", "floor_shear_traction": "Pa"}
 # one number for the whole silo; the last ones are the numbers behind the others
 TOTALS = {
     "transition_force": "N",
@@ -42,7 +47,10 @@ TOTALS = {
     "patch_height": "m",
     "patch_resultant": "N",
     "band_pressure": "Pa",
+    "bottom_pressure": "Pa",
+    "bottom_load_magnifier": "1",
     "slenderness_class": "1",
+    "least_assessment_class": "1",
     "normal_pressure_increase": "1",
     "wall_friction_increase": "1",
     "patch_load_factor": "1",
@@ -50,6 +58,12 @@ TOTALS = {
     "hopper_effective_friction": "1",
     "hopper_pressure_ratio": "1",
     "hopper_exponent": "1",
+    "far_side_increase": "1",
+    "far_side_depth": "m",
+    "far_side_pressure": "Pa",
+    "near_side_decrease": "1",
+    "near_side_half_angle": "rad",
+    "eccentric_band_height": "m",
 }
 # on the wall of a silo in large eccentric discharge, by the size of the flow channel
 CHANNEL_SIZES = (0.25, 0.40, 0.60)  # k_c: radius of the channel over that of the silo
@@ -60,8 +74,15 @@ CHANNEL_QUANTITIES = {
     "static_friction_traction": "Pa",
     "adjacent_normal_pressure": "Pa",
     "adjacent_friction_traction": "Pa",
+    "channel_resultant": "N m-1",
 }
-CHANNEL_TOTALS = {"channel_half_width": "rad", "channel_eccentricity": "m", "channel_radius": "m"}
+CHANNEL_TOTALS = {
+    "channel_half_width": "rad",
+    "channel_eccentricity": "m",
+    "channel_radius": "m",
+    "channel_shear": "N",
+    "channel_moment": "N m",
+}
 # values that a method reckons with, after caps and factors, by what it reckons
 USED = {
     "unit_weight": "N m-3",
@@ -81,43 +102,9 @@ SLOT = frozenset({"slot"})
 ANY_PLAN = frozenset(PLANS)
 CELLS = ANY_PLAN - SLOT
 CIRCULAR = frozenset({"circular"})
-WITH_HOPPER = CIRCULAR | SLOT  # a cone or a wedge below
-
-# Every parameter a method may ask for: (unit, symbol, a usual value); the scene room provides them by these names.
-PARAMETERS = {
-    "unit_weight": ("N m-3", "gamma", 8000.0),
-    "internal_friction_angle": ("rad", "phi", 0.52),
-    "wall_friction": ("1", "mu = tan phi_o", 0.4),
-    "lateral_pressure_ratio": ("1", "K", 0.4),
-    "poisson_ratio": ("1", "nu", 0.3),
-    "hydraulic_radius": ("m", "R = A/U", 1.25),
-    "diameter": ("m", "D", 5.0),
-    "cylinder_depth": ("m", "H", 18.0),
-    "outlet_depth": ("m", "total depth", 20.0),
-    "top_cone_height": ("m", "h", 0.0),
-    "contact_depth": ("m", "h_o", 0.0),
-    "powder": ("1", "grain class", 0.0),
-    "i_phi": ("1", "i", 0.548),
-    "unit_weight_lower": ("N m-3", "gamma lower", 7000.0),
-    "effective_friction_angle": ("rad", "delta", 0.8),
-    "repose_angle": ("rad", "phi_r", 0.6),
-    "a_phi": ("1", "a_phi", 1.12),
-    "a_K": ("1", "a_K", 1.11),
-    "a_mu": ("1", "a_mu", 1.16),
-    "patch_factor": ("1", "C_op", 0.5),
-    "length": ("m", "L", 0.0),
-    "perimeter": ("m", "U", 15.708),
-    "circular": ("1", "plan is a circle", 1.0),
-    "slot": ("1", "1 - m", 0.0),
-    "hopper_half_angle": ("rad", "theta, beta", 0.4),
-    "hopper_wall_friction": ("1", "mu_h = tan phi'", 0.3),
-    "outlet_width": ("m", "B", 0.5),
-    "filling_eccentricity": ("m", "e_f", 0.5),
-    "outlet_eccentricity": ("m", "e_o", 0.5),
-    "sets_capped": ("1", "mu of every set <= tan phi", 1.0),
-    "channel_size": ("1", "k_c", 0.4),
-    "channel_half_angle": ("rad", "of the flow channel", 0.15),
-}
+CONE_OR_WEDGE = CIRCULAR | SLOT
+PYRAMID = frozenset({"square", "rectangular"})
+WITH_HOPPER = CONE_OR_WEDGE | PYRAMID
 
 # Why a value is masked: position = flag value in the cube.
 REASONS = (
@@ -129,8 +116,9 @@ REASONS = (
     "outside_published_range",
     "above_wall_contact",
     "no_hopper",
+    "no_flat_floor",
 )
-IN_SCOPE, NO_QUANTITY, NO_PHASE, NO_PLAN, NO_PROPERTY, OUT_OF_RANGE, ABOVE_CONTACT, NO_HOPPER = range(len(REASONS))
+IN_SCOPE, NO_QUANTITY, NO_PHASE, NO_PLAN, NO_PROPERTY, OUT_OF_RANGE, ABOVE_CONTACT, NO_HOPPER, NO_FLOOR = range(len(REASONS))
 
 # a curve of its own; a thin one, of the handbook; one edge of a band, of a set of characteristic values; a dotted one, of a
 # reading that leaves the source's misprints in; none
@@ -149,6 +137,7 @@ class PressureMethod(Row):
     misprinted_table: the source misprints one of the method's parameters (tables/solids_by_method.csv).
     equilibrium: phases in which weight = vertical pressure + wall friction holds to rounding.
     hopper: phase -> quantity -> function(x, *, parameters), x the height (m) above the hopper's apex.
+    floor: phase -> name of FLOOR_QUANTITIES -> function(x, *, parameters), x the distance (m) from the axis.
     totals: phase -> name of TOTALS -> function(*, parameters).
     limits: the method's range as data; beyond it values are masked.
     plans_of: plans of quantities that do not cover all of the method's.
@@ -158,6 +147,7 @@ class PressureMethod(Row):
     varies: parameters that the method itself takes at several values: no switch of the scene moves them.
     not_computed: what the source treats and the method leaves out, for want of checked formulas.
     table_key: method under which the tables keep its own values, where several rows share them.
+    on_request: stands on one source alone, so that `all` leaves it out and a study has to name it.
     number: how the handbook numbers the curve in Fig. 4.2.11; empty where it is not in that figure.
     initial_state: from which state in the hopper the switch to flow starts.
     drawn: one of DRAWN: how a figure that compares many methods shows it; drawn_as_printed: how its reading with misprints.
@@ -170,6 +160,7 @@ class PressureMethod(Row):
     validity: str
     colour: str
     marker: str
+    on_request: bool = False
     number: str = ""
     drawn: str = "curve"
     drawn_as_printed: str = "none"
@@ -178,6 +169,7 @@ class PressureMethod(Row):
     misprinted_table: bool = False
     equilibrium: tuple[str, ...] = ()
     hopper: Mapping[str, Quantities] = field(default_factory=dict)
+    floor: Mapping[str, Quantities] = field(default_factory=dict)
     totals: Mapping[str, Quantities] = field(default_factory=dict)
     limits: tuple[Limit, ...] = ()
     plans_of: Mapping[str, frozenset[str]] = field(default_factory=dict)
@@ -196,7 +188,9 @@ class PressureMethod(Row):
     @property
     def needs(self) -> frozenset[str]:
         """Names of all parameters that its functions and its limits ask for."""
-        tables = (*self.phases.values(), *self.hopper.values(), *self.totals.values(), *self.channel.values())
+        tables = (
+            each for table in (self.phases, self.hopper, self.floor, self.totals, self.channel) for each in table.values()
+        )
         functions = [self.static, *(function for quantities in tables for function in quantities.values())]
         functions += [limit.measure.of for limit in self.limits]
         return frozenset(name for function in functions for name in parameters_of(function))
@@ -207,7 +201,7 @@ class PressureMethod(Row):
         return "; ".join((*dict.fromkeys(limit.words() for limit in self.limits), self.validity))
 
     def covers(self, quantity: str) -> frozenset[str]:
-        """Plans for which the method gives a quantity; below a circle lies a cone, below a slot a wedge."""
+        """Plans for which the method gives a quantity; below a circle lies a cone, a slot a wedge, a rectangle a pyramid."""
         plans = self.plans_of.get(quantity, self.plans)
         return plans & WITH_HOPPER if quantity in HOPPER_QUANTITIES or quantity in OF_HOPPER else plans
 
@@ -236,6 +230,11 @@ class PressureMethod(Row):
             yield from faults or faults_of_trial(name, lambda f=function, at=place: _tried(f, at))  # type: ignore[misc]
 
 
+def usual(rows: Mapping[str, PressureMethod]) -> tuple[str, ...]:
+    """Keys of the methods that the word all stands for."""
+    return tuple(key for key, row in rows.items() if not row.on_request)
+
+
 def _faults_of_names(row: PressureMethod) -> Iterator[str]:
     for name, given, known in (
         ("plans", row.plans, PLANS),
@@ -243,12 +242,13 @@ def _faults_of_names(row: PressureMethod) -> Iterator[str]:
         ("equilibrium", row.equilibrium, row.phases),
         *((f"phases[{phase!r}]", found, QUANTITIES) for phase, found in row.phases.items()),
         *((f"hopper[{phase!r}]", found, HOPPER_QUANTITIES) for phase, found in row.hopper.items()),
+        *((f"floor[{phase!r}]", found, FLOOR_QUANTITIES) for phase, found in row.floor.items()),
         *((f"totals[{phase!r}]", found, TOTALS) for phase, found in row.totals.items()),
         *((f"channel[{phase!r}]", found, CHANNEL_QUANTITIES | CHANNEL_TOTALS) for phase, found in row.channel.items()),
         *((f"used[{phase!r}]", found, USED_FOR) for phase, found in row.used.items()),
         *((f"used[{phase!r}]", each, USED) for phase, found in row.used.items() for each in found.values()),
         ("varies", row.varies, PARAMETERS),
-        ("plans_of", row.plans_of, QUANTITIES | HOPPER_QUANTITIES | TOTALS),
+        ("plans_of", row.plans_of, QUANTITIES | HOPPER_QUANTITIES | FLOOR_QUANTITIES | TOTALS),
     ):
         if isinstance(given, str):
             yield f"{name} = {given!r}: must be several, as {{{given!r}}}"
@@ -270,6 +270,7 @@ def _functions(row: PressureMethod) -> Iterator[tuple[str, Callable, str, str | 
     for tables, units, place in (
         (row.phases, QUANTITIES, "z"),
         (row.hopper, HOPPER_QUANTITIES, "x"),
+        (row.floor, FLOOR_QUANTITIES, "x"),
         (row.totals, TOTALS, None),
         (row.channel, CHANNEL_QUANTITIES, "z"),
         (row.channel, CHANNEL_TOTALS, None),

@@ -1,4 +1,7 @@
-"""Geometry of a cone (below a circle) or a wedge (below a slot), counted from its apex; slot is 1 for a wedge, else 0."""
+"""Geometry of a cone, a pyramid or a wedge, counted from its apex; slot is 1 for a wedge (below a slot), else 0.
+
+A rectangle's four walls meet in one apex, so that its end walls are flatter than its long ones, whose half angle is given.
+"""
 
 import numpy as np
 
@@ -13,10 +16,15 @@ def outlet_height(outlet_width, hopper_half_angle):
     return outlet_width / (2 * np.tan(hopper_half_angle))
 
 
-def area(x, *, diameter, perimeter, hopper_half_angle, slot):
+def end_half_angle(hopper_half_angle, end_ratio):
+    """Half angle (rad) of the end walls: tangent that of the long ones times the plan's length over its width."""
+    return np.arctan(end_ratio * np.tan(hopper_half_angle))
+
+
+def area(x, *, diameter, hydraulic_radius, perimeter, hopper_half_angle, slot):
     """Area (m2) of the hopper's cross-section at height x (m) above the apex."""
     share = x / apex_height(diameter, hopper_half_angle)
-    return perimeter * diameter / (4 - 2 * slot) * share ** (2 - slot)
+    return hydraulic_radius * perimeter * share ** (2 - slot)
 
 
 def wall_length(x, *, diameter, perimeter, hopper_half_angle, slot):
@@ -24,10 +32,10 @@ def wall_length(x, *, diameter, perimeter, hopper_half_angle, slot):
     return perimeter * (x / apex_height(diameter, hopper_half_angle)) ** (1 - slot)
 
 
-def contents(x, *, diameter, perimeter, hopper_half_angle, slot):
+def contents(x, *, diameter, hydraulic_radius, perimeter, hopper_half_angle, slot):
     """Volume (m3) of the hopper between its apex and height x (m)."""
-    section = area(x, diameter=diameter, perimeter=perimeter, hopper_half_angle=hopper_half_angle, slot=slot)
-    return section * x / (3 - slot)
+    shape = {"diameter": diameter, "hydraulic_radius": hydraulic_radius, "perimeter": perimeter}
+    return area(x, **shape, hopper_half_angle=hopper_half_angle, slot=slot) * x / (3 - slot)
 
 
 def steepness(hopper_half_angle, hopper_wall_friction):

@@ -13,12 +13,12 @@ import numpy as np
 
 from silostudy.pressure import hopper_shape, janssen
 from silostudy.pressure.calls import asking, call, parameters_of
-from silostudy.pressure.family import WITH_HOPPER, PressureMethod
+from silostudy.pressure.family import CONE_OR_WEDGE, PressureMethod
 from silostudy.pressure.radial_field import flow_slope, initial_slope
 
 INITIAL_RATIO = 0.8  # K of the source's Fig. 5
 NEAREST = 1e-9  # of the hopper's height: where the mean pressure at the apex is read, which is 0/0 there
-SHAPE = ("diameter", "perimeter", "hopper_half_angle", "slot")
+SHAPE = ("diameter", "hydraulic_radius", "perimeter", "hopper_half_angle", "slot")
 
 
 def initial_field(*, hopper_half_angle, hopper_wall_friction, slot):
@@ -161,7 +161,7 @@ ROW = PressureMethod(
     hopper={"filling": _hopper("filling"), "switch": SWITCH, "discharge": _hopper("discharge")},
     totals={"filling": _totals("filling"), "discharge": _totals("discharge")},
     static=janssen.normal_pressure,
-    plans=WITH_HOPPER,
+    plans=CONE_OR_WEDGE,
     formula="cylinder: Janssen; hopper: p_n = gamma h (1 + Q_c/W) / [T (1 + m i)] at i times the hopper's height h, straight "
     "to zero at the apex and the transition, s i (1 + m i) T = 1 + Q_c/W, T = 1 + mu/tan(theta), s the slope of the radial "
     "field; beyond i = 1 a ring force P = Q_c - Q_n at the transition",

@@ -22,7 +22,7 @@ import numpy as np
 
 from silostudy.pressure import hopper_shape, janssen
 from silostudy.pressure.calls import asking, call, parameters_of
-from silostudy.pressure.family import WITH_HOPPER, PressureMethod
+from silostudy.pressure.family import CONE_OR_WEDGE, PressureMethod
 from silostudy.pressure.jenike_1969 import OF_STATE, SHAPE, State, flow_field
 from silostudy.pressure.saturation import saturation
 
@@ -163,7 +163,14 @@ def outlet_force(
         diameter=diameter,
         hopper_half_angle=hopper_half_angle,
     )
-    section = hopper_shape.area(x, diameter=diameter, perimeter=perimeter, hopper_half_angle=hopper_half_angle, slot=slot)
+    section = hopper_shape.area(
+        x,
+        diameter=diameter,
+        hydraulic_radius=hydraulic_radius,
+        perimeter=perimeter,
+        hopper_half_angle=hopper_half_angle,
+        slot=slot,
+    )
     return stress * section
 
 
@@ -207,7 +214,7 @@ ROW = PressureMethod(
     hopper={"filling": HOPPER, "switch": SWITCH},
     totals={"filling": {"transition_force": janssen.transition_force, "outlet_force": outlet_force}},
     static=janssen.normal_pressure,
-    plans=WITH_HOPPER,
+    plans=CONE_OR_WEDGE,
     formula="p(z_s) = [gamma b (1 - 2 nu k)(1 - sech L) + S (k + tanh(L)/M)] / (1 + k M tanh L), b = R / mu, "
     "L = (H - z_s) / (b M), M = sqrt(2 (1 - nu)), k = nu / (1 - nu), S Janssen's vertical pressure at z_s",
     validity="circular cylinder or long slot above a mass-flow hopper; in the hopper before flow the straight line of section "

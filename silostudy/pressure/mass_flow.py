@@ -21,9 +21,9 @@ def limit_angle(effective_friction_angle, hopper_wall_friction):
     return np.where(covered, limit, np.nan)
 
 
-def flow_pattern(hopper_half_angle, effective_friction_angle, hopper_wall_friction, slot):
+def flow_pattern(hopper_half_angle, effective_friction_angle, hopper_wall_friction, circular):
     """Flow pattern of a hopper as a flag of PATTERNS (1); unknown without a cone or an effective friction angle."""
     limit = limit_angle(effective_friction_angle, hopper_wall_friction)
-    known = np.isfinite(limit) & np.isfinite(hopper_half_angle) & (slot == 0)
+    known = np.isfinite(limit) & np.isfinite(hopper_half_angle) & (circular == 1)
     pattern = np.where(hopper_half_angle <= limit - MARGIN, 1, np.where(hopper_half_angle <= limit, 2, 3))
     return np.where(known, pattern, 0).astype(np.int8)

@@ -24,15 +24,16 @@ def double_exponential(count: int = NODES) -> tuple[np.ndarray, np.ndarray]:
     return places, np.pi / 4 * np.cosh(nodes) / np.cosh(np.pi / 2 * np.sinh(nodes)) ** 2 * (nodes[1] - nodes[0])
 
 
-def hopper_wall_force(pressures: Callable, between, parameters: Mapping, rule=None) -> np.ndarray:
-    """Vertical force (N) on a hopper's wall: p_n tan(theta) + p_t over the wall between two heights (m) above its apex.
+def hopper_wall_force(pressures: Callable, between, parameters: Mapping, slope, rule=None) -> np.ndarray:
+    """Vertical force (N) on a hopper's wall: p_n slope + p_t over the wall between two heights (m) above its apex.
 
-    pressures(x) -> (p_n, p_t) (Pa) at heights of shape (cases, places); rule: (places, weights), None: double_exponential().
+    pressures(x) -> (p_n, p_t) (Pa) at heights of shape (cases, places); slope: tangent of the wall's half angle;
+    rule: (places, weights), None: double_exponential().
     """
     start, end = between
     places, weights = double_exponential() if rule is None else rule
     x = start + (end - start) * places
     normal, traction = pressures(x)
     around = hopper_shape.wall_length(x, **{name: parameters[name] for name in parameters_of(hopper_shape.wall_length)})
-    pushed = normal * np.tan(parameters["hopper_half_angle"]) + traction
+    pushed = normal * slope + traction
     return np.sum(pushed * around * weights, axis=-1) * (end - start)[..., 0]

@@ -2,13 +2,13 @@
 
 import json
 from collections.abc import Callable
-from math import isnan, nan, radians
+from math import isnan, nan, radians, tan
 from pathlib import Path
 from typing import Any
 
 from silostudy.catalogue import Family
 from silostudy.config.pressure import PressureStudy
-from silostudy.config.scene import AnySilo, SceneConfig
+from silostudy.config.scene import AnySilo, FlexibleWall, SceneConfig
 from silostudy.errors import BadInput
 from silostudy.scene.possible import require_possible
 from silostudy.scene.scene import Scene, solid_parameters
@@ -40,7 +40,10 @@ def pressure_builder(study: PressureStudy, folder: Path, where: str) -> Callable
 
 
 def _require_spreads(scene: Scene, where: str) -> None:
-    """BadInput unless the solid's scatter is known."""
+    """BadInput unless the solid's scatter is known, and that of its friction on the wall."""
+    if scene.contact_share < 1:
+        allowed = "how the friction of a corrugated wall scatters is not known: uncertainty needs a flat wall"
+        raise BadInput("scene.wall_contact_share", scene.contact_share, allowed, where)
     values = solid_parameters(scene, "")
     for name, written in SPREADS.items():
         if isnan(values[name]):
@@ -57,12 +60,13 @@ def build(config: SceneConfig, solids: Family[SolidRow], where: str = "") -> Sce
         quantity, _, factor = split_unit(name)
         own[quantity] = value * factor
     scene = Scene(
-        silo=_silo(config.silo, where),
+        silo=_silo(config.silo, own.get("repose_angle", solids[config.solid].repose_angle), where),
         solid=solids[config.solid],
         wall=WALLS[config.wall] if config.wall else None,
         lateral_pressure_ratio_rule=config.lateral_pressure_ratio_rule,
         wall_friction_end=config.wall_friction_end,
         characteristic_friction=config.characteristic_friction,
+        contact_share=1.0 if config.wall_contact_share is None else config.wall_contact_share,
         own=own,
         hopper_wall=WALLS[config.silo.hopper.wall] if config.silo.hopper and config.silo.hopper.wall else None,
     )
@@ -91,7 +95,25 @@ def _spreads_known(scene: Scene) -> bool:
     return not (isnan(values["wall_friction"]) or isnan(values["lateral_pressure_ratio"]))
 
 
-def _silo(config: AnySilo, where: str) -> Silo:
+def _flexibility(wall: FlexibleWall | None) -> dict[str, float]:
+    """How a silo's wall gives way; nothing of a rigid one."""
+    if wall is None:
+        return {}
+    stiffness = wall.youngs_modulus_GPa * 1e9 * wall.thickness_mm / 1e3
+    return {"wall_flexibility": 1 / stiffness, "solid_modulus_factor": wall.solid_modulus_factor}
+
+
+def _heap(config: AnySilo, diameter: float, repose_angle: float, where: str) -> float:
+    """Height (m) of the heap above the highest wall contact."""
+    if not config.heap_at_repose:
+        return config.top_cone_height_m
+    if isnan(repose_angle):
+        allowed = "the solid has no angle of repose: give scene.properties.repose_angle_deg"
+        raise BadInput("scene.silo.heap_at_repose", True, allowed, where)
+    return diameter / 2 * tan(repose_angle)
+
+
+def _silo(config: AnySilo, repose_angle: float, where: str) -> Silo:
     sizes = config.model_dump()
     diameter = next(sizes[name] for name in ("diameter_m", "width_m", "inscribed_diameter_m") if name in sizes)
     depth = config.cylinder_depth_m or (config.slenderness or 0.0) * diameter
@@ -107,9 +129,14 @@ def _silo(config: AnySilo, where: str) -> Silo:
         length=sizes.get("length_m", 0.0),
         sides=sizes.get("sides", 0),
         wall_depth=depth,
-        top_cone_height=config.top_cone_height_m,
+        top_cone_height=_heap(config, diameter, repose_angle, where),
         hopper=hopper,
         filling_eccentricity=config.filling_eccentricity_m,
         outlet_eccentricity=config.outlet_eccentricity_m,
         channel_half_angle=radians(config.channel_half_angle_deg or nan),
+        **_flexibility(config.flexible_wall),
+        cooling_strain=config.cooling.temperature_drop_K * config.cooling.expansion_per_K if config.cooling else 0.0,
+        fluid_depth=config.rapid_filling.rise_m_h * config.rapid_filling.air_time_h if config.rapid_filling else 0.0,
+        assessment_class=config.action_assessment_class or 0,
+        dynamic_bottom=config.dynamic_bottom_load,
     )

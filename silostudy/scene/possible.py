@@ -3,7 +3,9 @@
 from math import atan, degrees, isnan, nan, pi, radians, tan
 
 from silostudy.errors import BadInput
+from silostudy.pressure.en1991_4 import classes
 from silostudy.scene.scene import Scene, solid_parameters
+from silostudy.scene.silo import Silo
 from silostudy.tables.ranges import BY_QUANTITY
 from silostudy.tables.units import split_unit
 
@@ -44,7 +46,14 @@ def unusual(scene: Scene) -> list[str]:
             f"top_cone_height_m = {silo.top_cone_height:g}: a slope of {degrees(slope):.1f} degrees, the solid's angle of "
             f"repose is {degrees(repose):.1f}"
         )
+    least = float(classes.least_class(unit_weight=solid_parameters(scene, "")["unit_weight"], **_sizes(silo)))
+    if 0 < silo.assessment_class < least:
+        found.append(f"action_assessment_class = {silo.assessment_class}: by capacity and outlet it is {least:.0f} or higher")
     return found
+
+
+def _sizes(silo: Silo) -> dict[str, float]:
+    return {name: getattr(silo, name) for name in ("volume", "outlet_eccentricity", "diameter")}
 
 
 def _properties(scene: Scene) -> dict[str, float]:

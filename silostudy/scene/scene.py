@@ -6,6 +6,7 @@ from math import cos, isnan, nan, sin, tan
 
 import numpy as np
 
+from silostudy.pressure.corrugated import corrugated_friction
 from silostudy.pressure.family import PressureMethod
 from silostudy.scene.silo import Silo
 from silostudy.tables.solids import CATEGORIES, PROPERTIES, SolidRow
@@ -29,6 +30,7 @@ class Scene:
     lateral_pressure_ratio_rule: str | None = None
     wall_friction_end: str = "mean"
     characteristic_friction: str = "capped"
+    contact_share: float = 1.0  # of the wall surface on which the solid slides; below 1 on a corrugated wall
     own: dict[str, float] = field(default_factory=dict)
 
     @property
@@ -58,6 +60,8 @@ def solid_parameters(scene: Scene, method: str, as_printed: bool = False, varies
     values["hopper_wall_friction"] = capped(values["hopper_wall_friction_uncapped"], phi)
     values["wall_friction_uncapped"] = values["wall_friction"]
     values["wall_friction"] = capped(values["wall_friction"], phi)
+    if scene.contact_share < 1 and "contact_share" not in varies:
+        values["wall_friction"] = float(corrugated_friction(values["wall_friction"], phi, scene.contact_share))
     return values
 
 
@@ -83,7 +87,12 @@ def friction_at_end(scene: Scene, values: dict[str, float]) -> dict[str, float]:
 
 def _table_values(row: SolidRow) -> dict[str, float]:
     names = [name for name in PROPERTIES if name not in ("wall_friction_angle", "i_phi", *CATEGORIES)]
-    return {"i_phi": nan, "powder": float(row.grain == "powder"), **{name: getattr(row, name) for name in names}}
+    return {
+        "i_phi": nan,
+        "largest_particle": nan,
+        "powder": float(row.grain == "powder"),
+        **{name: getattr(row, name) for name in names},
+    }
 
 
 def _hopper_friction(scene: Scene, values: dict[str, float]) -> float:
@@ -119,13 +128,22 @@ def geometry_parameters(scene: Scene) -> dict[str, float]:
         **{name: getattr(silo, name) for name in names},
         "circular": float(silo.plan == "circular"),
         "slot": float(silo.plan == "slot"),
+        "end_ratio": silo.length / silo.diameter if silo.plan == "rectangular" else 1.0,
         "hopper_half_angle": silo.hopper.half_angle if silo.hopper else nan,
         "outlet_width": silo.hopper.outlet_width if silo.hopper else nan,
         "contact_depth": silo.contact_depth,
         "filling_eccentricity": silo.filling_eccentricity,
         "outlet_eccentricity": silo.outlet_eccentricity,
+        "contact_share": scene.contact_share,
         "sets_capped": float(scene.characteristic_friction == "capped"),
         "channel_half_angle": silo.channel_half_angle,
+        "wall_flexibility": silo.wall_flexibility,
+        "solid_modulus_factor": silo.solid_modulus_factor,
+        "cooling_strain": silo.cooling_strain,
+        "fluid_depth": silo.fluid_depth,
+        "volume": silo.volume,
+        "assessment_class": float(silo.assessment_class),
+        "dynamic_bottom": float(silo.dynamic_bottom),
     }
 
 

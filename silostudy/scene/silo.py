@@ -30,6 +30,12 @@ class Silo:
     filling_eccentricity: float = 0.0  # of the heap
     outlet_eccentricity: float = 0.0
     channel_half_angle: float = nan  # of the flow channel in funnel flow (rad)
+    wall_flexibility: float = 0.0  # 1/(E_w t) of the wall (m N-1); 0: rigid
+    solid_modulus_factor: float = 0.0  # chi: modulus of the solid over its vertical pressure
+    cooling_strain: float = 0.0  # alpha dT of a cooling wall
+    fluid_depth: float = 0.0  # c_F v_F (m) in rapid filling
+    assessment_class: int = 0  # declared action assessment class of EN 1991-4; 0: none
+    dynamic_bottom: bool = False  # the solid may act dynamically on the bottom
 
     @property
     def area(self) -> float:
@@ -53,6 +59,15 @@ class Silo:
         if self.plan == "rectangular":
             return self.diameter * self.length / self.perimeter
         return self.diameter / (2 if self.plan == "slot" else 4)
+
+    @property
+    def volume(self) -> float:
+        """Volume (m3) of the contents, down to the outlet."""
+        if self.hopper is None:
+            return self.area * self.cylinder_depth
+        power, left = 2 if self.plan == "slot" else 3, self.hopper.outlet_width / self.diameter
+        apex_height = self.diameter / 2 / tan(self.hopper.half_angle)
+        return self.area * (self.cylinder_depth + apex_height * (1 - left**power) / power)
 
     @property
     def contact_depth(self) -> float:

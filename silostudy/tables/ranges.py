@@ -45,6 +45,7 @@ WRITTEN = {
     "poisson_ratio": Range(0.0, 0.5, (0.1, 0.49), open=True),
     "i_phi": Range(0.0, 1.0),
     **dict.fromkeys(SPREADS, Range(1.0, 10.0, (1.0, 1.6))),
+    "largest_particle_mm": Range(0.0, 5000.0, open=True),
     "patch_factor": Range(0.0, 10.0, (0.0, 1.0)),
     "diameter_m": Range(0.0, 1000.0, (0.05, 60.0), open=True),
     "cylinder_depth_m": Range(0.0, 1000.0, (0.05, 100.0), open=True),

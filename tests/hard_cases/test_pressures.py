@@ -80,7 +80,7 @@ def test_nearly_flat_hopper(degrees):
     """Neither a flow field nor an initial one exists so flat (masked, not guessed), and the pattern is funnel flow."""
     half, delta = np.radians(degrees), np.radians(45.0)
     assert np.isnan(radial_field.flow_slope(half, 0.4, delta, 0.0))
-    assert PATTERNS[int(flow_pattern(half, delta, 0.4, 0.0))] == "funnel_flow"
+    assert PATTERNS[int(flow_pattern(half, delta, 0.4, 1.0))] == "funnel_flow"
     state = State(initial_field, BIN | {"hopper_half_angle": half, "hopper_wall_friction": 0.4})
     assert np.isnan(state.force(np.array([float(state.height)]))).all()
     assert state.height == pytest.approx(BIN["diameter"] / 2.0 / np.tan(half), rel=1e-12)

@@ -264,3 +264,22 @@ def test_own_solids_cite_their_own_source(capsys, tmp_path, study):
     assert "mine.csv, mine: source = 'doe2025': no key of references.bib or of mine.bib" in said(
         capsys, "check", path, status=2
     )
+
+
+def test_compare_tells_the_load_cases_beside_the_symmetric_ones(capsys, tmp_path):
+    silo = {"plan": "circular", "diameter_m": 6.0, "cylinder_depth_m": 18.0, "outlet_eccentricity_m": 2.0}
+    study = {
+        "kind": "pressure",
+        "title": "eccentric",
+        "scene": {"silo": silo, "solid": "wheat_e1", "wall": "d2"},
+        "methods": ["en1991_4", "en1991_4_eccentric", "as3774_1996"],
+        "relative_depth": [0.5, 1.0],
+    }
+    (tmp_path / "study.yaml").write_text(yaml.safe_dump(study))
+    out = said(capsys, "compare", tmp_path / "study.yaml")
+    for part in ("patch load", "C_b 1.00", "k_c 0.60, within", "far side up to +23.3%", "near side -35.0% within 55 deg"):
+        assert part in out
+    assert "action assessment class of EN 1991-4: 2 or higher" in out
+    study["scene"]["silo"] = {"plan": "square", "width_m": 5.0, "cylinder_depth_m": 18.0}
+    (tmp_path / "study.yaml").write_text(yaml.safe_dump(study | {"phases": ["filling"]}))
+    assert "band of pressure all round" in said(capsys, "compare", tmp_path / "study.yaml")

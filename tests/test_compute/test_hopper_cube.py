@@ -52,7 +52,9 @@ def test_without_hopper_or_property(content):
     content["scene"]["silo"] |= {"plan": "square", "width_m": 4.0}
     content["scene"]["silo"].pop("diameter_m")
     cube = pressure_cube(expanded(content))
-    assert reason(cube, "hopper_normal_pressure", pressure_method="en1991_4", phase="filling") == {"plan_not_covered"}
+    assert reason(cube, "hopper_normal_pressure", pressure_method="en1991_4", phase="filling") == {"in_scope"}
+    assert reason(cube, "hopper_end_normal_pressure", pressure_method="en1991_4", phase="filling") == {"plan_not_covered"}
+    assert reason(cube, "hopper_normal_pressure", pressure_method="jenike_1969", phase="filling") == {"plan_not_covered"}
     assert reason(cube, "wall_normal_pressure", pressure_method="en1991_4", phase="filling", depth=5.0) == {"in_scope"}
 
 

@@ -10,6 +10,7 @@ from silostudy.config.load import read_study
 from silostudy.config.schema import study_schema
 from silostudy.errors import BadInput
 from silostudy.pressure import PRESSURE
+from silostudy.pressure.family import usual
 from silostudy.tables.references import cite
 from tests.own import BOTH, RULE, THEORY
 
@@ -56,7 +57,7 @@ def test_a_row_joins_for_its_study_alone(saved, tmp_path, study):
 
 
 def test_all_holds_own_rows_after_the_packages(saved):
-    assert expand_file(saved(methods="all")).study.method_keys == (*PRESSURE, "frictionless")
+    assert expand_file(saved(methods="all")).study.method_keys == (*usual(PRESSURE), "frictionless")
 
 
 def test_a_typo_lists_what_exists_own_rows_included(saved):

@@ -9,7 +9,7 @@ from silostudy.compute.hopper import balanced
 from silostudy.pressure import PRESSURE, hopper_shape, janssen, radial_field
 from silostudy.pressure.calls import call
 from silostudy.pressure.en1991_4 import hopper
-from silostudy.pressure.family import IN_SCOPE
+from silostudy.pressure.family import IN_SCOPE, PYRAMID
 from silostudy.pressure.jenike_1969 import State, flow_field, initial_field
 from silostudy.pressure.mass_flow import PATTERNS, flow_pattern, limit_angle
 from silostudy.scene.silo import Silo
@@ -59,6 +59,49 @@ def test_the_balance_is_met_by_many_scenes_and_could_fail():
     assert abs(float(balanced(PRESSURE["jenike_1969"], "filling", wrong)["hopper_balance"][0])) < 1e-10
     heavier = PRESSURE["jenike_mass_flow"].hopper["filling"]["hopper_normal_pressure"]
     assert call(heavier, 1.0, BIN | {"unit_weight": 9e3}) > 1.1 * call(heavier, 1.0, BIN)
+
+
+@st.composite
+def pyramids(draw):
+    """A scene over a square or a rectangle, its plan beside it."""
+    scene, ratio = draw(scenes(slots=False)), draw(st.one_of(st.just(1.0), st.floats(1.01, 6)))
+    silo = Silo(plan="rectangular", diameter=scene["diameter"], wall_depth=1.0, length=ratio * scene["diameter"])
+    own = {"hydraulic_radius": silo.hydraulic_radius, "perimeter": silo.perimeter, "length": silo.length, "end_ratio": ratio}
+    return one(scene | own | {"circular": 0.0}) | {"plan": np.array(["square" if ratio == 1 else "rectangular"])}
+
+
+PYRAMIDS = [(key, phase) for key, phase in WITH_BALANCE if PRESSURE[key].covers("hopper_normal_pressure") & PYRAMID]
+
+
+@pytest.mark.parametrize(("method", "phase"), PYRAMIDS)
+@settings(max_examples=40, deadline=None)
+@given(scene=pyramids())
+def test_weight_and_load_of_a_pyramid_are_carried_by_both_pairs_of_walls(method, phase, scene):
+    missing, scope = balanced(PRESSURE[method], phase, scene)["hopper_balance"]
+    if scope == IN_SCOPE:
+        assert abs(float(missing)) < 1e-10
+        weighed = balanced(PRESSURE[method], phase, scene)["hopper_weight"][0] / scene["unit_weight"]
+        top, bottom = (width / 2 / np.tan(scene["hopper_half_angle"]) for width in (scene["diameter"], scene["outlet_width"]))
+        volume = scene["diameter"] * scene["length"] * top / 3 * (1 - (bottom / top) ** 3)
+        assert weighed == pytest.approx(volume, rel=1e-9)
+
+
+def test_pyramids_are_met_and_their_ends_are_pressed_otherwise():
+    scene = one(BIN | {"diameter": 4.0, "length": 6.0, "end_ratio": 1.5, "hydraulic_radius": 1.2, "perimeter": 20.0})
+    scene |= {"plan": np.array(["rectangular"])}
+    assert {phase for _, phase in PYRAMIDS} == {"filling", "discharge"}
+    for key, phase in PYRAMIDS:
+        assert abs(float(balanced(PRESSURE[key], phase, scene)["hopper_balance"][0])) < 1e-12
+        long, ends = (
+            call(PRESSURE[key].hopper[phase][f"hopper_{side}normal_pressure"], np.array([3.0]), scene) for side in ("", "end_")
+        )
+        assert (ends > long) == (phase == "filling")  # F_f grows with the half angle, F_e falls
+    row, square = PRESSURE["en1991_4"].totals["filling"]["hopper_exponent"], BIN | {"end_ratio": 1.0}
+    wedge = float(call(row, None, BIN | {"slot": 1.0}))
+    assert float(call(row, None, square)) == pytest.approx(2 * wedge)  # S = 2 and S = 1
+    flat_ends = float(call(row, None, BIN | {"end_ratio": 1e-9, "hopper_wall_friction": 0.0}))
+    smooth_wedge = float(call(row, None, BIN | {"slot": 1.0, "hopper_wall_friction": 0.0}))
+    assert flat_ends == pytest.approx(smooth_wedge, abs=1e-12)  # vertical smooth ends carry nothing
 
 
 WEDGE = BIN | {"slot": 1.0, "circular": 0.0, "perimeter": 2.0, "length": 1.0, "hydraulic_radius": 2.5}
@@ -115,10 +158,11 @@ def test_switch_arrives_with_the_ring_force_of_flow():
 def test_flow_pattern_keeps_the_designers_margin():
     limit = float(limit_angle(np.radians(40), 0.3))
     angles = np.array([limit - 0.06, limit - 0.01, limit + 0.01])
-    flags = flow_pattern(angles, np.radians(40), 0.3, 0.0)
+    flags = flow_pattern(angles, np.radians(40), 0.3, 1.0)
     assert [PATTERNS[flag] for flag in flags] == ["mass_flow", "within_the_margin", "funnel_flow"]
-    assert PATTERNS[int(flow_pattern(0.3, np.nan, 0.3, 0.0))] == "unknown"
-    assert PATTERNS[int(flow_pattern(0.3, np.radians(15), 0.1, 0.0))] == "unknown"
+    assert PATTERNS[int(flow_pattern(0.3, np.nan, 0.3, 1.0))] == "unknown"
+    assert PATTERNS[int(flow_pattern(0.3, np.radians(15), 0.1, 1.0))] == "unknown"
+    assert PATTERNS[int(flow_pattern(0.3, np.radians(40), 0.3, 0.0))] == "unknown"  # a cone's limit is no pyramid's
 
 
 def test_beyond_the_limit_flow_is_masked_and_filling_is_not():

@@ -1,11 +1,11 @@
-"""Pieper's flour, AS 3774 and Jenike's funnel-flow rules: against their formulas written out, and their scopes."""
+"""Pieper's flour and Jenike's funnel-flow rules: against their formulas written out, and their scopes."""
 
 import mpmath
 import numpy as np
 import pytest
 
 from silostudy.compute.pressure import pressure_cube
-from silostudy.pressure import PRESSURE, as3774_1996, janssen, pieper_flour
+from silostudy.pressure import PRESSURE, janssen, pieper_flour
 from silostudy.pressure.calls import call
 from silostudy.pressure.jenike_funnel_1973 import effective_transition
 from silostudy.tables.walls import WALLS
@@ -81,27 +81,6 @@ def test_flour_needs_two_unit_weights(study):
     cube = pressure_cube(expanded(study | {"methods": ["pieper_flour"]}))
     flag = cube["wall_normal_pressure_scope"]
     assert flag.attrs["flag_meanings"].split()[int(flag.max())] == "solid_property_missing"
-
-
-@pytest.mark.parametrize(("mu", "phi"), [(0.3, 0.5), (0.05, 0.6), (0.6, 0.6), (0.0, 0.5)])
-def test_as3774_ratio_in_fifty_digits(mu, phi):
-    with mpmath.workdps(50):
-        s, c, m = mpmath.sin(phi), mpmath.cos(phi), mpmath.mpf(mu)
-        k = (1 + s**2 - 2 * mpmath.sqrt(s**2 - (m * c) ** 2)) / (4 * m**2 + c**2)
-    assert float(as3774_1996.lateral_ratio(mu, phi)) == pytest.approx(max(float(k), 0.35), rel=1e-13)
-
-
-def test_as3774_flow():
-    row = PRESSURE["as3774_1996"]
-    scene = BIN | {"cylinder_depth": 15.0}
-    ratio = {}
-    for quantity in ("wall_normal_pressure", "wall_friction_traction"):
-        filling, flow = (call(row.phases[phase][quantity], 7.0, scene) for phase in ("filling", "discharge"))
-        ratio[quantity] = float(flow / filling)
-    assert ratio["wall_normal_pressure"] == pytest.approx(7.6 * 3**0.06 - 6.4)
-    assert ratio["wall_friction_traction"] == pytest.approx(1.2)
-    planar = as3774_1996.flow_factor(cylinder_depth=15.0, diameter=5.0, slot=1.0)
-    assert float(planar) == pytest.approx(1.2 * (7.6 * 3**0.06 - 6.4))
 
 
 def funnel(z, depth, angle=8.0):

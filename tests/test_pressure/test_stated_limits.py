@@ -11,7 +11,8 @@ from silostudy.__main__ import main
 from silostudy.compute.evaluate import masked
 from silostudy.pressure import PRESSURE
 from silostudy.pressure.calls import parameters_of
-from silostudy.pressure.family import IN_SCOPE, OUT_OF_RANGE, PARAMETERS
+from silostudy.pressure.family import IN_SCOPE, OUT_OF_RANGE
+from silostudy.pressure.parameters import PARAMETERS
 
 # a silo that lies within every limit of every method but those of single ones below
 USUAL = {name: value for name, (_, _, value) in PARAMETERS.items()} | {
@@ -20,10 +21,25 @@ USUAL = {name: value for name, (_, _, value) in PARAMETERS.items()} | {
     "top_cone_height": 0.5, "contact_depth": 0.5 / 3, "hopper_half_angle": np.radians(30.0), "hopper_wall_friction": 0.5,
 }  # fmt: skip
 OWN = {
-    "en1991_4_eccentric": {"outlet_eccentricity": 1.5, "filling_eccentricity": 1.5},
+    **{key: {"outlet_eccentricity": 1.5, "filling_eccentricity": 1.5} for key, row in PRESSURE.items() if row.channel},
+    "en1991_4_class_1": {"assessment_class": 1.0, "volume": 50.0},
     "jenike_funnel_1973": {"cylinder_depth": 30.0, "outlet_depth": 30.0, "channel_half_angle": np.radians(8.0)},
 }
-SQUAT = {"h_o/z_o": {"cylinder_depth": 6.0}}  # limits that hold for some silos only
+# limits on what has steps: a scene within, and one beyond
+STEPS = {
+    "strain of the cooling": ({"cooling_strain": 1e-6}, {"cooling_strain": 0.0}),
+    "chi": ({"solid_modulus_factor": 1.0}, {"solid_modulus_factor": 0.0}),
+    "c_F v_F": ({"fluid_depth": 0.1}, {"fluid_depth": 0.0}),
+    "action assessment class, declared": ({"assessment_class": 1.0}, {"assessment_class": 2.0}),
+    "least action assessment class": ({"volume": 120.0}, {"volume": 125.0}),
+    "action assessment class, where": ({"assessment_class": 3.0}, {"assessment_class": 2.0}),
+    "declared dynamic load": ({"dynamic_bottom": 0.0}, {"dynamic_bottom": 1.0}),
+    "heap of a flat-bottomed silo": (
+        {"cylinder_depth": 9.9, "hopper_half_angle": np.nan, "top_cone_height": 0.0},
+        {"cylinder_depth": 9.9, "hopper_half_angle": np.nan, "top_cone_height": 0.01},
+    ),
+}
+SQUAT = {"h_o/z_o": {"cylinder_depth": 5.0}}  # limits that hold for some silos only
 DEPTH = 3.9
 LIMITS = [(row, limit) for row in PRESSURE.values() for limit in row.limits]
 
@@ -62,6 +78,12 @@ def varied(limit, scene, z, end):
 @pytest.mark.parametrize(("row", "limit"), LIMITS, ids=[f"{row.key}-{limit.words()[:40]}" for row, limit in LIMITS])
 def test_a_limit_masks_beyond_it_and_not_below(row, limit):
     scene = USUAL | OWN.get(row.key, {}) | next((own for key, own in SQUAT.items() if key in limit.measure.symbol), {})
+    if steps := next((both for words, both in STEPS.items() if limit.measure.symbol.startswith(words)), None):
+        phase, name, function = next(concerned(row, limit))
+        for own, expected in zip(steps, (IN_SCOPE, OUT_OF_RANGE), strict=True):
+            alone = replace(row, limits=(limit,))
+            assert scope(alone, phase, name, function, scene | own, DEPTH) == expected
+        return
     step = max(1e-5, 10 * limit.tolerance)
     ends = [(end, sign) for end, sign in ((limit.least, -1), (limit.above, -1), (limit.most, 1), (limit.below, 1))]
     ends += [(limit.gap[0], 1), (limit.gap[1], -1)]

@@ -1,11 +1,13 @@
 """Scenes: plans and their hydraulic radius, the equivalent surface, what each method is handed, and the cases of a study."""
 
-from math import pi, sin, sqrt, tan
+from math import pi, radians, sin, sqrt, tan
 
 import pytest
 
-from silostudy.scene.scene import solid_parameters
+from silostudy.errors import BadInput
+from silostudy.scene.scene import Scene, geometry_parameters, solid_parameters
 from silostudy.scene.silo import Hopper, Silo
+from silostudy.tables.solids import SOLIDS
 from silostudy.tables.walls import WALLS
 from tests.conftest import expanded
 
@@ -109,3 +111,68 @@ def test_case_ids_follow_the_scene_and_nothing_else(study):
     assert expanded(study).cases[0].id == first
     study["scene"]["silo"]["diameter_m"] = 5.1
     assert expanded(study).cases[0].id != first
+
+
+def test_a_corrugated_wall_rubs_partly_on_the_solid_itself(study):
+    study["scene"] |= {"wall": "d1", "solid": "wheat_e1", "wall_contact_share": 0.25}
+    scene = expanded(study).cases[0].scene
+    inside, sheet = tan(radians(30)), 0.24
+    assert solid_parameters(scene, "")["wall_friction"] == pytest.approx(0.75 * inside + 0.25 * sheet)
+    varied = solid_parameters(scene, "", varies={"wall_friction", "contact_share"})
+    assert varied["wall_friction"] == sheet  # the method makes its own of it
+    assert solid_parameters(scene, "")["hopper_wall_friction"] == sheet
+    with pytest.raises(BadInput, match="uncertainty needs a flat wall"):
+        expanded(study | {"uncertainty": {"log2_samples": 6}})
+
+
+def test_volume_of_the_contents():
+    cone = Silo(plan="circular", diameter=4.0, wall_depth=10.0, hopper=Hopper(half_angle=radians(45), outlet_width=0.4))
+    assert cone.volume == pytest.approx(pi * 4 * (10 + 2 * (1 - 1e-3) / 3))
+    wedge = Silo(
+        plan="slot", diameter=4.0, length=3.0, wall_depth=10.0, hopper=Hopper(half_angle=radians(45), outlet_width=0.4)
+    )
+    assert wedge.volume == pytest.approx(12 * (10 + 2 * (1 - 1e-2) / 2))
+    assert Silo(plan="rectangular", diameter=4.0, length=6.0, wall_depth=10.0).volume == pytest.approx(240)
+
+
+def test_declarations_for_en_1991_4_reach_the_methods(study):
+    study["scene"]["silo"] |= {"action_assessment_class": 3, "dynamic_bottom_load": True}
+    scene = expanded(study).cases[0].scene
+    parameters = geometry_parameters(scene)
+    assert (parameters["assessment_class"], parameters["dynamic_bottom"]) == (3.0, 1.0)
+    assert parameters["volume"] == pytest.approx(pi / 4 * 25 * (18 + 2.5 / 3))
+
+
+def test_a_heap_at_the_angle_of_repose(study):
+    study["scene"] |= {"solid": "wheat_e1", "wall": "d2"}
+    study["scene"]["silo"]["heap_at_repose"] = True
+    silo = expanded(study).cases[0].scene.silo
+    assert silo.top_cone_height == pytest.approx(2.5 * tan(radians(34)))
+    assert silo.contact_depth == pytest.approx(2.5 * tan(radians(34)) / 3)  # h_o of the codes
+    study["scene"]["silo"]["top_cone_height_m"] = 1.0
+    with pytest.raises(BadInput, match="either top_cone_height_m or heap_at_repose"):
+        expanded(study)
+    study["scene"] |= {"solid": "cement", "wall": "roughness_5"}
+    study["scene"]["silo"]["top_cone_height_m"] = 0.0
+    with pytest.raises(BadInput, match="no angle of repose"):
+        expanded(study)
+
+
+def test_special_loads_of_a_silo_reach_the_methods(study):
+    study["scene"]["silo"] |= {
+        "flexible_wall": {"thickness_mm": 5.0, "youngs_modulus_GPa": 200.0, "solid_modulus_factor": 70.0},
+        "cooling": {"temperature_drop_K": 30.0, "expansion_per_K": 1.2e-5},
+        "rapid_filling": {"rise_m_h": 12.0, "air_time_h": 0.14},
+    }
+    parameters = geometry_parameters(expanded(study).cases[0].scene)
+    assert parameters["wall_flexibility"] == pytest.approx(1e-9)
+    assert parameters["solid_modulus_factor"] == 70.0
+    assert parameters["cooling_strain"] == pytest.approx(3.6e-4)
+    assert parameters["fluid_depth"] == pytest.approx(1.68)
+
+
+def test_only_a_rectangle_s_end_walls_are_flatter_than_its_long_ones():
+    sizes = {"diameter": 4.0, "length": 6.0, "wall_depth": 10.0}
+    for plan, ratio in (("rectangular", 1.5), ("slot", 1.0), ("circular", 1.0)):
+        scene = Scene(silo=Silo(plan=plan, **sizes), solid=SOLIDS["wheat_e1"])
+        assert geometry_parameters(scene)["end_ratio"] == ratio

@@ -6,9 +6,12 @@ import pytest
 
 from silostudy.buckling import BUCKLING
 from silostudy.choice import fronts
+from silostudy.config.pressure import PressureStudy
+from silostudy.cube.contract import VARIABLES
 from silostudy.errors import BadInput
 from silostudy.pressure import PRESSURE
 from silostudy.tables.asked import ASKED
+from silostudy.tables.clauses import EVIDENCE, STATES, clauses
 from silostudy.tables.handbook import TONNE_PER_M2, errata, table_4_2_5
 from silostudy.tables.read import HERE, rows
 from silostudy.tables.references import cite
@@ -28,6 +31,7 @@ def test_every_row_of_every_table_has_a_source(path):
     text |= {"problem", "group", "setting", "quantities", "reference_kind", "reference", "compare"}
     text |= {*fronts.TEXT, "decides"}
     text |= {"record", "package", "file", "claim", "variable", "measure", "trait", "quantity", "unit"}
+    text |= {"limit", "methods", "clause", "what", "state", "names", "evidence"}
     found = rows(path, text=text)
     assert found
     for row in found:
@@ -129,3 +133,27 @@ def test_angle_columns_become_coefficients(tmp_path):
     path.write_text("solid,grain,unit_weight_kN_m3,internal_friction_angle_deg,wall_friction_angle_deg,source,locator\n"
                     "barley,fine_grain,7.0,28,20,me,test\n")  # fmt: skip
     assert read_solids(path)["barley"].wall_friction == pytest.approx(tan(20 * pi / 180))
+
+
+def names_of_keys(model) -> set[str]:
+    """Every key of a configuration model, its sections included."""
+    schema = model.model_json_schema()
+    return {key for part in (schema, *schema["$defs"].values()) for key in part.get("properties", {})}
+
+
+@pytest.mark.parametrize("clause", clauses(), ids=lambda clause: f"{clause.method} {clause.clause} {clause.what[:30]}")
+def test_clauses_say_their_state_and_what_carries_them(clause):
+    assert clause.method in PRESSURE
+    assert clause.state in STATES
+    assert clause.evidence in EVIDENCE
+    assert bool(clause.names) == (clause.state != "not computed"), "names what carries it, and nothing where there is nothing"
+    assert not set(clause.names) - {*VARIABLES, *PRESSURE, *names_of_keys(PressureStudy)}
+    if clause.evidence == "memory only":
+        assert clause.state == "not computed"
+    if clause.state == "off by default":
+        assert all(PRESSURE[name].on_request for name in clause.names if name in PRESSURE)
+
+
+def test_methods_on_one_source_stand_in_the_clauses():
+    told = {name for clause in clauses() if clause.state == "off by default" for name in clause.names}
+    assert {key for key, row in PRESSURE.items() if row.on_request} <= told

@@ -3,7 +3,7 @@
 import numpy as np
 
 from silostudy.pressure import hopper_shape
-from silostudy.pressure.calls import call
+from silostudy.pressure.calls import call, parameters_of
 from silostudy.pressure.jenike_1969 import ROW
 from silostudy.pressure.quadrature import double_exponential, hopper_wall_force
 
@@ -20,6 +20,7 @@ BIN: dict = {
     "effective_friction_angle": np.radians(45.0), "outlet_width": OUTLET,
 }  # fmt: skip
 TOP = hopper_shape.apex_height(DIAMETER, BIN["hopper_half_angle"])
+SLOPE = np.tan(BIN["hopper_half_angle"])
 BOTTOM = hopper_shape.outlet_height(OUTLET, BIN["hopper_half_angle"])
 
 
@@ -36,16 +37,16 @@ def prepare(ladder: str, setting: float):
             return [call(pressure, x, BIN) for pressure in pressures]
 
         if ladder.startswith("even"):
-            return hopper_wall_force(both, (BOTTOM, TOP), BIN, even)
+            return hopper_wall_force(both, (BOTTOM, TOP), BIN, SLOPE, even)
         rule, peak = double_exponential(int(setting)), peaks[phase]
-        return sum(hopper_wall_force(both, part, BIN, rule) for part in ((BOTTOM, peak), (peak, TOP)))
+        return sum(hopper_wall_force(both, part, BIN, SLOPE, rule) for part in ((BOTTOM, peak), (peak, TOP)))
 
     return lambda: {f"{phase}_force": force(phase) for phase in PHASES}
 
 
 def reference():
     """What equilibrium leaves to the wall: weight and load from above, less what ring and outlet carry."""
-    shape = {name: BIN[name] for name in ("diameter", "perimeter", "hopper_half_angle", "slot")}
+    shape = {name: BIN[name] for name in parameters_of(hopper_shape.contents)}
     top, bottom = (hopper_shape.contents(x, **shape) for x in (TOP, BOTTOM))
     found = {}
     for phase in PHASES:

@@ -6,4 +6,4 @@ published numbers; what comes from one program only says so.
 
 from silostudy.pressure.en1991_4 import eccentric_rows, rows
 
-ROWS = (*rows.ROWS, eccentric_rows.ROW)
+ROWS = (*rows.ROWS, *eccentric_rows.ROWS)

@@ -3,9 +3,21 @@
 import numpy as np
 
 from silostudy.pressure.calls import asking
+from silostudy.pressure.corrugated import corrugated_friction
 
-PROPERTIES = ("internal_friction_angle", "wall_friction", "lateral_pressure_ratio", "a_phi", "a_K", "a_mu", "sets_capped")
-VARIED = frozenset({"internal_friction_angle", "wall_friction", "lateral_pressure_ratio", "hopper_wall_friction"})
+PROPERTIES = (
+    "internal_friction_angle",
+    "wall_friction",
+    "lateral_pressure_ratio",
+    "a_phi",
+    "a_K",
+    "a_mu",
+    "sets_capped",
+    "contact_share",
+)
+VARIED = frozenset(
+    {"internal_friction_angle", "wall_friction", "lateral_pressure_ratio", "hopper_wall_friction", "contact_share"}
+)
 SIGNS = {1: "upper", 0: "mean", -1: "lower"}
 # set -> which value of wall friction, lateral pressure ratio and internal friction angle it takes
 SETS = {
@@ -19,24 +31,39 @@ SETS = {
 }
 
 
-def characteristic(name, *, internal_friction_angle, wall_friction, lateral_pressure_ratio, a_phi, a_K, a_mu, sets_capped=1.0):
+def characteristic(
+    name,
+    *,
+    internal_friction_angle,
+    wall_friction,
+    lateral_pressure_ratio,
+    a_phi,
+    a_K,
+    a_mu,
+    sets_capped=1.0,
+    contact_share=1.0,
+):
     """(mu (1), K (1), phi (rad)) of a set; mu at most tan(phi) of the set, unless the sets are asked for uncapped.
 
     Source: en1991_4_2006 (printed standard not seen; agrees in two or more public programs, but for the cap: one of four
-    programs has it).
+    programs has it).  On a corrugated wall mu is made of like values, all upper or all lower: a reading.
     """
     mu_sign, k_sign, phi_sign = SETS[name]
     phi = internal_friction_angle * a_phi**phi_sign
-    mu = wall_friction * a_mu**mu_sign
-    return np.where(sets_capped == 1, np.minimum(mu, np.tan(phi)), mu), lateral_pressure_ratio * a_K**k_sign, phi
+    flat = wall_friction * a_mu**mu_sign
+    corrugated = corrugated_friction(flat, internal_friction_angle * a_phi**mu_sign, contact_share)
+    mu = np.where(sets_capped == 1, np.minimum(flat, np.tan(phi)), flat)
+    return np.where(contact_share == 1, mu, corrugated), lateral_pressure_ratio * a_K**k_sign, phi
 
 
 def used(name, wall_friction="wall_friction"):
     """Parameter -> function(*, parameters) that gives a set's value; wall_friction: whose, the cylinder's or the hopper's."""
 
     def value(place, friction=wall_friction, cap=None):
+        flat = {} if wall_friction == "wall_friction" else {"contact_share": 1.0}  # hoppers are of flat sheet
+
         def function(**given):
-            given = given | {"wall_friction": given[friction]} | ({} if cap is None else {"sets_capped": cap})
+            given = given | flat | {"wall_friction": given[friction]} | ({} if cap is None else {"sets_capped": cap})
             return characteristic(name, **{one: given[one] for one in PROPERTIES})[place]
 
         names = [friction if one == "wall_friction" else one for one in PROPERTIES]

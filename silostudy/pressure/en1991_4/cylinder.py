@@ -11,7 +11,6 @@ from silostudy.pressure import janssen
 
 SLENDER, SQUAT = 2.0, 1.0  # h_c / d_c
 CLASSES = ("squat", "intermediate", "slender")
-NORMAL_INCREASE, FRICTION_INCREASE = 0.15, 0.10  # of a slender silo in discharge
 
 
 def _over(y):
@@ -53,11 +52,3 @@ def pressures(z, *, unit_weight, hydraulic_radius, mu, k, diameter, cylinder_dep
     p_v = janssen.vertical_pressure(z, **own, wall_friction=mu, lateral_pressure_ratio=k)
     squat_h, squat_v = power_law(z, **own, mu=mu, k=k, contact=contact_depth, repose_angle=repose_angle)
     return np.where(slender, k * p_v, squat_h), np.where(slender, p_v, squat_v)
-
-
-def discharge_factor(increase, *, diameter, cylinder_depth):
-    """C_h or C_w (1): 1 + increase for slender silos, 1 for squat ones, with C_S = h_c/d_c - 1 between.
-
-    Source: en1991_4_2006.
-    """
-    return 1 + increase * np.clip(cylinder_depth / diameter - SQUAT, 0.0, 1.0)

@@ -53,6 +53,14 @@ def channel_pressure(z, *, unit_weight, radius, size, mu, k, phi):
     )
 
 
+def resultant(*, radius, half_width, static, moving):
+    """Resultant (N/m) of the pressures round a ring, away from the channel: 4 r (p_hse - p_hce) sin theta (1 - cos theta).
+
+    Source: equilibrium: the integral of p cos(angle) r over the three zones; en1991_4_2006 gives the zones alone.
+    """
+    return 4 * radius * (static - moving) * np.sin(half_width) * (1 - np.cos(half_width))
+
+
 def adjacent_pressure(*, static, moving):
     """p_hae (Pa) beside the channel, from theta_c to 2 theta_c: 2 p_hse - p_hce. Source: en1991_4_2006.
 

@@ -1,4 +1,6 @@
-"""Large eccentric discharge of EN 1991-4:2006 as a method: the pressures of three zones of wall for three sizes of channel."""
+"""Large eccentric discharge of EN 1991-4:2006 as methods: the pressures of three zones of wall for three sizes of channel."""
+
+from collections.abc import Callable
 
 import numpy as np
 
@@ -8,39 +10,46 @@ from silostudy.pressure.en1991_4 import cylinder, eccentric, limits
 from silostudy.pressure.en1991_4.characteristic import PROPERTIES, VARIED, characteristic, described, used
 from silostudy.pressure.en1991_4.on_wall import CYLINDER, STATE, take
 from silostudy.pressure.family import CHANNEL_SIZES, CIRCULAR, PressureMethod
+from silostudy.pressure.quadrature import double_exponential
 
-STATIC, MOVING = "wall_normal", "channel"  # sets of characteristic values: of the solid at rest, and in the channel
+MOVING = "channel"  # set of characteristic values in the channel
+ZONES = ("channel", "static", "adjacent")
 ONE_MU = "Source: en1991_4_2006, wall friction from one program."
 SEEN = "Source: en1991_4_2006 (printed standard not seen; two public accounts agree)."
+STATICS = "Source: equilibrium, from the zones' pressures."
 
 
-def zones(z, given):
-    """(p_hce, p_hse, p_hae) (Pa) at depth z (m) for one size of channel."""
+def zones(z, static_set, given):
+    """(p_hce, p_hse, p_hae) (Pa) at depth z (m) for one size of channel; static_set: of the solid at rest."""
     mu, k, phi = characteristic(MOVING, **take(given, PROPERTIES))
     moving = eccentric.channel_pressure(
         z, unit_weight=given["unit_weight"], radius=given["diameter"] / 2, size=given["channel_size"], mu=mu, k=k, phi=phi
     )
-    mu, k, _ = characteristic(STATIC, **take(given, PROPERTIES))
+    mu, k, _ = characteristic(static_set, **take(given, PROPERTIES))
     static = cylinder.pressures(z, mu=mu, k=k, **take(given, STATE))[0]
     return moving, static, eccentric.adjacent_pressure(static=static, moving=moving)
 
 
-ZONES = {"channel": MOVING, "static": STATIC, "adjacent": STATIC}  # zone -> set of its wall friction
+def _in_zone(static_set, number, friction):
+    sets = (MOVING, static_set, static_set)
 
-
-def _in_zone(number, zone, friction):
     def function(z, **given):
-        mu = characteristic(ZONES[zone], **take(given, PROPERTIES))[0] if friction else 1.0
-        return mu * zones(z, given)[number]
+        mu = characteristic(sets[number], **take(given, PROPERTIES))[0] if friction else 1.0
+        return mu * zones(z, static_set, given)[number]
 
-    what = f"Wall friction traction (Pa) in the {zone} zone" if friction else f"Wall normal pressure (Pa) in the {zone} zone"
+    what = f"Wall {'friction traction' if friction else 'normal pressure'} (Pa) in the {ZONES[number]} zone"
     return asking(function, (*CYLINDER, "channel_size"), f"{what} at depth z (m). {ONE_MU if friction else SEEN}")
+
+
+def _shape(given):
+    """(theta_c, psi (rad), e_c (m)) of the channel."""
+    mu, _, phi = characteristic(MOVING, **take(given, PROPERTIES))
+    return eccentric.channel(given["diameter"] / 2, given["channel_size"], mu, phi)
 
 
 def _of_channel(number, doc):
     def function(**given):
-        mu, _, phi = characteristic(MOVING, **take(given, PROPERTIES))
-        return eccentric.channel(given["diameter"] / 2, given["channel_size"], mu, phi)[number]
+        return _shape(given)[number]
 
     return asking(function, ("diameter", "channel_size", *PROPERTIES), f"{doc} {SEEN}", None)
 
@@ -50,10 +59,33 @@ def _radius(*, diameter, channel_size):
     return channel_size * diameter / 2
 
 
-def _largest(number):
+def _resultant(static_set):
     def function(z, **given):
-        each = [zones(z, given | {"channel_size": np.float64(size)}) for size in CHANNEL_SIZES]
-        mu = characteristic(STATIC, **take(given, PROPERTIES))[0]
+        moving, static, _ = zones(z, static_set, given)
+        own = {"radius": given["diameter"] / 2, "half_width": _shape(given)[0]}
+        return eccentric.resultant(**own, static=static, moving=moving)
+
+    doc = f"Resultant of the pressures per metre of depth (N/m), away from the channel, at depth z (m). {STATICS}"
+    return asking(function, (*CYLINDER, "channel_size"), doc)
+
+
+def _summed(static_set, doc, lever: Callable):
+    """The resultant times a lever, integrated from the highest wall contact to the transition."""
+    level = _resultant(static_set)
+
+    def function(**given):
+        places, weights = double_exponential()
+        depth = given["cylinder_depth"] - given["contact_depth"]
+        z = given["contact_depth"] + depth * places
+        return np.sum(level(z, **given) * lever(depth * (1 - places)) * weights, axis=-1, keepdims=True) * depth
+
+    return asking(function, (*CYLINDER, "channel_size"), f"{doc} {STATICS}", None)
+
+
+def _largest(static_set, number):
+    def function(z, **given):
+        each = [zones(z, static_set, given | {"channel_size": np.float64(size)}) for size in CHANNEL_SIZES]
+        mu = characteristic(static_set, **take(given, PROPERTIES))[0]
         return np.max([one[2] for one in each], axis=0) * (1.0, mu)[number]
 
     what = ("Wall normal pressure (Pa)", "Wall friction traction (Pa)")[number]
@@ -61,46 +93,80 @@ def _largest(number):
     return asking(function, CYLINDER, doc)
 
 
-CHANNEL = {
-    f"{zone}_{quantity}": _in_zone(number, zone, friction)
-    for number, zone in enumerate(ZONES)
-    for quantity, friction in (("normal_pressure", False), ("friction_traction", True))
-} | {
-    "channel_half_width": _of_channel(0, "Angle theta_c (rad) from the channel's axis to its edge on the wall."),
-    "channel_eccentricity": _of_channel(2, "Distance e_c (m) of the channel's axis from the silo's."),
-    "channel_radius": _radius,
-}
+def channels(static_set):
+    """Everything that is known of each size of channel: pressures by zone, the channel's shape, and what they sum to."""
+    return {
+        f"{zone}_{quantity}": _in_zone(static_set, number, friction)
+        for number, zone in enumerate(ZONES)
+        for quantity, friction in (("normal_pressure", False), ("friction_traction", True))
+    } | {
+        "channel_half_width": _of_channel(0, "Angle theta_c (rad) from the channel's axis to its edge on the wall."),
+        "channel_eccentricity": _of_channel(2, "Distance e_c (m) of the channel's axis from the silo's."),
+        "channel_radius": _radius,
+        "channel_resultant": _resultant(static_set),
+        "channel_shear": _summed(static_set, "Horizontal force (N) on the whole wall, away from the channel.", np.ones_like),
+        "channel_moment": _summed(static_set, "Moment (N m) of that force about the transition.", lambda lever: lever),
+    }
 
-ROW = PressureMethod(
-    key="en1991_4_eccentric",
-    rank=160,
-    title="EN 1991-4:2006, large eccentric discharge",
-    source="en1991_4_2006",
-    locator="as public programs carry it (printed standard not seen)",
-    phases={"discharge": {"wall_normal_pressure": _largest(0), "wall_friction_traction": _largest(1)}},
-    channel={"discharge": CHANNEL},
-    static=janssen.normal_pressure,
-    plans=CIRCULAR,
-    limits=limits.ECCENTRIC,
-    varies=VARIED,
-    values={
-        "static and adjacent zone": described(STATIC),
-        "channel": described(MOVING),
-        "every quantity": "unit weight upper; no C_h, C_w",
-    },
-    used={"discharge": dict.fromkeys(("wall_normal_pressure", "wall_friction_traction"), used(STATIC))},
-    not_computed=(
-        "whether the action assessment class asks for this load case; large eccentricity of filling in very slender silos",
-        "a second static set with mu upper, which one program takes for the largest axial force",
-        "the resultant and the bending of the silo, which follow from the zones by integration",
+
+def case(key: str, title: str, static_set: str, colour: str, marker: str, **more) -> PressureMethod:
+    """The row of the load case with one set of characteristic values for the solid at rest."""
+    quantities = ("wall_normal_pressure", "wall_friction_traction")
+    return PressureMethod(
+        key=key,
+        rank=160,
+        title=title,
+        source="en1991_4_2006",
+        locator="as public programs carry it (printed standard not seen)",
+        phases={"discharge": {quantity: _largest(static_set, place) for place, quantity in enumerate(quantities)}},
+        channel={"discharge": channels(static_set)},
+        static=janssen.normal_pressure,
+        plans=CIRCULAR,
+        limits=limits.ECCENTRIC,
+        varies=VARIED,
+        values={
+            "static and adjacent zone": described(static_set),
+            "channel": described(MOVING),
+            "every quantity": "unit weight upper; no C_h, C_w",
+        },
+        used={"discharge": dict.fromkeys(quantities, used(static_set))},
+        formula="p_hce Janssen of a channel r_c = k_c r, k_c in 0.25, 0.40, 0.60, within theta_c of its axis; p_hse as after "
+        "filling beyond 2 theta_c; p_hae = 2 p_hse - p_hce between; p_w = mu p_h; shear and moment by integration",
+        colour=colour,
+        marker=marker,
+        table_key="en1991_4",
+        **more,
+    )
+
+
+NOT_COMPUTED = (
+    "large eccentricity of filling in very slender silos (from memory only)",
+    "the moment of the wall friction, which differs from zone to zone, and the bending of the wall: a shell's own analysis",
+)
+SAID = (
+    "a separate load case beside symmetric discharge; its pressures are local: wall_normal_pressure is that of the adjacent "
+    "zone, the largest of the three channels, which do not hang on how eccentric the outlet is; friction from one program; "
+    "static pressures of squat silos from one program; printed standard not seen; no published numbers: checked "
+    "against geometry"
+)
+ROWS = (
+    case(
+        "en1991_4_eccentric",
+        "EN 1991-4:2006, large eccentric discharge",
+        "wall_normal",
+        "#D6604D",
+        "+",
+        not_computed=NOT_COMPUTED,
+        validity=SAID,
     ),
-    formula="p_hce Janssen of a channel r_c = k_c r, k_c in 0.25, 0.40, 0.60, within theta_c of its axis; p_hse as after "
-    "filling beyond 2 theta_c; p_hae = 2 p_hse - p_hce between; p_w = mu p_h",
-    validity="a separate load case beside symmetric discharge; its pressures are local: wall_normal_pressure is that of the "
-    "adjacent zone, the largest of the three channels, which do not hang on how eccentric the outlet is; friction from one "
-    "program; static pressures of squat silos from one program; printed standard not seen; no published numbers: checked "
-    "against geometry",
-    colour="#D6604D",
-    marker="+",
-    table_key="en1991_4",
+    case(
+        "en1991_4_eccentric_friction",
+        "EN 1991-4:2006, large eccentric discharge, friction set (one source)",
+        "wall_friction",
+        "#762A83",
+        "$e$",
+        not_computed=NOT_COMPUTED,
+        validity=f"the solid at rest with the set for the wall friction, as one program has it: for the axial force; {SAID}",
+        on_request=True,
+    ),
 )

@@ -1,11 +1,10 @@
-"""Steep and shallow hoppers of EN 1991-4:2006, x the height above the apex: cones and, with S = 1, wedges.
+"""Steep and shallow hoppers of EN 1991-4:2006, x the height above the apex: cones, pyramids and wedges.
 
 Printed standard not seen; agrees in two or more public programs, but for discharge in shallow hoppers (as filling: two
 programs of three) and the exponent, on which programs disagree: n = S (F mu cot(beta) + F) - S is the equilibrium of slices,
 and what their own filling rule and AS 3774 come to; "- 2" is the same for S = 2 alone, and lets the wall of a wedge carry 1.6
-to 2.1 times contents and load.
-Left out because not verified: the bottom load magnifier C_b on the vertical load (public programs take 1.0 and 1.2), pyramids,
-the alternative reference method.
+to 2.1 times contents and load.  Where two pairs of walls of different slope meet in one apex, equilibrium asks for the sum of
+F (1 + mu cot(beta)) - 1 over the pairs: S = 2 for a cone or a square pyramid, S = 1 for a wedge between smooth vertical ends.
 """
 
 import numpy as np
@@ -58,9 +57,9 @@ def vertical_pressure(share, *, weight, exponent, top):
     return np.where(share > 0, value, np.where(np.isfinite(at_apex), at_apex, np.nan))
 
 
-def exponent(ratio, half_angle, mu, slot):
-    """n (1): S (F mu cot(beta) + F) - S, S = 2 for a cone, 1 for a wedge.
+def exponent(ratio, half_angle, mu):
+    """One pair of walls' part of the exponent n (1): F mu cot(beta) + F - 1, from two pairs in a cone or a pyramid.
 
     Source: en1991_4_2006, by the equilibrium of slices (programs that print "- 2" for a wedge are not in equilibrium).
     """
-    return (2 - slot) * (ratio * steepness(half_angle, mu) - 1)
+    return ratio * steepness(half_angle, mu) - 1

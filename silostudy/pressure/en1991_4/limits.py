@@ -4,11 +4,25 @@ import numpy as np
 
 from silostudy.pressure import hopper_shape
 from silostudy.pressure.calls import asking
-from silostudy.pressure.en1991_4.cylinder import SLENDER
+from silostudy.pressure.en1991_4 import classes
+from silostudy.pressure.en1991_4.cylinder import SLENDER, SQUAT
 from silostudy.pressure.limits import DIAMETER, SLENDERNESS, Limit, Measure
 
 RETAINING = 0.4  # h_c / d_c
+SIMPLIFIED, EVERY_CASE = 1.0, 3.0  # action assessment classes
 LARGE_ECCENTRICITY = 0.25  # of the outlet, over d_c
+OF_BOTTOM = (
+    "hopper_normal_pressure",
+    "hopper_friction_traction",
+    "hopper_vertical_pressure",
+    "hopper_end_normal_pressure",
+    "hopper_end_friction_traction",
+    "outlet_force",
+    "hopper_steep",
+    "hopper_effective_friction",
+    "hopper_pressure_ratio",
+    "hopper_exponent",
+)
 FRICTION = ("wall_friction", "a_mu", "lateral_pressure_ratio", "a_K")
 SCOPE = "EN 1991-4:2006, 1.1.2, by the publisher's scope paragraph and programs"
 
@@ -37,6 +51,16 @@ def _lower_ratio(*, lateral_pressure_ratio, a_K):
     return lateral_pressure_ratio / a_K
 
 
+def _heap_on_floor(*, top_cone_height, cylinder_depth, diameter, hopper_half_angle):
+    """Heap height (m) of a flat-bottomed silo that is not slender; 0 of others."""
+    concerned = np.isnan(hopper_half_angle) & (cylinder_depth / diameter < SLENDER)
+    return np.where(concerned, top_cone_height, 0.0)
+
+
+def _declared(*, assessment_class):
+    return np.where(assessment_class == 0, EVERY_CASE, assessment_class)
+
+
 CONTACT_SHARE = asking(
     _contact_share,
     (*FRICTION, "contact_depth", "cylinder_depth", "diameter", "hydraulic_radius"),
@@ -49,6 +73,11 @@ ALL = (
     Limit(measure=Measure("h_b", "m", _apex_depth), below=100.0, why=SCOPE),
     Limit(measure=DIAMETER, below=60.0, why=SCOPE),
     Limit(
+        measure=Measure("largest particle/d_c", "1", lambda *, largest_particle, diameter: largest_particle / diameter),
+        most=0.03,
+        why="EN 1991-4:2006, 1.1.2, by the publisher's scope paragraph, one source; the older edition is read as 0.3",
+    ),
+    Limit(
         measure=Measure("heap height/(d_c/2 tan phi_r)", "1", _heap_share),
         most=1.0,
         why="a heap is no steeper than the angle of repose",
@@ -59,20 +88,43 @@ ALL = (
         why="the power law has no value beyond",
     ),
 )
+BOTTOM = Limit(
+    measure=Measure("heap of a flat-bottomed silo of h_c/d_c < 2", "m", _heap_on_floor),
+    most=0.0,
+    part="load on the floor",
+    quantities=("bottom_pressure",),
+    why="how a heap presses on the floor of a silo that is not slender is known from memory only",
+)
+CLASS_1 = (
+    Limit(
+        measure=Measure("action assessment class, declared or the least one,", "1", classes.class_taken),
+        most=SIMPLIFIED,
+        why="the simplified rules are for class 1",
+    ),
+    Limit(
+        measure=Measure("least action assessment class", "1", classes.least_class),
+        most=SIMPLIFIED,
+        why="below 100 t, one source; a national choice",
+    ),
+    Limit(
+        measure=SLENDERNESS,
+        gap=(SQUAT, SLENDER),
+        phases=("discharge",),
+        why="C_h and C_w of class 1 between squat and slender are known from memory only",
+    ),
+    Limit(
+        measure=Measure("declared dynamic load on the bottom", "1", lambda *, dynamic_bottom: dynamic_bottom),
+        most=0.0,
+        part="hopper and bottom",
+        quantities=(*OF_BOTTOM, "bottom_load_magnifier", "bottom_pressure", "transition_force"),
+        why="C_b of class 1 with it is known from memory only",
+    ),
+)
 HOPPER = Limit(
     measure=Measure("lower K", "1", _lower_ratio),
     below=1.0,
     part="hopper",
-    quantities=(
-        "hopper_normal_pressure",
-        "hopper_friction_traction",
-        "hopper_vertical_pressure",
-        "outlet_force",
-        "hopper_steep",
-        "hopper_effective_friction",
-        "hopper_pressure_ratio",
-        "hopper_exponent",
-    ),
+    quantities=OF_BOTTOM,
     why="mu_eff = (1 - K)/(2 tan beta) of a shallow hopper would be negative",
 )
 ECCENTRIC = (
@@ -80,6 +132,11 @@ ECCENTRIC = (
     Limit(
         measure=Measure("e_o/d_c", "1", lambda *, outlet_eccentricity, diameter: outlet_eccentricity / diameter),
         above=LARGE_ECCENTRICITY,
-        why="two accounts: large outlet eccentricity; the action assessment class is not judged here",
+        why="two accounts: large outlet eccentricity",
+    ),
+    Limit(
+        measure=Measure("action assessment class, where it is declared,", "1", _declared),
+        least=EVERY_CASE,
+        why="the load case is one of class 3",
     ),
 )

@@ -1,18 +1,16 @@
 """EN 1991-4:2006 on the cylinder's wall: each quantity with a set of characteristic values, as functions of a method."""
 
-import numpy as np
-
-from silostudy.pressure.calls import asking
-from silostudy.pressure.en1991_4 import cylinder
+from silostudy.pressure.calls import asking, call, parameters_of
+from silostudy.pressure.en1991_4 import classes, cylinder, factors
 from silostudy.pressure.en1991_4.characteristic import PROPERTIES, characteristic, used
 
 STATE = ("unit_weight", "hydraulic_radius", "diameter", "cylinder_depth", "repose_angle", "contact_depth")
 CYLINDER = (*STATE, *PROPERTIES)
-INCREASE = {
-    "wall_normal_pressure": cylinder.NORMAL_INCREASE,
-    "wall_friction_traction": cylinder.FRICTION_INCREASE,
-    "axial_wall_force": cylinder.FRICTION_INCREASE,
-    "accompanying_wall_pressure": 0.0,
+# which factor increases a quantity in discharge; p_v in discharge was not verified
+INCREASED_BY = {
+    "wall_normal_pressure": "normal_pressure_increase",
+    "wall_friction_traction": "wall_friction_increase",
+    "axial_wall_force": "wall_friction_increase",
 }
 # the set of each quantity that is unfavourable for it; what presses on the wall while the axial force acts follows the force
 DESIGN_SETS = {
@@ -56,23 +54,23 @@ def read_off(quantity, z, set_name, given):
     }[quantity]
 
 
-def on_cylinder(quantity, set_name, phase):
-    """A method function for one quantity with one set, increased in discharge."""
+def on_cylinder(quantity, set_name, phase, increases=factors.USUAL):
+    """A method function for one quantity with one set, increased in discharge by C_h or C_w of `increases`."""
+    by = increases.get(INCREASED_BY.get(quantity)) if phase == "discharge" else None
 
     def function(z, **given):
         value = read_off(quantity, z, set_name, given)
-        if phase == "discharge":
-            value = value * cylinder.discharge_factor(INCREASE[quantity], **take(given, ("diameter", "cylinder_depth")))
-        return value
+        return value if by is None else value * call(by, None, given)
 
-    return asking(function, CYLINDER, f"{DOCS[quantity]} {SEEN}")
+    return asking(function, (*CYLINDER, *(parameters_of(by) if by else ())), f"{DOCS[quantity]} {SEEN}")
 
 
-def phases(sets):
-    """phase -> quantity -> function, with the set of each quantity; p_v in discharge was not verified."""
+def phases(sets, increases=factors.USUAL):
+    """phase -> quantity -> function, with the set of each quantity."""
+    in_discharge = (*INCREASED_BY, "accompanying_wall_pressure")
     return {
         "filling": {quantity: on_cylinder(quantity, name, "filling") for quantity, name in sets.items()},
-        "discharge": {q: on_cylinder(q, name, "discharge") for q, name in sets.items() if q in INCREASE},
+        "discharge": {q: on_cylinder(q, name, "discharge", increases) for q, name in sets.items() if q in in_discharge},
     }
 
 
@@ -82,21 +80,7 @@ def used_by(sets):
     return {"filling": each, "discharge": each}
 
 
-def numbers(phase):
-    """The slenderness class (1), and in discharge C_h and C_w (1)."""
-    found = {"slenderness_class": cylinder.slenderness_class}
-    if phase == "discharge":
-        for name, increase in (
-            ("normal_pressure_increase", cylinder.NORMAL_INCREASE),
-            ("wall_friction_increase", cylinder.FRICTION_INCREASE),
-        ):
-            found[name] = _factor(increase)
-    return found
-
-
-def _factor(increase):
-    def function(*, diameter, cylinder_depth):
-        return cylinder.discharge_factor(np.float64(increase), diameter=diameter, cylinder_depth=cylinder_depth)
-
-    function.__doc__ = cylinder.discharge_factor.__doc__
-    return function
+def numbers(phase, increases=factors.USUAL):
+    """The slenderness class and the least action assessment class (1), and in discharge C_h and C_w (1)."""
+    found = {"slenderness_class": cylinder.slenderness_class, "least_assessment_class": classes.least_class}
+    return found | (dict(increases) if phase == "discharge" else {})

@@ -3,7 +3,7 @@
 from typing import Any
 
 from silostudy.pressure import janssen
-from silostudy.pressure.en1991_4 import in_hopper, limits, on_wall, patches
+from silostudy.pressure.en1991_4 import factors, in_hopper, limits, on_wall, patches
 from silostudy.pressure.en1991_4.characteristic import VARIED, described, used
 from silostudy.pressure.family import CELLS, ON_HOPPER, SLOT, USUAL_PHASES, PressureMethod
 
@@ -16,20 +16,10 @@ COMMON: dict[str, Any] = {
     "table_key": "en1991_4",
     "varies": VARIED,
 }
-LEFT_OUT = (
-    "retaining silos (h_c/d_c <= 0.4): masked",
-    "the simplified rules of action assessment class 1, and which class asks for which load case: the user chooses",
-    "the bottom load magnifier C_b on the vertical load (three public programs take 1.0, 1.0 and 1.2; here 1.0), flat bottoms, "
-    "pyramidal hoppers",
-    "thick-walled patch loads, the uniform increase in place of patches, rapid filling, temperature, entrained air, silage, "
-    "earthquake",
-    "the patch factor of discharge jumps by two at h_c/d_c = 1.2, where one public program's form for squat silos ends: not "
-    "smoothed",
-)
 FORMULA = (
     "p_hf = gamma R/mu (1 - exp(-z/z_o)), z_o = R/(K mu), for h_c/d_c >= 2, below it a power law from the highest wall contact "
     "h_o down; discharge times C_h, C_w; hopper p_v = gamma h/(n - 1) [x/h - (x/h)^n] + p_vft (x/h)^n, p_n = F p_v, "
-    "n = S (F mu cot beta + F - 1), S = 2 for a cone, 1 for a wedge"
+    "n = S (F mu cot beta + F - 1), S = 2 for a cone or a square pyramid, 1 for a wedge; the sum over both pairs of a rectangle"
 )
 SEEN = "printed standard not seen; no published numbers: checked in 50-digit arithmetic and by equilibrium"
 OF_HOPPER = {phase: {ON_HOPPER: used(f"hopper_{phase}", "hopper_wall_friction")} for phase in USUAL_PHASES}
@@ -41,8 +31,8 @@ DESIGN = PressureMethod(
     phases=on_wall.phases(on_wall.DESIGN_SETS),
     hopper={phase: in_hopper.pressures(phase) for phase in USUAL_PHASES},
     totals={phase: in_hopper.totals(phase) | patches.totals(phase) | on_wall.numbers(phase) for phase in USUAL_PHASES},
-    limits=(*limits.ALL, limits.HOPPER),
-    plans_of=patches.PLANS,
+    limits=(*limits.ALL, limits.HOPPER, limits.BOTTOM),
+    plans_of=patches.PLANS | in_hopper.PLANS,
     values={
         **{quantity: described(name) for quantity, name in on_wall.DESIGN_SETS.items()},
         "hopper in filling": described("hopper_filling"),
@@ -51,7 +41,6 @@ DESIGN = PressureMethod(
         "every quantity": "unit weight upper; mu at most tan phi of its set unless characteristic_friction is uncapped",
     },
     used={phase: OF_WALL[phase] | OF_HOPPER[phase] for phase in USUAL_PHASES},
-    not_computed=LEFT_OUT,
     formula=FORMULA,
     validity="discharge in shallow hoppers as filling (two public programs of three); each quantity with the characteristic "
     "values that are unfavourable for it, so that together they are no single state of equilibrium (the sets' own rows are); "
@@ -83,8 +72,32 @@ def state(name: str, title: str, colour: str, marker: str) -> PressureMethod:
     )
 
 
+SIMPLE_SETS = dict.fromkeys(on_wall.DESIGN_SETS, "mean")
+SIMPLE = PressureMethod(
+    key="en1991_4_class_1",
+    title="EN 1991-4:2006, action assessment class 1 (one source)",
+    phases=on_wall.phases(SIMPLE_SETS, factors.SIMPLIFIED),
+    hopper={phase: in_hopper.pressures(phase, factors.simplified_bottom_magnifier) for phase in USUAL_PHASES},
+    totals={
+        phase: in_hopper.totals(phase, factors.simplified_bottom_magnifier) | on_wall.numbers(phase, factors.SIMPLIFIED)
+        for phase in USUAL_PHASES
+    },
+    limits=(*limits.ALL, limits.HOPPER, limits.BOTTOM, *limits.CLASS_1),
+    plans_of=in_hopper.PLANS,
+    values={**DESIGN.values, **{quantity: described("mean") for quantity in on_wall.DESIGN_SETS}},
+    used={phase: on_wall.used_by(SIMPLE_SETS)[phase] | OF_HOPPER[phase] for phase in USUAL_PHASES},
+    not_computed=("from memory only: C_h and C_w between squat and slender, C_b where the solid acts dynamically",),
+    formula="as the design row, with mean mu and K on the cylinder's wall, no patch, C_h = 1.15 + 1.5 (1 + 0.4 e/d_c) C_op, "
+    "C_w = 1.4 (1 + 0.4 e/d_c), C_b = 1.3",
+    validity=f"simplified rules that a small silo may take in place of the design row's; one public program has them; {SEEN}",
+    colour="#4393C3",
+    marker="$1$",
+    on_request=True,
+    **COMMON,
+)
 ROWS = (
     DESIGN,
+    SIMPLE,
     state("mean", "mean values", "#67A9CF", "1"),
     state("wall_normal", "set for the wall pressure", "#1A3F6B", "2"),
     state("wall_friction", "set for the wall friction", "#5E3C99", "3"),
