@@ -6,6 +6,6 @@ def explanation(row) -> list[str]:
     from silostudy.checks.family import PARAMETERS
     from silostudy.tables.references import with_locator
 
-    lines = [f"{row.title} ({row.key})", f"  formula   {row.formula}", f"  range     {row.validity}", "  symbols"]
+    lines = [f"{row.title} ({row.key})", f"  formula   {row.formula}", f"  range     {row.range}", "  symbols"]
     lines += [f"            {symbol}: {name} ({unit})" for name, (unit, symbol, _) in PARAMETERS.items() if name in row.needs]
     return [*lines, f"  source    {with_locator(row.source, row.locator)}"]

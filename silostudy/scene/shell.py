@@ -99,7 +99,7 @@ def cylinder(config: Cylinder) -> Shell:
 class Wall:
     """The steel wall of a silo's cylinder.
 
-    steel: parameters of the buckling rules by name; edges: depth of each strake's lower edge over the cylinder's height,
+    steel: parameters of the buckling rules and the checks by name; edges: depth of each strake's lower edge over the cylinder's height,
     with its thickness (m) beside it; bay_length: ring spacing (m), None without rings; unit_weight: of the steel (N m-3);
     imposed_force: axial force (N/m) of roof and snow.
     """
@@ -157,7 +157,7 @@ def _require_wall(config: SteelSilo, height: float, where: str) -> None:
 def wall(config: SiloWall, inner_radius: float) -> Wall:
     """The wall that a configuration describes, of a cylinder of this radius (m); roof and snow rest on its top all round."""
     return Wall(
-        steel=steel(config),
+        steel={**steel(config), "joint_efficiency": config.joint_efficiency},
         edges=tuple(strake.down_to for strake in config.strakes),
         thicknesses=tuple(strake.thickness_mm / 1e3 for strake in config.strakes),
         bay_length=config.rings.spacing_m if config.rings else None,
