@@ -61,6 +61,8 @@ GIVEN_BY = {
     "hopper_thickness": "scene.hopper_shell",
     "hopper_joint_efficiency": "scene.hopper_shell",
     "hopper_meridional_force": "hopper_position",
+    "thickness": "scene.shell.strakes",
+    "support_force": "scene.shell.strakes_and_hopper_position",
     "ring_area": "scene.transition_ring",
     "ring_second_moment": "scene.transition_ring.second_moment_cm4",
     "column_count": "scene.columns",

@@ -10,6 +10,7 @@ from silostudy.config.fields import Strict, described
 from silostudy.config.pressure import PressureStudy
 from silostudy.config.scene import END_WORDS, FRICTION_ENDS, CircularSilo, SceneConfig
 from silostudy.config.steel import SiloWall
+from silostudy.config.steelwork import Anchors, Checks, Columns, HopperShell, TransitionRing, Wind
 from silostudy.tables.mass_choices import MASS_CHOICES, USUAL
 from silostudy.tables.outputs import OUTPUTS
 
@@ -22,6 +23,13 @@ class SteelSilo(SceneConfig):
 
     silo: CircularSilo = described("shape and size", "")
     shell: SiloWall = described("the steel wall of the cylinder", "")
+    wind: Wind | None = described("wind and suction, for `checks`; null: none", "", default=None)
+    hopper_shell: HopperShell | None = described("the hopper's wall, for `checks`; null: not checked", "", default=None)
+    transition_ring: TransitionRing | None = described(
+        "the ring at the transition, for `checks`; null: not checked", "", default=None
+    )
+    columns: Columns | None = described("columns under a ring beam, for `checks`; null: not checked", "", default=None)
+    anchors: Anchors | None = described("anchors at the foot, for `checks`; null: not checked", "", default=None)
     wall_friction_end: Literal[(*FRICTION_ENDS, BOTH)] = described(  # type: ignore[valid-type]
         f"{END_WORDS}. both: an axis of lower and upper, and the worst of them in the cube "
         "(`largest_utilisation`, `largest_required_thickness`)",
@@ -49,6 +57,10 @@ class ShellStudy(PressureStudy, RuleChoice):
     scene: SteelSilo = described("the base scene", "")
     earthquake: Earthquake | None = described("check the wall with an earthquake too; null: do not", "", default=None)
 
+    checks: Checks | None = described(
+        "make every check of the steel under combinations of actions (a stage of its own); null: do not", "", default=None
+    )
+
     @model_validator(mode="before")
     @classmethod
     def _both_ends(cls, content: Any) -> Any:
@@ -57,6 +69,12 @@ class ShellStudy(PressureStudy, RuleChoice):
             return content
         ends = {"axis": END_KEY, "values": {END_KEY: ["lower", "upper"]}}
         return {**content, "scene": {**scene, END_KEY: "upper"}, "sweep": [*(content.get("sweep") or ()), ends]}
+
+    @model_validator(mode="after")
+    def _shaken_checks(self) -> Self:
+        if self.checks and self.checks.earthquake and self.earthquake is None:
+            raise ValueError("checks.earthquake needs the section earthquake, which names the seismic study")
+        return self
 
     @model_validator(mode="after")
     def _wall_of_outputs(self) -> Self:

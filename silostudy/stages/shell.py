@@ -18,6 +18,14 @@ KIND = Kind(
             reads=("pressure",),
             borrows={"earthquake": "seismic"},
         ),
+        Stage(
+            key="checks",
+            title="every check of the steel under combinations of actions",
+            compute="silostudy.compute.checks:checks_cube",
+            section="checks",
+            reads=("pressure",),
+            borrows={"earthquake": "seismic"},
+        ),
     ),
     about=(
         *PRESSURE.about,
