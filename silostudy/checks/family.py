@@ -89,7 +89,7 @@ class SteelCheck(Row):
 
     effect, resistance: function(*, parameters), both in `unit`; needed: the thickness (m) at which a wall just carries, None
     where it has to be sought.
-    acts_in: names of actions without which a combination has nothing to check here; idle_with: those with which it has not.
+    acts_in: actions of which a combination needs one to be checked here; idle_with: actions that, all together, make it idle.
     one_source: a single public source has it; such a check runs only where a study names it.
     """
 

@@ -22,7 +22,7 @@ def meridional_force(normal, traction, *, height, half_angle, wall_weight=0.0):
     above, below = down[..., :-1], down[..., 1:]
     parts = (upper - lower) / 6 * (upper * above + (upper + lower) * (above + below) + lower * below)
     carried = np.flip(np.cumsum(np.flip(parts, axis=-1), axis=-1), axis=-1)
-    carried = np.concatenate([carried, np.zeros_like(carried[..., :1])], axis=-1)
+    carried = np.concatenate([carried, 0 * lower[..., -1:] * below[..., -1:]], axis=-1)
     with np.errstate(invalid="ignore", divide="ignore"):
         return carried / (height * np.cos(half_angle))
 

@@ -6,7 +6,7 @@ import xarray as xr
 from silostudy.buckling import BUCKLING as RULES
 from silostudy.buckling.family import IN_SCOPE, NO_LOAD
 from silostudy.buckling.family import REASONS as RULE_REASONS
-from silostudy.checks import BUCKLING
+from silostudy.checks import BUCKLING, CHECKS
 from silostudy.checks.family import REASONS, WALL
 from silostudy.choice.expand import Resolved
 from silostudy.compute.axes import sweep_of
@@ -48,12 +48,14 @@ def checks_cube(expansion: Resolved, pressure: xr.Dataset, seismic: xr.Dataset |
     built = as_built(loads) if np.isfinite(loads.source.places.thickness).any() else {}
     rows = rows_of(study, WALL)
     data = rule_coordinates(rules) | actions(loads) | thicknesses(rules, rows, loads)
-    data |= below(pressure, loads, built) | {"check": [BUCKLING, *(row.key for row in rows)]}
+    data |= below(pressure, loads, built)
     if built:
         data |= utilisations(rules, rows, loads, built)
     sweep = sweep_of(expansion)
     data |= {str(name): pressure[name].values for name in pressure.coords.keys() - sweep.coordinates.keys()}
-    notes = {**expansion.promise, **study.own_methods, "not_given": "; ".join(not_given(expansion))}
+    silent = [row.key for row in CHECKS.values() if row.one_source and row.key not in study.checks.one_source]
+    notes: dict = {**expansion.promise, **study.own_methods}
+    notes |= {"not_given": ", ".join(not_given(expansion)), "one_source_left_out": ", ".join(silent)}
     notes |= earthquake_told(shaken) if shaken is not None else {}
     sources = [rule.source for rule in rules] + [method.row.source for method in methods_of(expansion)]
     sources += [row.source for row in rows] + [one.source for one in loads.combinations if one.source]
@@ -110,7 +112,6 @@ def utilisations(rules, rows, loads: Load, built) -> dict:
         "design_buckling_utilisation": by_rule["utilisation"],
         "design_buckling_utilisation_scope": (by_rule["scope"], flags("why it is masked", RULE_REASONS)),
         "design_buckling_stress": by_rule["strength"],
-        "steel_check": [row.key for row in rows],
         "design_check_utilisation": by_check["utilisation"],
         "design_check_utilisation_scope": (by_check["scope"], flags("why it is masked", REASONS)),
         "design_check_effect": by_check["effect"],
@@ -121,14 +122,17 @@ def utilisations(rules, rows, loads: Load, built) -> dict:
 
 def thicknesses(rules, rows, loads: Load) -> dict:
     """Thickness that each depth asks for in a wall of one thickness: the largest of all checks, with what governs."""
-    by_rule, scope = needed_by_rules(rules, loads)
+    (by_rule, scope), by_check = needed_by_rules(rules, loads), needed(rows, loads)
     unjudged = (np.isnan(by_rule) & (scope != NO_LOAD)).any(axis=1) | loads.unloaded
-    most, check, combination = combined(by_rule, needed(rows, loads), unjudged)
+    most, check, combination = combined(by_rule, by_check, unjudged)
     told = flags("check that asks for the most", _names(rows)), flags("in which combination", _keys(loads))
     found = {
         "design_thickness": most,
         "design_thickness_check": (check, told[0]),
         "design_thickness_combination": (combination, told[1]),
+        "design_buckling_thickness": np.fmax.reduce(by_rule, axis=1),
+        "steel_check": [row.key for row in rows],
+        "design_check_thickness": np.fmax.reduce(by_check, axis=1),
     }
     return found | _by_strake(loads, "design_strake_thickness", (most, check, combination), unjudged, told)
 

@@ -17,18 +17,19 @@ def rows_of(study, part: str) -> list[SteelCheck]:
 
 def acts(row: SteelCheck, one: Combination, source: Given) -> bool:
     """Whether a combination gives a check anything to look at."""
-    return (not row.acts_in or bool(row.acts_in & one.actions)) and not row.idle_with & one.actions
+    idle = bool(row.idle_with) and row.idle_with <= one.actions
+    return not idle and (not row.acts_in or bool(row.acts_in & one.actions))
 
 
 def scope(row: SteelCheck, parameters: Mapping, combinations: Sequence[Combination], lacks, source: Given, shape) -> np.ndarray:
     """Flag of REASONS of a check in every combination (first axis); lacks: flags by combination and case."""
     idle = np.array([not acts(row, one, source) for one in combinations]).reshape(-1, *[1] * (len(shape) - 1))
-    conditions, reasons = [lacks > 0, idle], [lacks, OTHER_COMBINATION]
-    for name in sorted(row.needs):
-        missing = np.isnan(np.asarray(parameters[name], dtype=float))
-        conditions.append(missing)
-        given = name not in GIVEN_BY or not missing.all()  # in a part alone: a method says nothing there
-        reasons.append(NO_LOAD if given else REASONS.index(f"needs_{GIVEN_BY[name]}"))
+    missing = {name: np.isnan(np.asarray(parameters[name], dtype=float)) for name in sorted(row.needs)}
+    # of what a study gives all is missing, or a method says nothing somewhere
+    absent = [name for name, where in missing.items() if name in GIVEN_BY and where.all()]
+    conditions = [lacks > 0, idle, *(missing[name] for name in absent), *missing.values()]
+    reasons = [lacks, OTHER_COMBINATION, *(REASONS.index(f"needs_{GIVEN_BY[name]}") for name in absent)]
+    reasons += [NO_LOAD] * len(missing)
     conditions += [limit.broken(None, parameters) for limit in row.limits]
     reasons += [OUT_OF_RANGE] * len(row.limits)
     conditions, reasons = ([np.broadcast_to(one, shape) for one in many] for many in (conditions, reasons))

@@ -152,14 +152,14 @@ def _needed(row: SteelCheck, loads: Load, at: Callable) -> np.ndarray:
 
 
 def _sought(row: SteelCheck, at: Callable, radius: np.ndarray) -> np.ndarray:
-    """The thickness (m) by halving the range of log R/t; NaN where the stockiest wall does not do."""
+    """The thickness (m) by halving the range of log R/t; NaN where the stockiest wall does not do, 0 where the slenderest does."""
     thin, thick = radius / SLENDEREST, radius / STOCKIEST
-    enough = row.utilisation(at(thick)) <= 1
+    enough, idle = (row.utilisation(at(end)) <= 1 for end in (thick, thin))
     for _ in range(HALVINGS):
         middle = np.sqrt(thin * thick)
         carries = row.utilisation(at(middle)) <= 1
         thin, thick = np.where(carries, thin, middle), np.where(carries, middle, thick)
-    return np.where(enough, thick, np.nan)
+    return np.where(idle, 0.0, np.where(enough, thick, np.nan))
 
 
 def buckled(rules, loads: Load, parameters: Mapping) -> dict[str, np.ndarray]:
