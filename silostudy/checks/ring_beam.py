@@ -23,10 +23,10 @@ def shear_force(*, support_force, inner_radius, column_count):
 
 
 def largest_torque(*, support_force, inner_radius, column_count):
-    """Largest torque (N m), where cos s = sin(ph)/ph from midspan. Source: statics, two tables of circular beams."""
+    """Largest torque (N m): q R^2 (ph sin s/sin ph - s), cos s = sin(ph)/ph. Source: statics, two tables of circular beams."""
     half = np.pi / column_count
     place = np.arccos(np.sin(half) / half)
-    return support_force * inner_radius**2 * (place - half * np.sin(place) / np.sin(half))
+    return support_force * inner_radius**2 * (half * np.sin(place) / np.sin(half) - place)
 
 
 def stress(*, support_force, inner_radius, column_count, section_modulus):

@@ -7,7 +7,6 @@ Derived from mechanics, checked against the uniform wall of every kind of edge; 
 import numpy as np
 
 ELEMENTS = 60
-MOST_WAVES = 200
 # edge -> which of deflection w and slope w' it holds; w' stands for the axial movement
 HELD = {"free": (False, False), "pinned": (True, False), "clamped": (True, True)}
 STRETCH = np.array([[12, 6, -12, 6], [6, 4, -6, 2], [-12, -6, 12, -6], [6, 2, -6, 4]])
@@ -21,8 +20,6 @@ def critical_pressure(
 
     heights (m): of the courses; edges: how the upper and the lower one are held, keys of HELD.
     """
-    from scipy.linalg import eigh  # slow to load, and only this needs it
-
     steps, courses = _mesh(np.asarray(thicknesses, dtype=float), np.asarray(heights, dtype=float), elements)
     stiffness = youngs_modulus * courses**3 / (12 * (1 - shell_poisson_ratio**2))
     free = _free(edges, len(steps))
@@ -30,13 +27,13 @@ def critical_pressure(
         _assembled(steps, weights, matrix)[np.ix_(free, free)]
         for weights, matrix in ((stiffness, SPREAD), (courses, STRETCH), (np.ones_like(courses), SPREAD))
     )
-    least, waves = np.inf, 0
-    for n in range(2, MOST_WAVES):
+    to_unit = np.linalg.inv(np.linalg.cholesky(pressed))
+    bending, stretching = (to_unit @ form @ to_unit.T for form in (bending, stretching))
+    least, waves, n = np.inf, 0, 2
+    while n**2 * stiffness.min() / radius**3 < least:  # bending alone resists more waves by more than that
         form = n**2 / radius**3 * bending + youngs_modulus * radius**3 / n**6 * stretching
-        found = float(eigh(form, pressed, eigvals_only=True, subset_by_index=(0, 0))[0])
-        if found > least:
-            return least, waves
-        least, waves = found, n
+        found = float(np.linalg.eigvalsh(form)[0])
+        least, waves, n = (found, n, n + 1) if found < least else (least, waves, n + 1)
     return least, waves
 
 

@@ -31,13 +31,13 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     _checks(panels[2], one, THICKNESS, 1e3)
     wall = one.isel(wall_friction_end=0)
     panels[2].plot(wall["place_thickness"] * 1e3, wall["place_depth"], color="black", linewidth=2.2)
-    labels = ("axial wall force with its factors (kN/m)", "utilisation as built", "thickness (mm): needed; as built (black)")
+    labels = ("axial wall force with its factors (kN/m)", "utilisation as built", "thickness (mm): needed by a wall of one thickness; as built (black)")
     for panel, label in zip(panels, labels, strict=True):
         panel.set(xlabel=label)
     panels[0].set(ylabel="depth z (m)", ylim=(float(cube["place_depth"].max()), 0))
     panels[1].set_xlim(0, None)
     panels[2].set_xlim(0, None)
-    panels[0].legend(fontsize=8, title="combination", loc="lower right")
+    panels[0].legend(fontsize=8, title="combination", loc="upper right")
     heading = "checks; wide band: the check that governs, with the rule "
     figure.legend(handles=_handles(cube), loc="outside lower left", ncols=2, fontsize=8,
                   title=heading + rules.name(cube, str(cube["rule"].values[0])))  # fmt: skip
