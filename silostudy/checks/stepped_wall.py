@@ -6,7 +6,7 @@ Derived from mechanics, checked against the uniform wall of every kind of edge; 
 
 import numpy as np
 
-ELEMENTS = 60
+ELEMENTS = 40
 # edge -> which of deflection w and slope w' it holds; w' stands for the axial movement
 HELD = {"free": (False, False), "pinned": (True, False), "clamped": (True, True)}
 STRETCH = np.array([[12, 6, -12, 6], [6, 4, -6, 2], [-12, -6, 12, -6], [6, 2, -6, 4]])

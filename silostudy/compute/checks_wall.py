@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 
@@ -111,10 +112,18 @@ def _of_case(scene) -> tuple[float, float]:
     wall, height = scene.shell, scene.silo.wall_depth
     if scene.edges is None or not wall.edges:
         return np.nan, np.nan
-    heights = np.diff([0.0, *wall.edges]) * height
-    mean = float(np.dot(wall.thicknesses, heights)) / height
-    steel = {name: wall.steel[name] for name in ("youngs_modulus", "shell_poisson_ratio")}
-    return critical_pressure(wall.thicknesses, heights, radius=(scene.silo.diameter + mean) / 2, edges=scene.edges, **steel)
+    steel = (wall.steel["youngs_modulus"], wall.steel["shell_poisson_ratio"])
+    return _critical(wall.thicknesses, wall.edges, height, scene.silo.diameter, steel, scene.edges)
+
+
+@lru_cache(maxsize=256)
+def _critical(thicknesses, shares, height: float, diameter: float, steel, edges) -> tuple[float, float]:
+    """The same of courses that end at shares of the height (m): cases often differ in what stands in the silo alone."""
+    heights = np.diff([0.0, *shares]) * height
+    mean = float(np.dot(thicknesses, heights)) / height
+    return critical_pressure(
+        thicknesses, heights, radius=(diameter + mean) / 2, youngs_modulus=steel[0], shell_poisson_ratio=steel[1], edges=edges
+    )
 
 
 def checked(rows: Sequence[SteelCheck], loads: Load, parameters: Mapping) -> dict[str, np.ndarray]:

@@ -48,7 +48,7 @@ def test_stepped_wall_against_sines():
     found, waves = ritz(thicknesses, heights, elements=60)
     form = waves**2 / R**3 * parts[0] + E * R**3 / waves**6 * parts[1]
     by_sines = np.linalg.eigvals(np.linalg.solve(parts[2], form)).real.min()
-    assert found == pytest.approx(by_sines, rel=1e-4)
+    assert found == pytest.approx(by_sines, rel=2e-4)
     thin, thick = ritz([0.004], [20.0])[0], ritz([0.008], [20.0])[0]
     mean = ritz([0.0056], [20.0])[0]
     assert thin < found < thick
