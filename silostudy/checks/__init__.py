@@ -15,4 +15,4 @@ SOLID_CHECKS: Family[SteelCheck] = Family(
     "steel check", [row for row in CHECKS.values() if row.part == WALL and row.needs <= OF_THE_SOLID]
 )
 NAMES = (BUCKLING, *SOLID_CHECKS)
-assert OF_THE_SOLID <= set(PARAMETERS)
+assert set(PARAMETERS) >= OF_THE_SOLID

@@ -40,8 +40,8 @@ ROW = SteelCheck(
     limits=(Limit(measure=Measure("n", "1", _count), least=8.0, why="fewer anchors are no elastic ring; two codes of tanks"),),
     acts_in=frozenset({"wind", "earthquake"}),
     idle_with=frozenset({"wind", "solids"}),  # the empty silo lifts as much, and nothing of the solid is counted
-    formula="4 M/(n d) - W/n <= F_Rd, W the structure's weight alone; wind also lifts by q L^2/(2 r) kappa sum m^2 C_m from m = 2 "
-    "(membrane theory), kappa 1/4 where the top is held round, 1 where it is free",
-    validity="the contents do not hold the wall down, which is safe; wind's harmonics of AS/NZS 1170.2 for a closed cylinder as "
-    "high as wide (two copies); the wind's lift leaves out the bending stiffness of the wall, which is safe",
+    formula="4 M/(n d) - W/n <= F_Rd, W the structure's weight alone; wind also lifts by q L^2/(2 r) kappa sum m^2 C_m "
+    "from m = 2 (membrane theory), kappa 1/4 where the top is held round, 1 where it is free",
+    validity="the contents do not hold the wall down, which is safe; wind's harmonics of AS/NZS 1170.2 for a closed cylinder "
+    "as high as wide (two copies); the wind's lift leaves out the bending stiffness of the wall, which is safe",
 )

@@ -57,7 +57,7 @@ def reduction(*, yield_stress, critical_external_pressure, inner_radius, thickne
 
 
 def strength(*, yield_stress, critical_external_pressure, inner_radius, thickness, partial_buckling):
-    """Hoop stress (Pa) at which a course buckles with the wall: chi_th f_y / gamma_M1. Source: en1993_1_6_2007, two programs."""
+    """Hoop stress (Pa) at which a course buckles with the wall: chi_th f_y / gamma_M1. Source: en1993_1_6_2007, as above."""
     wall = {"inner_radius": inner_radius, "thickness": thickness}
     chi = reduction(yield_stress=yield_stress, critical_external_pressure=critical_external_pressure, **wall)
     return chi * yield_stress / partial_buckling
@@ -86,9 +86,9 @@ ROW = SteelCheck(
     limits=(MEDIUM, KNOWN_CLASSES),
     acts_in=frozenset({"wind", "suction"}),
     idle_with=frozenset({"solids"}),
-    formula="(k_w q + q_s) r/t <= chi f_y/gamma_M1, lambda = sqrt(f_y t/(p_cr r)), alpha 0.65, lambda_0 0.4, beta 0.6, eta 1; one "
-    "course: p_cr = 0.92 E C_theta (r/l) (t/r)^2.5, C_theta 1.5, 1.25, 1, 0.6 by the edges; courses: p_cr by Ritz' method of "
-    "semi-membrane theory over the whole height; k_w = 0.46 (1 + 0.1 sqrt(C_theta r/(omega t))) between 0.65 and 1, of the "
+    formula="(k_w q + q_s) r/t <= chi f_y/gamma_M1, lambda = sqrt(f_y t/(p_cr r)), alpha 0.65, lambda_0 0.4, beta 0.6, eta 1; "
+    "one course: p_cr = 0.92 E C_theta (r/l) (t/r)^2.5, C_theta 1.5, 1.25, 1, 0.6 by the edges; courses: p_cr by Ritz' method "
+    "of semi-membrane theory over the whole height; k_w = 0.46 (1 + 0.1 sqrt(C_theta r/(omega t))) between 0.65 and 1, of the "
     "thinnest course",
     validity="the empty wall, between its edges: no ring ends a bay here, and the gain of short walls is left out, both safe; "
     "where the solid stands it presses outward and nothing is checked; courses joined by unequal laps not covered; hoop "

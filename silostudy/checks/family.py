@@ -1,4 +1,4 @@
-"""What a check of the steel beside axial buckling is: one row with an effect, what resists it, and how thick the wall must be."""
+"""What a check of the steel beside axial buckling is: one row with an effect, what resists it, and a wall that just does."""
 
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field

@@ -1,5 +1,7 @@
 """The wall of a conical hopper under its contents: membrane forces, yield, and the joint at the transition."""
 
+from typing import Any
+
 import numpy as np
 
 from silostudy.checks.family import HOPPER, SteelCheck
@@ -7,7 +9,7 @@ from silostudy.checks.membrane import equivalent_stress
 
 
 def hoop_force(normal, *, height, half_angle):
-    """n_th (N/m), tension positive, at heights (m) above the apex: p_n r / cos(beta). Source: en1993_4_1, one program; theory."""
+    """n_th (N/m), tension positive, at heights (m) above the apex: p_n r / cos(beta). Source: en1993_4_1, a program; theory."""
     return normal * height * np.tan(half_angle) / np.cos(half_angle)
 
 
@@ -58,7 +60,7 @@ def joint_strength(*, ultimate_stress, hopper_joint_efficiency, partial_joint):
 
 
 LEFT_OUT = "no bending at the edges, no kick pressure at the transition, no plastic limit; printed standard not seen"
-SHARED = {"part": HOPPER, "source": "en1993_4_1", "acts_in": frozenset({"solids"})}
+SHARED: dict[str, Any] = {"part": HOPPER, "source": "en1993_4_1", "acts_in": frozenset({"solids"})}
 FORCES = (
     "n_th = p_n r/cos(beta), n_phi = 1/(x cos(beta)) int x' (p_n tan(beta) + p_t) dx' from the outlet up, own weight included"
 )
@@ -90,8 +92,8 @@ ROWS = (
         effect=meridional,
         resistance=joint_strength,
         formula=f"n_phi <= j t f_u/gamma_M2; {FORCES}",
-        validity="the plain joint, at every height as at the transition; a factor for asymmetry and a reduced strength there are "
-        f"remembered only; {LEFT_OUT}",
+        validity="the plain joint, at every height as at the transition; a factor for asymmetry and a reduced strength there "
+        f"are remembered only; {LEFT_OUT}",
         **SHARED,
     ),
 )

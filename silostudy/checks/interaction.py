@@ -67,7 +67,8 @@ def interaction(edition: ModuleType, alpha: Callable, exponents: Callable, names
 
     def effect(**given):
         parts = _axial(edition, given), _hoop(given), _shear(alpha, given)
-        return together(*zip(*parts, strict=True), exponents)
+        shares, chis = zip(*parts, strict=True)
+        return together(shares, chis, exponents)
 
     effect.__signature__ = Signature([Parameter(name, Parameter.KEYWORD_ONLY) for name in names])  # type: ignore[attr-defined]
     effect.__doc__ = f"U (1), at most 1, of axial and hoop compression and shear together. Source: {edition.ROW.source}."
@@ -101,7 +102,9 @@ def _yielding(*, upper_internal_pressure, inner_radius, thickness, yield_stress)
     return upper_internal_pressure * (inner_radius / thickness + 0.5) / yield_stress
 
 
-BELOW_HOOP_YIELD = Limit(measure=Measure("p r/(t f_y)", "1", _yielding), below=1.0, why="beyond it the pressure yields the wall")
+BELOW_HOOP_YIELD = Limit(
+    measure=Measure("p r/(t f_y)", "1", _yielding), below=1.0, why="beyond it the pressure yields the wall"
+)
 ROWS = (
     _row(
         en1993_1_6_2007,
@@ -116,8 +119,8 @@ ROWS = (
         "2025",
         interaction(en1993_1_6_2025, shear_buckling.alpha_2025, exponents_2025, ASKED),
         "k_x = 1 + chi_x^2, k_tau = 1.5 + 0.5 chi_tau^2",
-        "one public program; hoop strengths of this edition are not known, so only where nothing presses from outside; a mix of "
-        "editions where the solid's pressure is counted",
+        "one public program; hoop strengths of this edition are not known, so only where nothing presses from outside; a mix "
+        "of editions where the solid's pressure is counted",
         limits=(BELOW_HOOP_YIELD,),
         idle_with=frozenset({"suction"}),
         one_source=True,

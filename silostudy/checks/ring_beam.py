@@ -49,7 +49,7 @@ ROW = SteelCheck(
     effect=stress,
     resistance=yield_strength,
     formula="q R^2 (1 - ph cot ph)/W <= f_y/gamma_M0, ph = pi/n; moments, shear and torque stand in the cube",
-    validity="equal spans, three columns at least, a beam of one section whose centre lies under the wall; even load, which only "
-    "a stiff ring gives: the wall's local stress above a column, the ring's thrust and torsion are not checked; two printed "
-    "tables agree with the statics",
+    validity="equal spans, three columns at least, a beam of one section whose centre lies under the wall; even load, which "
+    "only a stiff ring gives: the wall's local stress above a column, the ring's thrust and torsion are not checked; two "
+    "printed tables agree with the statics",
 )

@@ -53,9 +53,7 @@ def reduction(alpha: Callable) -> Callable:
 def strength(alpha: Callable) -> Callable:
     """Shear strength by an edition's imperfection factor."""
 
-    def strength(
-        *, yield_stress, youngs_modulus, inner_radius, thickness, wall_height, fabrication_quality, partial_buckling
-    ):
+    def strength(*, yield_stress, youngs_modulus, inner_radius, thickness, wall_height, fabrication_quality, partial_buckling):
         """Shear stress (Pa) at which the wall buckles: chi_tau f_y/(sqrt(3) gamma_M1). Source: en1993_1_6_2007."""
         wall = {"inner_radius": inner_radius, "thickness": thickness, "wall_height": wall_height}
         chi = reduction(alpha)(
@@ -76,8 +74,8 @@ def _row(edition: str, alpha: Callable, limits: tuple[Limit, ...], formula: str,
         effect=stress,
         resistance=strength(alpha),
         limits=limits,
-        formula=f"V/(pi r t) <= chi f_y/(sqrt(3) gamma_M1), tau_cr = 0.75 E C_tau sqrt(1/omega) t/r, omega = l/sqrt(r t), {formula}, "
-        "lambda_0 0.4, beta 0.6, eta 1",
+        formula=f"V/(pi r t) <= chi f_y/(sqrt(3) gamma_M1), tau_cr = 0.75 E C_tau sqrt(1/omega) t/r, omega = l/sqrt(r t), "
+        f"{formula}, lambda_0 0.4, beta 0.6, eta 1",
         validity="l the whole height with the thickness of each course in turn; the gain of short walls (omega < 10), on which "
         f"the editions disagree, is left out, which is safe; {sources}, printed standard not seen",
         one_source=one,

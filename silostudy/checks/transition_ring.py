@@ -1,5 +1,7 @@
 """The ring where cylinder and hopper meet: the hopper pulls it inwards; parts of the shells help to carry it."""
 
+from typing import Any
+
 import numpy as np
 
 from silostudy.checks.family import SUPPORT, SteelCheck
@@ -30,9 +32,7 @@ def ring_force(*, hopper_meridional_force, inner_radius, hopper_half_angle):
     return hopper_meridional_force * inner_radius * np.sin(hopper_half_angle)
 
 
-def stress(
-    *, hopper_meridional_force, ring_area, inner_radius, thickness, hopper_thickness, hopper_half_angle
-):
+def stress(*, hopper_meridional_force, ring_area, inner_radius, thickness, hopper_thickness, hopper_half_angle):
     """Compression (Pa) of the ring: N / A_et. Source: statics, effective area derived from mechanics."""
     silo = {"inner_radius": inner_radius, "hopper_half_angle": hopper_half_angle}
     area = effective_area(ring_area=ring_area, thickness=thickness, hopper_thickness=hopper_thickness, **silo)
@@ -58,7 +58,7 @@ LEFT_OUT = (
     "the ring's own section sits at the joint (no eccentricity), buckling out of its plane is not covered, a skirt is not "
     "counted as part of it; printed standard not seen"
 )
-SHARED = {"part": SUPPORT, "effect": stress, "acts_in": frozenset({"solids"})}
+SHARED: dict[str, Any] = {"part": SUPPORT, "effect": stress, "acts_in": frozenset({"solids"})}
 ROWS = (
     SteelCheck(
         key="transition_ring",
@@ -66,8 +66,8 @@ ROWS = (
         source="en1993_4_1",
         locator="transition junction, statics",
         resistance=yield_strength,
-        formula="n_phi r sin(beta)/A_et <= f_y/gamma_M0, A_et = A_r + l_c t_c + l_h t_h; thinner plate l = 0.778 sqrt(r t), thicker "
-        "0.389 (1 + 3 a^2 - 2 a^3) sqrt(r t), a thin over thick, hopper r/cos(beta)",
+        formula="n_phi r sin(beta)/A_et <= f_y/gamma_M0, A_et = A_r + l_c t_c + l_h t_h; thinner plate l = 0.778 sqrt(r t), "
+        "thicker 0.389 (1 + 3 a^2 - 2 a^3) sqrt(r t), a thin over thick, hopper r/cos(beta)",
         validity=f"effective lengths by edge bending of two joined shells; {LEFT_OUT}",
         **SHARED,
     ),

@@ -1,4 +1,4 @@
-"""The stage of the checks: every check of the steel of a silo in every combination of actions, and the thickness they ask for."""
+"""The stage of the checks: every check of a silo's steel in every combination of actions, and the thickness they ask for."""
 
 import numpy as np
 import xarray as xr

@@ -62,7 +62,7 @@ def _shaken(place: Places, seismic: xr.Dataset | None, numbers: Mapping) -> dict
 
 
 def lacking(one: Combination, source: Given) -> np.ndarray:
-    """Why a combination cannot be checked, flag of REASONS for each case (axes..., 1): the action that leads it is not given."""
+    """Why a combination cannot be checked, flag of REASONS (axes..., 1): the action that leads it is not given."""
     shape = (*source.expansion.shape, 1)
     if one.earthquake:
         missing = source.shaken is None or source.expansion.study.checks.earthquake is None

@@ -1,13 +1,13 @@
 """The checks below the cylinder: the hopper's wall, the transition ring, the ring beam on columns, the anchors."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 
 import numpy as np
 import xarray as xr
 
 from silostudy.checks import anchors, hopper, ring_beam, transition_ring, tube
 from silostudy.checks.family import HOPPER, REASONS, SUPPORT, call
-from silostudy.compute.checks_actions import FILLING, Given, of_earthquake, of_wind
+from silostudy.compute.checks_actions import FILLING, of_earthquake, of_wind
 from silostudy.compute.checks_scope import judged, rows_of, scope
 from silostudy.compute.checks_wall import Load
 from silostudy.cube.variables import flags as meaning
@@ -102,7 +102,7 @@ def below(pressure: xr.Dataset, loads: Load, built: Mapping) -> dict:
         names = ("hopper_meridional_force", "hopper_hoop_force")
         found |= _checked(rows_of(study, HOPPER), parameters, loads, parameters[names[0]].shape, HOPPER)
         found |= {name: parameters[name] for name in names}
-    inner = {
+    inner: dict[str, Callable] = {
         "transition_ring_force": transition_ring.ring_force,
         "ring_effective_area": transition_ring.effective_area,
         "ring_beam_support_moment": ring_beam.support_moment,

@@ -127,7 +127,7 @@ def _critical(thicknesses, shares, height: float, diameter: float, steel, edges)
 
 
 def checked(rows: Sequence[SteelCheck], loads: Load, parameters: Mapping) -> dict[str, np.ndarray]:
-    """Utilisation, its scope, and effect and resistance where these are stresses (Pa), each (check, combination, method, ...)."""
+    """Utilisation, its scope, and effect and resistance where they are stresses (Pa): (check, combination, method, ...)."""
     found: dict[str, list] = {"utilisation": [], "scope": [], "effect": [], "resistance": []}
     for row in rows:
         with np.errstate(invalid="ignore", divide="ignore", over="ignore"):
@@ -161,7 +161,7 @@ def _needed(row: SteelCheck, loads: Load, at: Callable) -> np.ndarray:
 
 
 def _sought(row: SteelCheck, at: Callable, radius: np.ndarray) -> np.ndarray:
-    """The thickness (m) by halving the range of log R/t; NaN where the stockiest wall does not do, 0 where the slenderest does."""
+    """The thickness (m) by halving the range of log R/t; NaN where the stockiest does not do, 0 where the slenderest does."""
     thin, thick = radius / SLENDEREST, radius / STOCKIEST
     enough, idle = (row.utilisation(at(end)) <= 1 for end in (thick, thin))
     for _ in range(HALVINGS):

@@ -28,7 +28,8 @@ def required_thicknesses(rules, parameters: Mapping, force: np.ndarray, safety, 
     design = designed(parameters, safety)
     found = [required_thickness(rule, design, force, safety, own_weight=own_weight) for rule in rules]
     acting = {**design, "axial_wall_force": safety * force, "wall_above": safety * np.asarray(own_weight)}
-    checked = np.array([np.broadcast_to(call(row.needed, acting), force.shape) for row in SOLID_CHECKS.values()])
+    each = (call(row.needed, acting) for row in SOLID_CHECKS.values() if row.needed)
+    checked = np.array([np.broadcast_to(one, force.shape) for one in each])
     largest, governs = worst(np.array([one[0] for one in found]), checked[:, None])
     meaning = "why required_thickness is masked, or what but the strength keeps the wall from being thinner"
     return {

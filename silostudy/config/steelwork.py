@@ -50,8 +50,8 @@ class TransitionRing(Strict):
 
     area_cm2: float = described("area of its section, beside the plates of cylinder and hopper; 0: none", "cm2", ge=0)
     second_moment_cm4: float | None = described(
-        "second moment of area of the ring with its parts of the plates, for bending in the ring's plane; null: its buckling is "
-        "not checked",
+        "second moment of area of the ring with its parts of the plates, for bending in the ring's plane; null: its buckling "
+        "is not checked",
         "cm4",
         gt=0,
         default=None,
@@ -122,9 +122,7 @@ class Checks(Strict):
         min_length=1,
         description="combinations of actions with partial factors, in place of the package's (`silostudy list combinations`)",
     )
-    one_source: tuple[OneSource, ...] = described(
-        "checks that a single public source has, to be made too", "", default=()
-    )
+    one_source: tuple[OneSource, ...] = described("checks that a single public source has, to be made too", "", default=())
     gamma_M0: float = described("partial factor on yielding", ge=1, le=3, default=1.0)
     gamma_M1: float = described("partial factor on buckling", ge=1, le=3, default=1.1)
     gamma_M2: float = described("partial factor on joints", ge=1, le=3, default=1.25)

@@ -1,4 +1,4 @@
-"""Which checks of a cube of checks were not made, in which combinations, and why: for tables in the terminal and for figures."""
+"""Which checks of a cube were not made, in which combinations, and why: for tables in the terminal and for figures."""
 
 import numpy as np
 import xarray as xr
@@ -35,7 +35,8 @@ def unchecked(cube: xr.Dataset) -> list[str]:
 
 def _reasons(scope: xr.DataArray) -> dict[str, list[str]]:
     """Reason in words -> the combinations in which it keeps the check from being made anywhere."""
-    meanings, found = scope.attrs["flag_meanings"].split(), {}
+    meanings = scope.attrs["flag_meanings"].split()
+    found: dict[str, list[str]] = {}
     for combination in map(str, scope["combination"].values):
         flags = scope.sel(combination=combination).values
         if flags.size and (flags > 0).all():
@@ -46,4 +47,8 @@ def _reasons(scope: xr.DataArray) -> dict[str, list[str]]:
 
 
 def _words(meaning: str) -> str:
-    return meaning.replace("needs_", "needs ").replace("_and_", " and ") if meaning.startswith("needs_") else meaning.replace("_", " ")
+    return (
+        meaning.replace("needs_", "needs ").replace("_and_", " and ")
+        if meaning.startswith("needs_")
+        else meaning.replace("_", " ")
+    )

@@ -2,6 +2,7 @@
 
 from pathlib import Path
 from textwrap import fill
+from typing import Any
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -15,7 +16,7 @@ from silostudy.figures import rules
 from silostudy.figures.style import save, title
 
 COLOURS = ("#4477AA", "#228833", "#CCBB44", "#EE6677", "#AA3377", "#66CCEE", "#EE8866", "#777777")  # of checks, in order
-BAND = {"linewidth": 9, "alpha": 0.3, "solid_capstyle": "butt"}
+BAND: dict[str, Any] = {"linewidth": 9, "alpha": 0.3, "solid_capstyle": "butt"}
 UTILISATION = ("design_buckling_utilisation", "design_check_utilisation", "design_utilisation")
 THICKNESS = ("design_buckling_thickness", "design_check_thickness", "design_thickness")
 
@@ -31,7 +32,11 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     _checks(panels[2], one, THICKNESS, 1e3)
     wall = one.isel(wall_friction_end=0)
     panels[2].plot(wall["place_thickness"] * 1e3, wall["place_depth"], color="black", linewidth=2.2)
-    labels = ("axial wall force with its factors (kN/m)", "utilisation as built", "thickness (mm): needed by a wall of one thickness; as built (black)")
+    labels = (
+        "axial wall force with its factors (kN/m)",
+        "utilisation as built",
+        "thickness (mm): needed by a wall of one thickness; as built (black)",
+    )
     for panel, label in zip(panels, labels, strict=True):
         panel.set(xlabel=label)
     panels[0].set(ylabel="depth z (m)", ylim=(float(cube["place_depth"].max()), 0))
@@ -72,8 +77,9 @@ def _checks(panel: Axes, one: xr.Dataset, names: tuple[str, str, str], scale: fl
     buckling, checked, largest = (one[name] * scale for name in names)
     _band(panel, one, names[2], largest, z)
     for rule in map(str, one["rule"].values):
-        marks = {"marker": str(one.sel({"rule": rule}).rule_marker.values), "markevery": max(1, len(z) // 8), "markersize": 5}
-        panel.plot(_worst(buckling.sel({"rule": rule})), z, **rules.look(one, rule), **marks)
+        marker = str(one.sel({"rule": rule}).rule_marker.values)
+        values, every = _worst(buckling.sel({"rule": rule})), max(1, len(z) // 8)
+        panel.plot(values, z, marker=marker, markevery=every, markersize=5, **rules.look(one, rule))
     for number, check in enumerate(map(str, one["steel_check"].values)):
         values = _worst(checked.sel(steel_check=check))
         if values.notnull().any():

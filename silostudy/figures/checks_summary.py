@@ -1,4 +1,4 @@
-"""Every part of a silo's steel under combinations of actions: utilisation, thickness needed, what governs, what is not checked."""
+"""Every part of a silo's steel under combinations of actions: utilisation, thickness, what governs, what is unchecked."""
 
 from collections.abc import Iterator
 from pathlib import Path

@@ -100,8 +100,8 @@ def cylinder(config: Cylinder) -> Shell:
 class Wall:
     """The steel wall of a silo's cylinder.
 
-    steel: parameters of the buckling rules and the checks by name; edges: depth of each strake's lower edge over the cylinder's height,
-    with its thickness (m) beside it; bay_length: ring spacing (m), None without rings; unit_weight: of the steel (N m-3);
+    steel: parameters of the buckling rules and the checks by name; edges: depth of each strake's lower edge over the
+    cylinder's height, with its thickness (m) beside it; bay_length: ring spacing (m), None without rings; unit_weight: of the steel (N m-3);
     roof_force, snow_force: axial force (N/m) of either.
     """
 
@@ -146,9 +146,9 @@ def shell_builder(study: ShellStudy, folder: Path, where: str) -> Callable[..., 
         own = {item.name: getattr(scene, item.name) for item in fields(scene)}
         if shaken is not None:
             check_same_silo(scene, shaken.study.scene, where)
-        steel_parts = {"shell": wall(config.shell, scene.silo.diameter / 2), "steelwork": steelwork(config)}
+        steel_wall = wall(config.shell, scene.silo.diameter / 2)
         edges = (config.wind.upper_edge, config.wind.lower_edge) if config.wind else None
-        return ShellScene(**own, **steel_parts, edges=edges, earthquake=shaken)
+        return ShellScene(**own, shell=steel_wall, steelwork=steelwork(config), edges=edges, earthquake=shaken)
 
     return build_one
 

@@ -1,4 +1,4 @@
-"""The stage of the checks: actions by hand, both sides of every edge, the thickness used to the full, and nothing passed silently."""
+"""The stage of the checks: actions by hand, both sides of every edge, thickness used to the full, nothing passed silently."""
 
 import copy
 
@@ -126,13 +126,18 @@ def test_the_needed_thickness_is_used_to_the_full(cube, rule):
     built = cube_of(content)
     largest = float(built["design_utilisation"].max())
     assert largest == pytest.approx(1, abs=0.01)
-    if words(built.isel(rule=0, pressure_method=0, wall_friction_end=1, strake=0), "design_strake_utilisation_check") == "buckling":
+    if (
+        words(built.isel(rule=0, pressure_method=0, wall_friction_end=1, strake=0), "design_strake_utilisation_check")
+        == "buckling"
+    ):
         assert largest == pytest.approx(1, rel=1e-6)
 
 
 def test_axial_buckling_by_the_rule(parts):
     expansion, _, cube = parts
-    one = cube.sel(rule="en1993_4_1_2007", combination="D", pressure_method="en1991_4", wall_friction_end="lower").isel(place=-1)
+    one = cube.sel(rule="en1993_4_1_2007", combination="D", pressure_method="en1991_4", wall_friction_end="lower").isel(
+        place=-1
+    )
     wall = expansion.cases[0].scene.shell
     parameters = {**wall.steel, "bay_length": 18.0, "total_length": 18.0, "ring_area": 0.0, "inner_radius": np.array(3.0)}
     parameters |= {f"{end}_internal_pressure": np.array(float(one[f"design_{end}_pressure"])) for end in ("lower", "upper")}
@@ -271,7 +276,10 @@ def test_earthquake_by_its_factors(shaken):
 
 
 MISTAKES = {
-    "free on pinned": ({"wind__upper_edge": "free", "wind__lower_edge": "pinned"}, "a free upper_edge needs a clamped lower_edge"),
+    "free on pinned": (
+        {"wind__upper_edge": "free", "wind__lower_edge": "pinned"},
+        "a free upper_edge needs a clamped lower_edge",
+    ),
     "no earthquake": (
         {"checks": {"earthquake": {"behaviour_factor": 1.5, "solids_factor": 0.8, "overstrength": 1.2}}},
         "checks.earthquake needs the section earthquake",
