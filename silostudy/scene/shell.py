@@ -101,7 +101,8 @@ class Wall:
     """The steel wall of a silo's cylinder.
 
     steel: parameters of the buckling rules and the checks by name; edges: depth of each strake's lower edge over the
-    cylinder's height, with its thickness (m) beside it; bay_length: ring spacing (m), None without rings; unit_weight: of the steel (N m-3);
+    cylinder's height, with its thickness (m) beside it; bay_length: ring spacing (m), None without rings; unit_weight: of
+    the steel (N m-3);
     roof_force, snow_force: axial force (N/m) of either.
     """
 
