@@ -5,7 +5,9 @@ import glob
 import hashlib
 import os
 import platform
+import shutil
 import tempfile
+import threading
 import time
 from collections.abc import Callable, Iterable
 from contextlib import suppress
@@ -13,6 +15,8 @@ from itertools import chain, count
 from pathlib import Path
 
 from silostudy.errors import BadInput
+
+LONGEST_NAME = 200  # bytes: the temporary file beside it has a longer one, and file systems take 255
 
 
 class replacing:
@@ -37,13 +41,25 @@ class replacing:
         return self.temporary
 
     def __exit__(self, kind, error, trace) -> None:
+        try:
+            if kind is None:
+                self._finish()
+                return
+        except Exception as failed:
+            error = failed
+        self.temporary.unlink(missing_ok=True)
+        of_netcdf = str(error).startswith("NetCDF: ")  # as where the disk is full
+        if isinstance(error, OSError) or of_netcdf:
+            why = f"{error}: is the disk full?" if of_netcdf else getattr(error, "strerror", None) or error
+            raise BadInput("output", str(self.path), f"cannot be written ({why})") from None
         if kind is None:
-            os.chmod(self.temporary, 0o666 & ~_umask())
-            if self.held:  # before the file: one without its seal's checksum was never finished
-                _write_seal(self.path, _digest(self.temporary), self.held(self.temporary))
-            self.temporary.replace(self.path)
-        else:
-            self.temporary.unlink(missing_ok=True)
+            raise error
+
+    def _finish(self) -> None:
+        os.chmod(self.temporary, 0o666 & ~_umask())
+        if self.held:  # before the file: one without its seal's checksum was never finished
+            _write_seal(self.path, _digest(self.temporary), self.held(self.temporary))
+        self.temporary.replace(self.path)
 
 
 def _mark(path: Path) -> str:
@@ -66,7 +82,13 @@ def seal(path: Path) -> None:
 
 
 def _write_seal(path: Path, *digests: str) -> None:
-    _seal_of(path).write_text("\n".join(digests), encoding="ascii")
+    """In one go: a half-written seal would call an older result damaged."""
+    temporary = path.with_name(f"{_mark(path)}{os.getpid()}.{threading.get_ident()}.seal")
+    try:
+        temporary.write_text("\n".join(digests), encoding="ascii")
+        temporary.replace(_seal_of(path))
+    finally:
+        temporary.unlink(missing_ok=True)
 
 
 def _seal_of(path: Path) -> Path:
@@ -125,15 +147,29 @@ def alone(folder: Path) -> None:
 
 
 def check_writable(folder: Path) -> None:
-    """BadInput unless the folder can be written or made, without making it."""
-    nearest = next(place for place in (folder, *folder.absolute().parents) if place.exists())
-    if not nearest.is_dir() or not os.access(nearest, os.W_OK):
-        raise BadInput("results folder", str(folder), "cannot be written")
+    """BadInput unless the folder can be written or made and its disk has room, without making it."""
+    try:
+        nearest = next(place for place in (folder, *folder.absolute().parents) if place.exists())
+        why = "" if nearest.is_dir() and os.access(nearest, os.W_OK) else "cannot be written"
+        why = why or ("" if shutil.disk_usage(nearest).free else "its disk is full")
+    except OSError as error:  # in a folder that may not be looked into, or of too long a name
+        why = f"cannot be written ({error.strerror})"
+    if why:
+        raise BadInput("results folder", str(folder), why)
+
+
+def check_folder(folder: Path) -> None:
+    """BadInput unless files can be written into a folder, without making it."""
+    if folder.exists() and not folder.is_dir():
+        raise BadInput("results folder", str(folder), "is a file")
+    check_writable(folder)
 
 
 def check_output(path: Path, read: Iterable[Path] = ()) -> None:
     """BadInput unless a file can be written there, without writing it, and it is none of the files that are read."""
     check_writable(path.parent)
+    if len(os.fsencode(path.name)) > LONGEST_NAME:
+        raise BadInput("output", str(path), f"has too long a name: {LONGEST_NAME} bytes at most")
     if path.is_dir():
         raise BadInput("output", str(path), "is a folder: name a file in it")
     if path.exists() and not path.is_file():  # a finished file takes the name of what was there

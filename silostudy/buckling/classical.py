@@ -9,7 +9,7 @@ from silostudy.buckling.family import (
     Strength,
     classical_stress,
 )
-from silostudy.buckling.limits import NO_SUCTION, WITHOUT_RINGS
+from silostudy.buckling.limits import NO_SUCTION, NOT_THICK, WITHOUT_RINGS
 
 
 def capped_at_yield(elastic, yield_stress) -> Strength:
@@ -36,7 +36,7 @@ ROW = BucklingRule(
     source="classical_buckling",
     locator="textbook result",
     strength=strength,
-    limits=(WITHOUT_RINGS, NO_SUCTION),
+    limits=(WITHOUT_RINGS, NOT_THICK, NO_SUCTION),
     formula="sigma_cl = E t / (R sqrt(3 (1 - nu^2))), at most the yield stress",
     validity="perfect elastic cylinder, whatever its length; no measure of a real shell's strength",
     colour="#999999",

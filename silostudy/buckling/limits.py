@@ -50,6 +50,9 @@ WITHOUT_RINGS = ShellLimit(measure=RING_AREA, most=0.0, why="shells without ring
 THIN_SHELLS = ShellLimit(
     measure=SLENDERNESS, least=20.0, most=5000.0, why="EN 1993-1-6's range, from memory", reason=OUT_OF_RANGE
 )
+NOT_THICK = ShellLimit(
+    measure=SLENDERNESS, least=20.0, why="thin shells; EN 1993-1-6's bound, from memory", reason=OUT_OF_RANGE
+)
 RINGS_THAT_COUNT = ShellLimit(
     measure=Measure("A_r/((0.06 + 2/Z^2) L t), whole length unknown", "1", _small_ring_share),
     least=1.0,

@@ -22,7 +22,7 @@ from silostudy.buckling.family import (
     ShellLimit,
     Strength,
 )
-from silostudy.buckling.limits import LEAST_RING_RATIO, NO_SUCTION, between_supports
+from silostudy.buckling.limits import LEAST_RING_RATIO, NO_SUCTION, NOT_THICK, between_supports
 from silostudy.limits import Measure
 
 
@@ -159,7 +159,7 @@ def rule(reading: Reading, **looks) -> BucklingRule:
     return BucklingRule(
         source="miller1977",
         strength=strength(reading),
-        limits=(with_strength(reading), RINGS_THAT_COUNT, NO_SUCTION),
+        limits=(with_strength(reading), NOT_THICK, RINGS_THAT_COUNT, NO_SUCTION),
         **looks,
     )
 

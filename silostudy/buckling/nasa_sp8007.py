@@ -9,7 +9,7 @@ from silostudy.buckling.family import (
     ShellLimit,
     classical_stress,
 )
-from silostudy.buckling.limits import NO_SUCTION, SLENDERNESS, WITHOUT_RINGS
+from silostudy.buckling.limits import NO_SUCTION, NOT_THICK, SLENDERNESS, WITHOUT_RINGS
 
 GREATEST_SLENDERNESS = 1500
 
@@ -38,7 +38,7 @@ ROW = BucklingRule(
     source="nasa_sp8007",
     locator="axial compression, isotropic cylinder",
     strength=strength,
-    limits=(WITHOUT_RINGS, NOT_TOO_THIN, NO_SUCTION),
+    limits=(WITHOUT_RINGS, NOT_TOO_THIN, NOT_THICK, NO_SUCTION),
     formula="sigma = gamma E t / (R sqrt(3 (1 - nu^2))), gamma = 1 - 0.901 (1 - exp(-sqrt(R/t) / 16)), at most yield",
     validity="elastic (yielding only as a cap); second-hand transcription",
     colour="#009E73",

@@ -8,7 +8,7 @@ from inspect import signature
 import numpy as np
 
 from silostudy.catalogue import Row
-from silostudy.limits import Limit
+from silostudy.limits import Limit, Measure
 from silostudy.soundness import faults_of_function, faults_of_trial
 
 WALL, HOPPER, SUPPORT = "wall", "hopper", "support"  # what of the silo a check is made of, and where its numbers stand
@@ -51,6 +51,11 @@ PARAMETERS = {
     "anchor_tension": ("N", "of one anchor", 50000.0),
     "anchor_count": ("1", "n", 24.0),
 }
+THIN_WALL = Limit(
+    measure=Measure("t/r", "1", lambda *, inner_radius, thickness: 1 / (inner_radius / thickness + 0.5)),
+    most=1 / 20,
+    why="membrane forces are those of thin shells; EN 1993-1-6's r/t of 20, from memory",
+)
 # parameter -> what a study must give for it, where it may be left out
 GIVEN_BY = {
     "ultimate_stress": "scene.hopper_shell.ultimate_stress_MPa",
@@ -106,9 +111,14 @@ class SteelCheck(Row):
     one_source: bool = False
 
     @property
+    def bounds(self) -> tuple[Limit, ...]:
+        """The limits of the check: of the wall, that it is thin, and its own."""
+        return (*((THIN_WALL,) if self.part == WALL else ()), *self.limits)
+
+    @property
     def functions(self) -> tuple[Callable, ...]:
         """All functions of the row."""
-        of_limits = (limit.measure.of for limit in self.limits)
+        of_limits = (limit.measure.of for limit in self.bounds)
         return (self.effect, self.resistance, *((self.needed,) if self.needed else ()), *of_limits)
 
     @property
@@ -119,7 +129,7 @@ class SteelCheck(Row):
     @property
     def range(self) -> str:
         """The limits in words, then what else there is to say of the check's range."""
-        return "; ".join((*(limit.words() for limit in self.limits), self.validity))
+        return "; ".join((*(limit.words() for limit in self.bounds), self.validity))
 
     def utilisation(self, available: Mapping) -> np.ndarray:
         """Effect over resistance (1): 1 where the part just carries."""

@@ -31,10 +31,48 @@ def shell(expansion) -> list[str]:
     told = (
         "largest over depths, phases and strakes; safety factor, own weight, roof and snow included; end of the wall friction"
     )
-    earthquake = ["the earthquake of the study is in its cube, not in this table"] if shaken else []
-    checks = compare_checks.lines_of(expansion, pressure, seismic)
-    notes = (*_unlooked(pressure), *silences(pressure), *rings(expansion), *cautions(expansion))
-    return [*lines, told, *earthquake, *checks, *notes]
+    return [
+        *lines,
+        told,
+        *(_shaken_table(cube) if shaken else []),
+        *compare_checks.lines_of(expansion, pressure, seismic),
+        *_unlooked(pressure),
+        *silences(pressure),
+        *rings(expansion),
+        *cautions(expansion),
+    ]
+
+
+def _shaken_table(cube: "xr.Dataset") -> list[str]:
+    """The same with the earthquake: the worse side of the wall, by method and rule."""
+    lines = [f"{'with the earthquake':56}thickness   governed by    side  utilised   governed by    side"]
+    names = [("required_thickness",), ("utilisation", "strake_utilisation")]
+    for method in map(str, cube["pressure_method"].values):
+        for rule in map(str, cube["rule"].values):
+            one = cube.sel({"pressure_method": method, "rule": rule})
+            cells = [_shaken(one, [f"earthquake_{name}" for name in each]) for each in names if each[0] in cube]
+            lines.append(f"{f'{method}, {rule}':56}{''.join(cells)}")
+    return [*lines, f"{cube.attrs['earthquake']}; characteristic values, no combination factors"]
+
+
+def _shaken(one: "xr.Dataset", names: list[str]) -> str:
+    """The largest of some variables over both sides, with what governs it and the side."""
+    if any(_unjudged(one, name) for name in names):
+        return f"  masked: {_reason(one, *names)}"
+    name = max(names, key=lambda name: float(one[name].max()))
+    sides = one[name].max([dim for dim in one[name].dims if dim != "side"])
+    side = str(one["side"].values[int(sides.values.argmax())])
+    largest, by = float(one[name].max()), _governing(one[name], one[f"{name}_check"])
+    number = f"{largest * 1e3:6.2f} mm" if "thickness" in name else f"{largest:10.3f}"
+    return f"{number}{by:>14}{side:>8}"
+
+
+def _unjudged(one: "xr.Dataset", name: str) -> bool:
+    """Whether a loaded part of the wall is masked, so that the largest of the rest does not speak for it."""
+    from silostudy.buckling.family import IN_SCOPE, NO_LOAD
+
+    masked = one[name].isnull()
+    return bool((masked & ~one[f"{name}_scope"].isin([IN_SCOPE, NO_LOAD])).any() or masked.all())
 
 
 def _unlooked(pressure: "xr.Dataset") -> list[str]:
@@ -110,7 +148,7 @@ def buckling(expansion) -> list[str]:
     for rule in map(str, cube["rule"].values):
         one = cube.sel({"rule": rule})
         stress = float(one["buckling_stress"])
-        told = f"masked: {_reason(one, 'buckling_stress')}"
+        told = f"masked, its range: {cube['rule_limit'].values[int(one['rule_limit_broken'])]}"
         if not isnan(stress):
             told = f"{stress / 1e6:11.2f} MPa{float(one['knockdown_factor']):16.3f}  {modes[int(one['buckling_mode'])]}"
         lines.append(f"{rule:32}{told}")

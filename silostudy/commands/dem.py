@@ -18,7 +18,6 @@ def run(chosen) -> None:
 
     from silostudy.choice.dem import load
     from silostudy.errors import BadInput
-    from silostudy.files import check_output
     from silostudy.scene.scenes import files_of_scene
 
     cores = os.cpu_count() or 1
@@ -28,15 +27,29 @@ def run(chosen) -> None:
     output = chosen.output or Path("results/dem") / f"{chosen.scene.stem}.nc"
     read = (chosen.scene, *files_of_scene(chosen.scene))
     if chosen.seeds is None:
-        check_output(output, read)
+        _check_places(scene, output, read)
         run_one(chosen, scene, choice, output)
         return
     if chosen.seeds < 1:
         raise BadInput("--seeds", chosen.seeds, "must be 1 or more")
     outputs = [output.with_name(f"{output.stem}-{seed}.nc") for seed in range(chosen.seeds)]
     for each in outputs:
-        check_output(each, read)
+        _check_places(scene, each, read)
     run_ensemble(chosen, scene, choice, outputs)
+
+
+def _check_places(scene, output: Path, read) -> None:
+    """BadInput unless the output and what is written beside it can be, each in a place of its own."""
+    from silostudy.errors import BadInput
+    from silostudy.files import check_folder, check_output
+
+    check_output(output, read)
+    if output == checkpoint_of(scene, output):
+        raise BadInput("output", str(output), "is where the checkpoints go: name it otherwise, as SCENE.nc")
+    if scene.record.paraview:
+        if output == paraview_of(output):
+            raise BadInput("output", str(output), "is the folder of the files for ParaView: give it an ending, as SCENE.nc")
+        check_folder(paraview_of(output))
 
 
 def run_ensemble(chosen, scene, choice, outputs: list[Path]) -> None:
@@ -108,6 +121,11 @@ def checkpoint_of(scene, output: Path) -> Path | None:
     return output.with_suffix(".checkpoint") if scene.record.checkpoint_every_s else None
 
 
+def paraview_of(output: Path) -> Path:
+    """Folder of the files for ParaView beside this output."""
+    return output.with_suffix("")
+
+
 def keep(task, scene, choice, output: Path) -> None:
     """Write what a run recorded; only then its checkpoint goes."""
     from silostudy.compute.dem_cube import cube_of
@@ -116,7 +134,7 @@ def keep(task, scene, choice, output: Path) -> None:
 
     write(cube_of(task, scene, choice), output)
     if scene.record.paraview:
-        export(task, output.with_suffix(""))
+        export(task, paraview_of(output))
     if checkpoint := checkpoint_of(scene, output):
         checkpoint.unlink(missing_ok=True)
     missed = [time for time in scene.record.snapshots_s if time > task.engine.time + 0.5 * task.engine.model.dt]

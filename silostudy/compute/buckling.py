@@ -1,11 +1,14 @@
 """The buckling stage: every rule of a study over all its shells in one vectorised call each."""
 
+from collections.abc import Mapping
+
 import numpy as np
 import xarray as xr
 
 from silostudy.buckling import BUCKLING, RIVALS
 from silostudy.buckling.family import MODES, PARAMETERS, QUANTITIES, REASONS, BucklingRule, evaluate
 from silostudy.compute.axes import sweep_of
+from silostudy.compute.behind import INSIDE
 from silostudy.compute.miller_charts import charts
 from silostudy.cube.assemble import assemble
 from silostudy.cube.variables import flags
@@ -28,7 +31,7 @@ def buckling_cube(expansion: Expansion) -> xr.Dataset:
     found = [evaluate(rule, parameters) for rule in rules]
     data: dict = {name: np.array([one[name] for one in found]) for name in QUANTITIES}
     data |= {name: (np.array([one[name] for one in found]), flags(told, meanings)) for name, told, meanings in FLAGS}
-    data |= {name: parameters[name] for name in SHOWN} | rule_coordinates(rules)
+    data |= {name: parameters[name] for name in SHOWN} | rule_coordinates(rules) | limit_variables(rules, parameters)
     if all(case.scene.test for case in expansion.cases):
         data |= _measured(expansion) | charts()
     notes = {"rival_readings": " ".join(study.rival_keys), **study.own_methods}
@@ -40,6 +43,16 @@ def rule_coordinates(rules: list[BucklingRule]) -> dict[str, list[str]]:
     """The rule axis with what figures need to know of a rule, so that a figure is a function of the cube alone."""
     looks = {f"rule_{name}": [getattr(rule, name) for rule in rules] for name in ("title", "colour", "marker", "line")}
     return {"rule": [rule.key for rule in rules], **looks}
+
+
+def limit_variables(rules: list[BucklingRule], parameters: Mapping) -> dict:
+    """Which limit of its range masks a rule, (rule, axes...): numbers on the axis of limits, of several the first."""
+    words = list(dict.fromkeys([INSIDE, *(limit.words() for rule in rules for limit in rule.limits)]))
+    found = np.zeros((len(rules), *np.shape(parameters["thickness"])), dtype=np.int8)
+    for place, rule in enumerate(rules):
+        for limit in reversed(rule.limits):
+            found[place] = np.where(limit.broken(None, parameters), words.index(limit.words()), found[place])
+    return {"rule_limit_broken": found, "rule_limit": words}
 
 
 def _gathered(expansion: Expansion, name: str) -> np.ndarray:

@@ -9,7 +9,8 @@ import xarray as xr
 from silostudy.checks import tube
 from silostudy.checks.family import GIVEN_BY, IN_SCOPE, NO_EARTHQUAKE, REASONS
 from silostudy.choice.expand import Resolved
-from silostudy.compute.checks_places import Places, of_cases
+from silostudy.compute.checks_places import Places
+from silostudy.compute.shell_places import of_cases
 from silostudy.tables.combinations import Combination
 
 FILLING = "filling"

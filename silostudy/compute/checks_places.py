@@ -7,6 +7,7 @@ import xarray as xr
 
 from silostudy.choice.expand import Resolved
 from silostudy.compute.shell_load import axial_wall_force, depths, internal_pressures, rubbing
+from silostudy.compute.shell_places import of_cases
 from silostudy.compute.shell_strakes import (
     ENDS,
     between_levels,
@@ -34,11 +35,6 @@ class Places:
     force: np.ndarray
     pressure: np.ndarray
     guaranteed: np.ndarray
-
-
-def of_cases(expansion: Resolved, values: list) -> np.ndarray:
-    """One value a case, shape (axes..., 1)."""
-    return np.array(values, dtype=float).reshape(*expansion.shape, 1)
 
 
 def places(expansion: Resolved, pressure: xr.Dataset) -> Places:

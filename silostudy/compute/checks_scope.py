@@ -30,8 +30,8 @@ def scope(row: SteelCheck, parameters: Mapping, combinations: Sequence[Combinati
     conditions = [lacks > 0, idle, *(missing[name] for name in absent), *missing.values()]
     reasons = [lacks, OTHER_COMBINATION, *(REASONS.index(f"needs_{GIVEN_BY[name]}") for name in absent)]
     reasons += [NO_LOAD] * len(missing)
-    conditions += [limit.broken(None, parameters) for limit in row.limits]
-    reasons += [OUT_OF_RANGE] * len(row.limits)
+    conditions += [limit.broken(None, parameters) for limit in row.bounds]
+    reasons += [OUT_OF_RANGE] * len(row.bounds)
     conditions, reasons = ([np.broadcast_to(one, shape) for one in many] for many in (conditions, reasons))
     return np.select(conditions, reasons, IN_SCOPE).astype(np.int8)
 

@@ -12,9 +12,8 @@ from silostudy.checks import external_pressure
 from silostudy.checks.family import SteelCheck, call
 from silostudy.checks.stepped_wall import critical_pressure
 from silostudy.compute.checks_actions import Given, acting, lacking
-from silostudy.compute.checks_places import of_cases
 from silostudy.compute.checks_scope import judged, scope
-from silostudy.compute.shell import wall_parameters
+from silostudy.compute.shell_places import of_cases, wall_parameters
 from silostudy.tables.combinations import Combination
 
 HALVINGS = 30

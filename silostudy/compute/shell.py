@@ -1,7 +1,6 @@
 """The shell stage: what the pressures of a cube ask of the silo's steel wall, by every buckling rule of the study."""
 
-from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 import xarray as xr
@@ -14,36 +13,14 @@ from silostudy.compute.buckling import rule_coordinates
 from silostudy.compute.evaluate import methods_of
 from silostudy.compute.shell_earthquake import SIDES, beside, earthquake_loads, earthquake_told, of_this_study, sides
 from silostudy.compute.shell_ends import worst_of_ends
-from silostudy.compute.shell_load import SOURCES, axial_wall_force, carried_share, depths, internal_pressures, rubbing
-from silostudy.compute.shell_strakes import (
-    ENDS,
-    between_levels,
-    edges_and_thicknesses,
-    ends,
-    mass_above,
-    thickness_at,
-    wall_share,
-)
+from silostudy.compute.shell_load import SOURCES, axial_wall_force, carried_share, internal_pressures
+from silostudy.compute.shell_places import Places, at_levels, at_strake_ends, of_cases
+from silostudy.compute.shell_strakes import ENDS
 from silostudy.compute.shell_strength import required_thicknesses, utilisations
 from silostudy.cube.assemble import assemble
 from silostudy.cube.variables import flags
 from silostudy.errors import BadInput
 from silostudy.scene.shell import Wall
-
-
-@dataclass(frozen=True)
-class Places:
-    """Where a wall is looked at: depth (m), the solid's force (N/m), the wall above over the silo's height, and its own load.
-
-    thickness (m) and own_weight (N/m): of the strakes, None where the wall has none.
-    """
-
-    z: np.ndarray
-    force: np.ndarray
-    parameters: Mapping
-    height: np.ndarray  # m, of the wall above
-    thickness: np.ndarray | None = None
-    own_weight: np.ndarray | float = 0.0
 
 
 def shell_cube(expansion: Resolved, pressure: xr.Dataset, seismic: xr.Dataset | None = None) -> xr.Dataset:
@@ -59,7 +36,7 @@ def shell_cube(expansion: Resolved, pressure: xr.Dataset, seismic: xr.Dataset | 
     pressures = internal_pressures(pressure)
     levels = at_levels(expansion, pressure, force, pressures)
     at_ends = at_strake_ends(expansion, pressure, levels) if levels.thickness is not None else None
-    dead, safety = (_of_cases(expansion, [get(case.scene.shell) for case in expansion.cases]) for get in (_dead, _safety))
+    dead, safety = (of_cases(expansion, [get(case.scene.shell) for case in expansion.cases]) for get in (_dead, _safety))
     data = load_variables(pressure, force, source, pressures) | rule_coordinates(rules)
     data |= {"imposed_axial_force": dead[..., 0], "safety_factor": safety[..., 0]}
     data |= strengths(expansion, rules, levels, at_ends, safety, dead)
@@ -115,7 +92,7 @@ def sides_of(place: Places, seismic: xr.Dataset) -> dict[str, Places]:
 
 def strengths(expansion, rules, levels: Places, at_ends: Places | None, safety, dead) -> dict:
     """The thickness that the loads ask for, and where the wall's thickness is given its utilisation."""
-    weight = _of_cases(expansion, [case.scene.shell.unit_weight for case in expansion.cases]) * levels.height
+    weight = of_cases(expansion, [case.scene.shell.unit_weight for case in expansion.cases]) * levels.height
     largest = np.fmax.reduce(levels.force, axis=1) + dead
     found = required_thicknesses(rules, levels.parameters, largest, safety, weight)
     if levels.thickness is None or at_ends is None:
@@ -141,33 +118,6 @@ def strake_variables(expansion, rules, at_ends: Places, safety, dead) -> dict:
     return found | {"strake": np.arange(1, count + 1), "strake_end": list(ENDS)}
 
 
-def at_levels(expansion: Resolved, pressure: xr.Dataset, force, pressures) -> Places:
-    """The depths of the study."""
-    z = depths(pressure)
-    return _places(expansion, z, wall_share(expansion, z), force, pressures)
-
-
-def at_strake_ends(expansion: Resolved, pressure: xr.Dataset, levels: Places) -> Places:
-    """Top and foot of every strake, the loads brought there from the depths of the study."""
-    share, z = ends(expansion, edges_and_thicknesses(expansion)[0])
-    force = between_levels(levels.z, levels.force, z, rubbing(pressure))
-    names = ("lower_internal_pressure", "upper_internal_pressure")
-    found = _places(expansion, z, share, force, [between_levels(levels.z, levels.parameters[name], z) for name in names])
-    below = np.arange(z.shape[-1]) // len(ENDS)  # at its top too, a strake is as thick as it is
-    return replace(found, thickness=edges_and_thicknesses(expansion)[1][..., below])
-
-
-def _places(expansion: Resolved, z, share, force, pressures) -> Places:
-    walls, silos = ([getattr(case.scene, name) for case in expansion.cases] for name in ("shell", "silo"))
-    whole = _of_cases(expansion, [silo.wall_depth for silo in silos])
-    parameters = wall_parameters(expansion, *pressures)
-    if not all(wall.edges for wall in walls):
-        return Places(z, force, parameters, share * whole)
-    edges, thicknesses = edges_and_thicknesses(expansion)
-    weight = _of_cases(expansion, [wall.unit_weight for wall in walls]) * whole * mass_above(share, edges, thicknesses)
-    return Places(z, force, parameters, share * whole, thickness_at(share, edges, thicknesses), weight)
-
-
 def load_variables(pressure: xr.Dataset, force, source, pressures) -> dict:
     """What loads the wall, and what the figures need of the pressure cube."""
     return {
@@ -177,26 +127,6 @@ def load_variables(pressure: xr.Dataset, force, source, pressures) -> dict:
         "upper_internal_pressure": pressures[1],
         "axial_force_source": (source, flags("what the axial wall force follows from", SOURCES)),
         **{name: pressure[name].values for name in ("cylinder_depth", "hydraulic_radius", "wall_friction")},
-    }
-
-
-def _of_cases(expansion: Resolved, values: list) -> np.ndarray:
-    """One value a case, shape (axes..., 1)."""
-    return np.array(values, dtype=float).reshape(*expansion.shape, 1)
-
-
-def wall_parameters(expansion: Resolved, lower: np.ndarray, upper: np.ndarray) -> dict[str, np.ndarray]:
-    """The buckling rules' parameters but thickness and shell_radius; `inner_radius` (m) in their place."""
-    walls, silos = ([getattr(case.scene, name) for case in expansion.cases] for name in ("shell", "silo"))
-    bays = [wall.bay_length or silo.wall_depth for wall, silo in zip(walls, silos, strict=True)]
-    return {
-        **{name: _of_cases(expansion, [wall.steel[name] for wall in walls]) for name in walls[0].steel},
-        "bay_length": _of_cases(expansion, bays),
-        "total_length": _of_cases(expansion, [silo.wall_depth for silo in silos]),
-        "ring_area": _of_cases(expansion, [wall.ring_area for wall in walls]),
-        "inner_radius": _of_cases(expansion, [silo.diameter / 2 for silo in silos]),
-        "lower_internal_pressure": lower,
-        "upper_internal_pressure": upper,
     }
 
 

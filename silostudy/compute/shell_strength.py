@@ -4,10 +4,10 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from silostudy.buckling.family import IN_SCOPE, MODES, NO_LOAD, REASONS
+from silostudy.buckling.family import IN_SCOPE, MODES, NO_LOAD, OUT_OF_RANGE, REASONS
 from silostudy.buckling.thickness import required_thickness, with_thickness
 from silostudy.checks import NAMES, SOLID_CHECKS
-from silostudy.checks.family import call
+from silostudy.checks.family import THIN_WALL, call
 from silostudy.cube.variables import flags
 
 
@@ -30,13 +30,16 @@ def required_thicknesses(rules, parameters: Mapping, force: np.ndarray, safety, 
     acting = {**design, "axial_wall_force": safety * force, "wall_above": safety * np.asarray(own_weight)}
     each = (call(row.needed, acting) for row in SOLID_CHECKS.values() if row.needed)
     checked = np.array([np.broadcast_to(one, force.shape) for one in each])
-    largest, governs = worst(np.array([one[0] for one in found]), checked[:, None])
+    thick = THIN_WALL.broken(None, {**parameters, "thickness": checked})
+    thinnest, scope = (np.array(each) for each in zip(*found, strict=True))
+    scope = np.where(thick.any(axis=0) & ~np.isnan(thinnest), np.int8(OUT_OF_RANGE), scope)
+    largest, governs = worst(np.where(thick.any(axis=0), np.nan, thinnest), checked[:, None])
     meaning = "why required_thickness is masked, or what but the strength keeps the wall from being thinner"
     return {
         "required_thickness": largest,
-        "required_thickness_scope": (np.array([one[1] for one in found]), flags(meaning, REASONS)),
+        "required_thickness_scope": (scope, flags(meaning, REASONS)),
         "required_thickness_check": (governs, flags("check that asks for the most", NAMES)),
-        "check_required_thickness": checked,
+        **_thin("check_required_thickness", checked, thick),
         "check": list(SOLID_CHECKS),
     }
 
@@ -76,5 +79,12 @@ def utilisations(rules, parameters: Mapping, force, safety, thickness, dead) -> 
         "utilisation": largest,
         "utilisation_scope": (masked, flags("why utilisation is masked", REASONS)),
         "utilisation_check": (governs, flags("check by which the wall is used most", NAMES)),
-        "check_utilisation": checked,
+        **_thin("check_utilisation", checked, THIN_WALL.broken(None, {**parameters, "thickness": thickness})),
     }
+
+
+def _thin(name: str, values: np.ndarray, thick: np.ndarray) -> dict:
+    """A number of the checks, masked where the wall is too thick for a shell, with its scope."""
+    thick = np.broadcast_to(thick, values.shape)
+    scope = np.select([np.isnan(values), thick], [NO_LOAD, OUT_OF_RANGE], IN_SCOPE).astype(np.int8)
+    return {name: np.where(thick, np.nan, values), f"{name}_scope": (scope, flags("why it is masked", REASONS))}

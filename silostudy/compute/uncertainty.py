@@ -12,44 +12,51 @@ import xarray as xr
 from scipy.stats import qmc, sobol_indices, uniform
 
 from silostudy.choice.expand import Resolved
-from silostudy.compute.evaluate import AskedMethod, gather, method_coordinates, methods_of, sources_of
+from silostudy.compute.evaluate import AskedMethod, gather, method_coordinates, methods_of, sources_of, with_reasons
 from silostudy.compute.pressure import depth_coordinates, depths_in_metres, evaluate
 from silostudy.cube.assemble import assemble
+from silostudy.pressure.family import IN_SCOPE, NO_PHASE
 from silostudy.scene.scene import solid_parameters
 
 SAMPLED = ("internal_friction_angle", "wall_friction", "lateral_pressure_ratio", "unit_weight")
 SPREAD_OF = {"internal_friction_angle": "a_phi", "wall_friction": "a_mu", "lateral_pressure_ratio": "a_K"}
 QUANTILES = (0.05, 0.5, 0.95)
+QUANTILE = "wall_normal_pressure_quantile"
 
 
 def uncertainty_cube(expansion: Resolved) -> xr.Dataset:
-    """Quantiles of the wall pressure (method, phase, quantile, depth) and Sobol indices of its largest value."""
+    """Quantiles of the wall pressure (method, phase, quantile, depth) and Sobol indices of its largest value.
+
+    A depth that some samples mask has no quantiles; its scope is the reason of one of them.
+    """
     methods, phases = methods_of(expansion), expansion.study.phases
     z, asked = depths_in_metres(expansion), expansion.study.uncertainty
     points = qmc.Sobol(len(SAMPLED), rng=asked.seed).random_base2(asked.log2_samples)
     quantiles = np.full((len(methods), len(phases), len(QUANTILES), z.size), np.nan)
+    scopes = np.full(quantiles.shape, NO_PHASE, dtype=np.int8)
     indices = np.full((2, len(methods), len(phases), len(SAMPLED)), np.nan)
     for m, method in enumerate(methods):
         for p, phase in enumerate(phases):
             if not method.functions(phase):
                 continue
             pressure = _pressure_of(expansion, method, phase, z)
-            sample = pressure(points)
-            whole = np.isfinite(sample).all(axis=0)  # a depth that some samples mask has no quantiles
+            sample, scope = pressure(points)
+            scopes[m, p] = scope.max(axis=0)
+            whole = scope.max(axis=0) == IN_SCOPE
             quantiles[m, p][:, whole] = np.quantile(sample[:, whole], QUANTILES, axis=0)
             if whole.any():
                 indices[:, m, p] = _indices(pressure, whole, asked)
-    return _assemble(expansion, methods, quantiles, indices)
+    return _assemble(expansion, methods, {QUANTILE: quantiles} | with_reasons({QUANTILE: scopes}), indices)
 
 
 def _pressure_of(expansion: Resolved, method: AskedMethod, phase: str, z: np.ndarray) -> Callable:
-    """The wall pressure (Pa), shape (samples, depths), as a function of points (samples, properties) of the unit cube."""
+    """(wall pressure (Pa), its scope), shape (samples, depths), as a function of points (samples, properties) in [0, 1]."""
     parameters, base = gather(expansion, method), spreads(expansion)
 
-    def pressure(points: np.ndarray) -> np.ndarray:
+    def pressure(points: np.ndarray) -> tuple:
         changed = scattered(parameters, base, points)
         depths = np.broadcast_to(z, (len(points), z.size))
-        return evaluate(method, phase, depths, changed)["wall_normal_pressure"][0]
+        return evaluate(method, phase, depths, changed)["wall_normal_pressure"]
 
     return pressure
 
@@ -79,7 +86,7 @@ def _indices(pressure: Callable, whole: np.ndarray, asked) -> np.ndarray:
     """(first-order, total) Sobol indices of the largest wall pressure, by Saltelli's estimator with the study's seed."""
 
     def largest(points):
-        return np.max(pressure(points.T)[:, whole], axis=1)
+        return np.max(pressure(points.T)[0][:, whole], axis=1)
 
     found = sobol_indices(
         func=largest, n=2**asked.log2_samples, dists=[uniform()] * len(SAMPLED), rng=np.random.default_rng(asked.seed)
@@ -87,10 +94,10 @@ def _indices(pressure: Callable, whole: np.ndarray, asked) -> np.ndarray:
     return np.array([found.first_order, found.total_order])
 
 
-def _assemble(expansion: Resolved, methods: list[AskedMethod], quantiles: np.ndarray, indices: np.ndarray) -> xr.Dataset:
+def _assemble(expansion: Resolved, methods: list[AskedMethod], quantiles: Mapping, indices: np.ndarray) -> xr.Dataset:
     study = expansion.study
     data = {
-        "wall_normal_pressure_quantile": quantiles,
+        **quantiles,
         "sobol_first": indices[0],
         "sobol_total": indices[1],
         "cylinder_depth": expansion.cases[0].scene.silo.cylinder_depth,

@@ -10,14 +10,16 @@ DEPTHS = ("depth", "relative_depth")
 NOT_COVERED, OUT_OF_RANGE = "phase_not_covered", "outside_published_range"
 
 
-def silences(cube: xr.Dataset, *, in_every_case: bool = False) -> list[str]:
+def silences(cube: xr.Dataset, *, in_every_case: bool = False, titles: bool = False) -> list[str]:
     """A line for every method and phase that gives no wall pressure in some case, or in every one, with the reasons.
 
     A phase that a method's source does not treat is told where the method gives nothing in any other.
+    titles: methods are called by their title, as in figures, in place of their key.
     """
     lines = []
-    for method in map(str, cube["pressure_method"].values):
-        one = cube.sel(pressure_method=method)
+    for key in map(str, cube["pressure_method"].values):
+        one = cube.sel(pressure_method=key)
+        method = str(one["pressure_method_title"].values) if titles else key
         phases = [phase for phase in map(str, cube["phase"].values) if _reasons(one.sel(phase=phase)) != [NOT_COVERED]]
         told = [phase for phase in phases if not in_every_case or _silent(one.sel(phase=phase)).all()]
         lines += [f"{method}, {phase}: {text}" for phase in told if (text := _silence(one.sel(phase=phase)))]
@@ -32,9 +34,10 @@ def _silence(one: xr.Dataset) -> str:
     if not silent.any():
         return ""
     count = f" in {int(silent.sum())} of {silent.size} cases" if silent.ndim else ""
-    limits = [f"out of its range, {words}" for words in _limits(one, silent)]
+    limits = _limits(one, silent)
+    broken = [f"out of its range, {', '.join(limits)}"] if limits else []
     reasons = [reason.replace("_", " ") for reason in _reasons(one) if not (limits and reason == OUT_OF_RANGE)]
-    return f"gives nothing{count}: {'; '.join([*reasons, *limits])}"
+    return f"gives nothing{count}: {'; '.join([*reasons, *broken])}"
 
 
 def _silent(one: xr.Dataset) -> xr.DataArray:

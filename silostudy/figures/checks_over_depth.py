@@ -18,6 +18,7 @@ from silostudy.figures.style import save, title
 COLOURS = ("#4477AA", "#228833", "#CCBB44", "#EE6677", "#AA3377", "#66CCEE", "#EE8866", "#777777")  # of checks, in order
 BAND: dict[str, Any] = {"linewidth": 9, "alpha": 0.3, "solid_capstyle": "butt"}
 UTILISATION = ("design_buckling_utilisation", "design_check_utilisation", "design_utilisation")
+CHECKED = ("steel_check", "wall_friction_end", "place")
 THICKNESS = ("design_buckling_thickness", "design_check_thickness", "design_thickness")
 
 
@@ -58,16 +59,23 @@ def _worst(values: xr.DataArray) -> xr.DataArray:
     return values.max([dim for dim in ("combination", "wall_friction_end") if dim in values.dims])
 
 
+def _made(one: xr.Dataset) -> list[str]:
+    """The combinations that the cube could compute."""
+    made = (one["design_check_utilisation_scope"] == 0).any([dim for dim in CHECKED if dim in one.dims])
+    return [str(key) for key in one["combination"].values[made.values]]
+
+
+def _force(one: xr.Dataset, combination: str) -> np.ndarray:
+    """Axial force (kN/m) of a combination at its worst end of the wall friction."""
+    return one["design_axial_wall_force"].sel(combination=combination).max("wall_friction_end").values / 1e3
+
+
 def _forces(panel: Axes, one: xr.Dataset) -> None:
-    """Axial force of every combination that the cube could compute, at its worst end of the wall friction."""
-    z = one["place_depth"].isel(wall_friction_end=0)
-    lines = ("-", "--", "-.", ":")
-    for number, combination in enumerate(map(str, one["combination"].values)):
-        here = one.sel(combination=combination)
-        made = (here["design_check_utilisation_scope"] == 0).any()
-        if made:
-            force = here["design_axial_wall_force"].max("wall_friction_end") / 1e3
-            panel.plot(force, z, color="black", linestyle=lines[number % 4], linewidth=1 + number // 4, label=combination)
+    """Axial force of every combination that the cube could compute."""
+    z, lines = one["place_depth"].isel(wall_friction_end=0), ("-", "--", "-.", ":")
+    for number, combination in enumerate(_made(one)):
+        style = {"linestyle": lines[number % 4], "linewidth": 1 + number // 4}
+        panel.plot(_force(one, combination), z, color="black", label=combination, **style)
     panel.axvline(0, color="black", linewidth=0.5)
 
 
@@ -117,16 +125,23 @@ def _handles(cube: xr.Dataset) -> list[Line2D]:
 
 
 def _numbers(one: xr.Dataset) -> pd.DataFrame:
-    """Every place with the utilisation and the thickness (mm) by each check, and what governs, by rule."""
-    z, rows = one["place_depth"].isel(wall_friction_end=0).values, []
+    """Every place with force (kN/m), utilisation and thickness (mm) by combination and check, and what governs, by rule."""
+    wall, rows = one.isel(wall_friction_end=0), []
+    shared = {"place": one["place"].values, "depth_m": wall["place_depth"], "built_mm": wall["place_thickness"] * 1e3}
+    shared |= {f"force_{key}_kN_m": _force(one, key) for key in _made(one)}
     for rule in map(str, one["rule"].values):
-        here = one.sel({"rule": [rule]})
-        found = {"rule": rule, "place": one["place"].values, "depth_m": z}
-        for what, names, scale in (("utilisation", UTILISATION, 1.0), ("thickness_mm", THICKNESS, 1e3)):
-            largest, check = _governing(here, names[2], here[names[2]])
-            found |= {f"{what}": largest * scale, f"{what}_governed_by": check}
-            found[f"{what}_buckling"] = _worst(here[names[0]]).values[0] * scale
-            for key in map(str, one["steel_check"].values):
-                found[f"{what}_{key}"] = _worst(one[names[1]].sel(steel_check=key)).values * scale
+        found = {"rule": rule, **shared}
+        for what, names, scale in (("utilisation", UTILISATION, 1.0), ("needed_mm", THICKNESS, 1e3)):
+            found |= _by_check(one.sel({"rule": [rule]}), what, names, scale)
         rows.append(pd.DataFrame(found))
     return pd.concat(rows, ignore_index=True)
+
+
+def _by_check(one: xr.Dataset, what: str, names: tuple[str, str, str], scale: float) -> dict:
+    """A column for the largest number with what governs, for axial buckling, and for each check."""
+    largest, check = _governing(one, names[2], one[names[2]])
+    found = {f"governing_{what}": largest * scale, f"{what}_governed_by": check}
+    found[f"buckling_{what}"] = _worst(one[names[0]]).values[0] * scale
+    for key in map(str, one["steel_check"].values):
+        found[f"{key}_{what}"] = _worst(one[names[1]].sel(steel_check=key)).values * scale
+    return found

@@ -35,8 +35,9 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     axes[0].set_title("time: median and quartiles of the turns")
     axes[0].set_yticks(range(len(prices)), prices["effect"], fontsize=8)
     axes[0].set_ylim(len(prices) - 0.4, -0.6)
-    handles = [plt.Rectangle((0, 0), 1, 1, color=colour) for colour in COLOURS.values()]
-    figure.legend(handles, COLOURS, loc="outside lower center", ncols=len(COLOURS))
+    rooms = [room for room in COLOURS if room in set(prices["effect_room"])]
+    handles = [plt.Rectangle((0, 0), 1, 1, color=COLOURS[room]) for room in rooms]
+    figure.legend(handles, rooms, loc="outside lower center", ncols=len(rooms))
     figure.suptitle(f"What effects and optional parts cost; {cube.attrs['machine']}, {cube.attrs['measured_on']}", fontsize=10)
     save(figure, prices, stem)
 

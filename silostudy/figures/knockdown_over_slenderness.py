@@ -8,7 +8,7 @@ import numpy as np
 import pandas as pd
 import xarray as xr
 
-from silostudy.figures.rules import demand, look, making, name
+from silostudy.figures.rules import demand, limits, look, making, name
 from silostudy.figures.style import save
 from silostudy.tables.miller1977 import TESTS
 
@@ -27,7 +27,7 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
         made = making(here)
         for rule in map(str, cube["rule"].values):
             factor = here["elastic_knockdown_factor"].sel({"rule": rule})
-            label = name(cube, rule) if place == 0 else None
+            label = "; ends: ".join([name(cube, rule), *limits(cube, rule)]) if place == 0 else None
             panel.plot(factor["radius_over_thickness"], factor, linewidth=1.6, label=label, **look(cube, rule))
             table = factor.to_dataframe().reset_index()[["radius_over_thickness", "elastic_knockdown_factor"]]
             curves.append(table.assign(curve=rule, making=made))
@@ -40,7 +40,7 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
         panel.set_xticks([100, 200, 500, 1000, 2000, 3000], labels=["100", "200", "500", "1000", "2000", "3000"])
         panel.minorticks_off()
     axes[0, 0].set_ylabel("elastic buckling stress over classical stress")
-    figure.legend(loc="outside lower center", ncols=4)
+    figure.legend(loc="outside lower center", ncols=3)
     length = float(cube["relative_bay_length"])
     figure.suptitle(
         f"Knock-down factor of cylinders without rings, L / sqrt(R t) = {length:g}; Miller's tests are manufactured shells"

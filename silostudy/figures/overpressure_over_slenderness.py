@@ -16,7 +16,7 @@ from silostudy.figures.style import look, save, silent, title
 def draw(cube: xr.Dataset, stem: Path) -> None:
     """Writes the figure and its numbers: median, least and largest over all the other axes of the study."""
     level = "relative_depth" if "relative_depth" in cube.dims else "depth"
-    unspoken, cube = silent(cube), cube.sel({"phase": "discharge"})
+    whole, cube = cube, cube.sel({"phase": "discharge"})
     pressure = cube["wall_normal_pressure"]
     static = pressure / cube["overpressure_factor"]
     panels = {
@@ -32,13 +32,22 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
             label = title(cube, method) if panel is axes[0] else None
             panel.plot(group.slenderness, group["median"], linewidth=1.4, label=label, **style)
             panel.fill_between(group.slenderness, group["min"], group["max"], color=style["color"], alpha=0.12, linewidth=0)
-        panel.set(xlabel="cylinder depth over diameter H/D", title=quantity, ylim=(0, None))
+        panel.set(xlabel="cylinder depth over diameter H/D", title=quantity)
         panel.axhline(1, color="black", linewidth=0.8)
+    axes[0].set_ylim(0, None)  # once both panels hold their bands
     axes[0].set_ylabel("overpressure factor over the method's own static Janssen")
     figure.suptitle(f"{cube.attrs['title']}\nline: median over the study's other axes; band: least to largest")
+    unspoken = [*silent(whole), *silent(_gapped(cube, numbers), in_every_case=False)]
     handles = [*axes[0].get_legend_handles_labels()[0], *unspoken]
     figure.legend(handles=handles, loc="outside lower center", ncols=4, fontsize=8)
     save(figure, numbers, stem)
+
+
+def _gapped(cube: xr.Dataset, numbers: pd.DataFrame) -> xr.Dataset:
+    """The methods whose curve leaves out some slendernesses: lone points are to be explained."""
+    points = numbers.groupby("pressure_method").slenderness.nunique()
+    gapped = points.index[points < cube.sizes["slenderness"]]
+    return cube.sel(pressure_method=list(gapped)).expand_dims("phase")
 
 
 def _summary(values: xr.DataArray, quantity: str) -> pd.DataFrame:

@@ -20,7 +20,8 @@ DIAMETER, SLENDERNESS = 10.0, 2.0  # the silo of the matrices; the nearest of th
 def draw(cube: xr.Dataset, stem: Path) -> None:
     """Writes the figure and its numbers, all for the thickest strake (the largest over depth and phases), in mm."""
     rules.demand(cube, "wall_friction_end", ("mean", "upper"))
-    needed = cube["required_thickness"].max("relative_depth" if "relative_depth" in cube.dims else "depth") * 1e3
+    level = "relative_depth" if "relative_depth" in cube.dims else "depth"
+    needed = rules.worst(cube, "required_thickness", level) * 1e3
     covered = needed.notnull().any([dim for dim in needed.dims if dim != "pressure_method"])
     kept = {"pressure_method": np.flatnonzero(covered)}
     cube, needed = cube.isel(kept), needed.isel(kept)
@@ -38,10 +39,13 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     for row, (axis, label) in zip(grid[1:], (("diameter", "diameter D (m)"), ("slenderness", "H/D")), strict=True):
         _curves(row, upper.sel(fixed[axis], method="nearest"), cube, axis, label)
     spread = float((upper.max("pressure_method") / upper.min("pressure_method")).median())
-    figure.suptitle(
-        f"{cube.attrs['title']}\n* the method's friction would carry more than the contents weigh (wall friction times a "
-        f"design pressure)\nlargest over smallest method, median of all silos and rules: {spread:.2f}"
-    )
+    head = [
+        cube.attrs["title"],
+        "* the method's friction would carry more than the contents weigh (wall friction times a design pressure)",
+        f"largest over smallest method, median of all silos and rules: {spread:.2f}",
+        *rules.passed_over(cube, "required_thickness"),
+    ]
+    figure.suptitle("\n".join(head))
     save(figure, pd.concat([_numbers(needed), _changes(change)], ignore_index=True), stem)
 
 

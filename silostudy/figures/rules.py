@@ -3,9 +3,11 @@
 import numpy as np
 import xarray as xr
 
+from silostudy.cube.contract import SCOPE
 from silostudy.errors import BadInput
 
 KPA_PER_PSI = 6.894757293
+NO_LOAD = "load_or_pressure_masked"
 PSI = KPA_PER_PSI * 1e3
 # group of tests -> (marker, filled, label); markers tell them apart without colour
 GROUPS = {
@@ -24,6 +26,47 @@ def look(cube: xr.Dataset, rule: str) -> dict:
 def name(cube: xr.Dataset, rule: str) -> str:
     """Name of a rule for a legend."""
     return str(cube.sel({"rule": rule}).rule_title.values)
+
+
+def limits(cube: xr.Dataset, rule: str) -> list[str]:
+    """The limits of its range that mask a rule somewhere in a buckling cube, in words."""
+    numbers = np.unique(cube["rule_limit_broken"].sel({"rule": rule}))
+    return [str(cube["rule_limit"].values[number]) for number in numbers if number > 0]
+
+
+def unjudged(cube: xr.Dataset, name: str) -> xr.DataArray:
+    """Where a variable of the shell is masked though the wall there is loaded: the rest does not speak for it."""
+    flags = cube[name + SCOPE]
+    return cube[name].isnull() & (flags != 0) & (flags != loadless(flags))
+
+
+def worst(cube: xr.Dataset, name: str, dims: str | list[str]) -> xr.DataArray:
+    """The largest over some dimensions; NaN where one of them is not judged, as the rest would look like a sound wall."""
+    return cube[name].max(dims).where(~unjudged(cube, name).any(dims))
+
+
+def loadless(flags: xr.DataArray) -> int:
+    """The flag that says that a wall has no load, or an unknown one."""
+    return flags.attrs["flag_meanings"].split().index(NO_LOAD)
+
+
+def passed_over(cube: xr.Dataset, *names: str) -> list[str]:
+    """Lines that say at how many depths, by rule, variables of the shell are masked in curves that have a load, and why."""
+    lines: list[str] = []
+    for name in names:
+        level = str(cube[name].dims[-1])
+        flags, meanings = cube[name + SCOPE], cube[name + SCOPE].attrs["flag_meanings"].split()
+        loaded = (flags != loadless(flags)).any(level)
+        counts = [(cube[name].isnull() & (flags == place) & loaded) for place in range(len(meanings))]
+        for reason, masked in zip(meanings, counts, strict=True):
+            each = masked.sum([dim for dim in masked.dims if dim != "rule"])
+            told = [f"{rule_name} {int(n)}" for rule_name, n in zip(cube["rule_title"].values, each, strict=True) if n]
+            if told:
+                total = int(masked.size / cube.sizes["rule"])
+                lines.append(
+                    f"{name.replace('_', ' ')} masked ({reason.replace('_', ' ')}) at {', '.join(told)} of {total} depths"
+                )
+    return lines
 
 
 def is_rival(cube: xr.Dataset, rule: str) -> bool:

@@ -14,7 +14,7 @@ from silostudy.figures.style import look, save, title
 
 WITHOUT = {"linestyle": (0, (4, 2)), "linewidth": 1.0}
 WITH = {"linestyle": "-", "linewidth": 1.7}
-NEEDED = "buckling rules: thickness that a wall of one thickness needs, without and with the earthquake"
+NEEDED = "buckling rules: thickness that a wall of one thickness needs by {}, without and with the earthquake"
 SIDES = {"pressed": "#B2182B", "lifted": "#2166AC"}
 PRESSURES = {"pressed": ("upper_internal_pressure", "largest"), "lifted": ("lower_internal_pressure", "smallest guaranteed")}
 
@@ -35,8 +35,9 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     panels[2].set_title(f"{title(cube, first)}, worst phase and side", fontsize=9)
     methods = [Line2D([], [], label=title(cube, key), **look(cube, key)) for key in map(str, cube["pressure_method"].values)]
     figure.legend(handles=methods, loc="outside lower left", ncols=1, fontsize=8, title="pressure methods")
-    figure.legend(handles=_rules(cube, first), loc="outside lower right", ncols=2, fontsize=8, title=NEEDED)
-    figure.suptitle(_head(cube), fontsize=10)
+    needed = NEEDED.format(title(cube, first))
+    figure.legend(handles=_rules(cube, first), loc="outside lower right", ncols=2, fontsize=8, title=needed)
+    figure.suptitle("\n".join([_head(cube), *_masked(cube.sel(pressure_method=first))]), fontsize=10)
     save(figure, _numbers(cube), stem)
 
 
@@ -66,8 +67,8 @@ def _utilisations(panel, one: xr.Dataset) -> None:
         here = one.sel({"rule": rule})
         marks = {"color": rules.look(one, rule)["color"], "marker": str(here["rule_marker"].values), "markersize": 5}
         marks["markevery"] = max(1, len(z) // 8)
-        panel.plot(here["utilisation"].max("phase"), z, **marks, **WITHOUT)
-        panel.plot(here["earthquake_utilisation"].max(["phase", "side"]), z, **marks, **WITH)
+        panel.plot(rules.worst(here, "utilisation", "phase"), z, **marks, **WITHOUT)
+        panel.plot(rules.worst(here, "earthquake_utilisation", ["phase", "side"]), z, **marks, **WITH)
     panel.axvline(1, color="black", linewidth=0.8)
 
 
@@ -76,19 +77,24 @@ def _rules(cube: xr.Dataset, method: str) -> list[Line2D]:
     handles, needed = [], _needed(cube.sel(pressure_method=method))
     for rule in map(str, cube["rule"].values):
         one = needed.sel({"rule": rule})
-        static, shaken = float(one["static"]) * 1e3, float(one["shaken"]) * 1e3
-        label = f"{rules.name(cube, rule)}: {static:.1f} mm, {shaken:.1f} mm"
+        static, shaken = ("masked" if np.isnan(one[key]) else f"{float(one[key]) * 1e3:.1f} mm" for key in ("static", "shaken"))
+        label = f"{rules.name(cube, rule)}: {static}, {shaken}"
         marker = str(one["rule_marker"].values)
         handles.append(Line2D([], [], color=rules.look(cube, rule)["color"], marker=marker, label=label))
     return handles
 
 
 def _needed(cube: xr.Dataset) -> xr.Dataset:
-    """Thickness (m) that a wall of one thickness needs: static, and with the earthquake too."""
-    static = cube["required_thickness"].max("depth")
-    return xr.Dataset(
-        {"static": static, "shaken": np.fmax(static, cube["earthquake_required_thickness"].max(["side", "depth"]))}
-    )
+    """Thickness (m) that a wall of one thickness needs, static and with the earthquake; NaN where a depth is not judged."""
+    static = rules.worst(cube, "required_thickness", "depth")
+    shaken = rules.worst(cube, "earthquake_required_thickness", ["side", "depth"])
+    return xr.Dataset({"static": static, "shaken": shaken.where(~(static > shaken), static)})
+
+
+def _masked(one: xr.Dataset) -> list[str]:
+    """At how many depths the shown curves and thicknesses are masked, and why."""
+    names = ("required_thickness", "earthquake_required_thickness", "utilisation", "earthquake_utilisation")
+    return [text for line in rules.passed_over(one, *names) for text in textwrap.wrap(line, 150)]
 
 
 def _head(cube: xr.Dataset) -> str:
@@ -107,10 +113,10 @@ def _numbers(cube: xr.Dataset) -> pd.DataFrame:
 
     The thickness (mm) is for the whole wall.
     """
-    shown = {"static": cube["utilisation"].max("phase")}
+    shown = {"static": rules.worst(cube, "utilisation", "phase")}
     for side in map(str, cube["side"].values):
-        shown[side] = cube["earthquake_utilisation"].sel(side=side, drop=True).max("phase")
-    shown["worst_side"] = cube["earthquake_utilisation"].max(["phase", "side"])
+        shown[side] = rules.worst(cube.sel(side=side, drop=True), "earthquake_utilisation", "phase")
+    shown["worst_side"] = rules.worst(cube, "earthquake_utilisation", ["phase", "side"])
     shown["axial_wall_force"] = cube["axial_wall_force"].max("phase")
     shown["earthquake_axial_wall_force"] = cube["earthquake_axial_wall_force"].sel(side="pressed", drop=True).max("phase")
     for side, (name, _) in PRESSURES.items():

@@ -33,7 +33,7 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
         axes[2].plot(stress / 1e6, z, color="black", **style)
         for rule in map(str, cube["rule"].values):
             strength = here["wall_buckling_stress"].sel(pressure_method=first, rule=rule)
-            used = here["utilisation"].sel(pressure_method=first, rule=rule).max("phase")
+            used = rules.worst(here.sel(pressure_method=first, rule=rule), "utilisation", "phase")
             lines = {"color": rules.look(cube, rule)["color"], **style}
             marks = {
                 "marker": str(cube.sel({"rule": rule}).rule_marker.values),
@@ -56,9 +56,9 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
         handles=_legend(cube, "pressure_method"), loc="outside lower left", ncols=3, fontsize=8, title="pressure methods"
     )
     figure.legend(handles=_legend(cube, "rule"), loc="outside lower right", ncols=3, fontsize=8, title="buckling rules")
-    figure.suptitle(
-        f"{cube.attrs['title']}\ndashed: mean wall friction; full: upper wall friction (more axial force, less pressure)"
-    )
+    told = "dashed: mean wall friction; full: upper wall friction (more axial force, less pressure)"
+    masked = rules.passed_over(cube.sel(pressure_method=first), "utilisation")
+    figure.suptitle("\n".join([cube.attrs["title"], told, *masked]))
     save(figure, _numbers(cube, level), stem)
 
 

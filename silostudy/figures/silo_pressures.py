@@ -24,6 +24,7 @@ SIDES = {
 HATCHES = {"normal": "////", "friction": "...."}
 COLOURS = {"normal": "#B2182B", "friction": "#2166AC"}
 SAVED = ("side", "depth_m", "wall_radius_m", "pressure_kPa", "from_axis_m", "tip_from_axis_m", "tip_depth_m")
+STAR, SETS = "*", "pressure, friction and load each by their own set of characteristic values: no single state of the silo"
 WIDEST = 0.75  # diameters that the largest pressure reaches out
 
 
@@ -42,7 +43,7 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     )
     for row, method in zip(panels, methods, strict=True):
         for panel, phase in zip(row, phases, strict=True):
-            panel.set_title(f"{title(cube, method)}: {phase}", fontsize=9)
+            panel.set_title(f"{title(cube, method)}{STAR * of_sets(cube, method)}: {phase}", fontsize=9)
             panel.set_aspect("equal")
             _silo(panel, cube)
             if (method, phase) in states:
@@ -52,9 +53,16 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
                 panel.text(0, float(cube["cylinder_depth"]) / 2, _why_not(cube, method, phase), ha="center", va="center")
             panel.tick_params(labelbottom=True)
     _frame(panels, cube, largest)
-    figure.suptitle(cube.attrs["title"])
+    several = any(of_sets(cube, method) for method in methods)
+    figure.suptitle(cube.attrs["title"] + f"\n{STAR} {SETS}" * several)
     numbers = pd.concat([t.assign(pressure_method=m, phase=p) for (m, p), t in states.items()], ignore_index=True)
     save(figure, numbers[["pressure_method", "phase", *SAVED]], stem)
+
+
+def of_sets(cube: xr.Dataset, method: str) -> bool:
+    """Whether a method reckons its quantities with different characteristic values: what is drawn does not act at once."""
+    values = str(cube["pressure_method_values"].sel(pressure_method=method).values)
+    return len([text for text in values.split("; ") if not text.startswith("every quantity")]) > 1
 
 
 def _why_not(cube: xr.Dataset, method: str, phase: str) -> str:
@@ -174,7 +182,7 @@ def _forces(panel: Axes, cube: xr.Dataset, method: str, phase: str) -> None:
         text = (
             f"hopper (kN)\ncontents  {kilo['hopper_weight']:7.0f}\nload      {kilo['transition_force']:7.0f}\nwall      "
             f"{kilo['hopper_wall_force']:7.0f}{ring_text}\noutlet    {kilo['outlet_force']:7.0f}\n"
-            f"missing % {100 * abs(float(one['hopper_balance'])):7.0e}"
+            f"off by % {100 * abs(float(one['hopper_balance'])):8.0e}"
         )
     panel.text(0, float(cube["cylinder_depth"]) * 0.45, text, ha="center", va="center", fontsize=7.5, family="monospace")
     if ring > 0:

@@ -80,6 +80,7 @@ def phases_of_its_own(cube: xr.Dataset, method: str, static: str) -> list[str]:
     return shown
 
 
-def silent(cube: xr.Dataset) -> list[Patch]:
-    """Entries of a legend, without a mark, for the methods that the study asks for and that give nothing: why not."""
-    return [Patch(alpha=0.0, label=fill(line, 60)) for line in silences(cube, in_every_case=True)]
+def silent(cube: xr.Dataset, *, in_every_case: bool = True) -> list[Patch]:
+    """Entries of a legend, without a mark, for the methods that give nothing in every case, or in some: why not."""
+    lines = silences(cube, in_every_case=in_every_case, titles=True)
+    return [Patch(alpha=0.0, label=fill(line, 60)) for line in lines]

@@ -8,8 +8,11 @@ import pandas as pd
 import xarray as xr
 from matplotlib.axes import Axes
 
+from silostudy.cube.silence import NOT_COVERED, reason
 from silostudy.figures.style import save, title
 
+QUANTILE = "wall_normal_pressure_quantile"
+EXPECTED = {NOT_COVERED.replace("_", " "), "above wall contact"}
 LOOKS = {
     "filling": ("#4393C3", "\\\\\\\\", (0, (4, 2))),
     "switch": ("#5E3C99", "....", ":"),
@@ -19,7 +22,7 @@ LOOKS = {
 
 def draw(cube: xr.Dataset, stem: Path) -> None:
     """Writes a panel for each method and the quantiles it shows."""
-    quantiles = cube["wall_normal_pressure_quantile"] / 1e3
+    quantiles = cube[QUANTILE] / 1e3
     methods = distinct_methods(cube)
     columns = min(4, len(methods))
     rows = -(-len(methods) // columns)
@@ -52,18 +55,26 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
 
 
 def missing(cube: xr.Dataset) -> list[str]:
-    """A line that names the methods without quantiles, and why; none where all have some."""
-    quantiles = cube["wall_normal_pressure_quantile"]
-    silent = quantiles.isnull().all([dim for dim in quantiles.dims if dim != "pressure_method"])
-    names = [title(cube, str(method)) for method in cube["pressure_method"].values[silent.values]]
-    return [f"not shown, some samples lie beyond the range of their source: {', '.join(names)}"] if names else []
+    """Lines that name the methods with masked quantiles, by reason.
+
+    A phase that a method's source does not treat, and a wall above the heap, are told only where nothing else is.
+    """
+    found: dict[str, list[str]] = {}
+    for method in map(str, cube["pressure_method"].values):
+        masked = cube[QUANTILE].sel(pressure_method=method).isnull()
+        phases = [phase for phase in map(str, cube["phase"].values) if masked.sel(phase=phase).any()]
+        reasons = {reason(cube, QUANTILE, method, phase) for phase in phases}
+        for told in sorted(reasons - EXPECTED or (reasons if masked.all() else ())):
+            text = f"{'not shown' if masked.all() else 'shown in part'}, a sample masked ({told})"
+            found.setdefault(text, []).append(title(cube, method))
+    return [f"{text}: {', '.join(names)}" for text, names in found.items()]
 
 
 def distinct_methods(cube: xr.Dataset) -> list[str]:
     """Methods with quantiles, each curve once: sampled, the rows of one code's sets of characteristic values coincide."""
     kept: dict[bytes, str] = {}
     for method in map(str, cube["pressure_method"].values):
-        quantiles = cube["wall_normal_pressure_quantile"].sel(pressure_method=method)
+        quantiles = cube[QUANTILE].sel(pressure_method=method)
         if quantiles.notnull().any():
             kept.setdefault(quantiles.fillna(-1).values.tobytes(), method)
     return list(kept.values())

@@ -1,10 +1,12 @@
 """The references behind every row: one BibTeX file, read by a library; a user's own file may bring others."""
 
+import re
 from functools import cache
 from pathlib import Path
 
 from pybtex.database import BibliographyData, Entry, parse_string
 from pybtex.exceptions import PybtexError
+from pybtex.richtext import Text
 
 from silostudy.errors import BadInput, unknown
 from silostudy.tables.read import HERE
@@ -38,8 +40,17 @@ def _in_words(source: str) -> bool:
 
 
 def _told(entry: Entry) -> str:
-    people = [str(person).replace("{", "").replace("}", "") for person in entry.persons.get("author", [])]
-    return ". ".join([" and ".join(people), *(entry.fields[name] for name in ORDER if name in entry.fields)]) + "."
+    people = [str(person) for person in entry.persons.get("author", [])]
+    text = ". ".join([" and ".join(people), *(entry.fields[name] for name in ORDER if name in entry.fields)]) + "."
+    return _without_latex(text)
+
+
+def _without_latex(text: str) -> str:
+    """The text with its accents and signs as they are meant; as it is written where it is no LaTeX."""
+    try:
+        return str(Text.from_latex(re.sub(r"(?<!\\)%", r"\%", text)))
+    except (PybtexError, UnicodeDecodeError):
+        return text
 
 
 def beside(file: Path) -> Path:

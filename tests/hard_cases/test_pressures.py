@@ -13,7 +13,7 @@ from silostudy.pressure.jenike_mass_flow import envelope_pressure
 from silostudy.pressure.limits import broken
 from silostudy.pressure.mass_flow import PATTERNS, flow_pattern, limit_angle
 from tests.conftest import SMALL, expanded
-from tests.test_pressure.test_hoppers import BIN
+from tests.test_pressure.bins import BIN
 from tests.test_pressure.test_limits import WHEAT, exact_envelope, pressure
 
 EXACT = 4e-15  # a few units in the last place

@@ -9,8 +9,9 @@ import pytest
 from silostudy.buckling import BUCKLING
 from silostudy.buckling.thickness import required_thickness, with_thickness
 from silostudy.compute.pressure import pressure_cube
-from silostudy.compute.shell import shell_cube, wall_parameters
+from silostudy.compute.shell import shell_cube
 from silostudy.compute.shell_load import SOURCES, internal_pressures
+from silostudy.compute.shell_places import wall_parameters
 from silostudy.errors import BadInput
 from silostudy.pressure.janssen import axial_wall_force, normal_pressure
 from silostudy.pressure.quadrature import from_surface

@@ -112,7 +112,7 @@ def test_no_earthquake_adds_nothing_to_the_last_bit(cubes):
         still[name] = 0 * still[name]
     found = shell_cube(expansion, pressure, still)
     doubled = [str(name) for name in found if str(name).startswith("earthquake_")]
-    assert len(doubled) == 16  # twelve quantities, four of them with their scope
+    assert len(doubled) == 17  # twelve quantities, five of them with their scope
     for name in doubled:
         for side in ("pressed", "lifted"):
             np.testing.assert_array_equal(found[name].sel(side=side), found[name.removeprefix("earthquake_")], err_msg=name)

@@ -331,7 +331,7 @@ def test_commands(tmp_path, capsys):
 def test_figure_and_table(cube, tmp_path):
     checks_over_depth.draw(cube, tmp_path / "figure")
     head, *rows = (tmp_path / "figure.csv").read_text().splitlines()
-    assert head.startswith("rule,place,depth_m,utilisation,utilisation_governed_by,utilisation_buckling,")
+    assert head.startswith("rule,place,depth_m,built_mm,force_D_kN_m,force_F_kN_m,")
     assert len(rows) == 2 * cube.sizes["place"]
     checks_summary.draw(cube, tmp_path / "table")
     table = (tmp_path / "table.csv").read_text()

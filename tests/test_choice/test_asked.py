@@ -18,7 +18,7 @@ from silostudy.config.load import read_yaml, study_of, validated
 from silostudy.dem.stability import chosen_step
 from silostudy.errors import BadInput
 from tests.conftest import ROOT, expanded
-from tests.test_dem.test_scene import SMALL as DEM_SCENE
+from tests.test_dem.small import SMALL as DEM_SCENE
 
 SCENE = {name: value for name, value in DEM_SCENE.items() if name != "march"} | {"march": {"limit_s": 1.0}}
 SCENE |= {body: DEM_SCENE[body] | {"tangential": "spring-slider-total"} for body in ("discs", "walls")}

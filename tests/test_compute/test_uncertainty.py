@@ -8,6 +8,7 @@ import pytest
 from silostudy.compute.uncertainty import SAMPLED, scattered, spreads, uncertainty_cube
 from silostudy.config.load import study_of
 from silostudy.errors import BadInput
+from silostudy.figures.uncertainty_bands import missing
 from tests.conftest import expanded
 from tests.test_figures.test_hopper_figures import BIN
 
@@ -63,6 +64,22 @@ def test_samples_stay_between_lower_and_upper(sampled):
     ]
     assert float(low[0]) == pytest.approx(np.tan(0.9 / 1.12))  # never above tan(phi) of the same sample
     assert float(high[0]) == pytest.approx(min(1.3 * 1.16, np.tan(0.9 * 1.12)))
+
+
+def test_masked_quantiles_say_why(sampled):
+    """Deutsch speaks for one silo alone, ACI not for so wide a bin, Janssen not of discharge."""
+    content = sampled | {"methods": ["janssen", "aci313_1977", "deutsch"], "phases": ["filling", "discharge"]}
+    cube = uncertainty_cube(expanded(content | {"uncertainty": {"log2_samples": 6, "seed": 5}}))
+    flags = cube["wall_normal_pressure_quantile_scope"]
+    assert flags.dims == cube["wall_normal_pressure_quantile"].dims
+    np.testing.assert_array_equal(flags == 0, cube["wall_normal_pressure_quantile"].notnull())
+    meanings = flags.attrs["flag_meanings"].split()
+    told = {name: [meanings[i] for i in flags.sel(pressure_method=name).values[:, 0, 0]] for name in ("janssen", "deutsch")}
+    assert told == {"janssen": ["in_scope", "phase_not_covered"], "deutsch": ["phase_not_covered", "outside_published_range"]}
+    assert missing(cube) == ["not shown, a sample masked (outside published range): 3  ACI 313-77, 11  Deutsch"]
+    surface = {"pressure_method": 0, "phase": 0, "depth": 0}
+    cube["wall_normal_pressure_quantile"][surface], flags[surface] = np.nan, meanings.index("solid_property_missing")
+    assert missing(cube)[0] == "shown in part, a sample masked (solid property missing): 6  Janssen"
 
 
 def test_spreads_must_be_known(study):

@@ -167,6 +167,8 @@ def test_a_source_is_words_or_a_key_of_either_bibliography(saved):
     assert source("J. Doe, 2026") == "J. Doe, 2026"
     assert source("silo_handbook") == cite("silo_handbook")
     assert source("doe", "@book{doe, author={J. Doe}, title={Smooth silos}, year=2026}") == "Doe, J.. Smooth silos. 2026."
+    titled = '@book{doe, author={M{\\"u}ller, J.}, title={{EN} silos: 50% and 5\\% more}, year=2026}'
+    assert source("doe", titled) == "Müller, J.. EN silos: 50% and 5% more. 2026."
     assert "must be readable BibTeX" in refused(saved(bib="@book{doe, author"))
 
 

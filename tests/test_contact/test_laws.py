@@ -154,3 +154,19 @@ def test_a_motion_in_space_is_one_in_the_plane_along_its_direction(key, speed):
     assert np.array(space[1]) == pytest.approx(plane[1] * along, rel=1e-12)
     if TANGENTIAL[key].stores:
         assert np.array(space[0]) == pytest.approx(plane[0] * along, rel=1e-12)
+
+
+@pytest.mark.parametrize("tangential", [row.key for row in TANGENTIAL.values() if row.acts])
+@pytest.mark.parametrize("normal", NORMAL)
+@pytest.mark.parametrize("closing", [-1.0, 1.0])
+def test_friction_has_no_direction_of_its_own(normal, tangential, closing):
+    """Every product of laws, where the dashpot pulls and where it presses: no sliding, no force; else never along with it."""
+    normal_c = tuple(curve.curve(0.01, youngs_modulus=7e7, poissons_ratio=0.3)) if "line" in normal else (1e6,)
+    elastic, total = NORMAL[normal].law(1e-5, closing, touch(2.0, 1e-5), (*normal_c, 500.0, 0.0))
+    c = tuple(np.array([1e6, 30.0, 1.0, 0.5])[-len(TANGENTIAL[tangential].coefficients) :])
+    law = TANGENTIAL[tangential].law
+    stored, still = law(0.0, 0.0, touch(2.0, 1e-5), elastic, total, c)
+    assert (stored, still) == (0.0, 0.0)
+    one, other = (law(0.0, speed, touch(2.0, 1e-5), elastic, total, c)[1] for speed in (3.0, -3.0))
+    assert one == -other
+    assert one <= 0.0

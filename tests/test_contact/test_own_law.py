@@ -18,7 +18,7 @@ from silostudy.errors import BadInput
 from silostudy.scene.scenes import files_of_scene
 from silostudy.sweep.plan import case_keys
 from tests.own import LAW, THEORY
-from tests.test_dem.test_scene import SMALL
+from tests.test_dem.small import SMALL
 from tests.test_sweep.sweeps import content
 
 SCENE = copy.deepcopy(SMALL) | {

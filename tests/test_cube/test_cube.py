@@ -2,6 +2,8 @@
 
 import os
 import re
+from pathlib import Path
+from types import SimpleNamespace
 
 import netCDF4
 import numpy as np
@@ -13,7 +15,7 @@ from silostudy.cube.contract import check
 from silostudy.cube.fingerprint import damaged, fingerprint
 from silostudy.cube.io import read, write
 from silostudy.errors import BadInput
-from silostudy.files import as_written, set_aside
+from silostudy.files import as_written, check_output, seal, set_aside
 from silostudy.tables.handbook import table_4_2_5
 from tests.conftest import ROOT, expanded
 
@@ -82,7 +84,7 @@ def test_half_written_file_never_looks_like_a_result(wheat, tmp_path, monkeypatc
         raise OSError("disk full")
 
     monkeypatch.setattr(xr.Dataset, "to_netcdf", breaks)
-    with pytest.raises(OSError, match="disk full"):
+    with pytest.raises(BadInput, match=r"cannot be written \(disk full\)"):
         write(wheat, path)
     assert path.read_bytes() == before
     assert {file.name for file in tmp_path.iterdir()} == {"pressure.nc", ".pressure.nc.sha256"}
@@ -143,6 +145,46 @@ def test_folder_that_cannot_be_written(wheat, tmp_path):
     (tmp_path / "results").write_text("a file where the folder should be")
     with pytest.raises(BadInput, match=r"results folder = .*cannot be written"):
         write(wheat, tmp_path / "results" / "pressure.nc")
+
+
+@pytest.mark.parametrize("error", [OSError(28, "No space left on device"), RuntimeError("NetCDF: HDF error")])
+def test_a_disk_that_is_full_is_one_line_and_leaves_the_older_file(wheat, tmp_path, monkeypatch, error):
+    write(wheat, path := tmp_path / "pressure.nc")
+
+    def full(*_, **__):
+        raise error
+
+    for name in ("xarray.Dataset.to_netcdf", "silostudy.files._write_seal"):
+        with monkeypatch.context() as patch:
+            patch.setattr(name, full)
+            with pytest.raises(BadInput, match=r"output = '.*pressure\.nc': cannot be written .*(No space|disk full)"):
+                write(wheat, path)
+    assert as_written(path)
+    assert sorted(one.name for one in tmp_path.iterdir()) == [".pressure.nc.sha256", "pressure.nc"]
+
+
+def test_a_seal_that_finds_no_room_leaves_the_older_one(tmp_path, monkeypatch):
+    (path := tmp_path / "a.nc").write_text("older")
+    seal(path)
+
+    def full(*_, **__):
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr(Path, "write_text", full)
+    with pytest.raises(OSError, match="No space"):
+        seal(path)
+    assert as_written(path)
+    assert len(list(tmp_path.iterdir())) == 2
+
+
+def test_places_that_cannot_be_looked_into_are_told_before_a_run(tmp_path, monkeypatch):
+    with pytest.raises(BadInput, match="has too long a name: 200 bytes at most"):
+        check_output(tmp_path / f"{'x' * 201}.nc")
+    with pytest.raises(BadInput, match=r"cannot be written \(File name too long\)"):
+        check_output(tmp_path / ("x" * 300) / "a.nc")
+    monkeypatch.setattr("shutil.disk_usage", lambda place: SimpleNamespace(free=0))
+    with pytest.raises(BadInput, match="its disk is full"):
+        check_output(tmp_path / "a.nc")
 
 
 def test_contract_refuses_strangers(wheat):

@@ -31,11 +31,13 @@ from tests.conftest import ROOT, expanded
 from tests.test_accuracy.test_silo_step import SILO
 from tests.test_accuracy.test_stability_map import RESTING
 from tests.test_buckling.test_shell_earthquake import SHAKEN, STUDY, shell_cube, together
-from tests.test_dem.test_scene import carried, scene_of
+from tests.test_checks.test_stage import cube_of as checks_of
+from tests.test_checks.test_stage import study as checks_study
+from tests.test_dem.small import carried, scene_of
 from tests.test_figures.test_hopper_figures import BIN
 from tests.test_packing.test_study import CONTENT as PACKING
+from tests.test_seismic.conftest import quick
 from tests.test_seismic.test_grains import CONTENT as GRAINS
-from tests.test_seismic.test_study import quick
 from tests.test_sweep.sweeps import compute, save, stand_in
 
 SIZES = {"axis": "size", "values": {"silo.diameter_m": [4.0, 6.0], "silo.cylinder_depth_m": [10.0, 15.0]}}
@@ -66,6 +68,7 @@ CUBES = {
     "uncertainty": lambda folder: uncertainty_cube(expanded(BIN | LEVELS | {"uncertainty": {"log2_samples": 6, "seed": 5}})),
     "buckling": lambda folder: buckling_cube(expand_file(ROOT / "config/studies/miller-1977.yaml")),
     "shell": _shaken_shell,
+    "checks": lambda folder: checks_of(checks_study()),
     "seismic": lambda folder: seismic_cube(expanded(quick())),
     "dem": _energetic_scene,
     "grains": lambda folder: grains_cube(expanded(GRAINS | {"cycles": 1, "waited_cycles": 0})),

@@ -97,8 +97,8 @@ def test_silent_methods_are_named_with_their_reason(key, tmp_path, monkeypatch):
     silenced.wall_normal_pressure_scope.attrs = first.wall_normal_pressure_scope.attrs
     output = drawn(key, [silenced, *also], tmp_path, monkeypatch)
     told = " ".join(" ".join(text for text, _ in output.words).split())
-    lines = silences(silenced, in_every_case=True)
-    assert any(line.startswith(str(first.pressure_method.values[-1])) for line in lines)
+    lines = silences(silenced, in_every_case=True, titles=True)
+    assert any(line.startswith(str(first.pressure_method_title.values[-1])) for line in lines)
     assert [line for line in lines if line not in told] == []
     plt.close("all")
 

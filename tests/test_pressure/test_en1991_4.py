@@ -14,7 +14,7 @@ from silostudy.pressure.en1991_4 import cylinder, eccentric, hopper, patch
 from silostudy.pressure.en1991_4.characteristic import characteristic
 from silostudy.pressure.family import CHANNEL_SIZES
 from silostudy.tables.solids import SOLIDS
-from tests.test_pressure.test_hoppers import BIN
+from tests.test_pressure.bins import BIN
 
 SLENDER = BIN | {"cylinder_depth": 12.0}
 PROPERTIES = ("internal_friction_angle", "wall_friction", "lateral_pressure_ratio", "a_phi", "a_K", "a_mu")

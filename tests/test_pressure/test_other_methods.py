@@ -10,7 +10,7 @@ from silostudy.pressure.calls import call
 from silostudy.pressure.jenike_funnel_1973 import effective_transition
 from silostudy.tables.walls import WALLS
 from tests.conftest import expanded
-from tests.test_pressure.test_hoppers import BIN
+from tests.test_pressure.bins import BIN
 
 CELL = {
     "kind": "pressure",

@@ -18,7 +18,7 @@ from silostudy.errors import BadInput
 from silostudy.seismic.readers import read_record
 from silostudy.tables.solids import own_solids
 from tests.conftest import ROOT
-from tests.test_dem.test_scene import scene_of
+from tests.test_dem.small import scene_of
 from tests.test_readers.mutations import mutated
 from tests.test_readers.test_columns import QUAKE
 from tests.test_readers.test_units_and_headers import HEADER, SAMPLES

@@ -19,7 +19,7 @@ from silostudy.cube.io import write
 from silostudy.sweep.journal import line
 from silostudy.sweep.merge import merge
 from tests.conftest import ROOT
-from tests.test_dem.test_scene import carried, scene_of
+from tests.test_dem.small import carried, scene_of
 from tests.test_sweep.sweeps import compute, make_plan, save, stand_in
 
 

@@ -28,6 +28,7 @@ def test_every_row_of_every_table_has_a_source(path):
     text |= {"problem", "group", "setting", "quantities", "reference_kind", "reference", "compare"}
     text |= {*fronts.TEXT, "decides"}
     text |= {"record", "package", "file", "claim", "variable", "measure", "trait", "quantity", "unit"}
+    text |= {"combination", "leading", "contents", "side"}
     found = rows(path, text=text)
     assert found
     for row in found:

@@ -34,17 +34,17 @@ def characteristic(name, *, internal_friction_angle, wall_friction, lateral_pres
 def used(name, wall_friction="wall_friction"):
     """Parameter -> function(*, parameters) that gives a set's value; wall_friction: whose, the cylinder's or the hopper's."""
 
-    def value(place, cap=None):
+    def value(place, friction=wall_friction, cap=None):
         def function(**given):
-            given = given | {"wall_friction": given[wall_friction]} | ({} if cap is None else {"sets_capped": cap})
+            given = given | {"wall_friction": given[friction]} | ({} if cap is None else {"sets_capped": cap})
             return characteristic(name, **{one: given[one] for one in PROPERTIES})[place]
 
-        names = [wall_friction if one == "wall_friction" else one for one in PROPERTIES]
+        names = [friction if one == "wall_friction" else one for one in PROPERTIES]
         return asking(function, names, f"A value of the set {name} (1).", None)
 
     return {
         "wall_friction": value(0),
-        "wall_friction_uncapped": value(0, cap=0.0),
+        "wall_friction_uncapped": value(0, f"{wall_friction}_uncapped", cap=0.0),  # nor the mean cut to tan(phi)
         "lateral_pressure_ratio": value(1),
         "internal_friction_angle": value(2),
     }
