@@ -9,7 +9,7 @@ MEMORY = (
     "4 E I/(A r^2) for the ring in its plane (the classical 3 is taken) and buckling of an annular plate out of its plane",
     "three sleeves and their chart for stepped walls (Ritz' method of semi-membrane theory is taken)",
     "vertical earthquake 0.9 and 0.45 a_h; directions 1.0/0.3/0.3; q, psi_2 and overstrength, which the study gives",
-    "fatigue",
+    "fatigue, and an earthquake on the empty silo (the seismic studies shake full ones)",
 )
 CONFLICT = (
     "joint efficiency of laps (0.55 or 0.70 double, 0.45 or 0.35 single): the user gives it",
@@ -23,5 +23,7 @@ ONE_SOURCE = (
     "psi of uneven axial stress: 1 is taken, the safe end",
     "rings that end a bay for axial buckling by their stiffness: area alone counts (`buckling/limits`)",
     "corrugated and stiffened walls: not built",
+    "local bending and membrane peaks of a patch load (shear and moment of the tube are counted); a frame that props the top",
+    "a partly filled silo with wind on its empty part; wind on the legs below the wall, and on the roof",
     "hoop strengths of EN 1993-1-6:2025: not seen",
 )

@@ -7,7 +7,7 @@ from silostudy.buckling import BUCKLING as RULES
 from silostudy.buckling.family import IN_SCOPE, NO_LOAD
 from silostudy.buckling.family import REASONS as RULE_REASONS
 from silostudy.checks import BUCKLING, CHECKS
-from silostudy.checks.family import REASONS, WALL
+from silostudy.checks.family import PARTS, REASONS, WALL
 from silostudy.choice.expand import Resolved
 from silostudy.compute.axes import sweep_of
 from silostudy.compute.buckling import rule_coordinates
@@ -26,6 +26,7 @@ from silostudy.compute.checks_wall import (
     needed_by_rules,
 )
 from silostudy.compute.evaluate import methods_of
+from silostudy.compute.shell import excluded
 from silostudy.compute.shell_earthquake import earthquake_told, of_this_study
 from silostudy.cube.assemble import assemble
 from silostudy.cube.variables import flags
@@ -56,9 +57,11 @@ def checks_cube(expansion: Resolved, pressure: xr.Dataset, seismic: xr.Dataset |
     silent = [row.key for row in CHECKS.values() if row.one_source and row.key not in study.checks.one_source]
     notes: dict = {**expansion.promise, **study.own_methods}
     notes |= {"not_given": ", ".join(not_given(expansion)), "one_source_left_out": ", ".join(silent)}
-    notes |= earthquake_told(shaken) if shaken is not None else {}
+    notes |= earthquake_told(shaken) | excluded(rules) if shaken is not None else {}
     sources = [rule.source for rule in rules] + [method.row.source for method in methods_of(expansion)]
-    sources += [row.source for row in rows] + [one.source for one in loads.combinations if one.source]
+    sources += [row.source for part in PARTS for row in rows_of(study, part)] + [
+        one.source for one in loads.combinations if one.source
+    ]
     return assemble(study, "checks", data, sources=sources, notes=notes, sweep=sweep)
 
 
@@ -71,7 +74,7 @@ def not_given(expansion: Resolved) -> list[str]:
         "wind": all(np.isnan(scene.steelwork["wind_pressure"]) for scene in scenes),
         "suction": not any(scene.steelwork["suction"] > 0 for scene in scenes),
         "earthquake": expansion.study.earthquake is None or expansion.study.checks.earthquake is None,
-        "own weight": not all(scene.shell.edges and scene.shell.unit_weight for scene in scenes),
+        "own weight": all(scene.shell.unit_weight == 0 for scene in scenes),
     }
     return [name for name, missing in absent.items() if missing]
 

@@ -17,7 +17,11 @@ class Wind(Strict):
     """Wind and suction on the wall, characteristic values, and how the wall's edges are held."""
 
     pressure_kPa: float = described(
-        "wind pressure at the stagnation line (pressure coefficient 1), taken even over the height", "kPa", ge=0, le=10
+        "wind pressure at the stagnation line (pressure coefficient 1), even over the wall's height; legs and roof are left "
+        "out",
+        "kPa",
+        ge=0,
+        le=10,
     )
     force_coefficient: float = described("c_f, drag over pressure, diameter and height", ge=0, le=2)
     suction_kPa: float = described(

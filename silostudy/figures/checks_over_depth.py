@@ -74,8 +74,8 @@ def _forces(panel: Axes, one: xr.Dataset) -> None:
     """Axial force of every combination that the cube could compute."""
     z, lines = one["place_depth"].isel(wall_friction_end=0), ("-", "--", "-.", ":")
     for number, combination in enumerate(_made(one)):
-        style = {"linestyle": lines[number % 4], "linewidth": 1 + number // 4}
-        panel.plot(_force(one, combination), z, color="black", label=combination, **style)
+        line, width = lines[number % 4], 1 + number // 4
+        panel.plot(_force(one, combination), z, color="black", label=combination, linestyle=line, linewidth=width)
     panel.axvline(0, color="black", linewidth=0.5)
 
 

@@ -32,6 +32,7 @@ KIND = Kind(
         "silostudy.commands.about:earthquake",
         "silostudy.commands.about:rules",
         "silostudy.commands.about:rings",
+        "silostudy.commands.about:checks",
     ),
     table="silostudy.commands.compare_steel:shell",
 )

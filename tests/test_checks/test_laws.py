@@ -194,6 +194,18 @@ def test_effective_lengths_of_the_transition():
     assert thin == pytest.approx(0.778 * np.sqrt(3.0 * 0.001), rel=1e-12)
 
 
+@pytest.mark.parametrize("ratio", [0.01, 0.1, 0.3, 0.5, 0.8, 1.0])
+def test_effective_area_against_edge_bending_of_two_joined_shells(ratio):
+    """A ring load on the joint of two long cylinders, solved exactly: Q r^2/(E w) is the area that works with the ring."""
+    thin, thick, r = 0.01 * ratio, 0.01, 3.0
+    beta = (3 * (1 - 0.3**2)) ** 0.25 / np.sqrt(r * np.array([thin, thick]))
+    k = E * np.array([thin, thick]) / r**2
+    bent, turned, stiff = (k / beta).sum(), (k / (2 * beta**2) * [1, -1]).sum(), (k / (2 * beta**3)).sum()
+    exact = (bent - turned**2 / stiff) * r**2 / E
+    lengths = transition_ring.effective_lengths(r, thick, thin, 0.0)
+    assert lengths[0] * thick + lengths[1] * thin == pytest.approx(exact, rel=0.011)
+
+
 def test_ring_carries_the_inward_pull_and_buckles_as_a_free_ring():
     wall = USUAL | {"hopper_meridional_force": 1e5, "inner_radius": 3.0, "hopper_half_angle": 0.5}
     assert call(transition_ring.ring_force, wall) == pytest.approx(1e5 * 3.0 * np.sin(0.5), rel=1e-12)
