@@ -67,7 +67,7 @@ GIVEN_BY = {
     "hopper_joint_efficiency": "scene.hopper_shell",
     "hopper_meridional_force": "hopper_position",
     "thickness": "scene.shell.strakes",
-    "support_force": "scene.shell.strakes_and_hopper_position",
+    "support_force": "scene.shell.strakes_and_hopper_position_and_depths_to_the_foot",
     "ring_area": "scene.transition_ring",
     "ring_second_moment": "scene.transition_ring.second_moment_cm4",
     "column_count": "scene.columns",

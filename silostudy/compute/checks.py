@@ -59,9 +59,8 @@ def checks_cube(expansion: Resolved, pressure: xr.Dataset, seismic: xr.Dataset |
     notes |= {"not_given": ", ".join(not_given(expansion)), "one_source_left_out": ", ".join(silent)}
     notes |= earthquake_told(shaken) | excluded(rules) if shaken is not None else {}
     sources = [rule.source for rule in rules] + [method.row.source for method in methods_of(expansion)]
-    sources += [row.source for part in PARTS for row in rows_of(study, part)] + [
-        one.source for one in loads.combinations if one.source
-    ]
+    made = [row for part in PARTS for row in rows_of(study, part)]
+    sources += [row.source for row in made] + [one.source for one in loads.combinations if one.source]
     return assemble(study, "checks", data, sources=sources, notes=notes, sweep=sweep)
 
 

@@ -6,7 +6,7 @@ from pydantic import model_validator
 
 from silostudy.catalogue import Family
 from silostudy.config.buckling import RuleChoice
-from silostudy.config.fields import Strict, described
+from silostudy.config.fields import Strict, described, expand
 from silostudy.config.pressure import PressureStudy
 from silostudy.config.scene import END_WORDS, FRICTION_ENDS, CircularSilo, SceneConfig
 from silostudy.config.steel import SiloWall
@@ -16,6 +16,7 @@ from silostudy.tables.outputs import OUTPUTS
 
 BOTH = "both"
 END_KEY = "wall_friction_end"
+HOPPER_PLACES = 21
 
 
 class SteelSilo(SceneConfig):
@@ -74,6 +75,15 @@ class ShellStudy(PressureStudy, RuleChoice):
     def _shaken_checks(self) -> Self:
         if self.checks and self.checks.earthquake and self.earthquake is None:
             raise ValueError("checks.earthquake needs the section earthquake, which names the seismic study")
+        return self
+
+    @model_validator(mode="after")
+    def _whole_hopper(self) -> Self:
+        if self.checks and self.scene.hopper_shell and self.hopper_position is not None:
+            places = expand(self.hopper_position)
+            if (places[0], places[-1]) != (0, 1) or len(places) < HOPPER_PLACES:
+                allowed = f"must run from 0 to 1 in {HOPPER_PLACES} places at least: checks sum the hopper's forces over them"
+                raise ValueError(f"hopper_position {allowed}")
         return self
 
     @model_validator(mode="after")

@@ -171,6 +171,12 @@ def test_anchors_by_hand(cube):
     assert float(one["anchor_tension"]) == pytest.approx(by_hand, rel=1e-9)
 
 
+def test_few_anchors_are_no_elastic_ring():
+    content = study(anchors__count=7, methods=["janssen"])
+    scope = cube_of(content)["support_check_utilisation_scope"].sel(support_check="anchors", combination="WE")
+    assert {scope.attrs["flag_meanings"].split()[flag] for flag in np.unique(scope)} == {"out_of_range"}
+
+
 def test_what_is_not_given_is_not_checked_and_never_passed():
     bare = study()
     for key in ("wind", "hopper_shell", "transition_ring", "columns", "anchors"):
@@ -294,6 +300,7 @@ MISTAKES = {
         {"checks": {"combinations": [{"combination": "A", "leading": "wind", "contents": "empty", "permanent": 1.0}]}},
         "the leading action wind needs a factor above 0",
     ),
+    "half a hopper": ({"hopper_position": [0.0, 0.5]}, "hopper_position must run from 0 to 1 in 21 places"),
     "two columns": ({"columns__count": 2}, "scene.columns.count = 2: must be greater than or equal to 3"),
     "too strong a joint": ({"shell__joint_efficiency": 1.2}, "scene.shell.joint_efficiency = 1.2: must be less than or equal"),
 }  # fmt: skip
