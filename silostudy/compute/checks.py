@@ -57,7 +57,7 @@ def checks_cube(expansion: Resolved, pressure: xr.Dataset, seismic: xr.Dataset |
     silent = [row.key for row in CHECKS.values() if row.one_source and row.key not in study.checks.one_source]
     notes: dict = {**expansion.promise, **study.own_methods}
     notes |= {"not_given": ", ".join(not_given(expansion)), "one_source_left_out": ", ".join(silent)}
-    notes |= earthquake_told(shaken) | excluded(rules) if shaken is not None else {}
+    notes |= {**earthquake_told(shaken), **excluded(rules)} if shaken is not None else {}
     sources = [rule.source for rule in rules] + [method.row.source for method in methods_of(expansion)]
     made = [row for part in PARTS for row in rows_of(study, part)]
     sources += [row.source for row in made] + [one.source for one in loads.combinations if one.source]

@@ -102,6 +102,8 @@ def below(pressure: xr.Dataset, loads: Load, built: Mapping) -> dict:
         names = ("hopper_meridional_force", "hopper_hoop_force")
         found |= _checked(rows_of(study, HOPPER), parameters, loads, parameters[names[0]].shape, HOPPER)
         found |= {name: parameters[name] for name in names}
+        # every stress there is a force over the thickness, the hopper's present weight in the force
+        found["hopper_required_thickness"] = found["hopper_check_utilisation"] * parameters["hopper_thickness"]
     inner: dict[str, Callable] = {
         "transition_ring_force": transition_ring.ring_force,
         "ring_effective_area": transition_ring.effective_area,

@@ -57,7 +57,10 @@ def _parts(cube: xr.Dataset, axes: list[str]) -> Iterator[dict]:
             if most.notnull().any():
                 worst = str(most["combination"].values[int(np.nanargmax(most.values))])
                 part, check = axis.removesuffix("_check"), keys.pop(axis)
-                yield {"part": part, **keys, "utilisation": float(most.max()), "governed_by": check, "in": worst}
+                used = {"utilisation": float(most.max()), "governed_by": check, "in": worst}
+                name = f"{part}_required_thickness"
+                needed = {"needed_mm": float(cube[name].sel({axis: check, **keys}).max()) * 1e3} if name in cube else {}
+                yield {"part": part, **keys, **needed, **used}
 
 
 def _places(values: xr.DataArray, dims: tuple[str, ...]) -> Iterator[dict]:

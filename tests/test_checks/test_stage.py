@@ -156,6 +156,8 @@ def test_hopper_hangs_in_equilibrium_in_the_cube(parts):
     plate = 7850 * STANDARD_GRAVITY * 0.007 * np.pi * (3.0**2 - 0.3**2) / np.sin(np.pi / 6)
     found = float(forces["hopper_meridional_force"][0]) * 2 * np.pi * 3.0 * np.cos(np.pi / 6)
     assert found == pytest.approx(1.5 * hanging + 1.35 * plate, rel=2e-3)
+    thin = study(hopper_shell__thickness_mm=float(cube["hopper_required_thickness"].max()) * 1e3, methods=["en1991_4"])
+    assert float(cube_of(thin)["hopper_check_utilisation"].max()) == pytest.approx(1, rel=0.02)
     ring = float(forces["transition_ring_force"])
     assert ring == pytest.approx(float(forces["hopper_meridional_force"][0]) * 3.0 * 0.5, rel=1e-12)
 
