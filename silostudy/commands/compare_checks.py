@@ -6,7 +6,6 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     import xarray as xr
 
-NO_LOAD = "load_or_pressure_masked"
 SECTION = "not checked without the section checks: combinations of actions, and"
 
 
@@ -85,18 +84,10 @@ def parts(cube: "xr.Dataset") -> list[str]:
 
 def _part(one: "xr.Dataset", name: str, label: str) -> list[str]:
     """The largest utilisation, or that the method gives no load for it; nothing where no combination checks it."""
-    import numpy as np
-
     from silostudy.cube.contract import SCOPE
+    from silostudy.cube.unchecked import worst_combination
 
-    values, flags = one[name], one[name + SCOPE]
-    unloaded = flags == flags.attrs["flag_meanings"].split().index(NO_LOAD)
-    others = [dim for dim in values.dims if dim != "combination"]
-    without = [str(key) for key in flags["combination"].values[unloaded.all(others).values]]
-    if without:
-        return [f"{label:56}{'':53}{'-':>8}   no load of this method in {', '.join(without)}"]
-    if np.isnan(values.values).all():
+    used, where = worst_combination(one[name], one[name + SCOPE])
+    if not where:
         return []
-    most = values.max(others)
-    worst = str(most["combination"].values[int(np.nanargmax(most.values))])
-    return [f"{label:56}{'':53}{float(most.max()):8.3f}   in {worst}"]
+    return [f"{label:56}{'':53}{'-' if isnan(used) else f'{used:.3f}':>8}   {where if isnan(used) else f'in {where}'}"]

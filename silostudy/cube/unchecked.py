@@ -8,6 +8,7 @@ from silostudy.cube.contract import SCOPE
 PARTS = {"steel_check": "design_check_utilisation", "hopper_check": "hopper_check_utilisation",
          "support_check": "support_check_utilisation"}  # fmt: skip
 IDLE = "not_in_this_combination"
+NO_LOAD = "load_or_pressure_masked"
 
 
 def unchecked(cube: xr.Dataset) -> list[str]:
@@ -31,6 +32,21 @@ def unchecked(cube: xr.Dataset) -> list[str]:
     if without := cube.attrs["not_given"]:
         told.append(f"not given, so in no combination: {without}")
     return [*lines, *absent, *told]
+
+
+def worst_combination(values: xr.DataArray, scope: xr.DataArray) -> tuple[float, str]:
+    """(largest utilisation of a check, the combination it is of); NaN and why not where one finds no load in any place.
+
+    NaN and nothing where no combination makes the check.
+    """
+    others = [dim for dim in values.dims if dim != "combination"]
+    unloaded = (scope == scope.attrs["flag_meanings"].split().index(NO_LOAD)).all(others)
+    if unloaded.any():
+        return np.nan, f"no load of this method in {', '.join(map(str, scope['combination'].values[unloaded.values]))}"
+    if values.isnull().all():
+        return np.nan, ""
+    most = values.max(others)
+    return float(most.max()), str(most["combination"].values[int(np.nanargmax(most.values))])
 
 
 def _reasons(scope: xr.DataArray) -> dict[str, list[str]]:

@@ -7,7 +7,8 @@ import numpy as np
 import pandas as pd
 import xarray as xr
 
-from silostudy.cube.unchecked import PARTS, unchecked
+from silostudy.cube.contract import SCOPE
+from silostudy.cube.unchecked import PARTS, unchecked, worst_combination
 from silostudy.figures.style import save_table
 
 
@@ -52,15 +53,14 @@ def _parts(cube: xr.Dataset, axes: list[str]) -> Iterator[dict]:
         if axis not in cube.dims or axis == "steel_check":
             continue
         for keys in _places(cube[name], (axis, "pressure_method", *axes)):
-            values = cube[name].sel(keys)
-            most = values.max([dim for dim in values.dims if dim != "combination"])
-            if most.notnull().any():
-                worst = str(most["combination"].values[int(np.nanargmax(most.values))])
-                part, check = axis.removesuffix("_check"), keys.pop(axis)
-                used = {"utilisation": float(most.max()), "governed_by": check, "in": worst}
-                name = f"{part}_required_thickness"
-                needed = {"needed_mm": float(cube[name].sel({axis: check, **keys}).max()) * 1e3} if name in cube else {}
-                yield {"part": part, **keys, **needed, **used}
+            one, part = cube.sel(keys), axis.removesuffix("_check")
+            used, where = worst_combination(one[name], one[name + SCOPE])
+            if where:
+                row = {"part": part, **keys, "governed_by": keys[axis], "utilisation": used}
+                needed = one.get(f"{part}_required_thickness")
+                row |= {} if needed is None else {"needed_mm": float(needed.max()) * 1e3}
+                row |= {"remark": where} if np.isnan(used) else {"in": where}
+                yield {key: value for key, value in row.items() if key != axis}
 
 
 def _places(values: xr.DataArray, dims: tuple[str, ...]) -> Iterator[dict]:
