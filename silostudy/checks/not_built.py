@@ -22,8 +22,12 @@ ONE_SOURCE = (
     "C_p(theta) by annex C of EN 1993-4-1, of one silo and of groups, and its harmonics: AS/NZS 1170.2 (two copies) is taken",
     "psi of uneven axial stress: 1 is taken, the safe end",
     "rings that end a bay for axial buckling by their stiffness: area alone counts (`buckling/limits`)",
-    "corrugated and stiffened walls: not built",
+    "longer cylinders under external pressure (masked); C_s of short ones clamped at both ends (C_theta is taken)",
+    "corrugated and stiffened walls",
+)
+LEFT_OUT = (
     "local bending and membrane peaks of a patch load (shear and moment of the tube are counted); a frame that props the top",
+    "the switch of stresses as it moves up a hopper (its ring force at the transition is counted)",
     "a partly filled silo with wind on its empty part; wind on the legs below the wall, and on the roof",
     "hoop strengths of EN 1993-1-6:2025: not seen",
 )

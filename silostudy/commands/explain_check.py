@@ -24,7 +24,8 @@ def checks() -> list[str]:
     told = {
         "remembered alone, so not built": not_built.MEMORY,
         "sources disagree": not_built.CONFLICT,
-        "one source alone": not_built.ONE_SOURCE,
+        "one source alone, so not built": not_built.ONE_SOURCE,
+        "left out": not_built.LEFT_OUT,
     }
     return lines + [line for head, texts in told.items() for line in (head, *(f"  - {text}" for text in texts))]
 

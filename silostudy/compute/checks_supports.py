@@ -24,6 +24,9 @@ def hopper_forces(pressure: xr.Dataset, loads: Load) -> dict[str, np.ndarray]:
     normal, traction = (pressure[name].values for name in names)
     shape = {"height": height, "half_angle": half_angle}
     along = hopper.meridional_force(normal, traction, **shape)
+    if "ring_force" in pressure:  # of a switch of stresses: it hangs on the upper edge
+        around = 2 * np.pi * (height * np.tan(half_angle) * np.cos(half_angle))[..., 0]
+        along[..., 0] += np.nan_to_num(pressure["ring_force"].values) / around
     round_it = hopper.hoop_force(normal, **shape)
     plate = loads.source.numbers["steel_weight"] * loads.source.numbers["hopper_thickness"]
     nothing = np.zeros(np.broadcast_shapes(height.shape, plate.shape))

@@ -162,6 +162,25 @@ def test_hopper_hangs_in_equilibrium_in_the_cube(parts):
     assert ring == pytest.approx(float(forces["hopper_meridional_force"][0]) * 3.0 * 0.5, rel=1e-12)
 
 
+@pytest.mark.parametrize("phase", ["filling", "discharge"])
+def test_every_method_s_hopper_hangs_in_equilibrium(phase):
+    """Contents and load less the outlet's force, the ring force of Jenike's switch included, for every method in balance."""
+    own = [{"combination": "A", "leading": "solids", "contents": "full", "permanent": 0.0, "solids": 1.0}]
+    content = study(checks={"combinations": own}, methods=["jenike_mass_flow", "en1991_4", "jenike_1969"])
+    content["scene"] |= {"wall_friction_end": "mean", "properties": {"effective_friction_angle_deg": 45.0}}
+    content["scene"]["silo"]["hopper"]["half_angle_deg"] = 15.0
+    content["hopper_position"]["count"], content["phases"] = 201, [phase]
+    expansion = expanded(content)
+    pressure = pressure_cube(expansion)
+    solid = pressure.isel(phase=0)
+    hanging = (solid["hopper_weight"] + solid["transition_force"] - solid["outlet_force"]).values
+    top = checks_cube(expansion, pressure)["hopper_meridional_force"].isel(combination=0, hopper_position=0).values
+    found = top * 2 * np.pi * 3.0 * np.cos(np.radians(15.0))
+    balanced = np.isfinite(hanging) & (np.abs(solid["hopper_balance"].values) < 1e-6)
+    assert balanced.sum() >= 2
+    np.testing.assert_allclose(found[balanced], hanging[balanced], rtol=2e-3)
+
+
 def test_anchors_by_hand(cube):
     """4 M/(n d) - W/n with the roof and the steel alone, and the wind's higher harmonics with a held top."""
     one = cube.sel(combination="WE", pressure_method="janssen", wall_friction_end="upper")
