@@ -9,6 +9,7 @@ from silostudy.dem.checkpoint import checkpoint, restore
 from silostudy.dem.engine import Engine
 from silostudy.dem.events import Event
 from silostudy.dem.run import Run
+from silostudy.dem.snapshot import pair_contacts, stress, wall_contacts
 
 from .scenes import rows, silo
 
@@ -43,11 +44,22 @@ def test_any_skin(reference, skin):
     assert same(finish(Engine(silo(), skin=skin)), reference)
 
 
+def read_outs(engine):
+    """Contacts of discs and walls with their forces, by the discs' labels, and the stress in cells."""
+    tables = [np.column_stack([*vars(of(engine)).values()]) for of in (pair_contacts, wall_contacts)]
+    edges = np.linspace(0.0, 0.45, 6)
+    return [table[np.lexsort(table.T[1::-1])] for table in tables] + [stress(engine, edges, edges)]
+
+
 @pytest.mark.parametrize("threads", [2, 3])
 def test_any_number_of_threads(threads):
     # more than one block of discs a thread
     model = silo(across=20, height=0.3, slit=0.12)
-    assert same(finish(Engine(model, threads=threads)), finish(Engine(model)))
+    many, one = Engine(model, threads=threads), Engine(model)
+    assert same(finish(many), finish(one))
+    for found, expected in zip(read_outs(many), read_outs(one), strict=True):
+        assert expected.any()
+        assert np.array_equal(found, expected)
 
 
 def test_any_chunk_of_steps():
