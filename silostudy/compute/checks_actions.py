@@ -9,7 +9,7 @@ import xarray as xr
 from silostudy.checks import tube
 from silostudy.checks.family import GIVEN_BY, IN_SCOPE, NO_EARTHQUAKE, REASONS
 from silostudy.choice.expand import Resolved
-from silostudy.compute.checks_places import Places
+from silostudy.compute.checks_places import WallPlaces
 from silostudy.compute.shell_places import of_cases
 from silostudy.tables.combinations import Combination
 
@@ -18,17 +18,17 @@ NO_WIND = REASONS.index(f"needs_{GIVEN_BY['wind_pressure']}")
 
 
 @dataclass(frozen=True)
-class Given:
+class Characteristic:
     """What the actions are made of: places, the silo's numbers by name (axes..., 1), patch and earthquake at the places."""
 
     expansion: Resolved
-    places: Places
+    places: WallPlaces
     numbers: Mapping[str, np.ndarray]
     patch: tuple[np.ndarray, np.ndarray]  # (axial force, shear (N/m)), shape (method, phase, axes..., place)
     shaken: Mapping[str, np.ndarray] | None  # force, shear (N/m), pressure (Pa), shape (axes..., place), without q
 
 
-def given(expansion: Resolved, place: Places, pressure: xr.Dataset, seismic: xr.Dataset | None) -> Given:
+def given(expansion: Resolved, place: WallPlaces, pressure: xr.Dataset, seismic: xr.Dataset | None) -> Characteristic:
     """Everything that the combinations draw on."""
     scenes = [case.scene for case in expansion.cases]
     numbers = {name: of_cases(expansion, [one.steelwork[name] for one in scenes]) for name in scenes[0].steelwork}
@@ -39,10 +39,12 @@ def given(expansion: Resolved, place: Places, pressure: xr.Dataset, seismic: xr.
         "snow": of_cases(expansion, [one.shell.snow_force for one in scenes]),
         "steel_weight": of_cases(expansion, [one.shell.unit_weight for one in scenes]),
     }
-    return Given(expansion, place, numbers, _patch(pressure, place, numbers["inner_radius"]), _shaken(place, seismic, numbers))
+    return Characteristic(
+        expansion, place, numbers, _patch(pressure, place, numbers["inner_radius"]), _shaken(place, seismic, numbers)
+    )
 
 
-def _patch(pressure: xr.Dataset, place: Places, radius: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+def _patch(pressure: xr.Dataset, place: WallPlaces, radius: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Axial force and shear (N/m) by the patch load of a method and phase that has one, else 0."""
     nothing = np.zeros(place.force.shape)
     if "patch_resultant" not in pressure:
@@ -54,7 +56,7 @@ def _patch(pressure: xr.Dataset, place: Places, radius: np.ndarray) -> tuple[np.
     return np.nan_to_num(axial), np.nan_to_num(sheared)
 
 
-def _shaken(place: Places, seismic: xr.Dataset | None, numbers: Mapping) -> dict[str, np.ndarray] | None:
+def _shaken(place: WallPlaces, seismic: xr.Dataset | None, numbers: Mapping) -> dict[str, np.ndarray] | None:
     if seismic is None:
         return None
     names = {"force": "seismic_axial_wall_force", "shear": "wall_shear_force", "pressure": "seismic_wall_pressure"}
@@ -62,7 +64,7 @@ def _shaken(place: Places, seismic: xr.Dataset | None, numbers: Mapping) -> dict
     return found | {"shear": tube.ring_forces(0.0, found["shear"], numbers["inner_radius"])[1]}
 
 
-def lacking(one: Combination, source: Given) -> np.ndarray:
+def lacking(one: Combination, source: Characteristic) -> np.ndarray:
     """Why a combination cannot be checked, flag of REASONS (axes..., 1): the action that leads it is not given."""
     shape = (*source.expansion.shape, 1)
     if one.earthquake:
@@ -73,7 +75,7 @@ def lacking(one: Combination, source: Given) -> np.ndarray:
     return np.full(shape, IN_SCOPE)
 
 
-def of_contents(one: Combination, source: Given) -> dict[str, np.ndarray]:
+def of_contents(one: Combination, source: Characteristic) -> dict[str, np.ndarray]:
     """Force, shear (N/m) and pressures (Pa) of the solid in a combination, shape (method, axes..., place)."""
     place, phases = source.places, list(source.expansion.study.phases)
     each = {"force": place.force, "pressure": place.pressure, "patch_force": source.patch[0], "patch_shear": source.patch[1]}
@@ -90,12 +92,12 @@ def of_contents(one: Combination, source: Given) -> dict[str, np.ndarray]:
     return found | {"guaranteed": min(factor, 1.0) * place.guaranteed}
 
 
-def _share_of_solids(one: Combination, source: Given) -> float:
+def _share_of_solids(one: Combination, source: Characteristic) -> float:
     asked = source.expansion.study.checks.earthquake
     return asked.solids_factor if one.earthquake and asked else 1.0
 
 
-def of_wind(one: Combination, source: Given) -> dict[str, np.ndarray]:
+def of_wind(one: Combination, source: Characteristic) -> dict[str, np.ndarray]:
     """Axial force and shear (N/m) of the wind, and where the silo is empty what presses from outside (Pa)."""
     number = source.numbers
     moment, shear = tube.wind_forces(
@@ -111,7 +113,7 @@ def of_wind(one: Combination, source: Given) -> dict[str, np.ndarray]:
     return {"force": axial, "shear": sheared, **outside}
 
 
-def of_earthquake(one: Combination, source: Given) -> dict[str, np.ndarray]:
+def of_earthquake(one: Combination, source: Characteristic) -> dict[str, np.ndarray]:
     """Axial force and shear (N/m) and pressure (Pa) of the earthquake, divided by q; 0 without one."""
     asked = source.expansion.study.checks.earthquake
     if not one.earthquake or source.shaken is None or asked is None:
@@ -119,7 +121,7 @@ def of_earthquake(one: Combination, source: Given) -> dict[str, np.ndarray]:
     return {key: one.earthquake / asked.behaviour_factor * value for key, value in source.shaken.items()}
 
 
-def acting(one: Combination, source: Given) -> dict[str, np.ndarray]:
+def acting(one: Combination, source: Characteristic) -> dict[str, np.ndarray]:
     """The checks' actions in a combination, shape (method, axes..., place); axial_wall_force without the wall's own weight.
 
     Pressed and lifted sides of an earthquake as in the shell's: what it adds to the pressure steadies nothing.

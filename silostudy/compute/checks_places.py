@@ -20,7 +20,7 @@ from silostudy.compute.shell_strakes import (
 
 
 @dataclass(frozen=True)
-class Places:
+class WallPlaces:
     """Depth (m), strake, thickness (m) and own weight (N/m) of every place, shape (axes..., place); loads of the solid.
 
     below_top: depth (m) below the wall's upper edge; strake -1, thickness NaN and own weight 0 where no strakes are given.
@@ -37,7 +37,7 @@ class Places:
     guaranteed: np.ndarray
 
 
-def places(expansion: Resolved, pressure: xr.Dataset) -> Places:
+def places(expansion: Resolved, pressure: xr.Dataset) -> WallPlaces:
     """The places of every case and what the solid does there; an edge of two strakes stands twice, for the upper one first."""
     levels = depths(pressure)
     share, z, strake = _with_ends(expansion, levels)
@@ -52,7 +52,7 @@ def places(expansion: Resolved, pressure: xr.Dataset) -> Places:
     force = between_levels(levels, axial_wall_force(pressure)[0], z, rubbing(pressure))
     normal = between_levels(levels, pressure["wall_normal_pressure"].values, z)
     guaranteed = between_levels(levels, internal_pressures(pressure)[0], z)
-    return Places(z, share * whole, strake, thickness, own_weight, force, normal, guaranteed)
+    return WallPlaces(z, share * whole, strake, thickness, own_weight, force, normal, guaranteed)
 
 
 def _has_strakes(expansion: Resolved) -> bool:

@@ -6,7 +6,6 @@ import numpy as np
 
 from silostudy.checks import CHECKS
 from silostudy.checks.family import GIVEN_BY, IN_SCOPE, NO_LOAD, OTHER_COMBINATION, OUT_OF_RANGE, REASONS, SteelCheck
-from silostudy.compute.checks_actions import Given
 from silostudy.tables.combinations import Combination
 
 
@@ -15,15 +14,15 @@ def rows_of(study, part: str) -> list[SteelCheck]:
     return [row for row in CHECKS.values() if row.part == part and (not row.one_source or row.key in study.checks.one_source)]
 
 
-def acts(row: SteelCheck, one: Combination, source: Given) -> bool:
+def acts(row: SteelCheck, one: Combination) -> bool:
     """Whether a combination gives a check anything to look at."""
     idle = bool(row.idle_with) and row.idle_with <= one.actions
     return not idle and (not row.acts_in or bool(row.acts_in & one.actions))
 
 
-def scope(row: SteelCheck, parameters: Mapping, combinations: Sequence[Combination], lacks, source: Given, shape) -> np.ndarray:
+def scope(row: SteelCheck, parameters: Mapping, combinations: Sequence[Combination], lacks, shape) -> np.ndarray:
     """Flag of REASONS of a check in every combination (first axis); lacks: flags by combination and case."""
-    idle = np.array([not acts(row, one, source) for one in combinations]).reshape(-1, *[1] * (len(shape) - 1))
+    idle = np.array([not acts(row, one) for one in combinations]).reshape(-1, *[1] * (len(shape) - 1))
     missing = {name: np.isnan(np.asarray(parameters[name], dtype=float)) for name in sorted(row.needs)}
     # of what a study gives all is missing, or a method says nothing somewhere
     absent = [name for name, where in missing.items() if name in GIVEN_BY and where.all()]

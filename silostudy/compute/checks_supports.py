@@ -126,7 +126,7 @@ def _checked(rows: Sequence, parameters: Mapping, loads: Load, shape, part: str)
     for row in rows:
         with np.errstate(invalid="ignore", divide="ignore"):
             used = np.broadcast_to(row.utilisation(parameters), shape)
-            used, why = judged(used, scope(row, parameters, loads.combinations, loads.lacks, loads.source, shape))
+            used, why = judged(used, scope(row, parameters, loads.combinations, loads.lacks, shape))
         values.append(used if part == HOPPER else used[..., 0])
         flags.append(why if part == HOPPER else why[..., 0])
     name = f"{part}_check_utilisation"

@@ -11,7 +11,7 @@ from silostudy.buckling.thickness import SLENDEREST, STOCKIEST, required_thickne
 from silostudy.checks import external_pressure
 from silostudy.checks.family import SteelCheck, call
 from silostudy.checks.stepped_wall import critical_pressure
-from silostudy.compute.checks_actions import Given, acting, lacking
+from silostudy.compute.checks_actions import Characteristic, acting, lacking
 from silostudy.compute.checks_scope import judged, scope
 from silostudy.compute.shell_places import of_cases, wall_parameters
 from silostudy.tables.combinations import Combination
@@ -26,7 +26,7 @@ class Load:
     lacks: why a combination cannot be checked, (combination, 1, axes..., 1).
     """
 
-    source: Given
+    source: Characteristic
     combinations: Sequence[Combination]
     parameters: Mapping[str, np.ndarray]
     lacks: np.ndarray
@@ -50,7 +50,7 @@ class Load:
         return silent[full].all(axis=0) & (self.source.places.below_top > 0)
 
 
-def load(source: Given, combinations: Sequence[Combination]) -> Load:
+def load(source: Characteristic, combinations: Sequence[Combination]) -> Load:
     """Everything that the checks of the wall ask for but its thickness."""
     each = [acting(one, source) for one in combinations]
     actions = {name: np.array([one[name] for one in each]) for name in each[0]}
@@ -101,7 +101,7 @@ def _outside(loads: Load, critical) -> np.ndarray:
     return np.where(full.reshape(-1, *[1] * (len(loads.shape) - 1)), np.inf, critical)
 
 
-def courses_critical(source: Given) -> tuple[np.ndarray, np.ndarray]:
+def courses_critical(source: Characteristic) -> tuple[np.ndarray, np.ndarray]:
     """(external pressure (Pa) at which the wall with its courses buckles, waves round it), (axes..., 1); NaN without wind."""
     found = np.array([_of_case(case.scene) for case in source.expansion.cases])
     return of_cases(source.expansion, found[:, 0].tolist()), of_cases(source.expansion, found[:, 1].tolist())
@@ -133,7 +133,7 @@ def checked(rows: Sequence[SteelCheck], loads: Load, parameters: Mapping) -> dic
             effect, resistance = (
                 np.broadcast_to(call(function, parameters), loads.shape) for function in (row.effect, row.resistance)
             )
-            flags = scope(row, parameters, loads.combinations, loads.lacks, loads.source, loads.shape)
+            flags = scope(row, parameters, loads.combinations, loads.lacks, loads.shape)
             used, flags = judged(effect / resistance, flags)
         of_stress = (flags == 0) & (row.unit == "Pa")
         found["utilisation"].append(used)
@@ -154,8 +154,8 @@ def _needed(row: SteelCheck, loads: Load, at: Callable) -> np.ndarray:
     with np.errstate(invalid="ignore", divide="ignore", over="ignore"):
         found = call(row.needed, at(radius)) if row.needed else _sought(row, at, radius)
         found = np.broadcast_to(found, loads.shape)
-        flags = scope(row, at(np.where(found > 0, found, radius / SLENDEREST)), loads.combinations, loads.lacks, loads.source,
-                      loads.shape)  # fmt: skip
+        wall = at(np.where(found > 0, found, radius / SLENDEREST))
+        flags = scope(row, wall, loads.combinations, loads.lacks, loads.shape)
     return judged(found, flags)[0]
 
 

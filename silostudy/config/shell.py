@@ -10,7 +10,7 @@ from silostudy.config.fields import Strict, described, expand
 from silostudy.config.pressure import PressureStudy
 from silostudy.config.scene import END_WORDS, FRICTION_ENDS, CircularSilo, SceneConfig
 from silostudy.config.steel import SiloWall
-from silostudy.config.steelwork import Anchors, Checks, Columns, HopperShell, TransitionRing, Wind
+from silostudy.config.steelwork import Anchors, Checks, ColumnSupport, HopperShell, TransitionRing, Wind
 from silostudy.tables.mass_choices import MASS_CHOICES, USUAL
 from silostudy.tables.outputs import OUTPUTS
 
@@ -29,7 +29,7 @@ class SteelSilo(SceneConfig):
     transition_ring: TransitionRing | None = described(
         "the ring at the transition, for `checks`; null: not checked", "", default=None
     )
-    columns: Columns | None = described("columns under a ring beam, for `checks`; null: not checked", "", default=None)
+    columns: ColumnSupport | None = described("columns under a ring beam, for `checks`; null: not checked", "", default=None)
     anchors: Anchors | None = described("anchors at the foot, for `checks`; null: not checked", "", default=None)
     wall_friction_end: Literal[(*FRICTION_ENDS, BOTH)] = described(  # type: ignore[valid-type]
         f"{END_WORDS}. both: an axis of lower and upper, and the worst of them in the cube "

@@ -62,7 +62,7 @@ class TransitionRing(Strict):
     )
 
 
-class Columns(Strict):
+class ColumnSupport(Strict):
     """Columns at equal distances under a ring beam that carries wall and hopper."""
 
     count: int = described("number of columns", ge=3, le=100)

@@ -5,7 +5,7 @@ from typing import Any
 
 from silostudy.checks import external_pressure
 from silostudy.config.shell import ShellStudy, SteelSilo
-from silostudy.config.steelwork import Anchors, Columns, HopperShell, TransitionRing, Wind
+from silostudy.config.steelwork import Anchors, ColumnSupport, HopperShell, TransitionRing, Wind
 from silostudy.tables.combinations import COMBINATIONS, Combination
 
 
@@ -53,7 +53,7 @@ def transition_ring(config: TransitionRing | None) -> dict[str, float]:
     return {"ring_area": config.area_cm2 * 1e-4, "ring_second_moment": nan if moment is None else moment * 1e-8}
 
 
-def columns(config: Columns | None) -> dict[str, float]:
+def columns(config: ColumnSupport | None) -> dict[str, float]:
     """Number of columns, and section modulus (m3) of the ring beam."""
     if config is None:
         return dict.fromkeys(("column_count", "section_modulus"), nan)

@@ -227,6 +227,7 @@ def test_a_method_without_load_is_not_judged_by_the_wind_alone():
     cube = cube_of(content)
     assert cube["design_strake_utilisation"].sel(pressure_method="en1991_4").isnull().all()
     assert cube["design_strake_thickness"].sel(pressure_method="en1991_4").isnull().all()
+    assert cube["design_utilisation"].sel(pressure_method="en1991_4").isel(place=slice(2, None)).isnull().all()
     assert cube["design_strake_utilisation"].sel(pressure_method="janssen").notnull().all()
 
 
