@@ -133,6 +133,18 @@ def test_the_needed_thickness_is_used_to_the_full(cube, rule):
         assert largest == pytest.approx(1, rel=1e-6)
 
 
+def test_courses_built_as_needed_carry_each_other(cube):
+    """Each as thick as a wall of one thickness needs there: none is used beyond 1, and the lowest nearly to it."""
+    needed = cube["design_strake_thickness"].sel(rule="en1993_4_1_2007", pressure_method="en1991_4").max("wall_friction_end")
+    strakes = [
+        {"down_to": share, "thickness_mm": float(t) * 1e3} for share, t in zip((0.33, 0.66, 1.0), needed.values, strict=True)
+    ]
+    built = cube_of(study(shell__strakes=strakes, rules=["en1993_4_1_2007"], methods=["en1991_4"]))
+    used = built["design_strake_utilisation"].max(["wall_friction_end", "rule", "pressure_method"])
+    assert float(used.max()) <= 1
+    assert float(used[-1]) > 0.95
+
+
 def test_axial_buckling_by_the_rule(parts):
     expansion, _, cube = parts
     one = cube.sel(rule="en1993_4_1_2007", combination="D", pressure_method="en1991_4", wall_friction_end="lower").isel(
