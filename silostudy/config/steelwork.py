@@ -124,6 +124,7 @@ class Checks(Strict):
     combinations: tuple[OwnCombination, ...] | None = Field(
         default=None,
         min_length=1,
+        max_length=100,
         description="combinations of actions with partial factors, in place of the package's (`silostudy list combinations`)",
     )
     one_source: tuple[OneSource, ...] = described("checks that a single public source has, to be made too", "", default=())

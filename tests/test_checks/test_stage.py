@@ -300,7 +300,8 @@ def shaken(tmp_path_factory):
 def test_earthquake_by_its_factors(shaken):
     """Pressed: 0.8 solid + demand / q; lifted: less of both; shear V/(q pi r); anchors with the overstrength, no solid."""
     seismic, cube = shaken
-    one, foot = seismic.sel(mass_choice="eighty_percent").isel(relative_depth=-1), cube.isel(pressure_method=0, place=-1)
+    one_all = seismic.sel(mass_choice="eighty_percent")
+    one, foot = one_all.isel(relative_depth=-1), cube.isel(pressure_method=0, place=-1)
     pressed, lifted, plain = (foot.sel(combination=key) for key in ("EP", "EL", "F"))
     solid, demand = float(plain["design_axial_wall_force"]) / 1.5, float(one["seismic_axial_wall_force"]) / 1.5
     assert float(pressed["design_axial_wall_force"]) == pytest.approx(0.8 * solid + demand, rel=1e-9)
@@ -308,7 +309,12 @@ def test_earthquake_by_its_factors(shaken):
     added = float(one["seismic_wall_pressure"]) / 1.5
     static = float(plain["design_upper_pressure"]) / 1.5
     assert float(pressed["design_upper_pressure"]) == pytest.approx(0.8 * static + added, rel=1e-9, abs=1.0)
-    assert float(lifted["design_lower_pressure"]) <= float(pressed["design_lower_pressure"])
+    wall = cube.isel(pressure_method=0, place=cube.sizes["place"] // 2)  # 10 m down, where strakes meet
+    added = float(np.interp(wall["place_depth"], one_all["depth"], one_all["seismic_wall_pressure"])) / 1.5
+    steady = float(wall["design_lower_pressure"].sel(combination="F"))
+    assert added > 1e3
+    assert float(wall["design_lower_pressure"].sel(combination="EP")) == pytest.approx(0.8 * steady, rel=1e-12)
+    assert float(wall["design_lower_pressure"].sel(combination="EL")) == pytest.approx(0.8 * steady - added, rel=1e-9)
     shear = float(one["wall_shear_force"]) / 1.5 / (np.pi * 4.0)
     assert float(pressed["design_shear_wall_force"]) == pytest.approx(shear, rel=1e-9)
     assert float(pressed["anchor_tension"]) == pytest.approx(1.2 * demand * np.pi * 8.0 / 20, rel=1e-9)
