@@ -17,6 +17,7 @@ from silostudy.tables.outputs import OUTPUTS
 BOTH = "both"
 END_KEY = "wall_friction_end"
 HOPPER_PLACES = 21
+FOR_CHECKS = ("wind", "hopper_shell", "transition_ring", "columns", "anchors")
 
 
 class SteelSilo(SceneConfig):
@@ -70,6 +71,13 @@ class ShellStudy(PressureStudy, RuleChoice):
             return content
         ends = {"axis": END_KEY, "values": {END_KEY: ["lower", "upper"]}}
         return {**content, "scene": {**scene, END_KEY: "upper"}, "sweep": [*(content.get("sweep") or ()), ends]}
+
+    @model_validator(mode="after")
+    def _checked_parts(self) -> Self:
+        given = [name for name in FOR_CHECKS if getattr(self.scene, name) is not None]
+        if given and self.checks is None:
+            raise ValueError(f"scene.{given[0]} is for checks of the steel: ask for them by `checks: {{}}`")
+        return self
 
     @model_validator(mode="after")
     def _shaken_checks(self) -> Self:

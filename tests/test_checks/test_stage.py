@@ -16,6 +16,7 @@ from silostudy.compute.checks import checks_cube
 from silostudy.compute.pressure import pressure_cube
 from silostudy.compute.seismic import seismic_cube
 from silostudy.compute.shell import shell_cube
+from silostudy.config.shell import FOR_CHECKS
 from silostudy.cube.unchecked import unchecked
 from silostudy.errors import BadInput
 from silostudy.figures import checks_over_depth, checks_summary
@@ -212,7 +213,7 @@ def test_few_anchors_are_no_elastic_ring():
 
 def test_what_is_not_given_is_not_checked_and_never_passed():
     bare = study()
-    for key in ("wind", "hopper_shell", "transition_ring", "columns", "anchors"):
+    for key in FOR_CHECKS:
         bare["scene"].pop(key)
     cube = cube_of(bare)
     told = "\n".join(unchecked(cube))
@@ -366,6 +367,11 @@ def test_commands(tmp_path, capsys):
     assert "no load of this method in D, F, WF, S" in said
     plain = study(methods=["janssen"])
     plain.pop("checks")
+    path.write_text(yaml.safe_dump(plain, sort_keys=False))
+    assert main(["compare", str(path)]) == 2
+    assert "scene.wind is for checks of the steel: ask for them by `checks: {}`" in capsys.readouterr().err
+    for part in FOR_CHECKS:
+        plain["scene"].pop(part)
     path.write_text(yaml.safe_dump(plain, sort_keys=False))
     assert main(["compare", str(path)]) == 0
     assert "not checked without the section checks" in capsys.readouterr().out
