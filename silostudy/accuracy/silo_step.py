@@ -39,7 +39,7 @@ def at_rest(model: Model, time: float) -> np.ndarray | None:
         engine.step_to(round(time / model.dt))
     except Explosion:
         return None
-    return engine.places if np.abs(engine.discs.rows[: engine.n, 2:4]).max() < CALM else None
+    return engine.places if np.abs(engine.bodies.rows[: engine.n, 2:4]).max() < CALM else None
 
 
 def peer_at_rest(model: Model, time: float) -> np.ndarray | None:
@@ -47,7 +47,7 @@ def peer_at_rest(model: Model, time: float) -> np.ndarray | None:
     code = Lammps(model, np.c_[model.x, model.y], 0.0)
     code.step(round(time / model.dt))
     found = None
-    if code.discs == len(model.x):
+    if code.grains == len(model.x):
         extract = code.lammps.numpy.extract_atom
         order = np.argsort(extract("id")[: len(model.x)])
         places, speed = (np.array(extract(name))[order][:, :2] for name in ("x", "v"))

@@ -44,8 +44,8 @@ class Ours:
 
     def __init__(self, model: Model, rest: "Rest"):
         self.engine = Engine(model)
-        self.engine.discs.rows[: self.engine.n] = rest.rows
-        self.engine.discs.held[:, :3] = rest.rows[: len(self.engine.discs.held), [U, V, W]]
+        self.engine.bodies.rows[: self.engine.n] = rest.rows
+        self.engine.bodies.held[:, :3] = rest.rows[: len(self.engine.bodies.held), [U, V, W]]
         self.engine.give_memories(*rest.memories)
 
     def step(self, steps: int) -> None:
@@ -53,12 +53,12 @@ class Ours:
 
     @property
     def motion(self) -> np.ndarray:
-        return self.engine.discs.rows[: self.engine.n, [U, V, W]] * [1.0, 1.0, self.engine.radius[0]]
+        return self.engine.bodies.rows[: self.engine.n, [U, V, W]] * [1.0, 1.0, self.engine.radius[0]]
 
     def kick(self, by: np.ndarray) -> None:
         change = by / [1.0, 1.0, self.engine.radius[0]]
-        self.engine.discs.rows[: self.engine.n, [U, V, W]] += change
-        self.engine.discs.held[:, :3] += change[: len(self.engine.discs.held)]
+        self.engine.bodies.rows[: self.engine.n, [U, V, W]] += change
+        self.engine.bodies.held[:, :3] += change[: len(self.engine.bodies.held)]
 
     def close(self) -> None:
         """Nothing to free."""
@@ -75,7 +75,7 @@ class Peer:
 
     def step(self, steps: int) -> None:
         self.code.step(steps)
-        if self.code.discs < self.count:
+        if self.code.grains < self.count:
             raise Explosion(0, steps, 1.0, "LAMMPS lost a disc")
 
     def _columns(self) -> tuple[np.ndarray, np.ndarray]:
@@ -110,7 +110,7 @@ def settled(calm: Model) -> Rest:
     """A model come to rest, at a safe step."""
     engine = Engine(replace(calm, dt=SAFETY * longest_step(calm)))
     engine.step_to(SETTLING)
-    return Rest(engine.discs.rows[: engine.n].copy(), engine.take_memories(), engine.places)
+    return Rest(engine.bodies.rows[: engine.n].copy(), engine.take_memories(), engine.places)
 
 
 def contact_number(places: np.ndarray, model: Model) -> float:

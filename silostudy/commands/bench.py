@@ -17,6 +17,10 @@ def add(sub) -> None:
     dem = what.add_parser("dem", help="particle-steps a second of the disc engine, beside LAMMPS where it is installed")
     dem.add_argument("--output", type=Path, default=Path("results/bench/dem.csv"))
     dem.set_defaults(run=run_dem)
+    spheres = what.add_parser("spheres", help="the same of spheres in a bin with a cone: minutes, with --most an hour")
+    spheres.add_argument("--most", action="store_true", help="half a million spheres too")
+    spheres.add_argument("--output", type=Path, default=Path("results/bench/spheres.csv"))
+    spheres.set_defaults(run=run_spheres)
     accuracy = what.add_parser(
         "accuracy", help="CPU time to an error of static wall forces, beside LAMMPS where it is installed"
     )
@@ -32,6 +36,12 @@ def run_accuracy(chosen) -> None:
 
 def run_dem(chosen) -> None:
     from silostudy.commands.bench_dem import run
+
+    run(chosen)
+
+
+def run_spheres(chosen) -> None:
+    from silostudy.commands.bench_spheres import run
 
     run(chosen)
 

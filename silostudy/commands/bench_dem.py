@@ -53,7 +53,7 @@ class Ours:
         swap_walls(self.engine, *OPEN)
 
     @property
-    def discs(self):
+    def grains(self):
         return self.engine.n
 
 
@@ -81,16 +81,16 @@ def compare(name: str, with_peer: bool) -> list[dict]:
     return rows
 
 
-def in_turn(codes: dict, phase: str, steps: int) -> list[dict]:
-    """The best turn of each code: particle-steps a second, counting the discs that were there on average."""
+def in_turn(codes: dict, phase: str, steps: int, clock=time.perf_counter) -> list[dict]:
+    """The best turn of each code: particle-steps a second, counting the grains that were there on average."""
     best: dict[str, dict] = {}
     for _ in range(REPEATS):
         for code, runner in codes.items():
-            before, start = runner.discs, time.perf_counter()
+            before, start = runner.grains, clock()
             runner.step(steps)
-            seconds = time.perf_counter() - start
-            discs = (before + runner.discs) / 2.0
-            found = row(code, round(discs), phase, steps, seconds, discs * steps / seconds)
+            seconds = clock() - start
+            grains = (before + runner.grains) / 2.0
+            found = row(code, round(grains), phase, steps, seconds, grains * steps / seconds)
             if code not in best or found["particle_steps_per_s"] > best[code]["particle_steps_per_s"]:
                 best[code] = found
     rows = list(best.values())
@@ -99,9 +99,9 @@ def in_turn(codes: dict, phase: str, steps: int) -> list[dict]:
     return rows
 
 
-def row(code, discs, phase, steps, seconds, rate, ratio=float("nan")) -> dict:
-    names = ("code", "discs", "phase", "steps", "seconds", "particle_steps_per_s", "ratio")
-    return dict(zip(names, (code, discs, phase, steps, seconds, rate, ratio), strict=True))
+def row(code, grains, phase, steps, seconds, rate, ratio=float("nan")) -> dict:
+    names = ("code", "grains", "phase", "steps", "seconds", "particle_steps_per_s", "ratio")
+    return dict(zip(names, (code, grains, phase, steps, seconds, rate, ratio), strict=True))
 
 
 def threads() -> list[dict]:
@@ -124,13 +124,13 @@ def large(rows: list[dict]) -> list[dict]:
         for k, (runner, steps) in enumerate(((small, SIZES["10 thousand"][3]), (great, LARGE[3]))):
             start = time.perf_counter()
             runner.step(steps)
-            times[k].append((time.perf_counter() - start) / (steps * runner.discs))
+            times[k].append((time.perf_counter() - start) / (steps * runner.grains))
     cost = [min(some) for some in times]
-    seconds = cost[1] * LARGE[3] * great.discs
+    seconds = cost[1] * LARGE[3] * great.grains
     return [
         row(
             "silostudy, cost over that of 10 thousand",
-            great.discs,
+            great.grains,
             "settling",
             LARGE[3],
             seconds,
@@ -156,7 +156,7 @@ def batch(with_peer: bool) -> list[dict]:
         restore(one.engine, settled)
         one.open_slit()
         one.step(BATCH_STEPS)
-        return one.discs
+        return one.grains
 
     start = time.perf_counter()
     with ThreadPoolExecutor(os.cpu_count()) as pool:
@@ -180,7 +180,7 @@ def batch(with_peer: bool) -> list[dict]:
             peer = Lammps(model, ours.engine.places, slit)
             peer.open_slit()
             peer.step(BATCH_STEPS)
-            discs = peer.discs
+            discs = peer.grains
             peer.close()
         other = (time.perf_counter() - start) / BATCH_OF_PEER
         rows.append(
@@ -204,7 +204,7 @@ def memory() -> list[dict]:
     ours = Ours(model)
     ours.step(10)
     return [
-        row("silostudy, bytes a disc", ours.discs, "memory", 0, float("nan"), float("nan"), ours.engine.nbytes / ours.discs)
+        row("silostudy, bytes a disc", ours.grains, "memory", 0, float("nan"), float("nan"), ours.engine.nbytes / ours.grains)
     ]
 
 

@@ -48,7 +48,7 @@ def explanation(key: str, known: "Families") -> list[str]:
         explain_scene,
         explain_seismic,
     )
-    from silostudy.contact import LAWS
+    from silostudy.contact import FAMILIES
     from silostudy.errors import unknown
     from silostudy.pressure import PRESSURE
     from silostudy.seismic.rules import MASS_RULES
@@ -58,7 +58,7 @@ def explanation(key: str, known: "Families") -> list[str]:
     topics[explain_check.KEY] = explain_check.checks
     families = [(known[PRESSURE.name], explain_pressure), (known[BUCKLING.name], explain_buckling)]
     families += [(known[RIVALS.name], explain_buckling), (MASS_RULES, explain_seismic), (CHECKS, explain_check)]
-    families += [(known[family.name], explain_law) for family in LAWS.values()]
+    families += [(known[family.name], explain_law) for family in FAMILIES.values()]
     families += [(part, explain_scene) for part in explain_scene.PARTS.values()]
     families.append((FILE_KINDS, explain_keys))
     found = [topics[key]()] if key in topics else []

@@ -17,8 +17,8 @@ def families(chosen) -> "Families":
     """The families that a user's rows may join, by name, with those of the file that a call names."""
     from silostudy.buckling import BUCKLING, RIVALS
     from silostudy.config.own_rows import joined
-    from silostudy.contact import LAWS
+    from silostudy.contact import FAMILIES
     from silostudy.pressure import PRESSURE
 
-    shipped: tuple[Family, ...] = (PRESSURE, BUCKLING, RIVALS, *LAWS.values())
+    shipped: tuple[Family, ...] = (PRESSURE, BUCKLING, RIVALS, *FAMILIES.values())
     return joined(shipped, chosen.methods_from) if chosen.methods_from else {family.name: family for family in shipped}

@@ -63,12 +63,18 @@ def _combinations(chosen):
 
 
 def _laws(chosen):
-    from silostudy.contact import LAWS
+    from silostudy.contact import FAMILIES
 
     known = families(chosen)
-    for section, family in LAWS.items():
+    for section, family in FAMILIES.items():
         for row in known[family.name].values():
-            yield f"{section:10}", f"{row.key:24}", f"{row.title:40}", f"{row.source}, {row.locator}"
+            yield (
+                f"{section:10}",
+                f"{row.key:24}",
+                f"{row.title:40}",
+                f"{', '.join(row.grains):15}",
+                f"{row.source}, {row.locator}",
+            )
 
 
 def _parts_of_scenes(name: str):

@@ -18,14 +18,14 @@ from pydantic import (
 from silostudy.catalogue import Family
 from silostudy.config.fields import Strict, described
 from silostudy.config.own import Families, families_of, key_of
-from silostudy.contact import COHESION, DEFAULTS, LAWS, NORMAL, ROLLING, TANGENTIAL
+from silostudy.contact import DEFAULTS, LAWS
 from silostudy.contact.curve import PRINTED_CONSTANTS
 from silostudy.contact.family import Coefficient
 
-NormalKey: TypeAlias = key_of(NORMAL)  # type: ignore[valid-type]
-TangentialKey: TypeAlias = key_of(TANGENTIAL)  # type: ignore[valid-type]
-RollingKey: TypeAlias = key_of(ROLLING)  # type: ignore[valid-type]
-CohesionKey: TypeAlias = key_of(COHESION)  # type: ignore[valid-type]
+NormalKey: TypeAlias = key_of(LAWS["normal"])  # type: ignore[valid-type]
+TangentialKey: TypeAlias = key_of(LAWS["tangential"])  # type: ignore[valid-type]
+RollingKey: TypeAlias = key_of(LAWS["rolling"])  # type: ignore[valid-type]
+CohesionKey: TypeAlias = key_of(LAWS["cohesion"])  # type: ignore[valid-type]
 ConstantKey: TypeAlias = Literal[tuple(PRINTED_CONSTANTS)]  # type: ignore[valid-type]
 
 

@@ -6,11 +6,11 @@ from silostudy.config.asked import Asked
 from silostudy.config.dem import IntegratorKey
 from silostudy.config.fields import Strict, described
 from silostudy.config.study import BaseStudy
-from silostudy.contact import DEFAULTS, NORMAL
+from silostudy.contact import DEFAULTS, LAWS
 from silostudy.dem.integrate import PLAIN
 from silostudy.tables import kiyama_1983 as kiyama
 
-LINEAR = tuple(key for key, law in NORMAL.items() if law.linear)
+LINEAR = tuple(key for key, law in LAWS["normal"].items() if law.linear)
 SpringKey: TypeAlias = Literal[LINEAR]  # type: ignore[valid-type]  # a packing study's walls are stiffer by a factor
 
 

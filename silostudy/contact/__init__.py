@@ -12,7 +12,18 @@ from silostudy.contact.rolling import none as no_rolling
 from silostudy.contact.tangential import TANGENTIAL, spring_slider
 from silostudy.contact.tangential import none as frictionless
 
-LAWS: Mapping[str, Family] = {"normal": NORMAL, "tangential": TANGENTIAL, "rolling": ROLLING, "cohesion": COHESION}
+FAMILIES: Mapping[str, Family] = {"normal": NORMAL, "tangential": TANGENTIAL, "rolling": ROLLING, "cohesion": COHESION}
+
+
+def of_grains(grains: str) -> Mapping[str, Family]:
+    """The laws of `discs` or of `spheres`, by the names of their families here."""
+    return {
+        name: Family(family.name, (row for row in family.values() if grains in row.grains), family.takes)
+        for name, family in FAMILIES.items()
+    }
+
+
+LAWS, SPHERE_LAWS = of_grains("discs"), of_grains("spheres")
 NO_TANGENTIAL, NO_ROLLING, NO_COHESION = frictionless.ROW.key, no_rolling.ROW.key, no_cohesion.ROW.key
 # what a contact has whose section in a scene names no law
 DEFAULTS = {
@@ -27,6 +38,7 @@ MEASURED = {name: next(key for key, law in family.items() if law.measured) for n
 __all__ = [
     "COHESION",
     "DEFAULTS",
+    "FAMILIES",
     "LAWS",
     "MEASURED",
     "NORMAL",
@@ -34,6 +46,7 @@ __all__ = [
     "NO_ROLLING",
     "NO_TANGENTIAL",
     "ROLLING",
+    "SPHERE_LAWS",
     "TANGENTIAL",
     "Law",
 ]

@@ -19,11 +19,14 @@ from silostudy.soundness import faults_of_function, faults_of_trial
 
 
 class Touch(NamedTuple):
-    """What every law may take of a contact beside its motion: reduced mass (kg/m), reduced radius (m), time step (s)."""
+    """What every law may take of a contact: reduced mass (kg/m; of spheres kg), reduced radius (m), time step (s), overlap (m),
+    closing speed (m/s)."""
 
     mass: float
     radius: float
     dt: float
+    overlap: float = 0.0
+    closing: float = 0.0
 
 
 @dataclass(frozen=True)
@@ -144,6 +147,7 @@ class Law(Row):
     stiffness: Callable = no_stiffness
     damping: Callable = no_damping
     coefficients: tuple[Coefficient, ...] = ()
+    grains: tuple[str, ...] = ("discs", "spheres")  # of which it is the law
     acts: bool = True  # False: the law that a scene without this effect has
     stores: bool = False  # whether it carries a history
     implicit: bool = False  # whether its dashpot depends on the time step

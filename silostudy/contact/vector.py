@@ -19,6 +19,11 @@ def scaled(factor, motion):
     return _scaled_three(factor, motion) if isinstance(motion, tuple) else factor * motion
 
 
+def direction(motion):
+    """Sign of a number, unit vector of three; nothing of nothing."""
+    return _direction_three(motion) if isinstance(motion, tuple) else _direction_one(motion)
+
+
 def limited(value, cap):
     """Value held at a size of cap at most, cap being zero or more; and 1.0 where it was not cut, else 0.0."""
     return _limited_three(value, cap) if isinstance(value, tuple) else _limited_one(value, cap)
@@ -40,6 +45,16 @@ def _scaled_three(factor, motion):
     return factor * motion[0], factor * motion[1], factor * motion[2]
 
 
+def _direction_one(motion):
+    return 1.0 if motion > 0.0 else -1.0 if motion < 0.0 else 0.0
+
+
+def _direction_three(motion):
+    square = motion[0] * motion[0] + motion[1] * motion[1] + motion[2] * motion[2]
+    share = 1.0 / sqrt(square if square > 0.0 else 1.0)
+    return share * motion[0], share * motion[1], share * motion[2]
+
+
 def _limited_one(value, cap):
     low = value if value > -cap else -cap
     held = low if low < cap else cap
@@ -53,16 +68,21 @@ def _limited_three(value, cap):
     return (share * value[0], share * value[1], share * value[2]), 1.0 if sticks else 0.0
 
 
-@overload(less, inline="always")
+@overload(less, jit_options={"forceinline": True})
 def _less(value, factor, motion):
     return _less_three if isinstance(value, types.BaseTuple) else _less_one
 
 
-@overload(scaled, inline="always")
+@overload(scaled, jit_options={"forceinline": True})
 def _scaled(factor, motion):
     return _scaled_three if isinstance(motion, types.BaseTuple) else _scaled_one
 
 
-@overload(limited, inline="always")
+@overload(direction, jit_options={"forceinline": True})
+def _direction(motion):
+    return _direction_three if isinstance(motion, types.BaseTuple) else _direction_one
+
+
+@overload(limited, jit_options={"forceinline": True})
 def _limited(value, cap):
     return _limited_three if isinstance(value, types.BaseTuple) else _limited_one

@@ -5,8 +5,6 @@ from typing import NamedTuple
 import numpy as np
 
 BLOCK = 128  # discs that are moved together, right after the last contact that can touch them
-# contacts whose forces are computed together, in the first-level cache; no power of two: its lanes would share cache sets
-LANES = 376
 LINE = 64  # bytes of a cache line
 
 
@@ -22,8 +20,23 @@ class Discs(NamedTuple):
     label: np.ndarray  # number of the disc in its packing
 
 
+class Spheres(NamedTuple):
+    """rows (n, 16): x, y, z (m), u, v, w (m/s), p, q, r (rad/s), force (N), torque (N m); held (n, 8): an integrator's own."""
+
+    rows: np.ndarray
+    held: np.ndarray
+    radius: np.ndarray  # m; length one where all are equal, as are the next three
+    mass: np.ndarray  # kg
+    inverse_mass: np.ndarray
+    inverse_inertia: np.ndarray
+    label: np.ndarray  # number of the sphere in its packing
+
+
 class Contacts(NamedTuple):
-    """A list of near pairs in the order (first, second), or of discs near walls in the order (disc, wall)."""
+    """A list of near pairs in the order (first, second), or of bodies near walls in the order (body, wall).
+
+    Numbers are those of discs, per metre thickness; histories of spheres are N and N m, in three rows.
+    """
 
     first: np.ndarray
     second: np.ndarray
@@ -62,11 +75,13 @@ class Walls(NamedTuple):
 
 
 class Blocks(NamedTuple):
-    """Per block of discs: the distance travelled since the list was made, the distance it allows, the last step's most."""
+    """Per block of bodies (m): travel since the list was made, what it allows, the last step's most; of both lists."""
 
     travel: np.ndarray
     skin: np.ndarray
     peak: np.ndarray
+    wide_travel: np.ndarray  # up to the last list; infinite: the wide list does not hold
+    wide_skin: np.ndarray
 
 
 class Scratch(NamedTuple):
@@ -78,11 +93,15 @@ class Scratch(NamedTuple):
     motion_bits: np.ndarray  # the same memory as unsigned integers: their maximum vectorises, and a NaN comes out largest
     cell_begin: np.ndarray
     order: np.ndarray
-    found: np.ndarray  # neighbours of one disc
-    cross: np.ndarray  # keys of pairs whose first disc belongs to an earlier thread
+    found: np.ndarray  # neighbours of one body
+    wide: np.ndarray  # the wide list: later bodies that may come near, body after body
+    wide_begin: np.ndarray  # where those of each body begin
+    wide_body: np.ndarray  # bodies that may come near walls
+    wide_wall: np.ndarray  # and which
+    cross: np.ndarray  # keys of pairs of the wide list whose first body belongs to an earlier thread
     slot: np.ndarray
     ghost: np.ndarray
-    counts: np.ndarray  # ghosts, kept pair histories, kept wall histories, a disc pressed too deep
+    counts: np.ndarray  # ghosts, kept pair histories, kept wall histories, a body pressed too deep, entries of wide_body
 
 
 class Ledger(NamedTuple):
@@ -100,7 +119,7 @@ class Ledger(NamedTuple):
 class Shared(NamedTuple):
     """What all threads of a scene step together; clock: steps made, then a disc that ran away, thread by thread."""
 
-    discs: Discs
+    bodies: Discs | Spheres
     walls: Walls
     blocks: Blocks
     record: Record
@@ -130,10 +149,10 @@ class March(NamedTuple):
 
     pair_coefficients: tuple[tuple[float, ...], ...]
     wall_coefficients: tuple[tuple[float, ...], ...]
-    gravity: tuple[float, float]
+    gravity: tuple[float, ...]
     dt: float
     stop: int
-    discs: int  # that are left
+    bodies: int  # that are left
     parties: int  # threads
     smallest: float  # radius, m
     skin: float  # m; 0: chosen by the engine

@@ -5,11 +5,16 @@ import os
 import tempfile
 import warnings
 from pathlib import Path
+from typing import Any
 
 from numba import config
 from numba.extending import register_jitable
 
 from silostudy.stamp import stamp
+
+# No fastmath: bits must not depend on the place in an array. No counting of references to arrays (_nrt): it took two
+# thirds of a step; all compiled functions go without it, since one that counts must not meet one that does not.
+OPTIONS: dict[str, Any] = {"nogil": True, "cache": True, "error_model": "numpy", "_nrt": False}
 
 
 def named(function, key: str):

@@ -1,15 +1,10 @@
-"""Cell grid: which discs lie near a point."""
-
-from typing import Any
+"""Cell grid: which bodies lie near a point."""
 
 import numpy as np
 from numba import njit
 
-from silostudy.dem.lanes import X, Y
-
-# No fastmath: bits must not depend on the place in an array. No counting of references to arrays (_nrt): it took two
-# thirds of a step; all compiled functions go without it, since one that counts must not meet one that does not.
-OPTIONS: dict[str, Any] = {"nogil": True, "cache": True, "error_model": "numpy", "_nrt": False}
+from silostudy.dem.body import place
+from silostudy.dem.cache import OPTIONS
 
 
 @njit(**OPTIONS)
@@ -20,35 +15,57 @@ def cell_of(value, low, size, count):
 
 
 @njit(**OPTIONS)
-def box_of(rows, n):
-    """Least and largest x and y (m) of the first n discs."""
-    x0, y0, x1, y1 = rows[0, X], rows[0, Y], rows[0, X], rows[0, Y]
+def box_of(bodies, n):
+    """Least and largest x, y and z (m) of the first n bodies."""
+    x0, y0, z0 = place(bodies, 0)
+    x1, y1, z1 = x0, y0, z0
     for i in range(n):
-        x0, x1 = min(x0, rows[i, X]), max(x1, rows[i, X])
-        y0, y1 = min(y0, rows[i, Y]), max(y1, rows[i, Y])
-    return x0, y0, x1, y1
+        x, y, z = place(bodies, i)
+        x0, x1 = min(x0, x), max(x1, x)
+        y0, y1 = min(y0, y), max(y1, y)
+        z0, z1 = min(z0, z), max(z1, z)
+    return (x0, y0, z0), (x1, y1, z1)
 
 
 @njit(**OPTIONS)
-def bin_discs(rows, n, size, cell_begin, order):
-    """Sort the first n discs into square cells; gives the corner, the size and the numbers of cells each way.
+def counts_of(low, high, size):
+    """Numbers of cells each way."""
+    return (
+        int((high[0] - low[0]) / size) + 1,
+        int((high[1] - low[1]) / size) + 1,
+        int((high[2] - low[2]) / size) + 1,
+    )
 
-    Cells grow where the discs are so scattered that there would be more cells than room for them.
+
+@njit(**OPTIONS)
+def cell_index(bodies, i, grid):
+    """Number of the cell of body i: along x first, then y, then z."""
+    (x0, y0, z0), size, (nx, ny, nz) = grid
+    x, y, z = place(bodies, i)
+    return (cell_of(z, z0, size, nz) * ny + cell_of(y, y0, size, ny)) * nx + cell_of(x, x0, size, nx)
+
+
+@njit(**OPTIONS)
+def bin_bodies(bodies, n, size, cell_begin, order):
+    """Sort the first n bodies into equal cells; gives the corner, the size and the numbers of cells each way.
+
+    Cells grow where the bodies are so scattered that there would be more cells than room for them.  Discs fill one layer.
     """
-    x0, y0, x1, y1 = box_of(rows, n)
-    nx, ny = int((x1 - x0) / size) + 1, int((y1 - y0) / size) + 1
-    while nx * ny + 1 > cell_begin.size:
+    low, high = box_of(bodies, n)
+    counts = counts_of(low, high, size)
+    while float(counts[0]) * counts[1] * counts[2] + 1.0 > cell_begin.size:
         size *= 1.5
-        nx, ny = int((x1 - x0) / size) + 1, int((y1 - y0) / size) + 1
-    cell_begin[: nx * ny + 1] = 0
+        counts = counts_of(low, high, size)
+    grid, cells = (low, size, counts), counts[0] * counts[1] * counts[2]
+    cell_begin[: cells + 1] = 0
     for i in range(n):
-        cell_begin[cell_of(rows[i, Y], y0, size, ny) * nx + cell_of(rows[i, X], x0, size, nx)] += 1
+        cell_begin[cell_index(bodies, i, grid)] += 1
     total = np.int32(0)
-    for c in range(nx * ny + 1):
+    for c in range(cells + 1):
         total += cell_begin[c]
         cell_begin[c] = total
     for i in range(n - 1, -1, -1):
-        c = cell_of(rows[i, Y], y0, size, ny) * nx + cell_of(rows[i, X], x0, size, nx)
+        c = cell_index(bodies, i, grid)
         cell_begin[c] -= 1
         order[cell_begin[c]] = i
-    return x0, y0, size, nx, ny
+    return grid

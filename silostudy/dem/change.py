@@ -18,12 +18,12 @@ def keep_discs(engine: Engine, kept: np.ndarray) -> None:
     number = np.cumsum(kept) - 1
     first, second = pairs.key >> SHIFT, pairs.key & LOW
     stay = kept[first] & kept[second]
-    pairs = Memory((number[first] << SHIFT | number[second])[stay], pairs.stored[stay], pairs.rolled[stay])
+    pairs = Memory((number[first] << SHIFT | number[second])[stay], pairs.stored[..., stay], pairs.rolled[..., stay])
     disc, wall = near.key >> SHIFT, near.key & LOW
     stay = kept[disc]
-    near = Memory((number[disc] << SHIFT | wall)[stay], near.stored[stay], near.rolled[stay])
+    near = Memory((number[disc] << SHIFT | wall)[stay], near.stored[..., stay], near.rolled[..., stay])
     left = int(kept.sum())
-    for column in engine.discs:
+    for column in engine.bodies:
         if len(column) >= engine.n:
             column[:left] = column[: engine.n][kept]
     engine.n = left
@@ -36,7 +36,7 @@ def swap_walls(engine: Engine, gone: str, come: tuple[str, ...]) -> None:
     pairs, near = engine.take_memories()
     disc, wall = near.key >> SHIFT, near.key & LOW
     for k in np.flatnonzero(wall == old):
-        place = engine.discs.rows[disc[k], [X, Y]]
+        place = engine.bodies.rows[disc[k], [X, Y]]
         nearer = [hypot(*nearest(engine.walls.shape, q, *place)[:2]) for q in new]
         wall[k] = new[int(np.argmin(nearer))] if new else old
     stay = wall != old
@@ -44,7 +44,7 @@ def swap_walls(engine: Engine, gone: str, come: tuple[str, ...]) -> None:
     order = np.argsort(key, kind="stable")
     engine.walls.live[old] = False
     engine.walls.live[new] = True
-    engine.give_memories(pairs, Memory(key[order], near.stored[stay][order], near.rolled[stay][order]))
+    engine.give_memories(pairs, Memory(key[order], near.stored[..., stay][..., order], near.rolled[..., stay][..., order]))
 
 
 def set_friction(engine: Engine, *, pair: float | None = None, wall: float | None = None) -> None:

@@ -16,8 +16,8 @@ def checkpoint(engine: Engine) -> dict[str, np.ndarray]:
     memories = {f"pair_{k}": v for k, v in pairs._asdict().items()} | {f"wall_{k}": v for k, v in near._asdict().items()}
     return memories | {
         "step": np.array(engine.step),
-        "rows": engine.discs.rows[: engine.n].copy(),
-        "held": engine.discs.held[: engine.n].copy(),
+        "rows": engine.bodies.rows[: engine.n].copy(),
+        "held": engine.bodies.held[: engine.n].copy(),
         "label": engine.labels.copy(),
         "live": engine.walls.live.copy(),
         "gravity": np.array(engine.gravity),
@@ -32,12 +32,12 @@ def restore(engine: Engine, saved: dict[str, np.ndarray]) -> None:
     kept = np.isin(engine.labels, saved["label"])
     keep_discs(engine, kept)
     engine.clock[0] = int(saved["step"])
-    engine.discs.rows[: engine.n] = saved["rows"]
-    engine.discs.held[: engine.n] = saved["held"]
+    engine.bodies.rows[: engine.n] = saved["rows"]
+    engine.bodies.held[: engine.n] = saved["held"]
     engine.walls.live[:] = saved["live"]
     engine.record.window[:] = saved["window"]
     engine.ledger.account[:] = saved["account"]
-    engine.gravity = float(saved["gravity"][0]), float(saved["gravity"][1])
+    engine.gravity = tuple(float(part) for part in saved["gravity"])
     engine.contacts = _contacts_from(engine, list(saved["coefficients"]))
     memories = [Memory(*(saved[f"{kind}_{name}"] for name in Memory._fields)) for kind in ("pair", "wall")]
     engine.give_memories(*memories)

@@ -4,16 +4,15 @@ from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 
-from silostudy.dem.arrays import BLOCK, Blocks, Discs, Ledger, March, Memory, Record, Share, Shared, Walls, aligned
+from silostudy.dem.arrays import BLOCK, Blocks, Discs, Ledger, March, Memory, Record, Share, Shared, Spheres, Walls, aligned
 from silostudy.dem.integrate import INTEGRATORS
 from silostudy.dem.kernel import kernel
-from silostudy.dem.lanes import U, V, W, X, Y
 from silostudy.dem.ledger import empty
 from silostudy.dem.model import Model
-from silostudy.dem.neighbours import GHOSTS, KEPT_PAIRS, KEPT_WALLS, harvest
+from silostudy.dem.neighbours import harvest
 from silostudy.dem.part import Part
 from silostudy.dem.sweep import EXPLODED, FRESH, REMEMBERED, SHORT_OF_ROOM, STALE
-from silostudy.dem.walls import cells_of, shape_of
+from silostudy.dem.wide import GHOSTS, KEPT_PAIRS, KEPT_WALLS
 from silostudy.errors import BadInput
 
 FAR = 1e9  # m: where the pair stands that pads the lists
@@ -25,16 +24,17 @@ class Explosion(RuntimeError):
     What was recorded up to then is kept.
     """
 
-    def __init__(self, disc: int, step: int, dt: float, cause: str):
+    def __init__(self, disc: int, step: int, dt: float, cause: str, body: str = "disc"):
         self.disc, self.step, self.time, self.cause = disc, step, step * dt, cause
-        super().__init__(f"disc {disc} ran away at t = {step * dt:.6g} s (step {step}): {cause}")
+        super().__init__(f"{body} {disc} ran away at t = {step * dt:.6g} s (step {step}): {cause}")
 
 
-def sweep_order(x: np.ndarray, y: np.ndarray, radius: np.ndarray) -> np.ndarray:
-    """Order of discs in strips across the longer side of their box: neighbours come close together in memory."""
-    long, short = (y, x) if np.ptp(y) >= np.ptp(x) else (x, y)
-    strip = np.floor((long - long.min()) / (2.0 * radius.max()))
-    return np.lexsort((short, strip))
+def sweep_order(place: np.ndarray, radius: np.ndarray) -> np.ndarray:
+    """Order of bodies (n, d) in strips across the longer sides of their box: neighbours come close together in memory."""
+    sides = place.T[::-1]
+    *long, short = sides[np.argsort(-np.ptp(sides, axis=1), kind="stable")]
+    strips = [np.floor((side - side.min()) / (2.0 * radius.max())) for side in long]
+    return np.lexsort((short, *reversed(strips)))
 
 
 class Engine:
@@ -45,16 +45,16 @@ class Engine:
             raise BadInput("threads", threads, "must be 1 or more")
         if not 0.0 <= skin < 2.0 * model.radius.min():
             raise BadInput("skin", skin, "must be less than the smallest diameter")
-        self.model, self.threads, self.skin = model, threads, skin
-        self.n = self.most = len(model.x)
+        self.model, self.space, self.threads, self.skin = model, model.space, threads, skin
+        self.n = self.most = len(model.radius)
         self.contacts = (model.pair_contact, model.wall_contact)
         self.gravity = model.gravity
-        self._quake = model.quake if model.quake is not None else np.zeros((1, 2))
-        label = sweep_order(model.x, model.y, model.radius) if sort else np.arange(self.n)
-        self.discs = self._discs(label.astype(np.int32))
-        self.walls = Walls(shape_of(model.walls), np.array([wall.live for wall in model.walls], bool), cells_of(model.walls))
+        self._quake = model.quake if model.quake is not None else np.zeros((1, len(model.gravity)))
+        label = sweep_order(model.place, model.radius) if sort else np.arange(self.n)
+        self.bodies = self._bodies(label.astype(np.int32))
+        self.walls: Walls = self.space.walls_of(model.walls)
         blocks = self.n // BLOCK + 2
-        self.blocks = Blocks(np.zeros(blocks), np.zeros(blocks), np.zeros(blocks))
+        self.blocks = Blocks(*np.zeros((5, blocks)))
         self.clock = np.zeros(2 + threads, np.int64)
         self.said = np.full(threads, REMEMBERED)
         self.gate = np.zeros(2, np.int64)
@@ -66,35 +66,35 @@ class Engine:
 
     def _ledger(self) -> Ledger:
         if not self.model.booked:
-            return empty(self.discs.rows, 0, 0)
+            return empty(self.bodies.rows, 0, 0)
         if self.threads > 1:
             raise BadInput("threads", self.threads, "the energy ledger sums in one order: use 1 thread")
-        fresh = empty(self.discs.rows, self.parts[0].room, self.parts[0].wall_room)
+        fresh = empty(self.bodies.rows, self.parts[0].room, self.parts[0].wall_room)
         return fresh._replace(account=self.ledger.account) if hasattr(self, "ledger") else fresh
 
-    def _discs(self, label: np.ndarray) -> Discs:
-        model, unequal = self.model, self.model.unequal
+    def _bodies(self, label: np.ndarray) -> Discs | Spheres:
+        model, space, unequal = self.model, self.space, self.model.unequal
         ghosts = self.threads * (2 + (0 if self.threads == 1 else 1024 + 8 * int(self.n**0.5)))
-        rows = aligned(self.n + ghosts, 8)
-        for lane, values in ((X, model.x), (Y, model.y), (U, model.u), (V, model.v), (W, model.w)):
-            if values is not None:
-                rows[: self.n, lane] = values[label]
+        rows = aligned(self.n + ghosts, space.row)
+        for lanes, values in ((space.place, model.place), (space.velocity, model.velocity), (space.spin, model.spin)):
+            rows[: self.n, lanes] = values[label]
         radius = model.radius[label] if unequal else model.radius[:1].copy()
         mass = model.mass[label] if unequal else model.mass[:1].copy()
         holds = INTEGRATORS[model.integrator].holds
-        held = aligned(self.n if holds else 0, 4)
-        held[:, :3] = rows[: len(held), [U, V, W]]
-        return Discs(rows, held, radius, mass, 1.0 / mass, 2.0 / (mass * radius**2), label)
+        held = aligned(self.n if holds else 0, space.row // 2)
+        rates = (*space.velocity, *space.spin)
+        held[:, : len(rates)] = rows[: len(held), rates]
+        return space.bodies(rows, held, radius, mass, 1.0 / mass, space.inverse_inertia / (mass * radius**2), label)
 
     def _record(self) -> Record:
         room = max(part.wall_room for part in self.parts)
-        cells = int((self.walls.cells[:, 1] + 2).sum()) if self.model.watched else 0
+        cells, felt = self.space.cell_count(self.model.walls) if self.model.watched else 0, self.space.felt
         return Record(
-            force=np.zeros((self.threads, room, 2)),
+            force=np.zeros((self.threads, room, felt)),
             cell=np.zeros((self.threads, room), np.int32),
             counts=np.zeros(self.threads, np.int64),
-            now=np.zeros((cells, 2)),
-            window=np.zeros((cells, 2, 3)) + np.array([0.0, np.inf, -np.inf]),
+            now=np.zeros((cells, felt)),
+            window=np.zeros((cells, felt, 3)) + np.array([0.0, np.inf, -np.inf]),
         )
 
     @property
@@ -109,12 +109,12 @@ class Engine:
 
     def column(self, lane: int) -> np.ndarray:
         """One number of every disc that is left, in the order of `labels`."""
-        return self.discs.rows[: self.n, lane]
+        return self.bodies.rows[: self.n, lane]
 
     @property
     def labels(self) -> np.ndarray:
         """Numbers of the discs that are left, in the engine's own order."""
-        return self.discs.label[: self.n]
+        return self.bodies.label[: self.n]
 
     def bounds(self, number: int) -> tuple[int, int]:
         """First disc of a thread and first of the next: whole blocks, evenly shared."""
@@ -140,7 +140,7 @@ class Engine:
     @property
     def nbytes(self) -> int:
         """Memory (bytes) of all arrays that stepping needs."""
-        bundles = [self.discs, self.walls, self.blocks, self.record, self.ledger]
+        bundles: list[tuple] = [self.bodies, self.walls, self.blocks, self.record, self.ledger]
         for part in self.parts:
             bundles += [part.pairs, part.near, *part.memories, part.scratch]
         return sum(array.nbytes for bundle in bundles for array in bundle)
@@ -148,18 +148,18 @@ class Engine:
     @property
     def radius(self) -> np.ndarray:
         """Radius (m) of every disc that is left, in the engine's own order."""
-        return np.broadcast_to(self.discs.radius[: self.n], self.n)
+        return np.broadcast_to(self.bodies.radius[: self.n], self.n)
 
     @property
     def mass(self) -> np.ndarray:
         """Mass (kg/m) of every disc that is left, in the engine's own order."""
-        return np.broadcast_to(self.discs.mass[: self.n], self.n)
+        return np.broadcast_to(self.bodies.mass[: self.n], self.n)
 
     @property
     def places(self) -> np.ndarray:
-        """x, y (m) of every disc by its label; NaN for those that were dropped."""
-        places = np.full((self.most, 2), np.nan)
-        places[self.labels] = self.discs.rows[: self.n, [X, Y]]
+        """Place (m) of every body by its label; NaN for those that were dropped."""
+        places = np.full((self.most, len(self.space.place)), np.nan)
+        places[self.labels] = self.bodies.rows[: self.n, self.space.place]
         return places
 
     def step_to(self, stop: int) -> None:
@@ -181,14 +181,15 @@ class Engine:
         self.step_to(self.step)
         for part in self.parts:
             ghosts = part.scratch.ghost[: part.scratch.counts[GHOSTS]]
-            self.discs.rows[self.base(part) :][: len(ghosts), : W + 1] = self.discs.rows[ghosts, : W + 1]
+            motion = self.space.motion
+            self.bodies.rows[self.base(part) :][: len(ghosts), :motion] = self.bodies.rows[ghosts, :motion]
 
     def _widen_record(self) -> None:
         self.ledger = self._ledger()
         room = max(part.wall_room for part in self.parts)
         if room > self.record.force.shape[1]:
             self.record = self.record._replace(
-                force=np.zeros((self.threads, room, 2)), cell=np.zeros((self.threads, room), np.int32)
+                force=np.zeros((self.threads, room, self.space.felt)), cell=np.zeros((self.threads, room), np.int32)
             )
 
     def _run(self, stop: int) -> None:
@@ -201,13 +202,13 @@ class Engine:
     def _arguments(self, part: Part, stop: int) -> tuple:
         lo, hi = self.bounds(part.number)
         base = self.base(part)
-        self.discs.rows[base + part.ghost_room, X] = FAR
-        self.discs.rows[base + part.ghost_room + 1, X] = -FAR
+        self.bodies.rows[base + part.ghost_room, 0] = FAR
+        self.bodies.rows[base + part.ghost_room + 1, 0] = -FAR
         smallest = float(self.model.radius.min())
         pair, wall = (contact.ordered for contact in self.contacts)
         return (
             Shared(
-                self.discs, self.walls, self.blocks, self.record, self.ledger, self._quake, self.clock, self.said, self.gate
+                self.bodies, self.walls, self.blocks, self.record, self.ledger, self._quake, self.clock, self.said, self.gate
             ),
             Share(part.number, part.pairs, part.near, *part.memories, part.scratch, lo, hi, base),
             March(pair, wall, self.gravity, self.model.dt, stop, self.n, self.threads, smallest, float(self.skin)),
@@ -216,13 +217,13 @@ class Engine:
     def _explosion(self) -> Explosion:
         part = int(np.argmax(self.said == EXPLODED))
         disc = int(self.clock[2 + part])
-        cause = "the time step is too long for the stiffness and damping, or the discs overlapped at the start"
-        way = np.hypot(*self.discs.rows[disc, [U, V]]) * self.model.dt
-        if way <= self.radius[disc]:
+        row = self.bodies.rows[disc]
+        cause = f"the time step is too long for the stiffness and damping, or the {self.space.body}s overlapped at the start"
+        if np.linalg.norm(row[list(self.space.velocity)]) * self.model.dt <= self.radius[disc]:
             cause = "its overlap is beyond half a radius: contacts too soft for their load, or too long a time step"
-        if not np.isfinite(self.discs.rows[disc, : W + 1]).all():
+        if not np.isfinite(row[: self.space.motion]).all():
             cause = "its motion is not finite: two centres fell together, or a force overflowed"
-        return Explosion(int(self.labels[disc]), self.step, self.model.dt, cause)
+        return Explosion(int(self.labels[disc]), self.step, self.model.dt, cause, self.space.body)
 
     def take_memories(self) -> tuple[Memory, Memory]:
         """Histories of all touching pairs and wall contacts, sorted by key; the engine goes on with them."""
@@ -234,10 +235,12 @@ class Engine:
 
     def _joined(self, which: int, counter: int) -> Memory:
         """The parts' memories as one: a pair that two threads share is kept once, its histories being the same."""
-        kept = [Memory(*(column[: part.scratch.counts[counter]] for column in part.memories[which])) for part in self.parts]
+        kept = [
+            Memory(*(column[..., : part.scratch.counts[counter]] for column in part.memories[which])) for part in self.parts
+        ]
         key = np.concatenate([memory.key for memory in kept])
         _, order = np.unique(key, return_index=True)
-        return Memory(*(np.concatenate(columns)[order] for columns in zip(*kept, strict=True)))
+        return Memory(*(np.concatenate(columns, axis=-1)[..., order] for columns in zip(*kept, strict=True)))
 
     def give_memories(self, pair_memory: Memory, wall_memory: Memory) -> None:
         """Go on with these histories: the next list is made with them."""

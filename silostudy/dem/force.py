@@ -2,15 +2,15 @@
 
 from silostudy.contact.family import Touch
 from silostudy.dem.cache import piece
+from silostudy.dem.dimension import Dimension
 from silostudy.dem.pieces import Laws
-from silostudy.dem.plane import Dimension
 
 
-def gather_pass(space: Dimension, *, flat: bool):
+def gather_pass(space: Dimension, laws: Laws, *, unequal: bool, flat: bool):
     """Function that turns a stretch of a list into lanes of relative motion, of pairs or of bodies near walls."""
-    gather, gather_walls = space.gather, space.gather_walls
+    gather, gather_walls = space.gather(unequal or laws.brakes), space.gather_walls
 
-    @piece(space, flat)
+    @piece(space, laws.brakes, unequal, flat)
     def gathered(rows, contacts, shape, start, count, lanes):
         if flat:
             gather_walls(rows, shape, contacts.first, contacts.second, start, count, lanes)
@@ -33,41 +33,35 @@ def response(laws: Laws):
     return answer
 
 
+def contact_pass(space: Dimension, laws: Laws, *, unequal: bool, flat: bool):
+    """Function that writes a contact's forces into lanes and gives its new histories."""
+    facing, rates, put = space.facing, space.rates(unequal), space.put(laws.drags, laws.brakes)
+    reduced, carry, where = space.reduced(flat), space.carry, space.where
+    answer, cohesion_law = response(laws), laws.cohesion.law
+
+    @piece(space, laws, unequal, flat)
+    def contact(lanes, out, k, a, b, m, stored, turned, dt, c):
+        normal, distance = facing(lanes, k)
+        overlap = a + b - distance
+        touching = overlap > 0.0
+        depth = overlap if touching else 0.0
+        closing, sliding, rolling = rates(lanes, k, normal, a, b, depth, flat)
+        touch = Touch(m, reduced(lanes, k, a, b), dt, depth, closing)
+        old, rolled = carry(stored, normal), carry(turned, normal)
+        _, push, held, drag, moment = answer(depth, closing, sliding, rolling, old, rolled, touch, c)
+        push = push - cohesion_law(c[3]) if touching else 0.0
+        drag, moment = where(touching, drag), where(touching, moment)
+        put(out, k, normal, push, drag, moment, a, b, depth, flat)
+        return where(touching, held), moment
+
+    return contact
+
+
 def force_pass(space: Dimension, laws: Laws, *, unequal: bool, flat: bool):
     """Function that computes a stretch of a list into lanes of force, of bodies of one size or of many, or at a wall.
 
     A contact's force depends on nothing but its own numbers: the same bits wherever it stands in the list.
     """
-    gathered, facing, rates, put = gather_pass(space, flat=flat), space.facing, space.rates(unequal), space.put(laws.drags)
-    answer, cohesion_law, slides, rolls = response(laws), laws.cohesion.law, laws.slides, laws.rolls
-
-    @piece(space, laws, unequal, flat)
-    def forces(rows, contacts, shape, start, count, lanes, out, stored, rolled, dt, c):
-        gathered(rows, contacts, shape, start, count, lanes)
-        stored = stored[start:] if slides else stored
-        rolled = rolled[start:] if rolls else rolled
-        arm = contacts.arm[start:] if unequal else contacts.arm
-        other = contacts.other[start:] if unequal else contacts.other
-        mass = contacts.mass[start:] if unequal else contacts.mass
-        a, b, m = arm[0], other[0], mass[0]
-        for k in range(count):
-            if unequal:
-                a, b, m = arm[k], other[k], mass[k]
-            normal, distance = facing(lanes, k)
-            closing, sliding, rolling = rates(lanes, k, normal, a, b)
-            overlap = a + b - distance
-            touching = overlap > 0.0
-            touch = Touch(m, a if flat else a * b / (a + b), dt)
-            old, turned = stored[k] if slides else 0.0, rolled[k] if rolls else 0.0
-            depth = overlap if touching else 0.0
-            _, push, held, drag, moment = answer(depth, closing, sliding, rolling, old, turned, touch, c)
-            push = push - cohesion_law(c[3]) if touching else 0.0
-            drag = drag if touching else 0.0
-            moment = moment if touching else 0.0
-            if slides:
-                stored[k] = held if touching else 0.0
-            if rolls:
-                rolled[k] = moment
-            put(out, k, normal, push, drag, moment, a, b)
-
-    return forces
+    gathered = gather_pass(space, laws, unequal=unequal, flat=flat)
+    contact = contact_pass(space, laws, unequal=unequal, flat=flat)
+    return space.walk(gathered, contact, unequal, laws.slides, laws.rolls, (laws, flat))

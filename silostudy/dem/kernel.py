@@ -10,24 +10,23 @@ import numpy as np
 from numba import njit
 
 from silostudy.dem.arrays import BLOCK
-from silostudy.dem.cache import named
-from silostudy.dem.cells import OPTIONS
+from silostudy.dem.body import motion, spin, square_speed
+from silostudy.dem.cache import OPTIONS, named
 from silostudy.dem.integrate import INTEGRATORS
-from silostudy.dem.lanes import U, V, W
-from silostudy.dem.neighbours import GHOSTS, PRESSED, allow, harvest, list_pairs, list_walls
+from silostudy.dem.neighbours import harvest, list_pairs, list_walls
 from silostudy.dem.pieces import Pieces
 from silostudy.dem.sweep import EXPLODED, FRESH, REMEMBERED, SHORT_OF_ROOM, STALE, sweep_pass
 from silostudy.dem.threads import meet
 from silostudy.dem.walls import add_to_window
+from silostudy.dem.wide import GHOSTS, PRESSED, allow, allow_wide, list_wide, wide_holds
 
 
 @njit(**OPTIONS)
-def first_runaway(discs, lo, hi, dt):
-    """First disc from lo to hi that moved more than its radius in the step or is not finite; -1 where all is well."""
+def first_runaway(bodies, lo, hi, dt):
+    """First body from lo to hi that moved more than its radius in the step or is not finite; -1 where all is well."""
     for i in range(lo, hi):
-        u, v, w = discs.rows[i, U], discs.rows[i, V], discs.rows[i, W]
-        radius = discs.radius[i if discs.radius.size > 1 else 0]
-        if not (u * u + v * v) * dt * dt <= radius * radius or not abs(w) < np.inf:
+        radius = bodies.radius[i if bodies.radius.size > 1 else 0]
+        if not square_speed(bodies, i) * dt * dt <= radius * radius or not spin(bodies, i) < np.inf:
             return i
     return -1
 
@@ -36,19 +35,26 @@ def first_runaway(discs, lo, hi, dt):
 def relist(shared, share, march):
     """Make this thread's list anew; the histories come from the old list unless the memories hold them already.
 
-    Whoever is in the list is looked at: a disc pressed half through another body ends the run.
+    Whoever is in the list is looked at: a body pressed half through another body ends the run.
     """
-    discs, blocks, scratch, said = shared.discs, shared.blocks, share.scratch, shared.said
+    bodies, blocks, scratch, said = shared.bodies, shared.blocks, share.scratch, shared.said
     number, lo, hi, base = share.number, share.lo, share.hi, share.base
     if said[number] == STALE:
         last = (hi - lo + BLOCK - 1) // BLOCK
         harvest(share.pairs, share.near, share.pair_memory, share.wall_memory, scratch, last, base)
         said[number] = REMEMBERED
-    allow(blocks, lo // BLOCK, (hi + BLOCK - 1) // BLOCK, march.smallest, march.skin)
+    own, after = lo // BLOCK, (hi + BLOCK - 1) // BLOCK
+    allow(blocks, own, after, march.smallest, march.skin)
     meet(shared.gate, march.parties)
-    enough = list_pairs(discs, share.pairs, share.pair_memory, blocks, scratch, march.discs, lo, hi, base)
+    enough, stays = True, wide_holds(blocks, (march.bodies + BLOCK - 1) // BLOCK)  # all threads find the same
+    meet(shared.gate, march.parties)
+    if not stays:
+        allow_wide(blocks, own, after, march.smallest)
+        meet(shared.gate, march.parties)
+        enough = list_wide(bodies, shared.walls, blocks, scratch, march.bodies, lo, hi)
+    enough = enough and list_pairs(bodies, share.pairs, share.pair_memory, blocks, scratch, lo, hi, base)
     dummy = base + scratch.ghost.size
-    enough = enough and list_walls(discs, share.near, share.wall_memory, shared.walls, blocks, scratch, lo, hi, dummy)
+    enough = enough and list_walls(bodies, share.near, share.wall_memory, shared.walls, blocks, scratch, dummy)
     said[number] = FRESH if enough else SHORT_OF_ROOM
     if scratch.counts[PRESSED] > 0:
         said[number] = EXPLODED
@@ -65,11 +71,11 @@ def worst(said):
 
 
 @njit(**OPTIONS)
-def copy_ghosts(rows, scratch, base):
-    """Copy the discs of other threads that this thread's discs may touch."""
+def copy_ghosts(bodies, scratch, base):
+    """Copy the bodies of other threads that this thread's bodies may touch."""
     for k in range(scratch.counts[GHOSTS]):
-        for lane in range(W + 1):
-            rows[base + k, lane] = rows[scratch.ghost[k], lane]
+        for lane in range(motion(bodies, k)):
+            bodies.rows[base + k, lane] = bodies.rows[scratch.ghost[k], lane]
 
 
 @cache
@@ -80,7 +86,7 @@ def kernel(pieces: Pieces):
     said[number], when a list needs room or a disc runs away (its number then is in clock[2 + number]).
     """
     sweep = sweep_pass(pieces)
-    shaken, watched = pieces.shaken, pieces.watched
+    shaken, watched, pushed = pieces.shaken, pieces.watched, pieces.space.pushed
     half_start = INTEGRATORS[pieces.integrator].half_start
 
     def run(shared, share, march):
@@ -97,15 +103,15 @@ def kernel(pieces: Pieces):
                     break
             if step >= march.stop:
                 break
-            copy_ghosts(shared.discs.rows, share.scratch, share.base)
+            copy_ghosts(shared.bodies, share.scratch, share.base)
             meet(gate, parties)
             if shaken:
                 at = min(step, shared.quake.shape[0] - 1)
-                pull = march.gravity[0] - shared.quake[at, 0], march.gravity[1] - shared.quake[at, 1]
+                pull = pushed(march.gravity, shared.quake, at)
             word = sweep(shared, share, march, pull, 0.5 * march.dt if half_start and step == 0 else march.dt)
             step += 1
             if word == STALE:
-                runaway = first_runaway(shared.discs, share.lo, share.hi, march.dt)
+                runaway = first_runaway(shared.bodies, share.lo, share.hi, march.dt)
                 if runaway >= 0:
                     word = EXPLODED
                     clock[2 + number] = runaway

@@ -8,18 +8,17 @@ Every function here has its meaning in plain Python, and the vector form beside 
 
 from llvmlite import ir
 from numba import types
-from numba.core import cgutils
 from numba.extending import intrinsic, overload
 
-from silostudy.dem.arrays import LANES
+from silostudy.dem.vectors import EIGHT, FOUR, WIDTH, base_of, lane_of, load, mix, plus, row_of, store, transpose
 
-WIDTH = 8  # contacts taken at a time
 X, Y, U, V, W, FX, FY, TORQUE = range(8)  # numbers of a disc's row
 DX, DY, DU, DV, SPIN_SUM, SPIN_DIFFERENCE = range(6)  # lanes of relative motion, first less second
 FORCE_X, FORCE_Y, FIRST_TORQUE, SECOND_TORQUE = range(4)  # lanes of force; the second torque is taken from the second
 
-_REAL, _INDEX, _LANE = ir.DoubleType(), ir.IntType(64), ir.IntType(32)
-_EIGHT, _FOUR = ir.VectorType(_REAL, 8), ir.VectorType(_REAL, 4)
+# contacts whose forces are computed together, in the first-level cache; no power of two: its lanes would share cache sets
+STRETCH = 376
+ROW = 3  # a disc's row has two to this power of numbers
 
 
 def gather(rows, first, second, start, count, lanes):
@@ -43,68 +42,17 @@ def scatter(rows, first, second, start, count, force):
             b[component] -= force[others, lane]
 
 
-def _pointer(builder, base, index, vector):
-    return builder.bitcast(builder.gep(base, [index]), vector.as_pointer())
-
-
-def _load(builder, base, index, vector):
-    value = builder.load(_pointer(builder, base, index, vector))
-    value.align = 8
-    return value
-
-
-def _store(builder, value, base, index, vector):
-    builder.store(value, _pointer(builder, base, index, vector)).align = 8
-
-
-def _mix(builder, a, b, order):
-    return builder.shuffle_vector(a, b, ir.Constant(ir.VectorType(_LANE, len(order)), order))
-
-
-def _data(context, builder, signature, args, position):
-    array = cgutils.create_struct_proxy(signature.args[position])(context, builder, value=args[position])
-    return array.data
-
-
-def _place(builder, lane, component):
-    """Where eight numbers of a component start among the lanes of a scratch, which all have the same length."""
-    return builder.add(lane, ir.Constant(_INDEX, component * LANES))
-
-
-def _row_of(builder, indices, start, lane):
-    position = builder.add(start, ir.Constant(_INDEX, lane))
-    return builder.shl(builder.sext(builder.load(builder.gep(indices, [position])), _INDEX), ir.Constant(_INDEX, 3))
-
-
-def _plus(builder, value, constant):
-    return builder.add(value, ir.Constant(_INDEX, constant))
-
-
-def _transpose(builder, rows):
-    """Eight rows of eight to eight columns of eight, in three rounds of exchanges."""
-    for distance in (1, 2, 4):
-        low = [lane + (WIDTH - distance if lane & distance else 0) for lane in range(WIDTH)]
-        high = [lane + (WIDTH if lane & distance else distance) for lane in range(WIDTH)]
-        turned = list(rows)
-        for k in range(WIDTH):
-            if not k & distance:
-                turned[k] = _mix(builder, rows[k], rows[k + distance], low)
-                turned[k + distance] = _mix(builder, rows[k], rows[k + distance], high)
-        rows = turned
-    return rows
-
-
 @intrinsic
 def _gather(typing, rows, first, second, start, lanes, offset):
     def generate(context, builder, signature, args):
-        data, one, two, out = (_data(context, builder, signature, args, k) for k in (0, 1, 2, 4))
+        data, one, two, out = (base_of(context, builder, signature, args, k) for k in (0, 1, 2, 4))
         relative = []
         for lane in range(WIDTH):
-            a = _load(builder, data, _row_of(builder, one, args[3], lane), _EIGHT)
-            b = _load(builder, data, _row_of(builder, two, args[3], lane), _EIGHT)
-            relative.append(_mix(builder, builder.fsub(a, b), builder.fadd(a, b), [0, 1, 2, 3, 12, 4, 6, 7]))
-        for component, column in enumerate(_transpose(builder, relative)[:6]):
-            _store(builder, column, out, _place(builder, args[5], component), _EIGHT)
+            a = load(builder, data, row_of(builder, one, args[3], lane, ROW), EIGHT)
+            b = load(builder, data, row_of(builder, two, args[3], lane, ROW), EIGHT)
+            relative.append(mix(builder, builder.fsub(a, b), builder.fadd(a, b), [0, 1, 2, 3, 12, 4, 6, 7]))
+        for component, column in enumerate(transpose(builder, relative)[:6]):
+            store(builder, column, out, lane_of(builder, args[5], component, STRETCH), EIGHT)
         return context.get_dummy_value()
 
     return types.void(rows, first, second, start, lanes, offset), generate
@@ -113,14 +61,16 @@ def _gather(typing, rows, first, second, start, lanes, offset):
 @intrinsic
 def _scatter(typing, rows, first, second, start, force, offset):
     def generate(context, builder, signature, args):
-        data, one, two, lanes = (_data(context, builder, signature, args, k) for k in (0, 1, 2, 4))
-        fx, fy, own, others = (_load(builder, lanes, _place(builder, args[5], component), _EIGHT) for component in range(4))
-        nothing = ir.Constant(_EIGHT, [0.0] * WIDTH)  # for the spin that stands before the force in a row
-        for lane, push in enumerate(_transpose(builder, [nothing, fx, fy, own, nothing, fx, fy, others])):
+        data, one, two, lanes = (base_of(context, builder, signature, args, k) for k in (0, 1, 2, 4))
+        fx, fy, own, others = (
+            load(builder, lanes, lane_of(builder, args[5], component, STRETCH), EIGHT) for component in range(4)
+        )
+        nothing = ir.Constant(EIGHT, [0.0] * WIDTH)  # for the spin that stands before the force in a row
+        for lane, push in enumerate(transpose(builder, [nothing, fx, fy, own, nothing, fx, fy, others])):
             for indices, half, add in ((one, [0, 1, 2, 3], builder.fadd), (two, [4, 5, 6, 7], builder.fsub)):
-                place = _plus(builder, _row_of(builder, indices, args[3], lane), W)
-                total = add(_load(builder, data, place, _FOUR), _mix(builder, push, push, half))
-                _store(builder, total, data, place, _FOUR)
+                place = plus(builder, row_of(builder, indices, args[3], lane, ROW), W)
+                total = add(load(builder, data, place, FOUR), mix(builder, push, push, half))
+                store(builder, total, data, place, FOUR)
         return context.get_dummy_value()
 
     return types.void(rows, first, second, start, force, offset), generate

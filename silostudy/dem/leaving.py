@@ -17,7 +17,7 @@ def outside(model) -> tuple[np.ndarray, np.ndarray]:
 
 def below(engine, floor: float) -> np.ndarray:
     """Which discs are wholly below the floor (m) and touch no other disc any more."""
-    place, radius = engine.discs.rows[: engine.n, :2], engine.radius
+    place, radius = engine.bodies.rows[: engine.n, :2], engine.radius
     gone = np.zeros(engine.n, bool)
     for i in np.flatnonzero(engine.column(Y) < floor - radius):
         gap = np.hypot(*(place - place[i]).T) - radius - radius[i]

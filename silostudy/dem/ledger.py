@@ -13,11 +13,11 @@ import numpy as np
 from numba.extending import register_jitable
 
 from silostudy.contact.family import Touch
-from silostudy.dem.arrays import LANES, Ledger, aligned
+from silostudy.dem.arrays import Ledger, aligned
 from silostudy.dem.cache import piece
 from silostudy.dem.force import gather_pass, response
 from silostudy.dem.integrate import INTEGRATORS
-from silostudy.dem.lanes import FX, FY, TORQUE, U, V, W, X, Y
+from silostudy.dem.lanes import FX, FY, STRETCH, TORQUE, U, V, W, X, Y
 
 ENTRIES = ("kinetic", "potential", "elastic", "dashpot", "sliding", "carried_out", "base", "gravity", "created")
 KINETIC, POTENTIAL, ELASTIC, DASHPOT, SLIDING, CARRIED_OUT, BASE, GRAVITY, CREATED = range(len(ENTRIES))
@@ -31,7 +31,7 @@ def empty(rows: np.ndarray, room: int, wall_room: int) -> Ledger:
     return Ledger(
         account=np.zeros(TURNOVER + 1),
         mean=aligned(*(rows.shape if asked else (0, 8))),
-        lanes=aligned(6, LANES if asked else 0),
+        lanes=aligned(6, STRETCH if asked else 0),
         pair_stored=np.zeros(room),
         pair_rolled=np.zeros(room),
         wall_stored=np.zeros(wall_room),
@@ -47,8 +47,8 @@ def balance(account: np.ndarray) -> float:
 
 def carry_out(engine, gone: np.ndarray) -> None:
     """Book the kinetic and potential energy that discs take with them; `gone` marks them among those left."""
-    account, rows, mass = engine.ledger.account, engine.discs.rows[: engine.n][gone], engine.mass[gone]
-    speed = engine.discs.held[: engine.n][gone, :3] if len(engine.discs.held) else rows[:, [U, V, W]]
+    account, rows, mass = engine.ledger.account, engine.bodies.rows[: engine.n][gone], engine.mass[gone]
+    speed = engine.bodies.held[: engine.n][gone, :3] if len(engine.bodies.held) else rows[:, [U, V, W]]
     inertia = 0.5 * mass * engine.radius[gone] ** 2
     kinetic = float((0.5 * mass * (speed[:, 0] ** 2 + speed[:, 1] ** 2) + 0.5 * inertia * speed[:, 2] ** 2).sum())
     potential = -float((mass * (rows[:, [X, Y]] @ np.asarray(engine.gravity))).sum())
@@ -66,7 +66,7 @@ def take_springs(engine, energy: float) -> None:
 def change_gravity(engine, gravity: tuple[float, float]) -> None:
     """Book what another gravity (m/s2) adds to the potential energy of discs where they are."""
     change = np.subtract(gravity, engine.gravity)
-    work = -float((engine.mass * (engine.discs.rows[: engine.n, [X, Y]] @ change)).sum())
+    work = -float((engine.mass * (engine.bodies.rows[: engine.n, [X, Y]] @ change)).sum())
     engine.ledger.account[[POTENTIAL, GRAVITY]] += work
 
 
@@ -97,16 +97,18 @@ def of_slip(trial, held, stiffness):
 def contact_book(space, laws, *, unequal, flat):
     """Function that gives, of the contacts of a list: elastic energy, loss of springs that slid, power of the elastic
     forces, and power that dashpots take where contacts stick and where they slip."""
-    gathered, facing, rates, answer = gather_pass(space, flat=flat), space.facing, space.rates(unequal), response(laws)
+    gathered = gather_pass(space, laws, unequal=unequal, flat=flat)
+    facing, rates, answer = space.facing, space.rates(unequal), response(laws)
     slide_stiffness, roll_stiffness, cohesion_law = laws.tangential.stiffness, laws.rolling.stiffness, laws.cohesion.law
+    stretch = space.stretch
     energy, slides, rolls, tangential_law = laws.normal.energy, laws.slides, laws.rolls, laws.tangential.law
 
     @piece(space, laws, unequal, flat)
     def book(rows, ledger, contacts, shape, count, old_stored, old_rolled, dt, c, lanes):
         elastic_energy = slid = elastic_power = braking = rubbing = 0.0
         a, b, m = contacts.arm[0], contacts.other[0], contacts.mass[0]
-        for start in range(0, count, LANES):
-            many = min(LANES, count - start)
+        for start in range(0, count, stretch):
+            many = min(stretch, count - start)
             gathered(rows, contacts, shape, start, many, lanes)
             gathered(ledger.mean, contacts, shape, start, many, ledger.lanes)
             for k in range(many):
@@ -114,9 +116,9 @@ def contact_book(space, laws, *, unequal, flat):
                 if unequal:
                     a, b, m = contacts.arm[at], contacts.other[at], contacts.mass[at]
                 normal, distance = facing(lanes, k)
-                closing, sliding, rolling = rates(lanes, k, normal, a, b)
                 overlap, stored, turned = a + b - distance, old_stored[at], old_rolled[at]
-                touch = Touch(m, a if flat else a * b / (a + b), dt)
+                closing, sliding, rolling = rates(lanes, k, normal, a, b, overlap, flat)
+                touch = Touch(m, a if flat else a * b / (a + b), dt, overlap, closing)
                 slide_spring, roll_spring = slide_stiffness(overlap, touch, c[1]), roll_stiffness(overlap, touch, c[2])
                 if overlap <= 0.0:  # what springs held when the contact opened is lost
                     slid += of_spring(stored, slide_spring) if slides else 0.0
@@ -131,7 +133,7 @@ def contact_book(space, laws, *, unequal, flat):
                 if rolls:
                     elastic_energy += of_spring(moment, roll_spring)
                     slid += of_slip(turned - roll_spring * dt * rolling, moment, roll_spring)
-                nearing, along, turning = rates(ledger.lanes, k, normal, a, b)  # on average over the step
+                nearing, along, turning = rates(ledger.lanes, k, normal, a, b, overlap, flat)  # on average over the step
                 elastic_power += (pull - elastic) * nearing + held * along
                 braking += (push - elastic) * nearing
                 if rolls:
@@ -179,8 +181,8 @@ def book_pass(pieces):
     @piece(pieces)
     def book(shared, share, march, last, pull, kick):
         ledger, shape, lanes = shared.ledger, shared.walls.shape, share.scratch.lanes
-        account, rows, pairs, near = ledger.account, shared.discs.rows, share.pairs, share.near
-        kinetic, potential, falling, shaking = discs_book(shared.discs, ledger.mean, share.hi, pull, march.gravity, kick)
+        account, rows, pairs, near = ledger.account, shared.bodies.rows, share.pairs, share.near
+        kinetic, potential, falling, shaking = discs_book(shared.bodies, ledger.mean, share.hi, pull, march.gravity, kick)
         pair = of_pairs(
             rows, ledger, pairs, shape, pairs.begin[last], ledger.pair_stored, ledger.pair_rolled,
             march.dt, march.pair_coefficients, lanes,

@@ -4,12 +4,15 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
 from math import isfinite, pi
+from typing import ClassVar
 
 import numpy as np
 
 from silostudy.contact import Law
+from silostudy.dem.dimension import Dimension
 from silostudy.dem.integrate import INTEGRATORS, PLAIN
 from silostudy.dem.pieces import Laws, Pieces
+from silostudy.dem.plane import PLANE
 from silostudy.errors import BadInput, unknown
 
 TINY = 1e-200  # kg m: beyond it and its inverse, squares of what the engine computes with leave the range of numbers
@@ -81,6 +84,9 @@ class Contact:
 class Model:
     """Discs (m, m/s, kg/m3), walls, contacts, gravity (m/s2), base acceleration a step (m/s2), integrator and step (s)."""
 
+    space: ClassVar[Dimension] = PLANE
+    columns: ClassVar[tuple[str, ...]] = ("x", "y", "radius", "u", "v", "w")
+
     x: np.ndarray
     y: np.ndarray
     radius: np.ndarray
@@ -89,7 +95,7 @@ class Model:
     pair_contact: Contact
     wall_contact: Contact
     dt: float
-    gravity: tuple[float, float]
+    gravity: tuple[float, ...]
     integrator: str = PLAIN.key
     quake: np.ndarray | None = None
     watched: bool = False
@@ -99,7 +105,7 @@ class Model:
     w: np.ndarray | None = None
 
     def __post_init__(self):
-        for name in ("x", "y", "radius", "u", "v", "w"):
+        for name in self.columns:
             value = getattr(self, name)
             if value is not None:
                 value = np.broadcast_to(np.asarray(value, float), np.shape(self.x))
@@ -113,7 +119,7 @@ class Model:
             if not (isfinite(value) and value > 0.0):
                 raise BadInput(name, value, "must be positive")
         if not len(self.x):
-            raise BadInput("x", len(self.x), "a scene needs a disc at least")
+            raise BadInput("x", len(self.x), f"a scene needs a {self.space.body} at least")
         with np.errstate(over="ignore", under="ignore"):
             inertia = self.mass * self.radius**2
         if not ((inertia > TINY) & (inertia < 1.0 / TINY)).all():
@@ -123,9 +129,12 @@ class Model:
         names = [wall.name for wall in self.walls]
         if len(set(names)) < len(names):
             raise BadInput("walls", names, "each wall needs a name of its own")
-        for law in (self.pair_contact.laws.rows[0], self.wall_contact.laws.rows[0]):
-            if self.unequal and law.one_size:
-                raise BadInput("normal", law.key, "the curve is for discs of one size")
+        for law in (*self.pair_contact.laws.rows, *self.wall_contact.laws.rows):
+            if f"{self.space.body}s" not in law.grains:
+                raise BadInput("law", law.key, f"is a law of {' and '.join(law.grains)}, not of {self.space.body}s")
+        for normal in (self.pair_contact.laws.normal, self.wall_contact.laws.normal):
+            if self.unequal and normal.one_size:
+                raise BadInput("normal", normal.key, "the curve is for discs of one size")
 
     def wall_number(self, name: str) -> int:
         """Number of the wall of a name, as contacts count walls; BadInput for a name that no wall has."""
@@ -137,6 +146,25 @@ class Model:
     def wall_named(self, name: str) -> Wall:
         """The wall of a name."""
         return self.walls[self.wall_number(name)]
+
+    @property
+    def place(self) -> np.ndarray:
+        """Place (n, 2) of the centres, m."""
+        return np.stack([self.x, self.y], axis=-1)
+
+    @property
+    def velocity(self) -> np.ndarray:
+        """Velocity (n, 2) at the start, m/s."""
+        return self._started(self.u, self.v)
+
+    @property
+    def spin(self) -> np.ndarray:
+        """Spin (n, 1) at the start, rad/s."""
+        return self._started(self.w)
+
+    def _started(self, *columns: np.ndarray | None) -> np.ndarray:
+        still = np.zeros(len(self.x))
+        return np.stack([still if column is None else column for column in columns], axis=-1)
 
     @property
     def unequal(self) -> bool:
@@ -151,6 +179,7 @@ class Model:
     def pieces(self) -> Pieces:
         """What these contents call for."""
         return Pieces(
+            space=self.space,
             pair_laws=self.pair_contact.laws,
             wall_laws=self.wall_contact.laws,
             integrator=self.integrator,

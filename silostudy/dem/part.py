@@ -2,10 +2,11 @@
 
 import numpy as np
 
-from silostudy.dem.arrays import BLOCK, LANES, Contacts, Memory, Scratch, aligned
-from silostudy.dem.lanes import WIDTH
-from silostudy.dem.neighbours import KEPT_PAIRS, KEPT_WALLS
+from silostudy.dem.arrays import BLOCK, Contacts, Memory, Scratch, aligned
+from silostudy.dem.history import histories
 from silostudy.dem.pieces import Laws
+from silostudy.dem.vectors import WIDTH
+from silostudy.dem.wide import KEPT_PAIRS, KEPT_WALLS
 
 
 class Part:
@@ -16,20 +17,23 @@ class Part:
         self.room, self.wall_room = 3 * BLOCK * WIDTH + int(2.7 * engine.most), 64 + engine.most // 16
         self.ghost_room = 0 if engine.threads == 1 else 1024 + 8 * int(engine.n**0.5)
         self.memories = (self._memory(0), self._memory(0))
-        self.counts = np.zeros(4, np.int64)
+        self.counts = np.zeros(5, np.int64)
         self.make_lists()
 
     def _memory(self, room: int) -> Memory:
-        return Memory(np.zeros(room, np.int64), np.zeros(room), np.zeros(room))
+        return Memory(np.zeros(room, np.int64), self._histories(room), self._histories(room))
+
+    def _histories(self, room: int) -> np.ndarray:
+        return histories(room, self.engine.space.components)
 
     def _contacts(self, room: int, laws: Laws, other: float, mass: float) -> Contacts:
         each = room if self.engine.model.unequal else 1
         return Contacts(
             first=np.zeros(room, np.int32),
             second=np.zeros(room, np.int32),
-            stored=aligned(room if laws.slides else 0),
-            rolled=aligned(room if laws.rolls else 0),
-            arm=np.full(each, self.engine.discs.radius[0]),
+            stored=self._histories(room if laws.slides else 0),
+            rolled=self._histories(room if laws.rolls else 0),
+            arm=np.full(each, self.engine.bodies.radius[0]),
             other=np.full(each, other),
             mass=np.full(each, mass),
             begin=np.zeros(self.engine.most // BLOCK + 3, np.int64),
@@ -38,7 +42,8 @@ class Part:
     def make_lists(self):
         """Lists with the room asked for; memories grow with them and keep what they hold."""
         engine, model = self.engine, self.engine.model
-        mass, radius = engine.discs.mass[0], engine.discs.radius[0]
+        engine.blocks.wide_travel[:] = np.inf
+        mass, radius = engine.bodies.mass[0], engine.bodies.radius[0]
         self.pairs = self._contacts(self.room, model.pair_contact.laws, radius, 0.5 * mass)
         self.near = self._contacts(self.wall_room, model.wall_contact.laws, 0.0, mass)
         stores = (model.pair_contact.laws.stores, model.wall_contact.laws.stores)
@@ -49,13 +54,17 @@ class Part:
         )
         motion = aligned(BLOCK)
         self.scratch = Scratch(
-            lanes=aligned(6, LANES),
-            force=aligned(4, LANES),
+            lanes=aligned(*engine.space.lanes),
+            force=aligned(*engine.space.forces),
             motion=motion,
             motion_bits=motion.view(np.uint64),
             cell_begin=np.zeros(engine.n + 1024, np.int32),
             order=np.zeros(engine.n, np.int32),
             found=np.zeros(1024, np.int32),
+            wide=np.zeros(2 * self.room, np.int32),
+            wide_begin=np.zeros(engine.n + 1, np.int64),
+            wide_body=np.zeros(2 * self.wall_room, np.int32),
+            wide_wall=np.zeros(2 * self.wall_room, np.int32),
             cross=np.zeros(4 * self.ghost_room + 1, np.int64),
             slot=np.zeros(engine.n if engine.threads > 1 else 0, np.int32),
             ghost=np.zeros(self.ghost_room, np.int32),
@@ -65,7 +74,7 @@ class Part:
     def _grown(self, memory: Memory, room: int) -> Memory:
         new = self._memory(room)
         for old, fresh in zip(memory, new, strict=True):
-            fresh[: min(len(old), room)] = old[:room]
+            fresh[..., : min(old.shape[-1], room)] = old[..., :room]
         return new
 
     def grow(self):
@@ -80,5 +89,5 @@ class Part:
         self.make_lists()
         for mine, given in zip(self.memories, (pair_memory, wall_memory), strict=True):
             for old, new in zip(mine, given, strict=True):
-                old[: len(new)] = new
+                old[..., : new.shape[-1]] = new
         self.scratch.counts[[KEPT_PAIRS, KEPT_WALLS]] = len(pair_memory.key), len(wall_memory.key)

@@ -2,9 +2,9 @@
 
 from dataclasses import dataclass
 
-from silostudy.contact import COHESION, DEFAULTS, LAWS, NO_COHESION, NO_ROLLING, NO_TANGENTIAL, NORMAL, ROLLING, TANGENTIAL
+from silostudy.contact import COHESION, DEFAULTS, FAMILIES, NO_COHESION, NO_ROLLING, NO_TANGENTIAL, NORMAL, ROLLING, TANGENTIAL
 from silostudy.contact.family import CohesionLaw, NormalLaw, RollingLaw, TangentialLaw
-from silostudy.dem.plane import PLANE, Dimension
+from silostudy.dem.dimension import Dimension
 
 
 @dataclass(frozen=True, repr=False)
@@ -19,7 +19,7 @@ class Laws:
     @classmethod
     def of(cls, **keys: str) -> "Laws":
         """The package's laws by their keys."""
-        return cls(**{family: LAWS[family][key] for family, key in keys.items()})
+        return cls(**{family: FAMILIES[family][key] for family, key in keys.items()})
 
     def __repr__(self) -> str:
         """What tells the laws apart in the names of kept kernels: the same in every process."""
@@ -38,6 +38,10 @@ class Laws:
         return self.tangential.acts
 
     @property
+    def brakes(self) -> bool:
+        return self.rolling.acts
+
+    @property
     def slides(self) -> bool:
         return self.tangential.stores
 
@@ -47,7 +51,7 @@ class Laws:
 
     @property
     def turns(self) -> bool:
-        return self.drags or self.rolling.acts
+        return self.drags or self.brakes
 
     @property
     def stores(self) -> bool:
@@ -58,10 +62,10 @@ class Laws:
 class Pieces:
     """What a scene calls for; everything else is not compiled in."""
 
+    space: Dimension
     pair_laws: Laws
     wall_laws: Laws
     integrator: str
-    space: Dimension = PLANE
     unequal: bool = False  # discs of several sizes
     shaken: bool = False  # the box is accelerated
     watched: bool = False  # wall forces are recorded every step

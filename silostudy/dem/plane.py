@@ -1,15 +1,13 @@
-"""The plane: what of contacts and of motions belongs to two dimensions.
-
-Passes are written once for any dimension and close over the functions of one; another is a second table like PLANE.
-"""
+"""The plane: what of contacts and of motions belongs to two dimensions."""
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from math import sqrt
 
 from numba.extending import register_jitable
 
+from silostudy.dem.arrays import Discs
 from silostudy.dem.cache import piece
+from silostudy.dem.dimension import Dimension
 from silostudy.dem.lanes import (
     DU,
     DV,
@@ -23,6 +21,7 @@ from silostudy.dem.lanes import (
     SECOND_TORQUE,
     SPIN_DIFFERENCE,
     SPIN_SUM,
+    STRETCH,
     TORQUE,
     U,
     V,
@@ -32,25 +31,7 @@ from silostudy.dem.lanes import (
     gather,
     scatter,
 )  # fmt: skip
-from silostudy.dem.walls import gather_walls, scatter_walls
-
-
-@dataclass(frozen=True, repr=False)
-class Dimension:
-    """What the passes close over: functions, and factories of functions where a piece may be left out."""
-
-    key: str
-    gather: Callable  # lanes of the relative motion of pairs
-    gather_walls: Callable  # the same of bodies near walls
-    scatter: Callable
-    scatter_walls: Callable
-    facing: Callable  # (lanes, k) -> normal, distance (m)
-    rates: Callable  # unequal -> (lanes, k, normal, a, b) -> closing and sliding speed (m/s), difference of spins (1/s)
-    put: Callable  # drags -> (out, k, normal, push, drag, moment, a, b): lanes of force
-    move: Callable  # advance, holds, turns -> function that moves one body and gives the square of its way (m2)
-
-    def __repr__(self) -> str:
-        return self.key  # the same in every process: kept kernels are named by it
+from silostudy.dem.walls import cell_count, gather_walls, note_walls, scatter_walls, walls_of
 
 
 @register_jitable
@@ -62,11 +43,27 @@ def facing(lanes, k):
     return (dx * inverse, dy * inverse), distance
 
 
+def reduced(flat: bool):
+    """Function that gives a contact's reduced radius (m): at a wall the disc's own."""
+
+    @piece("plane", flat)
+    def radius(lanes, k, a, b):
+        return a if flat else a * b / (a + b)
+
+    return radius
+
+
+@register_jitable
+def carry(history, normal):
+    """A history as it is: in the plane there is one direction along a contact."""
+    return history
+
+
 def rates(unequal: bool):
     """Function that gives a contact's closing speed, sliding speed (m/s) of surfaces, and difference of spins (1/s)."""
 
     @piece("plane", unequal)
-    def speeds(lanes, k, normal, a, b):
+    def speeds(lanes, k, normal, a, b, depth, flat):
         nx, ny = normal
         du, dv = lanes[DU, k], lanes[DV, k]
         summed, apart = lanes[SPIN_SUM, k], lanes[SPIN_DIFFERENCE, k]
@@ -76,11 +73,11 @@ def rates(unequal: bool):
     return speeds
 
 
-def put(drags: bool):
+def put(drags: bool, brakes: bool):
     """Function that writes a contact's force (N/m) and its moments (N m/m) on both bodies into lanes."""
 
     @piece("plane", drags)
-    def force(out, k, normal, push, drag, moment, a, b):
+    def force(out, k, normal, push, drag, moment, a, b, depth, flat):
         nx, ny = normal
         out[FORCE_X, k] = push * nx - drag * ny if drags else push * nx  # zero times a number is not left out by itself
         out[FORCE_Y, k] = push * ny + drag * nx if drags else push * ny
@@ -88,6 +85,37 @@ def put(drags: bool):
         out[SECOND_TORQUE, k] = moment + drag * b  # taken from the second
 
     return force
+
+
+@register_jitable
+def where(touching, value):
+    """A value where bodies touch, nothing where they do not."""
+    return value if touching else 0.0
+
+
+def walk(gathered: Callable, contact: Callable, unequal: bool, slides: bool, rolls: bool, key: tuple):
+    """Function that takes a stretch of a list contact by contact: the loop that the compiler vectorises."""
+
+    @piece("plane", unequal, slides, rolls, *key)
+    def forces(rows, contacts, shape, start, count, lanes, out, stored, rolled, dt, c):
+        gathered(rows, contacts, shape, start, count, lanes)
+        stored = stored[start:] if slides else stored
+        rolled = rolled[start:] if rolls else rolled
+        arm = contacts.arm[start:] if unequal else contacts.arm
+        other = contacts.other[start:] if unequal else contacts.other
+        mass = contacts.mass[start:] if unequal else contacts.mass
+        a, b, m = arm[0], other[0], mass[0]
+        for k in range(count):
+            if unequal:
+                a, b, m = arm[k], other[k], mass[k]
+            old, turned = stored[k] if slides else 0.0, rolled[k] if rolls else 0.0
+            held, moment = contact(lanes, out, k, a, b, m, old, turned, dt, c)
+            if slides:
+                stored[k] = held
+            if rolls:
+                rolled[k] = moment
+
+    return forces
 
 
 def move(advance: Callable, holds: bool, turns: bool, key: str):
@@ -113,14 +141,40 @@ def move(advance: Callable, holds: bool, turns: bool, key: str):
     return moved
 
 
+@register_jitable
+def pushed(gravity, quake, step):
+    """Acceleration (m/s2) of discs in a box that is accelerated."""
+    return gravity[0] - quake[step, 0], gravity[1] - quake[step, 1]
+
+
 PLANE = Dimension(
     key="plane",
-    gather=gather,
+    body="disc",
+    bodies=Discs,
+    place=(X, Y),
+    velocity=(U, V),
+    spin=(W,),
+    row=8,
+    inverse_inertia=2.0,
+    stretch=STRETCH,
+    lanes=(6, STRETCH),
+    forces=(4, STRETCH),
+    components=1,
+    felt=2,
+    gather=lambda apart: gather,
     gather_walls=gather_walls,
     scatter=scatter,
     scatter_walls=scatter_walls,
+    note_walls=note_walls,
+    walls_of=walls_of,
+    cell_count=cell_count,
     facing=facing,
+    reduced=reduced,
     rates=rates,
+    carry=carry,
     put=put,
+    where=where,
+    walk=walk,
     move=move,
+    pushed=pushed,
 )

@@ -193,7 +193,7 @@ class Run:
         if len(what) == 1:
             found = np.flatnonzero(self.engine.labels == what[0])
             return int(found[0]) if len(found) else None
-        place = self.engine.discs.rows[: self.engine.n, :2]
+        place = self.engine.bodies.rows[: self.engine.n, :2]
         return int(np.argmin(np.hypot(*(place - np.asarray(what)).T))) if len(place) else None
 
     def _drop(self) -> None:
@@ -246,7 +246,7 @@ class Run:
         return averaged | {
             "time": np.array(engine.time),
             "label": engine.labels.copy(),
-            "motion": engine.discs.rows[: engine.n, : W + 1].copy(),
+            "motion": engine.bodies.rows[: engine.n, : W + 1].copy(),
             "pairs": np.column_stack([*vars(pair_contacts(engine)).values()]),
             "walls": np.column_stack([*vars(wall_contacts(engine)).values()]),
         }

@@ -8,14 +8,13 @@ import numpy as np
 from numba import njit
 
 from silostudy.contact.family import Touch
-from silostudy.dem.arrays import LANES, aligned
-from silostudy.dem.cache import named
-from silostudy.dem.cells import OPTIONS
+from silostudy.dem.arrays import aligned
+from silostudy.dem.cache import OPTIONS, named
+from silostudy.dem.dimension import Dimension
 from silostudy.dem.force import force_pass
 from silostudy.dem.lanes import FORCE_X, FORCE_Y, X, Y
 from silostudy.dem.ledger import of_spring
 from silostudy.dem.pieces import Laws
-from silostudy.dem.plane import Dimension
 from silostudy.dem.walls import nearest
 
 
@@ -34,11 +33,11 @@ class Contacts:
 @cache
 def reader(space: Dimension, laws: Laws, unequal: bool, flat: bool):
     """Compiled function that computes the forces of a list without changing its histories."""
-    forces = force_pass(space, laws, unequal=unequal, flat=flat)
+    forces, stretch = force_pass(space, laws, unequal=unequal, flat=flat), space.stretch
 
     def read(rows, contacts, shape, count, lanes, out, stored, rolled, dt, c):
-        for start in range(0, count, LANES):
-            many = min(LANES, count - start)
+        for start in range(0, count, stretch):
+            many = min(stretch, count - start)
             forces(rows, contacts, shape, start, many, lanes, out[:, start:], stored, rolled, dt, c)
 
     return njit(**OPTIONS)(named(read, repr((space, laws, unequal, flat))))
@@ -46,11 +45,11 @@ def reader(space: Dimension, laws: Laws, unequal: bool, flat: bool):
 
 def _forces(engine, laws, contacts, count, flat, c):
     out = np.zeros((4, count))
-    lanes = aligned(6, LANES)
+    lanes = aligned(*engine.space.lanes)
     pieces = engine.model.pieces
     read = reader(pieces.space, laws, pieces.unequal, flat)
-    stored, rolled = contacts.stored[:count].copy(), contacts.rolled[:count].copy()
-    read(engine.discs.rows, contacts, engine.walls.shape, count, lanes, out, stored, rolled, engine.model.dt, c)
+    stored, rolled = contacts.stored[..., :count].copy(), contacts.rolled[..., :count].copy()
+    read(engine.bodies.rows, contacts, engine.walls.shape, count, lanes, out, stored, rolled, engine.model.dt, c)
     return out
 
 
@@ -68,7 +67,7 @@ def pair_contacts(engine) -> Contacts:
         columns.append(np.vstack([first, second, out[:2]])[:, touching])
     first, second, fx, fy = np.hstack(columns)
     i, j = first.astype(int), second.astype(int)
-    place, radius = engine.discs.rows[:, [X, Y]], engine.radius
+    place, radius = engine.bodies.rows[:, [X, Y]], engine.radius
     share = (radius[i] / (radius[i] + radius[j]))[:, None]
     x, y = (place[i] + (place[j] - place[i]) * share).T
     return Contacts(engine.labels[i], engine.labels[j], x, y, fx, fy)
@@ -85,7 +84,7 @@ def wall_contacts(engine) -> Contacts:
         columns.append(np.vstack([part.near.first[:count], part.near.second[:count], out[:2]])[:, touching])
     first, second, fx, fy = np.hstack(columns)
     i, q = first.astype(int), second.astype(int)
-    place = engine.discs.rows[i][:, [X, Y]]
+    place = engine.bodies.rows[i][:, [X, Y]]
     away = np.array([nearest(engine.walls.shape, wall, *xy)[:2] for wall, xy in zip(q, place, strict=True)])
     x, y = (place - away.reshape(-1, 2)).T
     return Contacts(engine.labels[i], q, x, y, fx, fy)
@@ -95,7 +94,7 @@ def held_energy(engine) -> float:
     """Elastic energy (J/m) of all contacts now, in their springs and in their attraction; of one thread's lists."""
     engine.list_contacts()
     (part,) = engine.parts
-    place, radius = engine.discs.rows[: engine.n, [X, Y]], engine.radius
+    place, radius = engine.bodies.rows[: engine.n, [X, Y]], engine.radius
     i, j, *histories = _listed(part.pairs, int(part.pairs.begin[engine.blocks_of(part) + 1]), engine.n)
     overlaps = radius[i] + radius[j] - np.hypot(*(place[i] - place[j]).T)
     total = _energy(engine.contacts[0], _touches(engine, i, j), overlaps, *histories)

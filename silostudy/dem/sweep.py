@@ -4,27 +4,27 @@ from math import sqrt
 
 import numpy as np
 
-from silostudy.dem.arrays import BLOCK, LANES
+from silostudy.dem.arrays import BLOCK
 from silostudy.dem.cache import piece
+from silostudy.dem.dimension import Dimension
 from silostudy.dem.force import force_pass
 from silostudy.dem.integrate import INTEGRATORS
 from silostudy.dem.ledger import book_pass, keep_histories
 from silostudy.dem.pieces import Laws, Pieces
-from silostudy.dem.plane import Dimension
-from silostudy.dem.walls import note_walls
 
 FRESH, STALE, REMEMBERED, SHORT_OF_ROOM, EXPLODED = range(5)  # what a thread says of its list after a step
 
 
 def contact_pass(space: Dimension, laws: Laws, *, unequal: bool, flat: bool, watched: bool = False):
     """Function that adds the forces of a stretch of a list to its discs, and notes what walls feel where they are watched."""
-    forces, scatter, scatter_walls = force_pass(space, laws, unequal=unequal, flat=flat), space.scatter, space.scatter_walls
+    forces, note_walls = force_pass(space, laws, unequal=unequal, flat=flat), space.note_walls
+    scatter, scatter_walls, stretch = space.scatter, space.scatter_walls, space.stretch
 
     @piece(space, laws, unequal, flat, watched)
     def contacts_between(shared, contacts, begin, end, scratch, dt, c, number):
-        rows = shared.discs.rows
-        for start in range(begin, end, LANES):
-            count = min(end - start, LANES)
+        rows = shared.bodies.rows
+        for start in range(begin, end, stretch):
+            count = min(end - start, stretch)
             forces(
                 rows, contacts, shared.walls.shape, start, count, scratch.lanes, scratch.force,
                 contacts.stored, contacts.rolled, dt, c,
@@ -45,12 +45,12 @@ def move_pass(space: Dimension, integrator: str, unequal: bool, turns: bool):
     moved = space.move(row.advance, row.holds, turns, integrator)
 
     @piece(space, integrator, unequal, turns)
-    def move(discs, begin, end, pull, kick, dt, motion, motion_bits):
-        im, ii = discs.inverse_mass[0], discs.inverse_inertia[0]
+    def move(bodies, begin, end, pull, kick, dt, motion, motion_bits):
+        im, ii = bodies.inverse_mass[0], bodies.inverse_inertia[0]
         for i in range(begin, end):
             if unequal:
-                im, ii = discs.inverse_mass[i], discs.inverse_inertia[i]
-            motion[i - begin] = moved(discs.rows, discs.held, i, im, ii, pull, kick, dt)
+                im, ii = bodies.inverse_mass[i], bodies.inverse_inertia[i]
+            motion[i - begin] = moved(bodies.rows, bodies.held, i, im, ii, pull, kick, dt)
         most = np.uint64(0)
         for k in range(end - begin):
             most = motion_bits[k] if motion_bits[k] > most else most
@@ -76,7 +76,7 @@ def sweep_pass(pieces: Pieces):
     @piece(pieces)
     def block_moves(shared, scratch, block, hi, pull, kick, dt):
         blocks, start = shared.blocks, block * BLOCK
-        way = move(shared.discs, start, min(start + BLOCK, hi), pull, kick, dt, scratch.motion, scratch.motion_bits)
+        way = move(shared.bodies, start, min(start + BLOCK, hi), pull, kick, dt, scratch.motion, scratch.motion_bits)
         blocks.peak[block] = way
         blocks.travel[block] += way
         return FRESH if blocks.travel[block] <= blocks.skin[block] else STALE

@@ -9,7 +9,8 @@ import numpy as np
 from numba import njit
 from numba.extending import register_jitable
 
-from silostudy.dem.cells import OPTIONS
+from silostudy.dem.arrays import Walls
+from silostudy.dem.cache import OPTIONS
 from silostudy.dem.lanes import (
     DU,
     DV,
@@ -91,14 +92,19 @@ def add_to_window(record):
     now[:] = 0.0
     for part in range(record.counts.size):
         for k in range(record.counts[part]):
-            now[record.cell[part, k], 0] += record.force[part, k, 0]
-            now[record.cell[part, k], 1] += record.force[part, k, 1]
+            for way in range(now.shape[1]):
+                now[record.cell[part, k], way] += record.force[part, k, way]
     for c in range(now.shape[0]):
-        for way in range(2):
+        for way in range(now.shape[1]):
             value = now[c, way]
             window[c, way, 0] += value
             window[c, way, 1] = min(window[c, way, 1], value)
             window[c, way, 2] = max(window[c, way, 2], value)
+
+
+def walls_of(walls) -> Walls:
+    """The walls as arrays."""
+    return Walls(shape_of(walls), np.array([wall.live for wall in walls], bool), cells_of(walls))
 
 
 def shape_of(walls) -> np.ndarray:
@@ -122,6 +128,11 @@ def sums_by_wall(model, cells: np.ndarray, axis: int = 0) -> dict[str, np.ndarra
     """Sums over each wall of what its cells hold, by the walls' names; `axis`: that of the cells."""
     sums = np.add.reduceat(cells, cells_of(model.walls)[:, 0], axis=axis)
     return {wall.name: sums.take(number, axis=axis) for number, wall in enumerate(model.walls)}
+
+
+def cell_count(walls) -> int:
+    """How many cells the walls have."""
+    return sum(wall.cells + 2 for wall in walls)
 
 
 def cells_of(walls) -> np.ndarray:

@@ -18,11 +18,13 @@ def test_ledger_of_a_violent_mixture():
     engine = Engine(free(x, y, radius=radius, u=u, v=v, dt=5e-7, booked=True))
     engine.step_to(1)
     start = balance(engine.ledger.account)
-    momentum = engine.mass @ engine.discs.rows[: engine.n, 2]
+    momentum = engine.mass @ engine.bodies.rows[: engine.n, 2]
     engine.step_to(60000)
     account = engine.ledger.account
     assert abs(balance(account) - start) < 1e-9 * account[TURNOVER]
-    assert engine.mass @ engine.discs.rows[: engine.n, 2] == pytest.approx(momentum, abs=1e-12 * float(engine.mass @ np.abs(u)))
+    assert engine.mass @ engine.bodies.rows[: engine.n, 2] == pytest.approx(
+        momentum, abs=1e-12 * float(engine.mass @ np.abs(u))
+    )
 
 
 def test_ledger_without_friction_and_for_any_list():

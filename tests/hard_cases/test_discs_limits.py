@@ -5,9 +5,9 @@ from math import pi
 import numpy as np
 import pytest
 
-from silostudy.dem.arrays import LANES
 from silostudy.dem.engine import Engine, Explosion
 from silostudy.dem.events import Event
+from silostudy.dem.lanes import STRETCH
 from silostudy.dem.model import Wall
 from silostudy.dem.run import Run
 from silostudy.dem.stability import longest_step
@@ -55,9 +55,9 @@ def test_step_just_below_and_just_above_the_bound(share, stays):
     x, y = settled.places.T
     bound = longest_step(_at(x, y))
     engine = Engine(pile(dt=share * bound))
-    engine.discs.rows[: engine.n] = settled.discs.rows[: engine.n]
+    engine.bodies.rows[: engine.n] = settled.bodies.rows[: engine.n]
     engine.give_memories(*settled.take_memories())
-    engine.discs.rows[: engine.n, 2:4] += 1e-6 * np.random.default_rng(0).standard_normal((engine.n, 2))
+    engine.bodies.rows[: engine.n, 2:4] += 1e-6 * np.random.default_rng(0).standard_normal((engine.n, 2))
     before = energy(engine)
     engine.step_to(20_000)
     assert (energy(engine) < 1e-3 * before) if stays else (energy(engine) > 1e3 * before)
@@ -138,7 +138,7 @@ def test_lists_that_end_on_and_off_the_lanes(across):
         assert listed % 8 == 0
     assert all(np.array_equal(found[0], other) for other in found[1:])
     if across == 28:
-        assert listed > 2 * LANES
+        assert listed > 2 * STRETCH
 
 
 def test_lists_that_run_out_of_room():

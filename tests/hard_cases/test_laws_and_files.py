@@ -8,7 +8,7 @@ import pytest
 import xarray as xr
 
 from silostudy.config.load import read_yaml
-from silostudy.contact import NORMAL, TANGENTIAL, curve
+from silostudy.contact import LAWS, NORMAL, curve
 from silostudy.contact.family import Touch
 from silostudy.cube.io import read, write
 from silostudy.cube.provenance import provenance
@@ -58,7 +58,7 @@ def test_dashpot_that_would_pull(key):
 
 def test_slider_under_no_and_under_endless_normal_force():
     c, touch = (1e6, 10.0, 0.0, 0.5), Touch(1.0, 0.01, 1e-6)
-    for law in (row.law for row in TANGENTIAL.values() if row.stores):
+    for law in (row.law for row in LAWS["tangential"].values() if row.stores):
         assert law(3.0, 0.0, touch, 0.0, 0.0, c)[1] == 0.0
         assert law(3.0, 0.0, touch, 1e300, 1e300, c) == (3.0, 3.0)
 

@@ -80,7 +80,7 @@ def scenes(draw, integrator, laws):
 
 def deepest(engine) -> float:
     """Largest overlap (m) of two discs, or of a disc and the box."""
-    place, radius = engine.discs.rows[: engine.n, :2], engine.radius
+    place, radius = engine.bodies.rows[: engine.n, :2], engine.radius
     apart = np.hypot(*(place[:, None] - place[None]).transpose(2, 0, 1)) - radius[:, None] - radius
     np.fill_diagonal(apart, np.inf)
     return float(-apart.min())
@@ -100,8 +100,8 @@ def test_random_scenes_keep_books_momentum_and_distance(integrator, laws, data):
     account = engine.ledger.account
     start, before = balance(account), account.copy()
     mass = engine.mass
-    momentum = mass @ engine.discs.rows[: engine.n, [U, V]]
-    swing = mass @ np.abs(engine.discs.rows[: engine.n, [U, V]]) + 1e-9 * mass.sum()
+    momentum = mass @ engine.bodies.rows[: engine.n, [U, V]]
+    swing = mass @ np.abs(engine.bodies.rows[: engine.n, [U, V]]) + 1e-9 * mass.sum()
     at_hand = before[[KINETIC, ELASTIC]].sum() + (mass.sum() * 9.81 * SIDE * ACROSS if boxed else 0.0)
     pull, springs = model.pair_contact.coefficients.get("pull", 0.0), model.pair_contact.ordered[0]
     at_hand += 3 * len(mass) * pull**2 / (2.0 * STIFFNESS)  # what so many contacts give where they draw discs together
@@ -110,7 +110,7 @@ def test_random_scenes_keep_books_momentum_and_distance(integrator, laws, data):
     for _ in range(LOOKS):
         engine.step_to(engine.step + STEPS)
         account = engine.ledger.account
-        assert np.isfinite(engine.discs.rows[: engine.n]).all()
+        assert np.isfinite(engine.bodies.rows[: engine.n]).all()
         assert abs(balance(account) - start) <= 1e-9 * (account[TURNOVER] + at_hand)
         held = [KINETIC, POTENTIAL] if whole else [KINETIC, POTENTIAL, ELASTIC]
         assert account[held].sum() - before[held].sum() <= RISE * share * at_hand
@@ -123,4 +123,4 @@ def test_random_scenes_keep_books_momentum_and_distance(integrator, laws, data):
         held_by_one = laws.normal.energy(overlap, USUAL, springs) - pull * overlap
         assert held_by_one <= (1.0 + MADE * share) * at_hand * (1.0 + 1e-9)
         if not boxed:
-            assert np.abs(mass @ engine.discs.rows[: engine.n, [U, V]] - momentum).max() <= 1e-12 * swing.max()
+            assert np.abs(mass @ engine.bodies.rows[: engine.n, [U, V]] - momentum).max() <= 1e-12 * swing.max()

@@ -12,11 +12,11 @@ from numba.extending import register_jitable
 
 from silostudy.accuracy.prices import still, without
 from silostudy.accuracy.silo import silo_of_rows
-from silostudy.dem.arrays import BLOCK, LANES
-from silostudy.dem.cells import OPTIONS
+from silostudy.dem.arrays import BLOCK
+from silostudy.dem.cache import OPTIONS
 from silostudy.dem.engine import Engine
 from silostudy.dem.kernel import first_runaway, relist, worst
-from silostudy.dem.lanes import DU, DV, DX, DY, FX, FY, SPIN_SUM, TORQUE, U, V, W, X, Y, gather, scatter
+from silostudy.dem.lanes import DU, DV, DX, DY, FX, FY, SPIN_SUM, STRETCH, TORQUE, U, V, W, X, Y, gather, scatter
 from silostudy.dem.model import Model
 from silostudy.dem.sweep import EXPLODED, FRESH, STALE
 from silostudy.dem.walls import gather_walls, scatter_walls
@@ -86,16 +86,16 @@ def step_by_hand(rough: bool):
 
     @inlined
     def pairs_of(rows, pairs, begin, end, scratch, dt, c):
-        for start in range(begin, end, LANES):
-            count = min(end - start, LANES)
+        for start in range(begin, end, STRETCH):
+            count = min(end - start, STRETCH)
             gather(rows, pairs.first, pairs.second, start, count, scratch.lanes)
             of_list(pairs, start, count, scratch, dt, c)
             scatter(rows, pairs.first, pairs.second, start, count, scratch.force)
 
     @inlined
     def walls_of(rows, near, walls, end, scratch, dt, c):
-        for start in range(0, end, LANES):
-            count = min(end - start, LANES)
+        for start in range(0, end, STRETCH):
+            count = min(end - start, STRETCH)
             gather_walls(rows, walls.shape, near.first, near.second, start, count, scratch.lanes)
             of_list(near, start, count, scratch, dt, c)
             scatter_walls(rows, near.first, start, count, scratch.force)
@@ -157,12 +157,12 @@ def kernel_by_hand(rough: bool):
             if step >= march.stop:
                 break
             word = one_step(
-                shared.discs, share.pairs, share.near, shared.walls, shared.blocks, share.scratch, laws, share.hi,
+                shared.bodies, share.pairs, share.near, shared.walls, shared.blocks, share.scratch, laws, share.hi,
                 march.gravity[0], march.gravity[1], march.dt,
             )  # fmt: skip
             step += 1
             if word == STALE:
-                runaway = first_runaway(shared.discs, share.lo, share.hi, march.dt)
+                runaway = first_runaway(shared.bodies, share.lo, share.hi, march.dt)
                 if runaway >= 0:
                     word = EXPLODED
                     clock[2 + number] = runaway

@@ -24,7 +24,7 @@ def test_by_hand_gives_the_same_bits(name):
     pair = engines(silos(8, 12)[name])
     for engine in pair.values():
         engine.step_to(3000)
-    built, by_hand = (engine.discs.rows[: engine.n] for engine in pair.values())
+    built, by_hand = (engine.bodies.rows[: engine.n] for engine in pair.values())
     assert np.abs(built[:, 3]).max() > 0
     assert np.array_equal(built, by_hand)
 

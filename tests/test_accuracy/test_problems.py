@@ -78,7 +78,7 @@ def test_rounding_is_all_that_sets_the_single_ladder_apart(monkeypatch):
     step_rounded(rounded, 500)
     monkeypatch.setattr(np, "float32", np.float64)
     step_rounded(stepped, 500)
-    assert np.array_equal(whole.discs.rows, stepped.discs.rows)
+    assert np.array_equal(whole.bodies.rows, stepped.bodies.rows)
     apart = np.abs(rounded.places - whole.places).max()
     assert 1e-10 < apart < 1e-5
 

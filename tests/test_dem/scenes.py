@@ -84,4 +84,4 @@ def free(x, y, u=0.0, v=0.0, w=0.0, **changes):
 
 def rows(engine: Engine) -> np.ndarray:
     """x, y, u, v, w of the discs that are left, by label."""
-    return engine.discs.rows[: engine.n, :5][np.argsort(engine.labels)].copy()
+    return engine.bodies.rows[: engine.n, :5][np.argsort(engine.labels)].copy()

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from silostudy.contact import NORMAL, TANGENTIAL, curve
+from silostudy.contact import LAWS, curve
 from silostudy.dem.engine import Engine
 from silostudy.dem.ledger import TURNOVER, balance
 from silostudy.dem.model import Contact
@@ -27,9 +27,12 @@ KNOWN = {
     "rolling_stiffness": 5.0,
     "rolling_friction": 0.1,
     "pull": 0.5,
+    "hertz_stiffness": 1e7,
+    "hertz_damping": 1e3,
+    "mindlin_stiffness": 2e7,
 }
-CHOICES = [Laws.of(normal=key, tangential="spring-slider") for key in NORMAL]
-CHOICES += [Laws.of(tangential=key) for key in TANGENTIAL if key != "spring-slider"]
+CHOICES = [Laws.of(normal=key, tangential="spring-slider") for key in LAWS["normal"]]
+CHOICES += [Laws.of(tangential=key) for key in LAWS["tangential"] if key != "spring-slider"]
 CHOICES += [Laws.of(tangential="spring-slider", rolling="spring-slider", cohesion="constant-pull")]
 
 
@@ -53,4 +56,4 @@ def test_a_law_settles_and_its_ledger_closes(laws):
     walls = sums_by_wall(model, mean)
     carried = walls[FLOOR][0] + sum(walls[name][1] for name in SIDES)
     assert carried == pytest.approx(model.mass.sum() * 9.81, rel=2e-2)
-    assert np.isfinite(engine.discs.rows[: engine.n]).all()
+    assert np.isfinite(engine.bodies.rows[: engine.n]).all()

@@ -175,4 +175,4 @@ def test_floor_force_and_wall_shear_carry_the_weight():
     floor, sides = walls[FLOOR][0], sum(walls[name][1] for name in SIDES)
     assert floor + sides == pytest.approx(model.mass.sum() * 9.81, rel=1e-6)
     assert sum(walls[name][0] for name in SIDES) > 0.0
-    assert np.abs(engine.discs.rows[: engine.n, TORQUE]).max() == 0.0
+    assert np.abs(engine.bodies.rows[: engine.n, TORQUE]).max() == 0.0

@@ -124,7 +124,7 @@ for tangential in sys.argv[1:]:
     laws = Laws.of(tangential=tangential)
     engine = Engine(silo(pair_contact=contact(laws=laws), wall_contact=contact(2.0, 0.176, laws=laws)))
     engine.step_to(1000)
-    print(tangential, hashlib.sha256(engine.discs.rows.tobytes()).hexdigest(), sum(engine._kernel.stats.cache_hits.values()))
+    print(tangential, hashlib.sha256(engine.bodies.rows.tobytes()).hexdigest(), sum(engine._kernel.stats.cache_hits.values()))
 """
 
 
@@ -150,7 +150,7 @@ def test_inner_functions_of_a_kernel_have_names_of_their_own():
     """One that is not registered by `piece` would share its linker name with those of other kernels."""
     inner = [
         (path.name, node.name, ast.unparse(mark))
-        for path in Path(silostudy.dem.__file__).parent.glob("*.py")
+        for path in Path(silostudy.dem.__file__).parent.rglob("*.py")
         for outer in ast.walk(ast.parse(path.read_text()))
         if isinstance(outer, ast.FunctionDef)
         for node in outer.body
@@ -158,7 +158,8 @@ def test_inner_functions_of_a_kernel_have_names_of_their_own():
         for mark in node.decorator_list
     ]
     assert len(inner) > 5
-    assert [found for found in inner if not found[2].startswith("piece(")] == []
+    # what an overload chooses from has names of its own, and the choice is not compiled
+    assert [found for found in inner if not found[2].startswith(("piece(", "overload("))] == []
 
 
 def test_a_new_scene_of_the_same_pieces_compiles_nothing():

@@ -76,7 +76,7 @@ def step_rounded(engine: Engine, stop: int) -> None:
     while engine.step < stop:
         engine.step_to(engine.step + 1)
         part = engine.parts[0]
-        for carried in (engine.discs.rows[: engine.n, : W + 1], part.pairs.stored, part.near.stored):
+        for carried in (engine.bodies.rows[: engine.n, : W + 1], part.pairs.stored, part.near.stored):
             carried[:] = carried.astype(np.float32)
 
 

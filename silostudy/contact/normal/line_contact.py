@@ -77,5 +77,6 @@ ROW = NormalLaw(
         *spring.DASHPOT,
     ),
     one_size=True,
+    grains=("discs",),
     dissipates=("dashpot",),
 )  # fmt: skip

@@ -8,8 +8,8 @@ from silostudy.contact.sources import KIYAMA
 
 @register_jitable
 def law(stored, rolling, touch, elastic, c):
-    """Moment (N m/m) of a contact without rolling resistance: zero."""
-    return 0.0
+    """Moment (N m/m) of a contact without rolling resistance: zero, as what it stores."""
+    return stored
 
 
 ROW = RollingLaw(

@@ -1,4 +1,4 @@
-"""Rolling resistance of discs: a rotational spring behind a slider."""
+"""Rolling resistance: a rotational spring behind a slider."""
 
 from numba.extending import register_jitable
 
@@ -9,7 +9,7 @@ from silostudy.contact.vector import less, limited
 
 @register_jitable
 def law(stored, rolling, touch, elastic, c):
-    """Moment (N m/m) that resists the difference of the spins (rad/s): a rotational spring behind a slider.
+    """Moment (N m/m, of spheres N m) that resists the difference of the spins (rad/s): a rotational spring behind a slider.
 
     Iwashita & Oda (1998) without the dashpot; c = (rotational stiffness, rolling friction), the cap being friction times
     the reduced radius times the elastic normal force.
@@ -17,6 +17,9 @@ def law(stored, rolling, touch, elastic, c):
     return limited(less(stored, c[0] * touch.dt, rolling), c[1] * touch.radius * elastic)[0]
 
 
+FRICTION = Coefficient(
+    name="rolling_friction", unit="1", fields=(("rolling_friction",),), text="rolling friction coefficient", default=0.0
+)
 ROW = RollingLaw(
     key="spring-slider", rank=2,
     title="Rotational spring behind a slider",
@@ -27,8 +30,7 @@ ROW = RollingLaw(
     coefficients=(
         Coefficient(name="rolling_stiffness", unit="N", fields=(("rolling_stiffness_N",),), text="rotational stiffness",
                     default=0.0, stiffness_power=1.0),
-        Coefficient(name="rolling_friction", unit="1", fields=(("rolling_friction",),), text="rolling friction coefficient",
-                    default=0.0),
+        FRICTION,
     ),
     stores=True,
     dissipates=("sliding",),

@@ -37,6 +37,7 @@ ROW = TangentialLaw(
     coefficients=spring.SLIDER,
     stores=True,
     implicit=True,
+    grains=("discs",),  # its rim moves as that of a disc
     dissipates=("dashpot", "sliding"),
     explicit_key=spring_slider.ROW.key,
 )

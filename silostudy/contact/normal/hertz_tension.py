@@ -1,0 +1,35 @@
+"""Hertz's contact of two elastic spheres, with a dashpot that gives one restitution at every speed and may pull."""
+
+from numba.extending import register_jitable
+
+from silostudy.contact import elastic
+from silostudy.contact.family import NormalLaw
+from silostudy.contact.normal import hertz
+
+
+@register_jitable
+def law(overlap, closing, touch, c):
+    """Elastic and total normal force (N) of two elastic spheres; the dashpot may pull until the spheres part.
+
+    Johnson (1985), eq. (4.23); dashpot of Antypov & Elliott (2011); c = (4/3 E*, damping).
+    """
+    force = c[0] * elastic.contact_radius(touch) * overlap
+    return force, force + elastic.dashpot(c[1], touch) * closing
+
+
+ROW = NormalLaw(
+    key="hertz-tension",
+    rank=6,
+    title="Hertz's elastic spheres, dashpot of one restitution, which may pull",
+    source="johnson_1985",
+    locator="eq. (4.23)",
+    law=law,
+    energy=elastic.energy,
+    stiffness=elastic.stiffness,
+    damping=elastic.damping,
+    coefficients=(elastic.STIFFNESS, elastic.DAMPING),
+    grains=("spheres",),
+    damped=elastic.damping_where_pulled,
+    dissipates=("dashpot",),
+    explicit_key=hertz.ROW.key,
+)

@@ -1,0 +1,50 @@
+"""What tells the plane from space: a table of functions that the passes of a kernel close over.
+
+Passes are written once for any dimension; another is a second table like `plane.PLANE`.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True, repr=False)
+class Dimension:
+    """The shapes of its arrays, its functions, and factories of functions where a piece may be left out."""
+
+    key: str
+    body: str  # what a grain is called
+    bodies: type  # Discs or Spheres
+    place: tuple[int, ...]  # numbers of a row
+    velocity: tuple[int, ...]
+    spin: tuple[int, ...]
+    row: int  # numbers in a row, whole cache lines
+    inverse_inertia: float  # of a body, times mass and square of radius
+    stretch: int  # contacts whose forces are computed together
+    lanes: tuple[int, int]  # of relative motion
+    forces: tuple[int, int]  # lanes of force
+    components: int  # of a history
+    felt: int  # components of what a wall feels
+    gather: Callable  # apart -> lanes of the relative motion of pairs, with the difference of their spins or without
+    gather_walls: Callable  # the same of bodies near walls
+    scatter: Callable
+    scatter_walls: Callable
+    note_walls: Callable  # what walls feel
+    walls_of: Callable  # the walls of a model as arrays
+    cell_count: Callable  # how many cells the walls of a model have
+    facing: Callable  # (lanes, k) -> normal, distance (m)
+    reduced: Callable  # flat -> (lanes, k, a, b) -> reduced radius (m)
+    rates: Callable  # unequal -> (lanes, k, normal, a, b, depth, flat) -> closing, sliding (m/s), difference of spins (1/s)
+    carry: Callable  # (history, normal) -> the history as the contact stands now
+    put: Callable  # drags, brakes -> (out, k, normal, push, drag, moment, a, b, depth, flat): lanes of force
+    where: Callable  # (touching, drag or moment) -> it, or nothing
+    walk: Callable  # gathered, contact, unequal, slides, rolls, key -> function of a stretch of a list
+    move: Callable  # advance, holds, turns -> function that moves one body and gives the square of its way (m2)
+    pushed: Callable  # (gravity, quake, step) -> acceleration (m/s2) of bodies in an accelerated box
+
+    def __repr__(self) -> str:
+        return self.key  # the same in every process: kept kernels are named by it
+
+    @property
+    def motion(self) -> int:
+        """Numbers of a row that are place, velocity and spin; they come first."""
+        return len(self.place) + len(self.velocity) + len(self.spin)

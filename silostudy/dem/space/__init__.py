@@ -1,0 +1,1 @@
+"""Space: what of contacts, motions and walls belongs to three dimensions."""

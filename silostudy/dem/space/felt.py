@@ -1,0 +1,124 @@
+"""What surfaces feel: the motion of spheres beside them, their forces on the spheres, and where on the surface those act."""
+
+from math import atan2, pi, sqrt
+
+from numba import njit
+from numba.extending import register_jitable
+
+from silostudy.dem.cache import OPTIONS
+from silostudy.dem.space.lanes import (
+    APART_P,
+    CURVED,
+    DU,
+    DX,
+    FIRST_X,
+    FORCE_X,
+    FX,
+    STRETCH,
+    SUM_P,
+    TX,
+    P,
+    U,
+    X,
+    Y,
+    Z,
+)
+from silostudy.dem.space.motion import three
+from silostudy.dem.space.surfaces import (
+    ACROSS,
+    ALONG_R,
+    ALONG_Z,
+    AXIS_X,
+    AXIS_Y,
+    LENGTH,
+    START_R,
+    START_Z,
+    TURNED,
+    UPWARD,
+    nearest,
+)
+
+force_of = three(FORCE_X)  # N, on the sphere
+
+
+@register_jitable
+def gather_walls(rows, shape, sphere, wall, start, count, lanes):
+    """Lanes of spheres near walls: a wall is at rest and does not turn."""
+    for k in range(count):
+        i = sphere[start + k]
+        dx, dy, dz, curved = nearest(shape, wall[start + k], rows[i, X], rows[i, Y], rows[i, Z])
+        away = dx, dy, dz
+        for n in range(3):
+            lanes[0, (DX + n) * STRETCH + k] = away[n]
+            lanes[0, (DU + n) * STRETCH + k] = rows[i, U + n]
+            lanes[0, (SUM_P + n) * STRETCH + k] = lanes[0, (APART_P + n) * STRETCH + k] = rows[i, P + n]
+        lanes[0, CURVED * STRETCH + k] = curved
+
+
+@register_jitable
+def scatter_walls(rows, sphere, start, count, force):
+    """Add the walls' forces to their spheres, before the forces of all other spheres."""
+    for k in range(count):
+        i = sphere[start + k]
+        for n in range(3):
+            rows[i, FX + n] += force[0, (FORCE_X + n) * STRETCH + k]
+            rows[i, TX + n] += force[0, (FIRST_X + n) * STRETCH + k]
+
+
+@njit(**OPTIONS)
+def turned_frame(shape, wall, x, y, z):
+    """On a turned line: share of its length, share of a turn from the x axis, and the unit vector along it, upward.
+
+    On a level one the vector points outward.
+    """
+    ax, ay = x - shape[wall, AXIS_X], y - shape[wall, AXIS_Y]
+    off = sqrt(ax * ax + ay * ay)
+    along_r, along_z = shape[wall, ALONG_R], shape[wall, ALONG_Z]
+    along = (off - shape[wall, START_R]) * along_r + (z - shape[wall, START_Z]) * along_z
+    turn = atan2(ay, ax) / (2.0 * pi)
+    ax, ay = (ax / off, ay / off) if off > 0.0 else (1.0, 0.0)
+    sign = -1.0 if along_z < 0.0 or (along_z == 0.0 and along_r < 0.0) else 1.0
+    up = sign * along_r * ax, sign * along_r * ay, sign * along_z
+    return along / shape[wall, LENGTH], turn if turn >= 0.0 else turn + 1.0, up
+
+
+@njit(**OPTIONS)
+def flat_frame(shape, wall, x, y, z):
+    """On a flat piece: shares of its two extents, upward and across, and the unit vector upward in it."""
+    up = shape[wall, UPWARD], shape[wall, UPWARD + 1], shape[wall, UPWARD + 2]
+    height = x * up[0] + y * up[1] + z * up[2] - shape[wall, UPWARD + 3]
+    across = x * shape[wall, ACROSS] + y * shape[wall, ACROSS + 1] + z * shape[wall, ACROSS + 2] - shape[wall, ACROSS + 3]
+    return height / shape[wall, UPWARD + 4], across / shape[wall, ACROSS + 4], up
+
+
+@njit(**OPTIONS)
+def cell_of_share(share, count):
+    """Number of the equal part that a share lies in, the outer parts taking whatever lies beyond."""
+    return min(max(int(share * count), 0), count - 1)
+
+
+@register_jitable
+def note_walls(rows, walls, near, start, count, force, record, part):
+    """Note each wall contact's force: pressing, along the wall upward (carrying positive), and across both."""
+    for k in range(count):
+        i, q, at = near.first[start + k], near.second[start + k], start + k
+        x, y, z = rows[i, X], rows[i, Y], rows[i, Z]
+        dx, dy, dz, _ = nearest(walls.shape, q, x, y, z)
+        distance = sqrt(dx * dx + dy * dy + dz * dz)
+        nx, ny, nz = dx / distance, dy / distance, dz / distance
+        px, py, pz = x - dx, y - dy, z - dz
+        if walls.shape[q, 0] == TURNED:
+            share, turn, (ux, uy, uz) = turned_frame(walls.shape, q, px, py, pz)
+        else:
+            share, turn, (ux, uy, uz) = flat_frame(walls.shape, q, px, py, pz)
+        fx, fy, fz = (
+            force[0, FORCE_X * STRETCH + k],
+            force[0, (FORCE_X + 1) * STRETCH + k],
+            force[0, (FORCE_X + 2) * STRETCH + k],
+        )
+        cx, cy, cz = ny * uz - nz * uy, nz * ux - nx * uz, nx * uy - ny * ux
+        record.force[part, at, 0] = fx * nx + fy * ny + fz * nz
+        record.force[part, at, 1] = fx * ux + fy * uy + fz * uz
+        record.force[part, at, 2] = fx * cx + fy * cy + fz * cz
+        along, around = walls.cells[q, 1], walls.cells[q, 2]
+        record.cell[part, at] = walls.cells[q, 0] + cell_of_share(share, along) * around + cell_of_share(turn, around)

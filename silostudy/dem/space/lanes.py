@@ -1,0 +1,195 @@
+"""Rows of sixteen numbers in, lanes of eight contacts out: the indexed passes of a step of spheres, as vector instructions.
+
+A sphere is one row of two cache lines: x, y, z, u, v, w, p, q, then r and the force and the torque that gather on it.
+Every function here has its meaning in plain Python, and the vector form beside it as numba's overload.
+Scratches are flat: numbers of one kind stand `STRETCH` apart, or the compiler does not see that they never overlap.
+"""
+
+from llvmlite import ir
+from numba import types
+from numba.extending import intrinsic, overload
+
+from silostudy.dem.vectors import EIGHT, LANE, WIDTH, base_of, lane_of, load, mix, plus, row_of, store, transpose
+
+X, Y, Z, U, V, W, P, Q, R, FX, FY, FZ, TX, TY, TZ, SPARE = range(16)  # numbers of a sphere's row
+PLACE, VELOCITY, SPIN, FORCE, TORQUE = (X, Y, Z), (U, V, W), (P, Q, R), (FX, FY, FZ), (TX, TY, TZ)
+# lanes of relative motion, first less second: place, velocity, sum and difference of spins; curvature of a wall (1/m)
+DX, DY, DZ, DU, DV, DW, SUM_P, SUM_Q, SUM_R, APART_P, APART_Q, APART_R, CURVED = range(13)
+# lanes of force and of the torques on both
+FORCE_X, FORCE_Y, FORCE_Z, FIRST_X, FIRST_Y, FIRST_Z, SECOND_X, SECOND_Y, SECOND_Z = range(9)
+# histories stand among the lanes while forces are computed, before and after: of sliding, then of rolling
+OLD, NEW, HISTORIES = 13, 9, 6
+
+# contacts whose forces are computed together, in the first-level cache
+STRETCH = 120
+ROW = 4  # a sphere's row has two to this power of numbers
+_SECOND_LINE = [-0.0] * 8  # the one number that changes nothing where it is added
+
+
+def gather(rows, first, second, start, count, lanes):
+    """Relative motion of `count` pairs: differences of place and velocity, sum and difference of spins."""
+    gather_rolling(rows, first, second, start, count, lanes)
+    flat = lanes.reshape(-1)
+    for k in range(count):
+        a, b = rows[first[start + k]], rows[second[start + k]]
+        for n, component in enumerate(SPIN):
+            flat[(APART_P + n) * STRETCH + k] = a[component] - b[component]
+
+
+def gather_rolling(rows, first, second, start, count, lanes):
+    """Relative motion of `count` pairs without the difference of spins, which equal spheres that roll freely do not need."""
+    flat = lanes.reshape(-1)
+    for k in range(count):
+        a, b = rows[first[start + k]], rows[second[start + k]]
+        for lane, component in enumerate((*PLACE, *VELOCITY)):
+            flat[lane * STRETCH + k] = a[component] - b[component]
+        for n, component in enumerate(SPIN):
+            flat[(SUM_P + n) * STRETCH + k] = a[component] + b[component]
+
+
+def scatter(rows, first, second, start, count, force):
+    """Add force and first torque to the first of each pair; take the force from the second, and add the second torque to it.
+
+    Pair after pair: the order of the list is the order of the sums.
+    """
+    flat = force.reshape(-1)
+    for k in range(count):
+        a, b = rows[first[start + k]], rows[second[start + k]]
+        for n in range(3):
+            a[FORCE[n]] += flat[(FORCE_X + n) * STRETCH + k]
+            b[FORCE[n]] -= flat[(FORCE_X + n) * STRETCH + k]
+            a[TORQUE[n]] += flat[(FIRST_X + n) * STRETCH + k]
+            b[TORQUE[n]] += flat[(SECOND_X + n) * STRETCH + k]
+
+
+def bring(history, start, count, lanes, place):
+    """Copy the histories of a stretch, three rows, into lanes that follow each other from a place on."""
+    flat = lanes.reshape(-1)
+    for n in range(3):
+        flat[place + n * STRETCH :][:count] = history[n, start : start + count]
+
+
+def take(lanes, place, history, start, count):
+    """Copy lanes that follow each other from a place on into the histories of a stretch."""
+    flat = lanes.reshape(-1)
+    for n in range(3):
+        history[n, start : start + count] = flat[place + n * STRETCH :][:count]
+
+
+@intrinsic
+def _copy(typing, source, at, target, to):
+    def generate(context, builder, signature, args):
+        out_of, into = (base_of(context, builder, signature, args, k) for k in (0, 2))
+        store(builder, load(builder, out_of, args[1], EIGHT), into, args[3], EIGHT)
+        return context.get_dummy_value()
+
+    return types.void(source, at, target, to), generate
+
+
+def _both(builder, args, bodies, one, two, lane):
+    """Of one pair: the first lines of both rows, and the last spins, which stand on the second lines."""
+    i, j = (row_of(builder, listed, args[3], lane, ROW) for listed in (one, two))
+    lines = (load(builder, bodies, at, EIGHT) for at in (i, j))
+    return *lines, *(builder.load(builder.gep(bodies, [plus(builder, at, R)])) for at in (i, j))
+
+
+@intrinsic
+def _gather_rolling(typing, rows, first, second, start, lanes, offset):
+    def generate(context, builder, signature, args):
+        bodies, one, two, out = (base_of(context, builder, signature, args, k) for k in (0, 1, 2, 4))
+        near, last = [], ir.Constant(EIGHT, ir.Undefined)
+        for lane in range(WIDTH):
+            a, b, c, d = _both(builder, args, bodies, one, two, lane)
+            near.append(mix(builder, builder.fsub(a, b), builder.fadd(a, b), [X, Y, Z, U, V, W, 8 + P, 8 + Q]))
+            last = builder.insert_element(last, builder.fadd(c, d), ir.Constant(LANE, lane))
+        for lane, column in enumerate([*transpose(builder, near), last]):
+            store(builder, column, out, lane_of(builder, args[5], lane, STRETCH), EIGHT)
+        return context.get_dummy_value()
+
+    return types.void(rows, first, second, start, lanes, offset), generate
+
+
+@intrinsic
+def _gather(typing, rows, first, second, start, lanes, offset):
+    def generate(context, builder, signature, args):
+        bodies, one, two, out = (base_of(context, builder, signature, args, k) for k in (0, 1, 2, 4))
+        near, apart = [], []
+        for lane in range(WIDTH):
+            a, b, c, d = _both(builder, args, bodies, one, two, lane)
+            less, more = builder.fsub(a, b), builder.fadd(a, b)
+            near.append(mix(builder, less, more, [X, Y, Z, U, V, W, 8 + P, 8 + Q]))
+            spins = builder.insert_element(less, builder.fsub(c, d), ir.Constant(LANE, 0))  # in the place of x
+            apart.append(builder.insert_element(spins, builder.fadd(c, d), ir.Constant(LANE, 1)))
+        columns, rest = transpose(builder, near), transpose(builder, apart)
+        for lane, column in enumerate([*columns, rest[1], rest[P], rest[Q], rest[0]]):
+            store(builder, column, out, lane_of(builder, args[5], lane, STRETCH), EIGHT)
+        return context.get_dummy_value()
+
+    return types.void(rows, first, second, start, lanes, offset), generate
+
+
+@intrinsic
+def _scatter(typing, rows, first, second, start, force, offset):
+    def generate(context, builder, signature, args):
+        bodies, one, two, lanes = (base_of(context, builder, signature, args, k) for k in (0, 1, 2, 4))
+        pushes = [load(builder, lanes, lane_of(builder, args[5], lane, STRETCH), EIGHT) for lane in range(9)]
+        nothing = ir.Constant(EIGHT, _SECOND_LINE)
+        onto_first = transpose(builder, [nothing, *pushes[:6], nothing])
+        away = [builder.fneg(push) for push in pushes[:3]]
+        onto_second = transpose(builder, [nothing, *away, *pushes[6:], nothing])
+        for lane in range(WIDTH):
+            for listed, push in ((one, onto_first[lane]), (two, onto_second[lane])):
+                at = plus(builder, row_of(builder, listed, args[3], lane, ROW), R)
+                store(builder, builder.fadd(load(builder, bodies, at, EIGHT), push), bodies, at, EIGHT)
+        return context.get_dummy_value()
+
+    return types.void(rows, first, second, start, force, offset), generate
+
+
+@overload(gather_rolling)
+def _gather_rolling_overload(rows, first, second, start, count, lanes):
+    def eight_at_a_time(rows, first, second, start, count, lanes):
+        for k in range(0, count, WIDTH):
+            _gather_rolling(rows, first, second, start + k, lanes, k)  # type: ignore[call-arg]
+
+    return eight_at_a_time
+
+
+@overload(gather)
+def _gather_overload(rows, first, second, start, count, lanes):
+    def eight_at_a_time(rows, first, second, start, count, lanes):
+        for k in range(0, count, WIDTH):
+            _gather(rows, first, second, start + k, lanes, k)  # type: ignore[call-arg]
+
+    return eight_at_a_time
+
+
+@overload(scatter)
+def _scatter_overload(rows, first, second, start, count, force):
+    def eight_at_a_time(rows, first, second, start, count, force):
+        for k in range(0, count, WIDTH):
+            _scatter(rows, first, second, start + k, force, k)  # type: ignore[call-arg]
+
+    return eight_at_a_time
+
+
+@overload(bring)
+def _bring_overload(history, start, count, lanes, place):
+    def eight_at_a_time(history, start, count, lanes, place):
+        room = history.shape[1]
+        for k in range(0, count, WIDTH):
+            for n in range(3):
+                _copy(history, n * room + start + k, lanes, place + n * STRETCH + k)  # type: ignore[call-arg]
+
+    return eight_at_a_time
+
+
+@overload(take)
+def _take_overload(lanes, place, history, start, count):
+    def eight_at_a_time(lanes, place, history, start, count):
+        room = history.shape[1]
+        for k in range(0, count, WIDTH):
+            for n in range(3):
+                _copy(lanes, place + n * STRETCH + k, history, n * room + start + k)  # type: ignore[call-arg]
+
+    return eight_at_a_time

@@ -1,0 +1,57 @@
+"""What the engine is asked to step in space: spheres, surfaces, laws, and the march."""
+
+from dataclasses import dataclass
+from math import pi
+from typing import ClassVar
+
+import numpy as np
+
+from silostudy.dem.dimension import Dimension
+from silostudy.dem.model import Model
+from silostudy.dem.space.dimension import SPACE
+from silostudy.dem.space.walls import Surface
+from silostudy.errors import BadInput
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class SphereModel(Model):
+    """Spheres (m, m/s, rad/s, kg/m3), surfaces, contacts, gravity and base acceleration (three components, m/s2), march.
+
+    u, v, w are velocities and p, q, r spins here.
+    """
+
+    space: ClassVar[Dimension] = SPACE
+    columns: ClassVar[tuple[str, ...]] = ("x", "y", "z", "radius", "u", "v", "w", "p", "q", "r")
+
+    z: np.ndarray
+    walls: tuple[Surface, ...]  # type: ignore[assignment]  # surfaces stand where a plane has walls
+    p: np.ndarray | None = None
+    q: np.ndarray | None = None
+    r: np.ndarray | None = None
+
+    def __post_init__(self):
+        super().__post_init__()
+        if len(self.gravity) != 3:
+            raise BadInput("gravity", self.gravity, "must have three components (m/s2)")
+        if self.booked:
+            raise BadInput("booked", self.booked, "the energy ledger is of discs")
+
+    @property
+    def place(self) -> np.ndarray:
+        """Place (n, 3) of the centres, m."""
+        return np.stack([self.x, self.y, self.z], axis=-1)
+
+    @property
+    def velocity(self) -> np.ndarray:
+        """Velocity (n, 3) at the start, m/s."""
+        return self._started(self.u, self.v, self.w)
+
+    @property
+    def spin(self) -> np.ndarray:
+        """Spin (n, 3) at the start, rad/s."""
+        return self._started(self.p, self.q, self.r)
+
+    @property
+    def mass(self) -> np.ndarray:
+        """Mass of each sphere (kg)."""
+        return self.density * (4.0 / 3.0) * pi * self.radius**3

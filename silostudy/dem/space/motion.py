@@ -1,0 +1,245 @@
+"""Motion of spheres: what of a contact the laws see, what its forces do to both spheres, and how a sphere is moved."""
+
+from collections.abc import Callable
+from math import sqrt
+
+from numba.extending import register_jitable
+
+from silostudy.dem.cache import piece
+from silostudy.dem.space.lanes import (
+    APART_P,
+    CURVED,
+    DU,
+    DX,
+    FIRST_X,
+    FIRST_Y,
+    FIRST_Z,
+    FORCE_X,
+    FORCE_Y,
+    FORCE_Z,
+    FX,
+    FY,
+    FZ,
+    NEW,
+    OLD,
+    SECOND_X,
+    SECOND_Y,
+    SECOND_Z,
+    STRETCH,
+    SUM_P,
+    TX,
+    TY,
+    TZ,
+    P,
+    Q,
+    R,
+    U,
+    V,
+    W,
+    X,
+    Y,
+    Z,
+    bring,
+    take,
+)  # fmt: skip
+
+UPRIGHT = 1e-12  # square of the sine below which a history counts as along the normal: the rest is rounding
+
+
+def three(lane: int) -> Callable:
+    """Function that gives the three numbers of contact k that stand in lanes after each other.
+
+    The places are constants: with a lane as argument the compiler fetches eight contacts one by one.
+    """
+    one, two, last = lane * STRETCH, (lane + 1) * STRETCH, (lane + 2) * STRETCH
+
+    @piece("space", lane)
+    def numbers(lanes, k):
+        return lanes[0, one + k], lanes[0, two + k], lanes[0, last + k]
+
+    return numbers
+
+
+away_of, velocity_of, summed_of, apart_of, held_of, turned_of = map(three, (DX, DU, SUM_P, APART_P, OLD, OLD + 3))
+
+
+@register_jitable(forceinline=True)
+def dot(a, b):
+    """Scalar product."""
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+
+
+@register_jitable(forceinline=True)
+def cross(a, b):
+    """Vector product."""
+    return a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]
+
+
+@register_jitable(forceinline=True)
+def across(vector, normal):
+    """What of a vector lies in the plane across a unit normal."""
+    along = dot(vector, normal)
+    return vector[0] - along * normal[0], vector[1] - along * normal[1], vector[2] - along * normal[2]
+
+
+@register_jitable
+def facing(lanes, k):
+    """Normal (unit vector from the second body to the first) and distance (m) of the centres."""
+    d = away_of(lanes, k)
+    distance = sqrt(dot(d, d))
+    inverse = 1.0 / distance
+    return (d[0] * inverse, d[1] * inverse, d[2] * inverse), distance
+
+
+def reduced(flat: bool):
+    """Function that gives a contact's reduced radius (m): at a wall that of both mean curvatures."""
+
+    @piece("space", flat)
+    def radius(lanes, k, a, b):
+        return a / (1.0 - a * lanes[0, CURVED * STRETCH + k]) if flat else a * b / (a + b)
+
+    return radius
+
+
+def rates(unequal: bool):
+    """Function that gives a contact's closing speed, sliding velocity (m/s) of surfaces, and difference of spins (1/s).
+
+    The surfaces meet half an overlap below each.
+    """
+
+    @piece("space", unequal)
+    def speeds(lanes, k, normal, a, b, depth, flat):
+        d, summed, apart = velocity_of(lanes, k), summed_of(lanes, k), apart_of(lanes, k)
+        closing = -dot(d, normal)
+        if flat:
+            spin = a * summed[0], a * summed[1], a * summed[2]
+        elif unequal:
+            half, rest = 0.5 * (a + b - depth), 0.5 * (a - b)
+            spin = (
+                half * summed[0] + rest * apart[0],
+                half * summed[1] + rest * apart[1],
+                half * summed[2] + rest * apart[2],
+            )
+        else:
+            arm = a - 0.5 * depth
+            spin = arm * summed[0], arm * summed[1], arm * summed[2]
+        turning = cross(spin, normal)
+        sliding = (
+            d[0] + closing * normal[0] - turning[0],
+            d[1] + closing * normal[1] - turning[1],
+            d[2] + closing * normal[2] - turning[2],
+        )
+        return closing, sliding, across(apart, normal)
+
+    return speeds
+
+
+@register_jitable(forceinline=True)
+def carry(old, normal):
+    """A history turned into the plane across the normal, as long as before; of one along the normal nothing is left."""
+    new = across(old, normal)
+    before, after = dot(old, old), dot(new, new)
+    stands = after > UPRIGHT * before
+    factor = sqrt((before if stands else 0.0) / (after if stands else 1.0))
+    return factor * new[0], factor * new[1], factor * new[2]
+
+
+def put(drags: bool, brakes: bool):
+    """Function that writes a contact's force (N) and its moments (N m) on both bodies into lanes."""
+
+    @piece("space", drags, brakes)
+    def force(out, k, normal, push, drag, moment, a, b, depth, flat):
+        fx, fy, fz = push * normal[0], push * normal[1], push * normal[2]
+        own = others = 0.0, 0.0, 0.0
+        if drags:
+            fx, fy, fz = fx + drag[0], fy + drag[1], fz + drag[2]
+            twist, shrink = cross(drag, normal), 0.0 if flat else 0.5 * depth
+            first, second = a - shrink, b - shrink
+            own = first * twist[0], first * twist[1], first * twist[2]
+            others = second * twist[0], second * twist[1], second * twist[2]
+        if brakes:
+            own = own[0] + moment[0], own[1] + moment[1], own[2] + moment[2]
+            others = others[0] - moment[0], others[1] - moment[1], others[2] - moment[2]
+        out[0, FORCE_X * STRETCH + k], out[0, FORCE_Y * STRETCH + k], out[0, FORCE_Z * STRETCH + k] = fx, fy, fz
+        out[0, FIRST_X * STRETCH + k], out[0, FIRST_Y * STRETCH + k], out[0, FIRST_Z * STRETCH + k] = own
+        out[0, SECOND_X * STRETCH + k], out[0, SECOND_Y * STRETCH + k], out[0, SECOND_Z * STRETCH + k] = others
+
+    return force
+
+
+@register_jitable(forceinline=True)
+def where(touching, value):
+    """A vector where bodies touch, nothing where they do not."""
+    return value[0] if touching else 0.0, value[1] if touching else 0.0, value[2] if touching else 0.0
+
+
+def walk(gathered: Callable, contact: Callable, unequal: bool, slides: bool, rolls: bool, key: tuple):
+    """Function that takes a stretch of a list contact by contact: the loop that the compiler vectorises.
+
+    It reads and writes two arrays only: with a history each the compiler finds too many that may overlap.
+    """
+    slid, turned, new_slid, new_turned = OLD * STRETCH, (OLD + 3) * STRETCH, NEW * STRETCH, (NEW + 3) * STRETCH
+
+    @piece("space", unequal, slides, rolls, *key)
+    def forces(rows, contacts, shape, start, count, lanes, out, stored, rolled, dt, c):
+        gathered(rows, contacts, shape, start, count, lanes)
+        if slides:
+            bring(stored, start, count, lanes, slid)
+        if rolls:
+            bring(rolled, start, count, lanes, turned)
+        arm = contacts.arm[start:] if unequal else contacts.arm
+        other = contacts.other[start:] if unequal else contacts.other
+        mass = contacts.mass[start:] if unequal else contacts.mass
+        a, b, m = arm[0], other[0], mass[0]
+        for k in range(count):
+            if unequal:
+                a, b, m = arm[k], other[k], mass[k]
+            old = held_of(lanes, k) if slides else (0.0, 0.0, 0.0)
+            rolled_before = turned_of(lanes, k) if rolls else (0.0, 0.0, 0.0)
+            held, moment = contact(lanes, out, k, a, b, m, old, rolled_before, dt, c)
+            if slides:
+                out[0, NEW * STRETCH + k] = held[0]
+                out[0, (NEW + 1) * STRETCH + k] = held[1]
+                out[0, (NEW + 2) * STRETCH + k] = held[2]
+            if rolls:
+                out[0, (NEW + 3) * STRETCH + k] = moment[0]
+                out[0, (NEW + 4) * STRETCH + k] = moment[1]
+                out[0, (NEW + 5) * STRETCH + k] = moment[2]
+        if slides:
+            take(out, new_slid, stored, start, count)
+        if rolls:
+            take(out, new_turned, rolled, start, count)
+
+    return forces
+
+
+def move(advance: Callable, holds: bool, turns: bool, key: str):
+    """Function that moves sphere i a step, clears its force, and gives the square of its way (m2)."""
+
+    @piece("space", key, turns)
+    def moved(rows, held, i, im, ii, pull, kick, dt):
+        hu = hv = hw = hp = hq = hr = 0.0
+        if holds:
+            hu, hv, hw, hp, hq, hr = held[i, 0], held[i, 1], held[i, 2], held[i, 3], held[i, 4], held[i, 5]
+        rows[i, U], hu, dx = advance(rows[i, U], hu, rows[i, FX] * im + pull[0], kick, dt)
+        rows[i, V], hv, dy = advance(rows[i, V], hv, rows[i, FY] * im + pull[1], kick, dt)
+        rows[i, W], hw, dz = advance(rows[i, W], hw, rows[i, FZ] * im + pull[2], kick, dt)
+        rows[i, X] += dx
+        rows[i, Y] += dy
+        rows[i, Z] += dz
+        if turns:
+            rows[i, P], hp, _ = advance(rows[i, P], hp, rows[i, TX] * ii, kick, dt)
+            rows[i, Q], hq, _ = advance(rows[i, Q], hq, rows[i, TY] * ii, kick, dt)
+            rows[i, R], hr, _ = advance(rows[i, R], hr, rows[i, TZ] * ii, kick, dt)
+        if holds:
+            held[i, 0], held[i, 1], held[i, 2], held[i, 3], held[i, 4], held[i, 5] = hu, hv, hw, hp, hq, hr
+        rows[i, FX] = rows[i, FY] = rows[i, FZ] = rows[i, TX] = rows[i, TY] = rows[i, TZ] = 0.0
+        return dx * dx + dy * dy + dz * dz
+
+    return moved
+
+
+@register_jitable
+def pushed(gravity, quake, step):
+    """Acceleration (m/s2) of spheres in a box that is accelerated."""
+    return gravity[0] - quake[step, 0], gravity[1] - quake[step, 1], gravity[2] - quake[step, 2]

@@ -1,0 +1,86 @@
+"""Walls of space: surfaces of a straight line turned about an upright axis, and flat pieces; a sphere is pushed from their
+nearest point.
+
+A turned line is a cylinder, a cone, a ring or a disc by where it stands; its ends are circles, which push in any direction
+that they are touched from.  Flat pieces are convex polygons of three or four corners.
+"""
+
+from math import sqrt
+
+import numpy as np
+from numba import njit
+
+from silostudy.dem.cache import OPTIONS
+
+TURNED, FLAT = 0.0, 1.0  # kinds of surface, in the first column of their shapes
+JOINED, OUT_OF_REACH = 1.0, 1e30
+AXIS_X, AXIS_Y, START_R, START_Z, ALONG_R, ALONG_Z, LENGTH, START_END, END_END = range(1, 10)  # columns of a turned line
+COUNT, NORMAL, CORNERS, SIDES = 1, 2, 5, 17  # columns of a flat piece: corners, unit normal, their places, joined sides
+ACROSS, UPWARD = 21, 26  # of a flat piece: unit vectors in its plane, each followed by its least coordinate and its length
+COLUMNS = 31
+
+
+@njit(**OPTIONS)
+def nearest(shape, wall, x, y, z):
+    """Vector (m) from the surface's nearest point to (x, y, z), and the surface's curvature there (1/m).
+
+    The curvature is the mean of both directions, positive where the surface bends about the sphere as a cylinder does.
+    Beyond an edge that is joined to another surface there is nothing to touch: the vector is then out of any reach.
+    """
+    if shape[wall, 0] == TURNED:
+        return nearest_turned(shape, wall, x, y, z)
+    dx, dy, dz = nearest_flat(shape, wall, x, y, z)
+    return dx, dy, dz, 0.0
+
+
+@njit(**OPTIONS)
+def nearest_turned(shape, wall, x, y, z):
+    """Of a turned line: the plane through the axis and the point holds the nearest point."""
+    ax, ay = x - shape[wall, AXIS_X], y - shape[wall, AXIS_Y]
+    off = sqrt(ax * ax + ay * ay)
+    dr, dz = off - shape[wall, START_R], z - shape[wall, START_Z]
+    along, length = dr * shape[wall, ALONG_R] + dz * shape[wall, ALONG_Z], shape[wall, LENGTH]
+    if (along < 0.0 and shape[wall, START_END] == JOINED) or (along > length and shape[wall, END_END] == JOINED):
+        return OUT_OF_REACH, OUT_OF_REACH, OUT_OF_REACH, 0.0
+    inner = 0.0 <= along <= length
+    along = min(max(along, 0.0), length)
+    dr, dz = dr - along * shape[wall, ALONG_R], dz - along * shape[wall, ALONG_Z]
+    radius = shape[wall, START_R] + along * shape[wall, ALONG_R]
+    if off > 0.0:
+        ax, ay = ax / off, ay / off
+    else:
+        ax, ay = 1.0, 0.0  # on the axis every direction is as near
+    bent = abs(shape[wall, ALONG_Z]) / (2.0 * radius) if inner and radius > 0.0 else 0.0
+    return dr * ax, dr * ay, dz, bent if dr <= 0.0 else -bent
+
+
+@njit(**OPTIONS)
+def nearest_flat(shape, wall, x, y, z):
+    """Of a convex polygon: its plane where the point stands over it, else the nearest of its sides."""
+    count, best, found = int(shape[wall, COUNT]), np.inf, (OUT_OF_REACH, OUT_OF_REACH, OUT_OF_REACH)
+    nx, ny, nz = shape[wall, NORMAL], shape[wall, NORMAL + 1], shape[wall, NORMAL + 2]
+    over = True
+    for k in range(count):
+        a, b = CORNERS + 3 * k, CORNERS + 3 * ((k + 1) % count)
+        sx, sy, sz = (
+            shape[wall, b] - shape[wall, a],
+            shape[wall, b + 1] - shape[wall, a + 1],
+            shape[wall, b + 2] - shape[wall, a + 2],
+        )
+        px, py, pz = x - shape[wall, a], y - shape[wall, a + 1], z - shape[wall, a + 2]
+        inward = nx * (sy * pz - sz * py) + ny * (sz * px - sx * pz) + nz * (sx * py - sy * px)
+        if inward >= 0.0:
+            continue
+        over = False
+        share = min(max((px * sx + py * sy + pz * sz) / (sx * sx + sy * sy + sz * sz), 0.0), 1.0)
+        dx, dy, dz = px - share * sx, py - share * sy, pz - share * sz
+        square = dx * dx + dy * dy + dz * dz
+        if square < best:
+            best = square
+            joined = shape[wall, SIDES + k] == JOINED
+            found = (OUT_OF_REACH, OUT_OF_REACH, OUT_OF_REACH) if joined else (dx, dy, dz)
+    if over:
+        px, py, pz = x - shape[wall, CORNERS], y - shape[wall, CORNERS + 1], z - shape[wall, CORNERS + 2]
+        height = px * nx + py * ny + pz * nz
+        return height * nx, height * ny, height * nz
+    return found

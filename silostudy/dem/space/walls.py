@@ -1,0 +1,131 @@
+"""Surfaces of a scene of spheres as users of the engine write them: turned lines and flat pieces, each with a name."""
+
+from dataclasses import dataclass
+from math import hypot
+
+import numpy as np
+
+from silostudy.dem.arrays import Walls
+from silostudy.dem.space.surfaces import (
+    ACROSS,
+    COLUMNS,
+    CORNERS,
+    COUNT,
+    FLAT,
+    JOINED,
+    NORMAL,
+    SIDES,
+    TURNED,
+    UPWARD,
+)
+from silostudy.errors import BadInput
+
+LEVEL = 1e-9  # height of a unit vector: a piece whose normal is more upright than this is level
+
+
+@dataclass(frozen=True, kw_only=True)
+class Surface:
+    """What every surface has: a name, equal cells along and around that have their force recorded, whether it stands."""
+
+    name: str
+    cells: tuple[int, int] = (1, 1)
+    live: bool = True
+
+    def __post_init__(self):
+        if min(self.cells) < 1:
+            raise BadInput(f"{self.name}.cells", self.cells, "must be 1 or more each way")
+
+
+@dataclass(frozen=True, kw_only=True)
+class TurnedLine(Surface):
+    """A straight line turned about an upright axis: a cylinder, a cone, a ring or a disc.
+
+    start, end: distance from the axis and height (m); axis: its x and y (m).  Cells along run from start to end, cells around
+    from the x axis towards y.  An end that is joined to another surface does not push as an edge.
+    """
+
+    start: tuple[float, float]
+    end: tuple[float, float]
+    axis: tuple[float, float] = (0.0, 0.0)
+    joined: tuple[bool, bool] = (False, False)
+
+    def __post_init__(self):
+        super().__post_init__()
+        if not np.isfinite([*self.start, *self.end, *self.axis]).all() or min(self.start[0], self.end[0]) < 0.0:
+            raise BadInput(
+                self.name, (self.start, self.end), "distances from the axis and heights must be finite, none negative"
+            )
+        if self.start == self.end:
+            raise BadInput(self.name, self.start, "a surface must have an extent")
+
+    @property
+    def shape(self) -> np.ndarray:
+        """Its row."""
+        (r0, z0), (r1, z1) = self.start, self.end
+        length = hypot(r1 - r0, z1 - z0)
+        ends = [JOINED if joined else 0.0 for joined in self.joined]
+        row = np.zeros(COLUMNS)
+        row[:10] = [TURNED, *self.axis, r0, z0, (r1 - r0) / length, (z1 - z0) / length, length, *ends]
+        return row
+
+    @property
+    def corners(self) -> np.ndarray:
+        """Corners (n, 3) of a box around it, m."""
+        wide = max(self.start[0], self.end[0])
+        x, y = self.axis
+        return np.array([(x - wide, y - wide, self.start[1]), (x + wide, y + wide, self.end[1])])
+
+
+@dataclass(frozen=True, kw_only=True)
+class FlatPiece(Surface):
+    """A convex polygon of three or four corners (m), counter-clockwise as the solid sees them.
+
+    A side, from each corner to the next, that is joined to another surface does not push as an edge.
+    """
+
+    corners: tuple[tuple[float, float, float], ...]
+    joined: tuple[bool, ...] = ()
+
+    def __post_init__(self):
+        super().__post_init__()
+        if len(self.corners) not in (3, 4) or not np.isfinite(self.corners).all():
+            raise BadInput(self.name, self.corners, "a flat piece has three or four finite corners")
+        if not np.linalg.norm(self._across) > 0.0:
+            raise BadInput(self.name, self.corners, "a surface must have an extent")
+
+    @property
+    def _across(self) -> np.ndarray:
+        corners = np.array(self.corners)
+        return np.cross(corners[1] - corners[0], corners[-1] - corners[0])
+
+    @property
+    def shape(self) -> np.ndarray:
+        """Its row."""
+        corners, row = np.array(self.corners), np.zeros(COLUMNS)
+        normal = self._across / np.linalg.norm(self._across)
+        row[0], row[COUNT] = FLAT, len(corners)
+        row[NORMAL : NORMAL + 3] = normal
+        row[CORNERS : CORNERS + corners.size] = corners.ravel()
+        row[SIDES : SIDES + len(self.joined)] = [JOINED if joined else 0.0 for joined in self.joined]
+        steep = np.array([0.0, 0.0, 1.0]) - normal[2] * normal
+        upward = steep / np.linalg.norm(steep) if np.linalg.norm(steep) > LEVEL else np.array([0.0, 1.0, 0.0])
+        for column, way in ((UPWARD, upward), (ACROSS, np.cross(upward, normal))):
+            spread = corners @ way
+            row[column : column + 5] = *way, spread.min(), np.ptp(spread)
+        return row
+
+
+def walls_of(surfaces) -> Walls:
+    """The surfaces as arrays; cells: first cell, cells along, cells around."""
+    counts = np.array([surface.cells for surface in surfaces], np.int64).reshape(-1, 2)
+    total = counts.prod(axis=1)
+    return Walls(
+        np.array([surface.shape for surface in surfaces], float).reshape(-1, COLUMNS),
+        np.array([surface.live for surface in surfaces], bool),
+        np.column_stack([np.cumsum(total) - total, counts]).reshape(-1, 3),
+    )
+
+
+def cell_count(surfaces) -> int:
+    """How many cells the surfaces have."""
+    return sum(surface.cells[0] * surface.cells[1] for surface in surfaces)

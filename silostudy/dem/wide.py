@@ -1,0 +1,150 @@
+"""The wide list: which bodies may come near each other in the next hundreds of steps, from cells of space.
+
+The list of near contacts is sieved from it, many times before it has to be made anew.
+"""
+
+import numpy as np
+from numba import njit
+
+from silostudy.dem.arrays import BLOCK
+from silostudy.dem.body import place, square_gap
+from silostudy.dem.cache import OPTIONS
+from silostudy.dem.cells import bin_bodies, cell_of
+
+SHIFT = 32  # key = first << SHIFT | second
+LOOK_AHEAD = 16.0  # steps that a list of near contacts should last at the speed of its bodies
+MOST, LEAST = 0.4, 0.004  # of the smallest radius: limits of a body's allowance
+LOOK_FAR = 300.0  # steps that a wide list should last
+WIDE_MOST, WIDE_LEAST = 0.5, 0.04
+GHOSTS, KEPT_PAIRS, KEPT_WALLS, PRESSED, WIDE_WALLS = range(5)  # places in Scratch.counts
+
+
+@njit(**OPTIONS)
+def allow(blocks, block_from, block_to, smallest, fixed_skin):
+    """Choose the distance (m) that the bodies of each block may travel before the next list: from their speed now."""
+    for b in range(block_from, block_to):
+        foreseen = min(LOOK_AHEAD * blocks.peak[b] + LEAST * smallest, MOST * smallest)
+        blocks.skin[b] = 0.5 * fixed_skin if fixed_skin > 0.0 else foreseen
+        blocks.wide_travel[b] += blocks.travel[b]
+        blocks.travel[b] = 0.0
+
+
+@njit(**OPTIONS)
+def allow_wide(blocks, block_from, block_to, smallest):
+    """Choose the distance (m) that the bodies of each block may travel before the next wide list."""
+    for b in range(block_from, block_to):
+        foreseen = min(LOOK_FAR * blocks.peak[b] + WIDE_LEAST * smallest, WIDE_MOST * smallest)
+        blocks.wide_skin[b] = max(foreseen, 1.5 * blocks.skin[b])
+        blocks.wide_travel[b] = 0.0
+
+
+@njit(**OPTIONS)
+def wide_holds(blocks, count):
+    """Whether the wide list has all bodies that the next list of near contacts may call for."""
+    holds = True
+    for b in range(count):
+        holds = holds and blocks.wide_travel[b] + blocks.skin[b] <= blocks.wide_skin[b]
+    return holds
+
+
+@njit(**OPTIONS)
+def largest_of(values, count):
+    """Largest of the first values."""
+    most = values[0]
+    for k in range(count):
+        most = max(most, values[k])
+    return most
+
+
+@njit(**OPTIONS)
+def sort(keys, begin, end):
+    """Sort a stretch of keys in place (Shell's method: nothing is allocated while a scene runs)."""
+    gap = (end - begin) // 2
+    while gap > 0:
+        for k in range(begin + gap, end):
+            key, at = keys[k], k
+            while at >= begin + gap and keys[at - gap] > key:
+                keys[at] = keys[at - gap]
+                at -= gap
+            keys[at] = key
+        gap //= 2
+
+
+@njit(**OPTIONS)
+def near_bodies(bodies, skin, i, lo, grid, scratch):
+    """Bodies after i within reach of it, in order; pairs with a body before `lo` go to scratch.cross. Gives how many."""
+    (x0, y0, z0), size, (nx, ny, nz) = grid
+    found, radius = scratch.found, bodies.radius
+    x, y, z = place(bodies, i)
+    cx, cy, cz = cell_of(x, x0, size, nx), cell_of(y, y0, size, ny), cell_of(z, z0, size, nz)
+    own = radius[i if radius.size > 1 else 0]
+    reach_i = own + skin[i // BLOCK]
+    count, crossing = 0, scratch.cross[0]
+    rows, layers = min(cy + 2, ny) - max(cy - 1, 0), min(cz + 2, nz) - max(cz - 1, 0)
+    for turn in range(layers * rows):
+        row = (max(cz - 1, 0) + turn // rows) * ny + max(cy - 1, 0) + turn % rows
+        begin = scratch.cell_begin[row * nx + max(cx - 1, 0)]
+        end = scratch.cell_begin[row * nx + min(cx + 2, nx)]
+        for t in range(begin, end):
+            j = scratch.order[t]
+            if lo <= j <= i:
+                continue
+            other = radius[j if radius.size > 1 else 0]
+            reach = reach_i + other + skin[j // BLOCK]
+            xj, yj, zj = place(bodies, j)
+            square = (xj - x) * (xj - x) + (yj - y) * (yj - y) + (zj - z) * (zj - z)
+            if square >= reach * reach:
+                continue
+            if j < lo:
+                crossing += 1
+                if crossing < scratch.cross.size:
+                    scratch.cross[crossing] = (np.int64(j) << SHIFT) | i
+            elif count < found.size:
+                k = count
+                while k > 0 and found[k - 1] > j:
+                    found[k] = found[k - 1]
+                    k -= 1
+                found[k] = j
+                count += 1
+    scratch.cross[0] = crossing
+    return count
+
+
+@njit(**OPTIONS)
+def list_wide(bodies, walls, blocks, scratch, n, lo, hi):
+    """List for each body from lo to hi the later ones that may come near it, and the walls; False if room is short."""
+    widest = largest_of(blocks.wide_skin, (n + BLOCK - 1) // BLOCK)
+    largest = largest_of(bodies.radius, min(n, bodies.radius.size))
+    grid = bin_bodies(bodies, n, 2.0 * (largest + widest), scratch.cell_begin, scratch.order)
+    scratch.cross[0] = 0
+    fill = 0
+    for i in range(lo, hi):
+        scratch.wide_begin[i - lo] = fill
+        count = near_bodies(bodies, blocks.wide_skin, i, lo, grid, scratch)
+        if fill + count > scratch.wide.size or count == scratch.found.size:
+            return False
+        for c in range(count):
+            scratch.wide[fill + c] = scratch.found[c]
+        fill += count
+    scratch.wide_begin[hi - lo] = fill
+    if scratch.cross[0] >= scratch.cross.size:
+        return False
+    sort(scratch.cross, 1, scratch.cross[0] + 1)
+    return list_wide_walls(bodies, walls, blocks, scratch, lo, hi)
+
+
+@njit(**OPTIONS)
+def list_wide_walls(bodies, walls, blocks, scratch, lo, hi):
+    """List the walls, standing or not, that bodies from lo to hi may come near; False if room is short."""
+    fill = 0
+    for i in range(lo, hi):
+        reach = bodies.radius[i if bodies.radius.size > 1 else 0] + blocks.wide_skin[i // BLOCK]
+        for q in range(walls.live.size):
+            if square_gap(bodies, walls.shape, q, i) >= reach * reach:
+                continue
+            if fill >= scratch.wide_body.size:
+                return False
+            scratch.wide_body[fill], scratch.wide_wall[fill] = i, q
+            fill += 1
+    scratch.counts[WIDE_WALLS] = fill
+    return True
