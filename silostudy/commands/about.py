@@ -73,6 +73,18 @@ def earthquake(expansion) -> list[str]:
     return [f"earthquake: {asked.study}, {asked.mass_choice}", f"note: {UNCHECKED}"] if asked else []
 
 
+def checks(expansion) -> list[str]:
+    """In how many combinations of actions the steel is checked, and which actions are not given."""
+    from silostudy.compute.checks import not_given
+    from silostudy.scene.steelwork import combinations
+
+    if expansion.study.checks is None:
+        return []
+    without = ", ".join(not_given(expansion))
+    told = [f"note: not given, so in no combination: {without}"] if without else []
+    return [f"steel checked in {len(combinations(expansion.study))} combination(s) of actions", *told]
+
+
 def time_of_parts(expansion) -> list[str]:
     """About what a sweep costs: from the measured time of a case where the study states it, else from discs and steps."""
     from silostudy.sweep.plan import parts_of

@@ -4,6 +4,7 @@ from math import isnan
 from pkgutil import resolve_name
 from typing import TYPE_CHECKING
 
+from silostudy.commands import compare_checks
 from silostudy.commands.about import cautions, rings
 from silostudy.errors import BadInput
 
@@ -20,7 +21,8 @@ def shell(expansion) -> list[str]:
 
     pressure = pressure_cube(expansion)
     shaken = expansion.cases[0].scene.earthquake
-    cube = shell_cube(expansion, pressure, shaken and seismic_cube(_settled(shaken)))
+    seismic = shaken and seismic_cube(_settled(shaken))
+    cube = shell_cube(expansion, pressure, seismic)
     head = f"{'method, rule':56}thickness   governed by     end  utilised   governed by     end"
     lines = [head]
     for method in map(str, cube["pressure_method"].values):
@@ -33,6 +35,7 @@ def shell(expansion) -> list[str]:
         *lines,
         told,
         *(_shaken_table(cube) if shaken else []),
+        *compare_checks.lines_of(expansion, pressure, seismic),
         *_unlooked(pressure),
         *silences(pressure),
         *rings(expansion),

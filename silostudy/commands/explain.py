@@ -17,7 +17,7 @@ def add(sub) -> None:
     )
     what = (
         "see `silostudy list methods`, `buckling`, `laws`, `packings`, `integrators`, `triggers`, `rest`, `mass-rules` and "
-        "`kinds`; earthquake (on a shell); accuracy (who may ask); "
+        "`kinds`; earthquake (on a shell); checks (of its steel); accuracy (who may ask); "
         "or a scene file (*.yaml)"
     )
     command.add_argument("method", help=what)
@@ -55,6 +55,7 @@ def explanation(key: str, known: "Families") -> list[str]:
     from silostudy.stages import FILE_KINDS
 
     topics = {explain_seismic.EARTHQUAKE: explain_seismic.earthquake, explain_accuracy.KEY: explain_accuracy.explanation}
+    topics[explain_check.KEY] = explain_check.checks
     families = [(known[PRESSURE.name], explain_pressure), (known[BUCKLING.name], explain_buckling)]
     families += [(known[RIVALS.name], explain_buckling), (MASS_RULES, explain_seismic), (CHECKS, explain_check)]
     families += [(known[family.name], explain_law) for family in FAMILIES.values()]

@@ -55,7 +55,16 @@ def _checks(chosen):
     from silostudy.checks import CHECKS
 
     for row in CHECKS.values():
-        yield f"{row.key:28}", f"{row.title:26}", f"{row.source}, {row.locator}"
+        status = "one source, off by default" if row.one_source else ""
+        yield f"{row.key:28}", f"{row.title:38}", f"{row.part:8}", f"{row.source}, {row.locator}", status
+
+
+def _combinations(chosen):
+    from silostudy.tables.combinations import COMBINATIONS
+
+    for row in COMBINATIONS.values():
+        factors = ", ".join(f"{name} {value:g}" for name, value in row.factors.items() if value)
+        yield f"{row.key:4}", f"{row.title:34}", factors, f"{row.source}, {row.locator}"
 
 
 def _laws(chosen):
@@ -155,6 +164,7 @@ LISTS = {
     "methods": _methods,
     "buckling": _buckling,
     "checks": _checks,
+    "combinations": _combinations,
     "laws": _laws,
     **{name: _parts_of_scenes(name) for name in ("packings", "integrators", "triggers", "rest")},
     "mass-rules": _mass_rules,

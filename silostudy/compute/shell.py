@@ -6,7 +6,7 @@ import numpy as np
 import xarray as xr
 
 from silostudy.buckling import BUCKLING
-from silostudy.checks import CHECKS
+from silostudy.checks import SOLID_CHECKS
 from silostudy.choice.expand import Resolved
 from silostudy.compute.axes import sweep_of
 from silostudy.compute.buckling import rule_coordinates
@@ -44,7 +44,7 @@ def shell_cube(expansion: Resolved, pressure: xr.Dataset, seismic: xr.Dataset | 
     sweep = sweep_of(expansion)
     data |= {str(name): pressure[name].values for name in pressure.coords.keys() - sweep.coordinates.keys()}
     sources = [rule.source for rule in rules] + [method.row.source for method in methods_of(expansion)]
-    sources += [check.source for check in CHECKS.values()]
+    sources += [check.source for check in SOLID_CHECKS.values()]
     notes: dict = {**expansion.promise, **study.own_methods}
     if study.earthquake:
         one = of_this_study(expansion, seismic).sel(mass_choice=study.earthquake.mass_choice)

@@ -29,10 +29,15 @@ def edges_and_thicknesses(expansion: Resolved) -> tuple[np.ndarray, np.ndarray]:
     return pairs[:, 0].reshape(*expansion.shape, most), pairs[:, 1].reshape(*expansion.shape, most)
 
 
-def thickness_at(share: np.ndarray, edges: np.ndarray, thicknesses: np.ndarray) -> np.ndarray:
-    """Thickness (m) at shares of the wall's height; an edge belongs to the strake above it."""
+def strake_at(share: np.ndarray, edges: np.ndarray) -> np.ndarray:
+    """Position of the strake at shares of the wall's height; an edge belongs to the strake above it."""
     place = (share[..., None] > edges[..., None, :] * (1 + 1e-9)).sum(axis=-1)
-    return np.take_along_axis(thicknesses, np.minimum(place, edges.shape[-1] - 1), axis=-1)
+    return np.minimum(place, edges.shape[-1] - 1)
+
+
+def thickness_at(share: np.ndarray, edges: np.ndarray, thicknesses: np.ndarray) -> np.ndarray:
+    """Thickness (m) at shares of the wall's height."""
+    return np.take_along_axis(thicknesses, strake_at(share, edges), axis=-1)
 
 
 def mass_above(share: np.ndarray, edges: np.ndarray, thicknesses: np.ndarray) -> np.ndarray:

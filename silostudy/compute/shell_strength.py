@@ -6,14 +6,18 @@ import numpy as np
 
 from silostudy.buckling.family import IN_SCOPE, MODES, NO_LOAD, OUT_OF_RANGE, REASONS
 from silostudy.buckling.thickness import required_thickness, with_thickness
-from silostudy.checks import CHECKS, NAMES
+from silostudy.checks import NAMES, SOLID_CHECKS
 from silostudy.checks.family import THIN_WALL, call
 from silostudy.cube.variables import flags
 
 
 def designed(parameters: Mapping, safety) -> dict:
-    """The parameters with the safety factor on the pressure that harms, as on the axial stress; what steadies stays."""
-    return {**parameters, "upper_internal_pressure": safety * parameters["upper_internal_pressure"]}
+    """The parameters with the safety factor on the pressure that harms, as on the axial stress; what steadies stays.
+
+    It stands for the partial factors of the strength too; no action here shears the wall.
+    """
+    harming = safety * parameters["upper_internal_pressure"]
+    return {**parameters, "upper_internal_pressure": harming, "partial_yield": 1.0, "shear_wall_force": 0.0}
 
 
 def required_thicknesses(rules, parameters: Mapping, force: np.ndarray, safety, own_weight) -> dict:
@@ -24,7 +28,8 @@ def required_thicknesses(rules, parameters: Mapping, force: np.ndarray, safety, 
     design = designed(parameters, safety)
     found = [required_thickness(rule, design, force, safety, own_weight=own_weight) for rule in rules]
     acting = {**design, "axial_wall_force": safety * force, "wall_above": safety * np.asarray(own_weight)}
-    checked = np.array([np.broadcast_to(call(row.needed, acting), force.shape) for row in CHECKS.values()])
+    each = (call(row.needed, acting) for row in SOLID_CHECKS.values() if row.needed)
+    checked = np.array([np.broadcast_to(one, force.shape) for one in each])
     thick = THIN_WALL.broken(None, {**parameters, "thickness": checked})
     thinnest, scope = (np.array(each) for each in zip(*found, strict=True))
     scope = np.where(thick.any(axis=0) & ~np.isnan(thinnest), np.int8(OUT_OF_RANGE), scope)
@@ -35,7 +40,7 @@ def required_thicknesses(rules, parameters: Mapping, force: np.ndarray, safety, 
         "required_thickness_scope": (scope, flags(meaning, REASONS)),
         "required_thickness_check": (governs, flags("check that asks for the most", NAMES)),
         **_thin("check_required_thickness", checked, thick),
-        "check": list(CHECKS),
+        "check": list(SOLID_CHECKS),
     }
 
 
@@ -63,7 +68,7 @@ def utilisations(rules, parameters: Mapping, force, safety, thickness, dead) -> 
         "axial_wall_force": safety * np.fmax.reduce(force + dead, axis=1),
         "wall_above": 0.0,
     }
-    checked = np.array([call(row.utilisation, acting) for row in CHECKS.values()])
+    checked = np.array([row.utilisation(acting) for row in SOLID_CHECKS.values()])
     largest, governs = worst(np.where(masked == IN_SCOPE, used, np.nan), checked[:, None, :, None])
     return {
         "axial_wall_stress": stress,

@@ -6,15 +6,18 @@ from pydantic import model_validator
 
 from silostudy.catalogue import Family
 from silostudy.config.buckling import RuleChoice
-from silostudy.config.fields import Strict, described
+from silostudy.config.fields import Strict, described, expand
 from silostudy.config.pressure import PressureStudy
 from silostudy.config.scene import END_WORDS, FRICTION_ENDS, CircularSilo, SceneConfig
 from silostudy.config.steel import SiloWall
+from silostudy.config.steelwork import Anchors, Checks, ColumnSupport, HopperShell, TransitionRing, Wind
 from silostudy.tables.mass_choices import MASS_CHOICES, USUAL
 from silostudy.tables.outputs import OUTPUTS
 
 BOTH = "both"
 END_KEY = "wall_friction_end"
+HOPPER_PLACES = 21
+FOR_CHECKS = ("wind", "hopper_shell", "transition_ring", "columns", "anchors")
 
 
 class SteelSilo(SceneConfig):
@@ -22,6 +25,13 @@ class SteelSilo(SceneConfig):
 
     silo: CircularSilo = described("shape and size", "")
     shell: SiloWall = described("the steel wall of the cylinder", "")
+    wind: Wind | None = described("wind and suction, for `checks`; null: none", "", default=None)
+    hopper_shell: HopperShell | None = described("the hopper's wall, for `checks`; null: not checked", "", default=None)
+    transition_ring: TransitionRing | None = described(
+        "the ring at the transition, for `checks`; null: not checked", "", default=None
+    )
+    columns: ColumnSupport | None = described("columns under a ring beam, for `checks`; null: not checked", "", default=None)
+    anchors: Anchors | None = described("anchors at the foot, for `checks`; null: not checked", "", default=None)
     wall_friction_end: Literal[(*FRICTION_ENDS, BOTH)] = described(  # type: ignore[valid-type]
         f"{END_WORDS}. both: an axis of lower and upper, and the worst of them in the cube "
         "(`largest_utilisation`, `largest_required_thickness`)",
@@ -49,6 +59,10 @@ class ShellStudy(PressureStudy, RuleChoice):
     scene: SteelSilo = described("the base scene", "")
     earthquake: Earthquake | None = described("check the wall with an earthquake too; null: do not", "", default=None)
 
+    checks: Checks | None = described(
+        "make every check of the steel under combinations of actions (a stage of its own); null: do not", "", default=None
+    )
+
     @model_validator(mode="before")
     @classmethod
     def _both_ends(cls, content: Any) -> Any:
@@ -57,6 +71,28 @@ class ShellStudy(PressureStudy, RuleChoice):
             return content
         ends = {"axis": END_KEY, "values": {END_KEY: ["lower", "upper"]}}
         return {**content, "scene": {**scene, END_KEY: "upper"}, "sweep": [*(content.get("sweep") or ()), ends]}
+
+    @model_validator(mode="after")
+    def _checked_parts(self) -> Self:
+        given = [name for name in FOR_CHECKS if getattr(self.scene, name) is not None]
+        if given and self.checks is None:
+            raise ValueError(f"scene.{given[0]} is for checks of the steel: ask for them by `checks: {{}}`")
+        return self
+
+    @model_validator(mode="after")
+    def _shaken_checks(self) -> Self:
+        if self.checks and self.checks.earthquake and self.earthquake is None:
+            raise ValueError("checks.earthquake needs the section earthquake, which names the seismic study")
+        return self
+
+    @model_validator(mode="after")
+    def _whole_hopper(self) -> Self:
+        if self.checks and self.scene.hopper_shell and self.hopper_position is not None:
+            places = expand(self.hopper_position)
+            if (places[0], places[-1]) != (0, 1) or len(places) < HOPPER_PLACES:
+                allowed = f"must run from 0 to 1 in {HOPPER_PLACES} places at least: checks sum the hopper's forces over them"
+                raise ValueError(f"hopper_position {allowed}")
+        return self
 
     @model_validator(mode="after")
     def _wall_of_outputs(self) -> Self:

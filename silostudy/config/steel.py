@@ -89,6 +89,13 @@ class SiloWall(Steel):
         ge=1,
         le=10,
     )
+    joint_efficiency: float = described(
+        "strength of the vertical welds over that of the plate, in hoop tension; 1: as strong. ASME VIII-1, table UW-12: butt "
+        "joint welded from both sides 1.0, 0.85, 0.7 with full, spot, no radiography; codes disagree on lapped joints",
+        gt=0,
+        le=1,
+        default=1.0,
+    )
     density_kg_m3: float = described(
         "density of the steel, for the own weight of the wall above; 0: left out", "kg m-3", ge=0, le=20000, default=7850.0
     )

@@ -14,6 +14,7 @@ from silostudy.scene.build import pressure_builder
 from silostudy.scene.earthquake import check_same_silo, read_earthquake
 from silostudy.scene.expand import Expansion
 from silostudy.scene.scene import Scene
+from silostudy.scene.steelwork import steelwork
 from silostudy.tables.constants import STANDARD_GRAVITY
 from silostudy.tables.miller1977 import TESTS, MillerTest
 
@@ -99,9 +100,10 @@ def cylinder(config: Cylinder) -> Shell:
 class Wall:
     """The steel wall of a silo's cylinder.
 
-    steel: parameters of the buckling rules by name; edges: depth of each strake's lower edge over the cylinder's height,
-    with its thickness (m) beside it; bay_length: ring spacing (m), None without rings; unit_weight: of the steel (N m-3);
-    imposed_force: axial force (N/m) of roof and snow.
+    steel: parameters of the buckling rules and the checks by name; edges: depth of each strake's lower edge over the
+    cylinder's height, with its thickness (m) beside it; bay_length: ring spacing (m), None without rings; unit_weight: of
+    the steel (N m-3);
+    roof_force, snow_force: axial force (N/m) of either.
     """
 
     steel: dict[str, float]
@@ -111,14 +113,26 @@ class Wall:
     ring_area: float
     safety_factor: float
     unit_weight: float
-    imposed_force: float
+    roof_force: float
+    snow_force: float
+
+    @property
+    def imposed_force(self) -> float:
+        """Axial force (N/m) of roof and snow."""
+        return self.roof_force + self.snow_force
 
 
 @dataclass(frozen=True, kw_only=True)
 class ShellScene(Scene):
-    """A silo with its contents and its steel wall; earthquake: the seismic study laid on it, as asked, or none."""
+    """A silo with its contents and its steel wall; earthquake: the seismic study laid on it, as asked, or none.
+
+    steelwork: parameters of the checks beside the wall's own, by name; NaN where nothing is given.
+    edges: how the upper and the lower edge of the wall are held, where wind is given.
+    """
 
     shell: Wall
+    steelwork: dict[str, float]
+    edges: tuple[str, str] | None = None
     earthquake: Expansion | None = None
 
 
@@ -131,10 +145,11 @@ def shell_builder(study: ShellStudy, folder: Path, where: str) -> Callable[..., 
         scene = build(config, settings)
         _require_wall(config, scene.silo.wall_depth, where)
         own = {item.name: getattr(scene, item.name) for item in fields(scene)}
-        if shaken is None:
-            return ShellScene(**own, shell=wall(config.shell, scene.silo.diameter / 2))
-        check_same_silo(scene, shaken.study.scene, where)
-        return ShellScene(**own, shell=wall(config.shell, scene.silo.diameter / 2), earthquake=shaken)
+        if shaken is not None:
+            check_same_silo(scene, shaken.study.scene, where)
+        steel_wall = wall(config.shell, scene.silo.diameter / 2)
+        edges = (config.wind.upper_edge, config.wind.lower_edge) if config.wind else None
+        return ShellScene(**own, shell=steel_wall, steelwork=steelwork(config), edges=edges, earthquake=shaken)
 
     return build_one
 
@@ -157,12 +172,13 @@ def _require_wall(config: SteelSilo, height: float, where: str) -> None:
 def wall(config: SiloWall, inner_radius: float) -> Wall:
     """The wall that a configuration describes, of a cylinder of this radius (m); roof and snow rest on its top all round."""
     return Wall(
-        steel=steel(config),
+        steel={**steel(config), "joint_efficiency": config.joint_efficiency},
         edges=tuple(strake.down_to for strake in config.strakes),
         thicknesses=tuple(strake.thickness_mm / 1e3 for strake in config.strakes),
         bay_length=config.rings.spacing_m if config.rings else None,
         ring_area=config.rings.area_cm2 * 1e-4 if config.rings else 0.0,
         safety_factor=config.safety_factor,
         unit_weight=config.density_kg_m3 * STANDARD_GRAVITY,
-        imposed_force=config.roof_kN * 1e3 / (2 * pi * inner_radius) + config.snow_kPa * 1e3 * inner_radius / 2,
+        roof_force=config.roof_kN * 1e3 / (2 * pi * inner_radius),
+        snow_force=config.snow_kPa * 1e3 * inner_radius / 2,
     )

@@ -18,12 +18,21 @@ KIND = Kind(
             reads=("pressure",),
             borrows={"earthquake": "seismic"},
         ),
+        Stage(
+            key="checks",
+            title="every check of the steel under combinations of actions",
+            compute="silostudy.compute.checks:checks_cube",
+            section="checks",
+            reads=("pressure",),
+            borrows={"earthquake": "seismic"},
+        ),
     ),
     about=(
         *PRESSURE.about,
         "silostudy.commands.about:earthquake",
         "silostudy.commands.about:rules",
         "silostudy.commands.about:rings",
+        "silostudy.commands.about:checks",
     ),
     table="silostudy.commands.compare_steel:shell",
 )

@@ -31,6 +31,8 @@ from tests.conftest import ROOT, expanded
 from tests.test_accuracy.test_silo_step import SILO
 from tests.test_accuracy.test_stability_map import RESTING
 from tests.test_buckling.test_shell_earthquake import SHAKEN, STUDY, shell_cube, together
+from tests.test_checks.test_stage import cube_of as checks_of
+from tests.test_checks.test_stage import study as checks_study
 from tests.test_dem.small import carried, scene_of
 from tests.test_figures.test_hopper_figures import BIN
 from tests.test_packing.test_study import CONTENT as PACKING
@@ -66,6 +68,7 @@ CUBES = {
     "uncertainty": lambda folder: uncertainty_cube(expanded(BIN | LEVELS | {"uncertainty": {"log2_samples": 6, "seed": 5}})),
     "buckling": lambda folder: buckling_cube(expand_file(ROOT / "config/studies/miller-1977.yaml")),
     "shell": _shaken_shell,
+    "checks": lambda folder: checks_of(checks_study()),
     "seismic": lambda folder: seismic_cube(expanded(quick())),
     "dem": _energetic_scene,
     "grains": lambda folder: grains_cube(expanded(GRAINS | {"cycles": 1, "waited_cycles": 0})),

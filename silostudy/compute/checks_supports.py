@@ -1,0 +1,134 @@
+"""The checks below the cylinder: the hopper's wall, the transition ring, the ring beam on columns, the anchors."""
+
+from collections.abc import Callable, Mapping, Sequence
+
+import numpy as np
+import xarray as xr
+
+from silostudy.checks import anchors, hopper, ring_beam, transition_ring, tube
+from silostudy.checks.family import HOPPER, REASONS, SUPPORT, call
+from silostudy.compute.checks_actions import FILLING, of_earthquake, of_wind
+from silostudy.compute.checks_scope import judged, rows_of, scope
+from silostudy.compute.checks_wall import Load
+from silostudy.cube.variables import flags as meaning
+from silostudy.tables.combinations import Combination
+
+NUMBERS = ("hopper_thickness", "hopper_joint_efficiency", "ultimate_stress", "ring_area", "ring_second_moment", "column_count",
+           "section_modulus", "anchor_count", "anchor_resistance")  # fmt: skip
+
+
+def hopper_forces(pressure: xr.Dataset, loads: Load) -> dict[str, np.ndarray]:
+    """n_phi and n_th (N/m) of the hopper's wall, (combination, method, axes..., hopper_position), own weight included."""
+    height, half_angle = _heights(pressure)
+    names = ("hopper_normal_pressure", "hopper_friction_traction")
+    normal, traction = (pressure[name].values for name in names)
+    shape = {"height": height, "half_angle": half_angle}
+    along = hopper.meridional_force(normal, traction, **shape)
+    if "ring_force" in pressure:  # of a switch of stresses: it hangs on the upper edge
+        around = 2 * np.pi * (height * np.tan(half_angle) * np.cos(half_angle))[..., 0]
+        along[..., 0] += np.nan_to_num(pressure["ring_force"].values) / around
+    round_it = hopper.hoop_force(normal, **shape)
+    plate = loads.source.numbers["steel_weight"] * loads.source.numbers["hopper_thickness"]
+    nothing = np.zeros(np.broadcast_shapes(height.shape, plate.shape))
+    weight = np.nan_to_num(hopper.meridional_force(nothing, nothing, wall_weight=plate, **shape))
+    each = {"hopper_meridional_force": along, "hopper_hoop_force": round_it}
+    found = {name: np.array([_of_contents(one, value, loads) for one in loads.combinations]) for name, value in each.items()}
+    found["hopper_meridional_force"] = found["hopper_meridional_force"] + loads.factor("permanent") * weight
+    return found
+
+
+def _heights(pressure: xr.Dataset) -> tuple[np.ndarray, np.ndarray]:
+    """(height above the apex (m), (axes..., hopper_position); half angle (rad), (axes..., 1))."""
+    half_angle = pressure["hopper_half_angle"].values[..., None]
+    top, outlet = pressure["hopper_height"].values[..., None], pressure["outlet_width"].values[..., None]
+    bottom = outlet / 2 / np.tan(half_angle)
+    return top - pressure["hopper_position"].values * (top - bottom), half_angle
+
+
+def _of_contents(one: Combination, values: np.ndarray, loads: Load) -> np.ndarray:
+    """A force of the solid in a combination: of the worst phase or of filling, with its factor; 0 in an empty silo."""
+    phases = list(loads.source.expansion.study.phases)
+    if one.contents == "empty":
+        return np.zeros(values[:, 0].shape)
+    if one.contents == FILLING:
+        chosen = values[:, phases.index(FILLING)] if FILLING in phases else values[:, 0] * np.nan
+    else:
+        chosen = np.fmax.reduce(values, axis=1)
+    return one.solids * chosen
+
+
+def parameters_below(pressure: xr.Dataset, loads: Load, built: Mapping) -> dict[str, np.ndarray]:
+    """The parameters of everything below the cylinder, without a place: (combination, method, axes..., 1); NaN: not known."""
+    source, number = loads.source, loads.source.numbers
+    found = {name: number[name] for name in NUMBERS} | {"inner_radius": number["inner_radius"]}
+    found |= {name: loads.parameters[name] for name in ("yield_stress", "youngs_modulus")}
+    found |= {name: loads.parameters[name] for name in ("partial_yield", "partial_buckling", "partial_joint")}
+    foot = {name: built[name][..., -1:] for name in ("axial_wall_force", "thickness") if name in built}
+    angle = [case.scene.silo.hopper.half_angle if case.scene.silo.hopper else np.nan for case in source.expansion.cases]
+    found["hopper_half_angle"] = np.reshape(angle, (*source.expansion.shape, 1))
+    found["thickness"] = foot.get("thickness", np.full_like(number["inner_radius"], np.nan))
+    found["anchor_tension"] = anchor_tension(loads)
+    force = foot.get("axial_wall_force", loads.parameters["axial_wall_force"][..., -1:] * np.nan)
+    found["hopper_meridional_force"] = np.full(force.shape, np.nan)
+    found["hopper_hoop_force"] = np.full(force.shape, np.nan)
+    if "hopper_position" in pressure:
+        forces = hopper_forces(pressure, loads)
+        found |= forces | {"hopper_top_force": forces["hopper_meridional_force"][..., :1]}
+    top = found.get("hopper_top_force", found["hopper_meridional_force"])
+    found["support_force"] = force + top * np.cos(found["hopper_half_angle"])
+    return found
+
+
+def anchor_tension(loads: Load) -> np.ndarray:
+    """Tension (N) of the anchor that is drawn most, (combination, 1, axes..., 1): the contents hold nothing down."""
+    source, number, found = loads.source, loads.source.numbers, []
+    asked = source.expansion.study.checks.earthquake
+    for one in loads.combinations:
+        wind = of_wind(one, source)["force"][..., -1:]
+        pressure = one.wind * np.nan_to_num(number["wind_pressure"])
+        silo = {"height": number["wall_height"], "radius": number["inner_radius"], "top_held": number["top_held"] > 0}
+        shaken = of_earthquake(one, source)["force"][..., -1:] * (asked.overstrength if asked else 1.0)
+        dead = one.permanent_favourable * (source.places.own_weight[..., -1:] + number["roof"])
+        lift = wind + tube.wind_lift(pressure=pressure, **silo) + shaken - dead
+        found.append(anchors.tension(lift, circle_diameter=number["circle_diameter"], anchor_count=number["anchor_count"]))
+    return np.array(found)[:, None]
+
+
+def below(pressure: xr.Dataset, loads: Load, built: Mapping) -> dict:
+    """The cube's variables of hopper, ring, beam and anchors."""
+    parameters = parameters_below(pressure, loads, built)
+    top = parameters.pop("hopper_top_force", parameters["hopper_meridional_force"])
+    study, shape = loads.source.expansion.study, (*loads.shape[:-1], 1)
+    support = {**parameters, "hopper_meridional_force": top}
+    found: dict = _checked(rows_of(study, SUPPORT), support, loads, shape, SUPPORT)
+    if "hopper_position" in pressure:
+        names = ("hopper_meridional_force", "hopper_hoop_force")
+        found |= _checked(rows_of(study, HOPPER), parameters, loads, parameters[names[0]].shape, HOPPER)
+        found |= {name: parameters[name] for name in names}
+        # every stress there is a force over the thickness, the hopper's present weight in the force
+        found["hopper_required_thickness"] = found["hopper_check_utilisation"] * parameters["hopper_thickness"]
+    inner: dict[str, Callable] = {
+        "transition_ring_force": transition_ring.ring_force,
+        "ring_effective_area": transition_ring.effective_area,
+        "ring_beam_support_moment": ring_beam.support_moment,
+        "ring_beam_midspan_moment": ring_beam.midspan_moment,
+        "ring_beam_shear_force": ring_beam.shear_force,
+        "ring_beam_torque": ring_beam.largest_torque,
+    }
+    behind = {name: np.broadcast_to(call(function, support), shape)[..., 0] for name, function in inner.items()}
+    tension = {"anchor_tension": parameters["anchor_tension"], "support_force": parameters["support_force"]}
+    return found | behind | {name: np.broadcast_to(value, shape)[..., 0] for name, value in tension.items()}
+
+
+def _checked(rows: Sequence, parameters: Mapping, loads: Load, shape, part: str) -> dict:
+    """Utilisation by every check of a part with its scope; the last axis left out where it is one number a case."""
+    values, flags = [], []
+    for row in rows:
+        with np.errstate(invalid="ignore", divide="ignore"):
+            used = np.broadcast_to(row.utilisation(parameters), shape)
+            used, why = judged(used, scope(row, parameters, loads.combinations, loads.lacks, shape))
+        values.append(used if part == HOPPER else used[..., 0])
+        flags.append(why if part == HOPPER else why[..., 0])
+    name = f"{part}_check_utilisation"
+    told = meaning(f"why {name} is masked", REASONS)
+    return {f"{part}_check": [row.key for row in rows], name: np.array(values), f"{name}_scope": (np.array(flags), told)}
