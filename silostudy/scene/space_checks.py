@@ -24,7 +24,7 @@ def require_surfaces(space: SpaceSilo) -> None:
     if silo.plan == "polygonal" and not 3 <= silo.sides <= MOST_SIDES:
         allowed = f"must be from 3 to {MOST_SIDES}: corners of more sides are too flat for spheres; take a circular plan"
         raise BadInput("silo.sides", silo.sides, allowed)
-    if not space.top - space.bottom > 0.0:
+    if not silo.wall_depth + space.freeboard > 0.0:
         raise BadInput("silo.wall_depth", silo.wall_depth, "the vertical walls must have a height")
     if silo.hopper:
         require_hopper(space)

@@ -30,8 +30,8 @@ class Outlet:
 class SpaceSilo:
     """A silo as the codes know it, and what only grains need.
 
-    outlet: of a flat floor, None: a closed one; wedge: the hopper of a square or rectangular plan slopes on two sides only, else
-    on all four, equally steep; freeboard: height (m) of the walls above the highest contact with the solid.
+    outlet: of a flat floor, None: a closed one; wedge: the hopper of a square or rectangular plan slopes on two sides only,
+    else on all four, equally steep; freeboard: height (m) of the walls above the highest contact with the solid.
     """
 
     silo: Silo
@@ -68,13 +68,13 @@ class SpaceSilo:
         """Outline of the outlet; None: the bottom is closed."""
         plan, middle = self.plan, (self.silo.outlet_eccentricity, 0.0)
         if hopper := self.silo.hopper:
-            width = hopper.outlet_width / 2
-            length = plan.half[1] if self.wedge else plan.half[1] - plan.half[0] + width
-            return Outline(sides=plan.sides, half=(width, length), middle=middle)
+            less = plan.half[0] - hopper.outlet_width / 2
+            half = (hopper.outlet_width / 2, plan.half[1] if self.wedge else plan.half[1] - less)
+            return Outline(sides=plan.sides, half=half, middle=middle)
         if self.outlet is None:
             return None
-        width, length = self.outlet.width / 2, self.outlet.length
-        half = (width, width if length is None else length / 2)
+        width, length = self.outlet.width, self.outlet.length
+        half = (width / 2, (width if length is None else length) / 2)
         return Outline(sides=int(CIRCLE if length is None else RECTANGLE), half=half, middle=middle)
 
     def walls(self, cells: tuple[int, int] = (1, 1)) -> tuple[Surface, ...]:

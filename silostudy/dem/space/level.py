@@ -83,11 +83,9 @@ class Outline:
         return np.array([(x - a, y - b), (x + a, y + b)])
 
 
-def framed(
-    row: np.ndarray, upward: tuple, least: float, length: float, across: tuple, first: float, width: float
-) -> np.ndarray:
-    """The row with the directions that its cells run along, and their least coordinate and length (m)."""
-    row[UPWARD : UPWARD + 5], row[ACROSS : ACROSS + 5] = (*upward, least, length), (*across, first, width)
+def framed(row: np.ndarray, upward: tuple, heights: tuple, across: tuple, widths: tuple) -> np.ndarray:
+    """The row with the unit vectors that its cells run along, each with the least coordinate and the length (m) along it."""
+    row[UPWARD : UPWARD + 5], row[ACROSS : ACROSS + 5] = (*upward, *heights), (*across, *widths)
     return row
 
 
@@ -108,7 +106,7 @@ class LevelPiece(Surface):
         row, ((x, y), (right, back)) = np.zeros(COLUMNS), self.outline.box
         row[0], row[HEIGHT], row[OUTLINE : OUTLINE + 5] = LEVEL, self.height, self.outline.row
         row[HOLE : HOLE + 5] = self.hole.row if self.hole else NO_HOLE
-        return framed(row, (0.0, 1.0, 0.0), y, back - y, (1.0, 0.0, 0.0), x, right - x)
+        return framed(row, (0.0, 1.0, 0.0), (y, back - y), (1.0, 0.0, 0.0), (x, right - x))
 
     @property
     def corners(self) -> np.ndarray:
@@ -135,7 +133,7 @@ class Rim(Surface):
         row[WAY : WAY + 3] = *way, self.hole.half[self.side % 2]
         along, length = (-way[1], way[0], 0.0), 2.0 * self.hole.half[1 - self.side % 2]
         first = along[0] * self.hole.middle[0] + along[1] * self.hole.middle[1] - 0.5 * length
-        return framed(row, (0.0, 0.0, 1.0), self.height, 1.0, along, first, length)
+        return framed(row, (0.0, 0.0, 1.0), (self.height, 1.0), along, (first, length))
 
     @property
     def corners(self) -> np.ndarray:
