@@ -68,14 +68,13 @@ class SpaceSilo:
         """Outline of the outlet; None: the bottom is closed."""
         plan, middle = self.plan, (self.silo.outlet_eccentricity, 0.0)
         if hopper := self.silo.hopper:
-            less = plan.half[0] - hopper.outlet_width / 2
-            half = (hopper.outlet_width / 2, plan.half[1] if self.wedge else plan.half[1] - less)
-            return Outline(sides=plan.sides, half=half, middle=middle)
+            half, longer = hopper.outlet_width / 2, plan.half[1] - plan.half[0]
+            return Outline(sides=plan.sides, half=(half, plan.half[1] if self.wedge else longer + half), middle=middle)
         if self.outlet is None:
             return None
         width, length = self.outlet.width, self.outlet.length
-        half = (width / 2, (width if length is None else length) / 2)
-        return Outline(sides=int(CIRCLE if length is None else RECTANGLE), half=half, middle=middle)
+        halves = (width / 2, (width if length is None else length) / 2)
+        return Outline(sides=int(CIRCLE if length is None else RECTANGLE), half=halves, middle=middle)
 
     def walls(self, cells: tuple[int, int] = (1, 1)) -> tuple[Surface, ...]:
         """Its surfaces: the bottom, closed, then the walls and the lid.
