@@ -68,8 +68,13 @@ def vectors(shape, point) -> list[np.ndarray]:
     return [away for away in found if away[0] != OUT_OF_REACH]
 
 
+def nearest_of_all(shape, point) -> np.ndarray:
+    """Vector (m) from the nearest point of all surfaces; endless where there is none to touch."""
+    return min(vectors(shape, point), key=np.linalg.norm, default=np.full(3, np.inf))
+
+
 def distance(shape, point) -> float:
-    return min((float(np.linalg.norm(away)) for away in vectors(shape, point)), default=np.inf)
+    return float(np.linalg.norm(nearest_of_all(shape, point)))
 
 
 def push(shape, point) -> np.ndarray:
@@ -90,7 +95,9 @@ def check_distances(of: SpaceSilo, opened: bool, seed: int, pitch=0.004, count=1
     searched, which = tree.query(points)
     beside = joints.query(cloud[which])[0] < 2.0 * pitch
     for point, most, spared in zip(points, searched, beside & ~sheet.within(points), strict=True):
-        least = distance(shape, point)
+        away = nearest_of_all(shape, point)
+        least = float(np.linalg.norm(away))
+        assert least == np.inf or tree.query(point - away)[0] < pitch, point  # the nearest point lies on the surface
         assert spared or least <= most + 1e-9, point
         assert spared or most <= sqrt(least**2 + 2.0 * pitch**2), point
 
@@ -227,6 +234,8 @@ def test_push_has_no_jump_over_joints(of, way):
         ("square, wedge", True, (0.0, INNER, BOTTOM + 1e-9), 1),
         ("slot in a circle", True, (0.055 - 0.007, 0.05 - 0.007, -0.005), 2),
         ("slot in a circle", True, (0.055, 0.0, PRESSED), 1),
+        ("square, pyramid", True, (0.042, 0.03, -0.004), 1),  # from below, outside the rim
+        ("square, pyramid", True, (0.042, 0.043, -0.004), 0),  # and outside its corner
         ("octagon, hole", False, (0.0, 0.0, PRESSED), 1),
         ("hexagon, pyramid", True, (*corner_of(6), BOTTOM + 0.05), 2),
     ],

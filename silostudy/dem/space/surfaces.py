@@ -4,6 +4,10 @@ is pushed from their nearest point.
 A turned line is a cylinder, a cone, a ring or a disc by where it stands; its ends are circles, which push in any direction
 that they are touched from.  Flat pieces are convex polygons of three or four corners.  A level piece is what lies inside an
 outline and outside a hole; each side of a rectangular hole is a rim of its own, since a sphere may lie on two of them.
+
+Passages are smooth but for two: a joint of surfaces that differ by an angle t in direction, once a sphere is pressed in by more
+than 1/cos(t) - 1 of its radius; and a corner of a rectangular hole, where a sphere that comes from the level piece finds the
+second rim at once if that is nearer than the radius of its contact.
 """
 
 from math import atan2, cos, floor, pi, sin, sqrt
