@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import pi
+from math import atan2, degrees, pi, radians
 from typing import TYPE_CHECKING
 
 from silostudy.dem.space.surfaces import CIRCLE, RECTANGLE
@@ -13,6 +13,7 @@ if TYPE_CHECKING:
 
 PLANS = ("circular", "square", "rectangular", "polygonal")
 MOST_SIDES = 24  # with more, a sphere pressed in by 1/cos(15 degrees) - 1 = 3.5 % of its radius passes a corner with a jump
+SHALLOWEST = radians(5.0)  # between a wall and the hopper below it: both push where less turns the sphere about
 FLATTEST = 1e-6  # height of a hopper over the silo's width
 
 
@@ -53,6 +54,21 @@ def require_hopper(space: SpaceSilo) -> None:
     if space.plan.room_for(opening) < -1e-12 * silo.diameter:
         allowed = f"must not be above {most:g} m: the outlet must not leave the floor"
         raise BadInput("silo.outlet_eccentricity", silo.outlet_eccentricity, allowed)
+    if 0.0 < (turn := shallowest_joint(space)) < SHALLOWEST:
+        allowed = f"a face of the hopper stands {degrees(turn):.2g} degrees off the wall above it: at least 5, or none at all"
+        raise BadInput("silo.hopper", hopper, allowed)
+
+
+def shallowest_joint(space: SpaceSilo) -> float:
+    """Least angle (rad) between a face of the hopper and the wall above it, of those that are not one plane."""
+    opening, plan = space.opening, space.plan
+    assert opening is not None
+    high = space.silo.hopper_height
+    if plan.sides == CIRCLE:
+        return space.silo.hopper.half_angle if space.silo.hopper else 0.0
+    spans = plan.half * 2 if plan.sides == RECTANGLE else plan.half[:1] * plan.sides
+    runs = [span - opening.reach(way) for span, way in zip(spans, plan.normals, strict=True)]
+    return min((atan2(run, high) for run in runs if run > FLATTEST * space.silo.diameter), default=0.0)
 
 
 def require_floor(space: SpaceSilo) -> None:
