@@ -82,7 +82,10 @@ class Contact:
 
 @dataclass(frozen=True, eq=False)
 class Model:
-    """Discs (m, m/s, kg/m3), walls, contacts, gravity (m/s2), base acceleration a step (m/s2), integrator and step (s)."""
+    """Discs (m, m/s, kg/m3), walls, contacts, gravity (m/s2), base acceleration a step (m/s2), integrator and step (s).
+
+    waiting: so many of the last are not there at the start; they come in while the model runs.
+    """
 
     space: ClassVar[Dimension] = PLANE
     columns: ClassVar[tuple[str, ...]] = ("x", "y", "radius", "u", "v", "w")
@@ -103,6 +106,7 @@ class Model:
     u: np.ndarray | None = None
     v: np.ndarray | None = None
     w: np.ndarray | None = None
+    waiting: int = 0
 
     def __post_init__(self):
         for name in self.columns:
