@@ -33,6 +33,11 @@ class Dimension:
     cell_count: Callable  # how many cells the walls of a model have
     extents: Callable  # walls -> of each the corners (n, d) of a box around it, m
     beside: Callable  # (walls, places) -> which places stand beside what the walls surround
+    densest: Callable  # -> places (n, d) of the densest packing about the origin, in radii
+    all_from_wall: Callable  # (walls, wall, places) -> vectors (n, d; m) from a wall's nearest points to places
+    tangents: (
+        Callable  # normals (n, d) -> of each direction across them: unit vectors, and the turns of a spin that moves along
+    )
     passed_for: Callable  # rows -> steps for which each body has been below the outlet
     nearest: Callable  # (walls, wall, *place) -> vector (m) from a wall's nearest point to a place, then what else it finds
     force_of: Callable  # (lanes of force, k) -> force on the first body

@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
 from math import isfinite, pi
-from typing import ClassVar
+from typing import Any, ClassVar
 
 import numpy as np
 
@@ -150,6 +150,11 @@ class Model:
     def wall_named(self, name: str) -> Wall:
         """The wall of a name."""
         return self.walls[self.wall_number(name)]
+
+    @staticmethod
+    def level_wall(half: float, height: float) -> Any:
+        """A floor of a half width at a height (m)."""
+        return Wall("floor", (-half, height), (half, height))
 
     @property
     def place(self) -> np.ndarray:

@@ -32,6 +32,7 @@ from silostudy.dem.lanes import (
     gather,
     scatter,
 )  # fmt: skip
+from silostudy.dem.network import all_from_wall, densest, tangents
 from silostudy.dem.walls import beside, cell_count, extents, gather_walls, nearest, note_walls, scatter_walls, walls_of
 
 
@@ -182,6 +183,9 @@ PLANE = Dimension(
     cell_count=cell_count,
     extents=extents,
     beside=beside,
+    densest=densest,
+    all_from_wall=all_from_wall,
+    tangents=tangents,
     passed_for=passed_for,
     nearest=nearest,
     force_of=force_of,

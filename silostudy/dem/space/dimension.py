@@ -17,6 +17,7 @@ from silostudy.dem.space.lanes import (
     scatter,
 )
 from silostudy.dem.space.motion import carry, facing, move, passed_for, pushed, put, rates, reduced, walk, where
+from silostudy.dem.space.network import all_from_wall, densest, tangents
 from silostudy.dem.space.surfaces import nearest
 from silostudy.dem.space.walls import beside, cell_count, extents, walls_of
 
@@ -43,6 +44,9 @@ SPACE = Dimension(
     cell_count=cell_count,
     extents=extents,
     beside=beside,
+    densest=densest,
+    all_from_wall=all_from_wall,
+    tangents=tangents,
     passed_for=passed_for,
     nearest=nearest,
     force_of=force_of,
