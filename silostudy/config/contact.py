@@ -57,9 +57,9 @@ def own_fields(coefficients: tuple[Coefficient, ...]) -> type[BaseModel]:
     return create_model("OwnFields", __base__=Strict, **fields)
 
 
-def _with_own_fields(schema: dict[str, Any]) -> None:
+def _with_own_fields(schema: dict[str, Any], model: Any) -> None:
     """For editors: the fields of the package's laws; any other number may be one of a user's own law."""
-    schema["properties"] |= own_fields(own_coefficients(LAWS)).model_json_schema()["properties"]
+    schema["properties"] |= own_fields(own_coefficients(model.choices)).model_json_schema()["properties"]
     schema["additionalProperties"] = {"type": "number"}
 
 

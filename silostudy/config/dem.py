@@ -1,19 +1,16 @@
 """What a user writes to describe one discrete-element scene, in the user's units."""
 
-from functools import reduce
-from operator import or_
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, Self, TypeAlias
 
-from pydantic import Field, create_model, model_validator
+from pydantic import Field, model_validator
 
 from silostudy.catalogue import Family
 from silostudy.config.asked import Asked
 from silostudy.config.contact import ContactConfig
-from silostudy.config.fields import Strict, described
+from silostudy.config.fields import Strict, described, one_of
 from silostudy.config.run import GrainScene, Recorded, Waiting
 from silostudy.contact import LAWS
 from silostudy.packing import PACKINGS
-from silostudy.packing.family import Packing
 from silostudy.tables.constants import ROUNDED_GRAVITY
 
 Cells: TypeAlias = Annotated[int, Field(ge=1, le=1000)]
@@ -40,18 +37,10 @@ class BoxConfig(Strict):
         return self
 
 
-def _section(packing: Packing) -> Any:
-    """Model of the section `packing` that chooses this packing and gives what it asks for."""
-    fields: dict[str, Any] = {"kind": (Literal[packing.key], described(f"{packing.key}: {packing.title}", ""))}
-    for one in packing.asks:
-        fields[one.name] = one.kind, described(one.text, one.unit, default=one.default, **one.bounds)
-    return create_model(f"{packing.key.capitalize()}Config", __base__=Strict, __doc__=f"{packing.title}.", **fields)
-
-
 if TYPE_CHECKING:
     PackingConfig = Any
 else:
-    PackingConfig = Annotated[reduce(or_, map(_section, PACKINGS.values())), Field(discriminator="kind")]
+    PackingConfig = one_of(PACKINGS)
 
 
 class EventConfig(Waiting):
@@ -110,6 +99,12 @@ class DemScene(Asked, GrainScene):
     quake: QuakeConfig | None = described("acceleration of the box", "", default=None)
     events: tuple[EventConfig, ...] = described("what happens, in order; the last is a stop", "", min_length=1)
     record: RecordConfig = described("what is recorded", "", default=RecordConfig())
+
+    @property
+    def named_files(self) -> tuple[str, ...]:
+        """Files that the scene is made from."""
+        packed = (self.packing.file,) if PACKINGS[self.packing.kind].from_file else ()
+        return (*packed, *([self.quake.file] if self.quake else []))
 
     @model_validator(mode="after")
     def _one_step(self) -> Self:

@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from silostudy.config.dem import DemScene
+from silostudy.config.grain_scenes import scene_class
 from silostudy.config.load import own_validated, read_yaml
 from silostudy.config.scenes import ScenesStudy
 from silostudy.packing import PACKINGS
@@ -26,15 +27,15 @@ class SceneCase:
     @property
     def files(self) -> tuple[Path, ...]:
         """The user's own files that the scene is made from."""
-        config = self.config
-        names = [config.packing.file] if PACKINGS[config.packing.kind].from_file else []
-        data = (self.folder / name for name in [*names, *([config.quake.file] if config.quake else [])])
-        return (*data, *own_files(self.folder, config.methods_from))
+        data = (self.folder / name for name in self.config.named_files)
+        return (*data, *own_files(self.folder, self.config.methods_from))
 
 
 def files_of_scene(path: Path) -> tuple[Path, ...]:
     """The user's own files that a scene file names; BadInput lists every mistake of it."""
-    return SceneCase(own_validated(DemScene, read_yaml(path), str(path), path.parent), path.parent).files
+    content = read_yaml(path)
+    config = own_validated(scene_class(content, str(path)), content, str(path), path.parent)
+    return (*(path.parent / name for name in config.named_files), *own_files(path.parent, config.methods_from))
 
 
 def scenes_builder(study: ScenesStudy, folder: Path, where: str) -> Callable[[DemScene, dict], SceneCase]:
