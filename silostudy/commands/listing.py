@@ -101,6 +101,20 @@ def _mass_rules(chosen):
         yield f"{row.key:18}", f"{row.title:52}", f"{row.source}, {row.locator}"
 
 
+def _materials(chosen):
+    from math import isnan
+
+    from silostudy.tables.materials import MATERIALS, PAIRS
+
+    for row in MATERIALS.values():
+        density = "" if isnan(row.density) else f"rho {row.density:g} kg/m3"
+        properties = f"E {row.youngs_modulus / 1e6:g} MPa  nu {row.poissons_ratio:g}  {density}"
+        yield f"{row.key:28}", f"{properties:44}", f"{row.title:36}", f"{row.source}, {row.locator}"
+    for pair in PAIRS.values():
+        properties = f"e {pair.restitution:g}  mu {pair.sliding_friction:g}  mu_r {pair.rolling_friction:g}"
+        yield f"{pair.title:28}", f"{properties:44}", f"{'pair':36}", f"{pair.source}, {pair.locator}"
+
+
 def _records(chosen):
     from silostudy.tables.records import RECORDS
 
@@ -166,10 +180,11 @@ LISTS = {
     "checks": _checks,
     "combinations": _combinations,
     "laws": _laws,
-    **{name: _parts_of_scenes(name) for name in ("packings", "integrators", "triggers", "rest")},
+    **{name: _parts_of_scenes(name) for name in ("packings", "fillings", "sizes", "integrators", "triggers", "rest")},
     "mass-rules": _mass_rules,
     "solids": _solids,
     "walls": _walls,
+    "materials": _materials,
     "records": _records,
     "studies": _studies,
     "outputs": _outputs,

@@ -39,7 +39,8 @@ RollingKey: TypeAlias = key_of(LAWS["rolling"])  # type: ignore[valid-type]
 CohesionKey: TypeAlias = key_of(LAWS["cohesion"])  # type: ignore[valid-type]
 Cells: TypeAlias = Annotated[int, Field(ge=1, le=1000)]
 if TYPE_CHECKING:
-    SizesConfig = FillingConfig = Any
+    SizesConfig = Any
+    FillingConfig = Any
 else:
     SizesConfig, FillingConfig = one_of(SIZES), one_of(FILLINGS, "Filling")
 
@@ -49,7 +50,7 @@ class MaterialConfig(Strict):
 
     material: MaterialKey | None = described("key of the material (`silostudy list materials`); null: none", "", default=None)
     youngs_modulus_MPa: float | None = described("Young's modulus", "MPa", gt=0, default=None)
-    poissons_ratio: float | None = described("Poisson's ratio", ge=0, lt=0.5, default=None)
+    poissons_ratio: float | None = described("Poisson's ratio", gt=-1, lt=0.5, default=None)
 
     @model_validator(mode="after")
     def _whole(self) -> Self:

@@ -53,6 +53,8 @@ def pour(engine, rain: Rain, first: int, last: int) -> int:
 
 def _free(spots: np.ndarray, radius: float, taken: np.ndarray, reach: np.ndarray) -> np.ndarray | None:
     """The first spot at which a body touches no other; None where there is none."""
+    if not len(spots):
+        return None
     near = np.abs(taken[:, -1] - spots[0, -1]) < radius + reach
     taken, reach = taken[near], reach[near]
     for spot in spots:

@@ -1,6 +1,7 @@
 """What the stability bound needs of space: densest packing, directions across a contact, ways from surfaces to spheres."""
 
 from math import sqrt
+from typing import SupportsIndex
 
 import numpy as np
 
@@ -24,6 +25,6 @@ def tangents(normals: np.ndarray) -> list[tuple[np.ndarray, np.ndarray]]:
     return [(first, second), (second, -first)]
 
 
-def all_from_wall(shape: np.ndarray, wall: int, places: np.ndarray) -> np.ndarray:
+def all_from_wall(shape: np.ndarray, wall: SupportsIndex, places: np.ndarray) -> np.ndarray:
     """Vectors (n, 3; m) from a surface's nearest points to places."""
     return np.array([nearest(shape, wall, *place)[:3] for place in places]).reshape(-1, 3)
