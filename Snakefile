@@ -108,8 +108,9 @@ def taken(stage):
     """Function of the wildcards that gives the cubes which a stage takes from the study itself and from others."""
 
     def cubes(wildcards):
-        others = [RESULTS / study / f"{other}.nc" for _, study, other in borrowed(MODELS[wildcards.study])]
-        return [RESULTS / wildcards.study / f"{other}.nc" for other in stage.reads], others if stage.borrows else []
+        others = [one for one in borrowed(MODELS[wildcards.study]) if one[0] in stage.borrows]
+        borrows = [RESULTS / study / f"{other}.nc" for _, study, other in others]
+        return [RESULTS / wildcards.study / f"{other}.nc" for other in stage.reads], borrows
 
     return cubes
 

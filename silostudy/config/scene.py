@@ -112,6 +112,12 @@ class AnySilo(Strict):
         "",
         default=False,
     )
+    patch_of_low_silo: bool = described(
+        "whether EN 1991-4's patch load of discharge in silos of h_c/d_c <= 1.2 is computed: one program has it, 0.272 C_op "
+        "(h_c/d_c - 1 + 2 e/d_c), which jumps by two at 1.2",
+        "",
+        default=False,
+    )
 
     @model_validator(mode="after")
     def _one_depth(self) -> Self:

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from silostudy.catalogue import Family, Row
+from silostudy.catalogue import Entry, Family
 from silostudy.errors import BadInput
 from silostudy.packing.family import PackingField
 
@@ -14,7 +14,7 @@ ROOM = 2.1  # of the largest radius: pitch of the lattice
 
 
 @dataclass(frozen=True, kw_only=True)
-class Filling(Row):
+class Filling(Entry):
     """place(silo, radii, random) -> places (n, 3; m); None where spheres rain in, or a file says where they are.
 
     asks: fields of a scene's section `filling`.
@@ -51,7 +51,6 @@ def loose(silo, radii, random):
 
 
 COUNT = PackingField(name="count", argument="count", text="number of spheres", kind=int, bounds={"ge": 1, "le": 10_000_000})
-_OWN: dict[str, Any] = {"source": "cundall_strack_1979", "locator": "none: an arrangement in general use"}
 FILLINGS: Family[Filling] = Family(
     "filling",
     [
@@ -89,9 +88,8 @@ FILLINGS: Family[Filling] = Family(
                 ),
             ),
             rains=True,
-            **_OWN,
         ),
-        Filling(key="loose", title="A loose lattice from the bottom upward, to fall", asks=(COUNT,), place=loose, **_OWN),
+        Filling(key="loose", title="A loose lattice from the bottom upward, to fall", asks=(COUNT,), place=loose),
         Filling(
             key="given",
             title="Positions from a file",
@@ -105,7 +103,6 @@ FILLINGS: Family[Filling] = Family(
                 ),
             ),
             from_file=True,
-            **_OWN,
         ),
     ],
 )

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from silostudy.catalogue import Family, Row
+from silostudy.catalogue import Entry, Family
 from silostudy.errors import BadInput
 from silostudy.packing.family import PackingField
 
@@ -15,7 +15,7 @@ DRAWS = 1000  # rounds of draws after which a cut-off counts as leaving nothing
 
 
 @dataclass(frozen=True, kw_only=True)
-class Sizes(Row):
+class Sizes(Entry):
     """draw(random, count, **arguments) -> diameters (mm); asks: fields of a scene's section `sizes`."""
 
     draw: Callable[..., np.ndarray]
@@ -86,18 +86,16 @@ def _mm(name: str, text: str, **bounds: float) -> PackingField:
 
 
 _ENDS = (_mm("least", "smallest diameter"), _mm("largest", "largest diameter"))
-_OWN: dict[str, Any] = {"source": "cundall_strack_1979", "locator": "none: a distribution in general use"}
 SIZES: Family[Sizes] = Family(
     "sizes",
     [
-        Sizes(key="equal", title="All of one size", draw=equal, asks=(_mm("diameter", "diameter"),), **_OWN),
-        Sizes(key="uniform", title="As many of any size between two", draw=uniform, asks=_ENDS, **_OWN),
+        Sizes(key="equal", title="All of one size", draw=equal, asks=(_mm("diameter", "diameter"),)),
+        Sizes(key="uniform", title="As many of any size between two", draw=uniform, asks=_ENDS),
         Sizes(
             key="normal",
             title="Normal by number, cut off at both ends",
             draw=normal,
             asks=(_mm("mean", "mean diameter"), _mm("deviation", "standard deviation"), *_ENDS),
-            **_OWN,
         ),
         Sizes(
             key="lognormal",
@@ -108,7 +106,6 @@ SIZES: Family[Sizes] = Family(
                 PackingField(name="spread", argument="spread", text="geometric standard deviation", bounds={"gt": 1}),
                 *_ENDS,
             ),
-            **_OWN,
         ),
         Sizes(
             key="sieve",
@@ -125,7 +122,6 @@ SIZES: Family[Sizes] = Family(
                     kind=tuple[float, ...],
                 ),
             ),
-            **_OWN,
         ),
     ],
 )

@@ -44,4 +44,5 @@ PARAMETERS = {
     "volume": ("m3", "of the contents", 380.0),
     "assessment_class": ("1", "action assessment class declared, 0: none", 0.0),
     "dynamic_bottom": ("1", "the solid may act dynamically on the bottom", 0.0),
+    "low_patch": ("1", "the patch load of h_c/d_c <= 1.2 by one source is asked for", 0.0),
 }

@@ -20,9 +20,8 @@ def expansion(name):
 
 def borrowed(model):
     """(section, study, stage) of each cube that a study takes from another one."""
-    rows = [STAGES[stage].borrows for stage in model.stages]
-    asked = [(section, getattr(model, section), stage) for row in rows for section, stage in row.items()]
-    return [(section, given.study, stage) for section, given, stage in asked if given]
+    asked = {section: stage for key in model.stages for section, stage in STAGES[key].borrows.items()}
+    return [(section, getattr(model, section).study, stage) for section, stage in asked.items() if getattr(model, section)]
 
 
 def study_files(name):

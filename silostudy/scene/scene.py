@@ -144,6 +144,7 @@ def geometry_parameters(scene: Scene) -> dict[str, float]:
         "volume": silo.volume,
         "assessment_class": float(silo.assessment_class),
         "dynamic_bottom": float(silo.dynamic_bottom),
+        "low_patch": float(silo.low_patch),
     }
 
 

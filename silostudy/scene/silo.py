@@ -36,6 +36,7 @@ class Silo:
     fluid_depth: float = 0.0  # c_F v_F (m) in rapid filling
     assessment_class: int = 0  # declared action assessment class of EN 1991-4; 0: none
     dynamic_bottom: bool = False  # the solid may act dynamically on the bottom
+    low_patch: bool = False  # the discharge patch of h_c/d_c <= 1.2, of one source, is asked for
 
     @property
     def area(self) -> float:

@@ -52,4 +52,5 @@ def silo_of(config: AnySilo, repose_angle: float, where: str, section: str = "sc
         fluid_depth=config.rapid_filling.rise_m_h * config.rapid_filling.air_time_h if config.rapid_filling else 0.0,
         assessment_class=config.action_assessment_class or 0,
         dynamic_bottom=config.dynamic_bottom_load,
+        low_patch=config.patch_of_low_silo,
     )

@@ -75,7 +75,7 @@ def materials(scene: SphereScene) -> list[str]:
     return [
         f"{name}: {body.title}, E {body.youngs_modulus / MPA:g} MPa, nu {body.poissons_ratio:g}"
         + (f", rho {body.density:g} kg/m3" if name == "grain" else "")
-        + f" ({body.source}, {body.locator})"
+        + (f" ({body.source}, {body.locator})" if body.source != body.locator else f" ({body.source})")
         for name, body in (("grain", grain_of(scene)), ("wall", material_of(scene.wall)))
     ]
 

@@ -51,7 +51,7 @@ def read_outs(engine):
     return [table[np.lexsort(table.T[1::-1])] for table in tables] + [stress(engine, edges, edges)]
 
 
-@pytest.mark.parametrize("threads", [2, 3])
+@pytest.mark.parametrize("threads", [2, pytest.param(3, marks=pytest.mark.long)])
 def test_any_number_of_threads(threads):
     # more than one block of discs a thread
     model = silo(across=20, height=0.3, slit=0.12)

@@ -11,7 +11,7 @@ BIN = {
     "filling_eccentricity": 0.5, "outlet_eccentricity": 0.5, "volume": 60.0,
     "contact_share": 1.0, "cooling_strain": 0.0, "fluid_depth": 0.0, "wall_flexibility": 0.0, "solid_modulus_factor": 100.0,
     "outlet_depth": 16.0,
-    "largest_particle": 0.005, "assessment_class": 1.0, "dynamic_bottom": 0.0,
+    "largest_particle": 0.005, "assessment_class": 1.0, "dynamic_bottom": 0.0, "low_patch": 0.0,
     "contact_depth": 0.0, "top_cone_height": 0.0, "sets_capped": 1.0,
 }  # fmt: skip
 

@@ -140,6 +140,20 @@ def test_large_eccentric_discharge_is_masked_where_it_does_not_apply(silo):
         assert why(cube, name, "en1991_4_eccentric", "discharge") == {"outside_published_range"}
 
 
+def test_what_one_source_has_of_low_silos_is_given_where_it_is_asked_for():
+    low = ECCENTRIC | {"cylinder_depth_m": 6.6, "outlet_eccentricity_m": 2.0}
+    both = ("en1991_4", "en1991_4_eccentric", "en1991_4_eccentric_squat")
+    for asked in (False, True):
+        cube = cube_of(low | {"patch_of_low_silo": asked}, both, (3.0, 6.0))
+        reasons = {"in_scope"} if asked else {"outside_published_range"}
+        assert why(cube, "patch_resultant", "en1991_4", "discharge") == reasons
+        assert why(cube, "patch_resultant", "en1991_4", "filling") == {"in_scope"}
+    factor = cube["patch_load_factor"].sel(pressure_method="en1991_4", phase="discharge")
+    assert float(factor) == pytest.approx(0.272 * 0.5 * (0.1 + 4 / 6))
+    assert cube["channel_normal_pressure"].sel(pressure_method=both[1]).isnull().all()
+    assert cube["channel_normal_pressure"].sel(pressure_method=both[2], phase="discharge").notnull().all()
+
+
 def test_heap_and_outlet_have_eccentricities_of_their_own():
     filling = cube_of(SLENDER | {"filling_eccentricity_m": 1.0})
     outlet = cube_of(SLENDER | {"outlet_eccentricity_m": 1.0})

@@ -22,6 +22,7 @@ USUAL = {name: value for name, (_, _, value) in PARAMETERS.items()} | {
 }  # fmt: skip
 OWN = {
     **{key: {"outlet_eccentricity": 1.5, "filling_eccentricity": 1.5} for key, row in PRESSURE.items() if row.channel},
+    "en1991_4_eccentric_squat": {"outlet_eccentricity": 1.5, "cylinder_depth": 9.0, "outlet_depth": 11.0},
     "en1991_4_class_1": {"assessment_class": 1.0, "volume": 50.0},
     "jenike_funnel_1973": {"cylinder_depth": 30.0, "outlet_depth": 30.0, "channel_half_angle": np.radians(8.0)},
 }

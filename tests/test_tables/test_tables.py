@@ -155,6 +155,10 @@ def test_clauses_say_their_state_and_what_carries_them(clause):
         assert all(PRESSURE[name].on_request for name in clause.names if name in PRESSURE)
 
 
+def test_what_one_source_has_is_off_by_default():
+    assert {clause.evidence for clause in clauses() if clause.state == "computed"} == {"two sources", "equilibrium"}
+
+
 def test_methods_on_one_source_stand_in_the_clauses():
     told = {name for clause in clauses() if clause.state == "off by default" for name in clause.names}
     assert {key for key, row in PRESSURE.items() if row.on_request} <= told

@@ -17,7 +17,7 @@ CALLED = {
     "pieper-flour": {"pressure"},
     "wheat-silo-today": {"pressure", "uncertainty"},
     "steel-wheat-strakes": {"pressure", "shell"},
-    "steel-wheat-shaken": {"pressure", "shell"},
+    "steel-wheat-shaken": {"pressure", "shell", "checks"},
     "steel-wheat-earthquake": {"seismic"},
     "miller-1977": {"buckling"},
     "sasaki-1991": {"seismic"},

@@ -14,7 +14,7 @@ from silostudy.pressure.quadrature import double_exponential
 
 MOVING = "channel"  # set of characteristic values in the channel
 ZONES = ("channel", "static", "adjacent")
-ONE_MU = "Source: en1991_4_2006, wall friction from one program."
+SLIDING = "Source: Coulomb's law of a solid that slides, with the mu of the zone's set; the pressures from en1991_4_2006."
 SEEN = "Source: en1991_4_2006 (printed standard not seen; two public accounts agree)."
 STATICS = "Source: equilibrium, from the zones' pressures."
 
@@ -38,7 +38,7 @@ def _in_zone(static_set, number, friction):
         return mu * zones(z, static_set, given)[number]
 
     what = f"Wall {'friction traction' if friction else 'normal pressure'} (Pa) in the {ZONES[number]} zone"
-    return asking(function, (*CYLINDER, "channel_size"), f"{what} at depth z (m). {ONE_MU if friction else SEEN}")
+    return asking(function, (*CYLINDER, "channel_size"), f"{what} at depth z (m). {SLIDING if friction else SEEN}")
 
 
 def _shape(given):
@@ -89,7 +89,7 @@ def _largest(static_set, number):
         return np.max([one[2] for one in each], axis=0) * (1.0, mu)[number]
 
     what = ("Wall normal pressure (Pa)", "Wall friction traction (Pa)")[number]
-    doc = f"{what} beside the flow channel at depth z (m), the largest of three channel sizes. {(SEEN, ONE_MU)[number]}"
+    doc = f"{what} beside the flow channel at depth z (m), the largest of three channel sizes. {(SEEN, SLIDING)[number]}"
     return asking(function, CYLINDER, doc)
 
 
@@ -122,7 +122,6 @@ def case(key: str, title: str, static_set: str, colour: str, marker: str, **more
         channel={"discharge": channels(static_set)},
         static=janssen.normal_pressure,
         plans=CIRCULAR,
-        limits=limits.ECCENTRIC,
         varies=VARIED,
         values={
             "static and adjacent zone": described(static_set),
@@ -135,6 +134,7 @@ def case(key: str, title: str, static_set: str, colour: str, marker: str, **more
         colour=colour,
         marker=marker,
         table_key="en1991_4",
+        not_computed=NOT_COMPUTED,
         **more,
     )
 
@@ -145,9 +145,9 @@ NOT_COMPUTED = (
 )
 SAID = (
     "a separate load case beside symmetric discharge; its pressures are local: wall_normal_pressure is that of the adjacent "
-    "zone, the largest of the three channels, which do not hang on how eccentric the outlet is; friction from one program; "
-    "static pressures of squat silos from one program; printed standard not seen; no published numbers: checked "
-    "against geometry"
+    "zone, the largest of the three channels, which do not hang on how eccentric the outlet is; the solid slides in every "
+    "zone, with the wall friction of the zone's own set; printed standard not seen; no published numbers: checked against "
+    "geometry"
 )
 ROWS = (
     case(
@@ -156,8 +156,18 @@ ROWS = (
         "wall_normal",
         "#D6604D",
         "+",
-        not_computed=NOT_COMPUTED,
+        limits=(*limits.ECCENTRIC, limits.ECCENTRIC_SLENDER),
         validity=SAID,
+    ),
+    case(
+        "en1991_4_eccentric_squat",
+        "EN 1991-4:2006, large eccentric discharge of squat and intermediate silos (one source)",
+        "wall_normal",
+        "#9E0142",
+        "$q$",
+        limits=(*limits.ECCENTRIC, limits.ECCENTRIC_LOW),
+        validity=f"as for slender silos, with the static pressures of a lower one, as one program has it; {SAID}",
+        on_request=True,
     ),
     case(
         "en1991_4_eccentric_friction",
@@ -165,7 +175,7 @@ ROWS = (
         "wall_friction",
         "#762A83",
         "$e$",
-        not_computed=NOT_COMPUTED,
+        limits=limits.ECCENTRIC,
         validity=f"the solid at rest with the set for the wall friction, as one program has it: for the axial force; {SAID}",
         on_request=True,
     ),

@@ -57,6 +57,11 @@ def _heap_on_floor(*, top_cone_height, cylinder_depth, diameter, hopper_half_ang
     return np.where(concerned, top_cone_height, 0.0)
 
 
+def _slenderness_unasked(*, cylinder_depth, diameter, low_patch):
+    """h_c/d_c (1); none, which breaks no limit, where the one source's patch is asked for."""
+    return np.where(low_patch == 1, np.nan, cylinder_depth / diameter)
+
+
 def _declared(*, assessment_class):
     return np.where(assessment_class == 0, EVERY_CASE, assessment_class)
 
@@ -87,6 +92,14 @@ ALL = (
         below=1.0,
         why="the power law has no value beyond",
     ),
+)
+LOW_PATCH = Limit(
+    measure=Measure("h_c/d_c, where patch_of_low_silo is not asked for,", "1", _slenderness_unasked),
+    above=1.2,
+    part="patch load",
+    phases=("discharge",),
+    quantities=("patch_load_factor", "patch_pressure", "patch_resultant", "band_pressure"),
+    why="C_pe below is known from one program only",
 )
 BOTTOM = Limit(
     measure=Measure("heap of a flat-bottomed silo of h_c/d_c < 2", "m", _heap_on_floor),
@@ -140,3 +153,5 @@ ECCENTRIC = (
         why="the load case is one of class 3",
     ),
 )
+ECCENTRIC_SLENDER = Limit(measure=SLENDERNESS, least=SLENDER, why="lower silos by one source, a row of its own")
+ECCENTRIC_LOW = Limit(measure=SLENDERNESS, below=SLENDER, why="slender silos by two sources, a row of its own")

@@ -31,7 +31,7 @@ DESIGN = PressureMethod(
     phases=on_wall.phases(on_wall.DESIGN_SETS),
     hopper={phase: in_hopper.pressures(phase) for phase in USUAL_PHASES},
     totals={phase: in_hopper.totals(phase) | patches.totals(phase) | on_wall.numbers(phase) for phase in USUAL_PHASES},
-    limits=(*limits.ALL, limits.HOPPER, limits.BOTTOM),
+    limits=(*limits.ALL, limits.HOPPER, limits.BOTTOM, limits.LOW_PATCH),
     plans_of=patches.PLANS | in_hopper.PLANS,
     values={
         **{quantity: described(name) for quantity, name in on_wall.DESIGN_SETS.items()},
