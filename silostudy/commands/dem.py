@@ -149,8 +149,8 @@ def keep(task, scene, choice, output: Path) -> None:
 
 def where_discs_are(task) -> str:
     """How many discs are left in the silo, and how the others left it."""
-    left = task.recording.left
-    gone = ", ".join(f"{count} {way}" for way, count in left.items() if count)
+    counts = {**task.recording.left, "not in yet": task.engine.most - task.come}
+    gone = ", ".join(f"{count} {way}" for way, count in counts.items() if count)
     return f"{task.engine.n} of {len(task.engine.model.x)} {task.engine.space.body}s still there" + (
         f" ({gone})" if gone else ""
     )

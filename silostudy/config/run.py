@@ -1,6 +1,6 @@
 """What every discrete-element scene says, whatever its grains are: the march, rest, what events wait for, what is recorded."""
 
-from typing import Annotated, Any, Literal, Self, TypeAlias
+from typing import TYPE_CHECKING, Annotated, Any, Literal, Self, TypeAlias
 
 from pydantic import Field, model_validator
 
@@ -81,8 +81,9 @@ class GrainScene(OwnMethods):
     march: MarchConfig = described("the march in time", "")
     rest: RestConfig = described("what `when: rest` waits for", "", default=RestConfig())
     seed: int = described("seed of the random numbers; beyond 2^53 numbers of a sweep coincide", ge=0, le=2**53, default=0)
-    events: Any  # of its own kind
-    record: Any
+    if TYPE_CHECKING:
+        events: Any  # each kind of grains has its own
+        record: Any
 
     @model_validator(mode="after")
     def _recorded_in_time(self) -> Self:

@@ -9,7 +9,7 @@ from silostudy.dem.change import add_bodies
 from silostudy.dem.snapshot import length
 
 TRIES = 60  # spots that are looked at for a body before it waits for the next turn
-WAITS = 20.0  # times that a body needs to fall by its diameter: after so long without room the plane is buried
+WAITS = 5.0  # times that a body needs to fall by its diameter: after so long without room the plane is buried
 
 
 @dataclass(frozen=True)

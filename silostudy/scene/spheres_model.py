@@ -25,7 +25,6 @@ def sphere_model(scene: SphereScene, given: tuple[np.ndarray, np.ndarray] | None
     """The engine's model; given: places (n, 3) and radii (m) from a file. BadInput for a start or a step that cannot be."""
     assert scene.march.integrator is not None, "no accuracy is measured that could choose it"
     space, grain, row = space_silo_of(scene, where), grain_of(scene, where), FILLINGS[scene.filling.kind]
-    contacts = contacts_of(scene, where)
     check_frictions(scene, where)
     random = np.random.default_rng(scene.seed)
     try:
@@ -37,7 +36,7 @@ def sphere_model(scene: SphereScene, given: tuple[np.ndarray, np.ndarray] | None
         check_rain(scene, space, radii, where)
     else:
         check_start(space, places, radii, where)
-    x, y, z = places.T
+    contacts, (x, y, z) = contacts_of(scene, where), places.T
     model = SphereModel(
         x=x, y=y, z=z, radius=radii, density=grain.density, walls=space.walls(scene.record.pressure_cells),
         pair_contact=contacts[0], wall_contact=contacts[1], dt=scene.march.step_s or 1.0, gravity=scene.gravity_m_s2,

@@ -32,7 +32,7 @@ def test_every_row_of_every_table_has_a_source(path):
     text |= {*fronts.TEXT, "decides"}
     text |= {"record", "package", "file", "claim", "variable", "measure", "trait", "quantity", "unit"}
     text |= {"limit", "methods", "clause", "what", "state", "names", "evidence"}
-    text |= {"combination", "leading", "contents", "side"}
+    text |= {"combination", "leading", "contents", "side", "first", "second"}
     found = rows(path, text=text)
     assert found
     for row in found:
