@@ -52,7 +52,7 @@ def run_of(scene: AnyScene, model: Model, *, threads: int = 1) -> Run:
     return Run(
         Engine(model, threads=threads),
         limit=scene.march.limit_s,
-        snapshots=_steps_of(scene.record.snapshots_s, model.dt),
+        snapshots=_steps_of(scene, model.dt),
         rest=rest_of(scene),
         **happens,
     )
@@ -83,13 +83,15 @@ def _window(length: float | None, model: Model) -> int:
     return max(1, round(length / model.dt)) if length else 0
 
 
-def _steps_of(times: tuple[float, ...], dt: float) -> tuple[int, ...]:
+def _steps_of(scene: AnyScene, dt: float) -> tuple[int, ...]:
     """Steps at which snapshots are taken; BadInput for two in one step."""
+    times, every = scene.record.snapshots_s, scene.record.snapshots_every_s
     steps = [round(time / dt) for time in times]
     for number, step in enumerate(steps):
         if step in steps[:number]:
             raise BadInput("record.snapshots_s", times[number], f"falls into the same step of {dt:.3g} s as another")
-    return tuple(steps)
+    further = range(0, round(scene.march.limit_s / dt) + 1, max(1, round(every / dt))) if every else ()
+    return tuple(dict.fromkeys([*steps, *further]))
 
 
 def carry_through(run: Run, scene: AnyScene, checkpoint: Path | None, tell: Callable[[int], None]) -> None:

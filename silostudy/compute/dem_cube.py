@@ -4,9 +4,10 @@ import numpy as np
 import xarray as xr
 
 from silostudy.choice.promise import Choice, promises
-from silostudy.compute.sphere_cube import sphere_arrays
+from silostudy.compute.sphere_cube import sphere_arrays, sphere_notes
 from silostudy.config.dem import DemScene
 from silostudy.config.grain_scenes import AnyScene
+from silostudy.config.spheres import SphereScene
 from silostudy.cube.assemble import assemble
 from silostudy.dem.integrate import INTEGRATORS
 from silostudy.dem.ledger import ENTRIES
@@ -34,6 +35,8 @@ def cube_of(run: Run, scene: AnyScene, choice: Choice | None = None) -> xr.Datas
         f"{body}s_left": run.engine.n,
         **{f"{body}s_{way}": count for way, count in record.left.items()},
     }
+    if isinstance(scene, SphereScene):
+        notes |= sphere_notes(scene)
     if run.trouble:
         notes["stopped"] = run.trouble
     return assemble(scene, "dem", kept, sources=sources_of(model), notes=notes)

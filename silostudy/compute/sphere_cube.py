@@ -2,10 +2,12 @@
 
 import numpy as np
 
+from silostudy.config.spheres import SphereScene
 from silostudy.dem.model import Model
 from silostudy.dem.run import Run
 from silostudy.dem.space.cells import areas, middles, uprightness
 from silostudy.scene.space_silo import LID
+from silostudy.scene.spheres import space_silo_of
 
 FELT = (
     ("normal", "pressure"),
@@ -20,6 +22,21 @@ def sphere_arrays(run: Run) -> dict[str, np.ndarray]:
     model = run.engine.model
     data = {"grain": np.arange(len(model.x)), "grain_radius": np.array(model.radius), "grain_mass": model.mass}
     return data | _windows(run) | _snapshots(run) | _meter(run)
+
+
+def sphere_notes(scene: SphereScene) -> dict[str, float]:
+    """Attributes that figures draw the silo by, m."""
+    space = space_silo_of(scene)
+    return {
+        "half_width_m": space.plan.half[0],
+        "outlet_half_width_m": space.opening.half[0] if space.opening else 0.0,
+        "outlet_middle_m": space.opening.middle[0] if space.opening else 0.0,
+        "transition_height_m": space.bottom,
+        "top_height_m": space.top,
+        "hydraulic_radius_m": space.silo.hydraulic_radius,
+        "plan_area_m2": space.silo.area,
+        "gravity_m_s2": -scene.gravity_m_s2[2],
+    }
 
 
 def _meter(run: Run) -> dict[str, np.ndarray]:
@@ -66,12 +83,12 @@ def _snapshots(run: Run) -> dict[str, np.ndarray]:
     motion = np.full((len(found), len(model.x), len(MOTION)), np.nan)
     for k, snapshot in enumerate(found):
         motion[k, snapshot["label"]] = snapshot["motion"]
-    contacts = [(k, on, row) for k, s in enumerate(found) for on, name in enumerate(("pairs", "walls")) for row in s[name]]
-    table = np.array([row for _, _, row in contacts]).reshape(-1, 8)
+    tables = [(k, on, snapshot[name]) for k, snapshot in enumerate(found) for on, name in enumerate(("pairs", "walls"))]
+    table, counts = np.vstack([rows for *_, rows in tables]), [len(rows) for *_, rows in tables]
     data = {f"grain_{name}": motion[:, :, k] for k, name in enumerate(MOTION)}
     data |= {"snapshot": np.arange(len(found)), "snapshot_time": np.array([float(snapshot["time"]) for snapshot in found])}
-    data |= {"contact_snapshot": np.array([k for k, _, _ in contacts], np.int32)}
-    data |= {"contact_on_wall": np.array([on for _, on, _ in contacts], np.int8)}
+    data |= {"contact_snapshot": np.repeat(np.array([k for k, *_ in tables], np.int32), counts)}
+    data |= {"contact_on_wall": np.repeat(np.array([on for _, on, _ in tables], np.int8), counts)}
     for k, name in enumerate(("first", "second")):
         data[f"contact_{name}"] = table[:, k].astype(np.int32)
     for k, name in enumerate(("x", "y", "z"), start=2):

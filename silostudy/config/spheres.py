@@ -18,6 +18,7 @@ from silostudy.packing.filling import FILLINGS
 from silostudy.packing.sizes import SIZES
 from silostudy.tables.constants import ROUNDED_GRAVITY
 from silostudy.tables.materials import MATERIALS
+from silostudy.tables.outputs import OUTPUTS
 
 OF_MATERIALS = {"materials", "restitution", "sliding_friction"}  # fields that a scene of spheres has for laws to share
 LAWS: Mapping[str, Family] = {
@@ -37,6 +38,7 @@ NormalKey: TypeAlias = key_of(LAWS["normal"])  # type: ignore[valid-type]
 TangentialKey: TypeAlias = key_of(LAWS["tangential"])  # type: ignore[valid-type]
 RollingKey: TypeAlias = key_of(LAWS["rolling"])  # type: ignore[valid-type]
 CohesionKey: TypeAlias = key_of(LAWS["cohesion"])  # type: ignore[valid-type]
+OutputKey: TypeAlias = Literal[tuple(key for key, row in OUTPUTS.items() if row.stage == "dem")]  # type: ignore[valid-type]
 Cells: TypeAlias = Annotated[int, Field(ge=1, le=1000)]
 if TYPE_CHECKING:
     SizesConfig = Any
@@ -142,6 +144,9 @@ class SphereScene(GrainScene):
     )
     events: tuple[SphereEventConfig, ...] = described("what happens, in order; the last is a stop", "", min_length=1)
     record: SphereRecordConfig = described("what is recorded", "", default=SphereRecordConfig())
+    outputs: tuple[OutputKey, ...] = described(
+        "figures that the pipeline makes beside the cube; they need record.wall_force_window_s and snapshots", "", default=()
+    )
 
     @property
     def named_files(self) -> tuple[str, ...]:
@@ -153,6 +158,13 @@ class SphereScene(GrainScene):
         if (self.sizes is None) != FILLINGS[self.filling.kind].from_file:
             told = "must be left out: the file gives them" if self.sizes else "is missing"
             raise ValueError(f"sizes {told}, where filling.kind is {self.filling.kind}")
+        return self
+
+    @model_validator(mode="after")
+    def _records_what_is_drawn(self) -> Self:
+        record = self.record
+        if self.outputs and not (record.wall_force_window_s and (record.snapshots_s or record.snapshots_every_s)):
+            raise ValueError("outputs need record.wall_force_window_s, and record.snapshots_every_s or snapshots_s")
         return self
 
     @model_validator(mode="after")
