@@ -17,16 +17,17 @@ MOST = 60  # frames
 DPI = 80
 FASTEST = 1.0  # m/s: end of the colour scale
 CM = 100.0
+BELOW = 2.0  # cm that are shown below the outlet
 
 
 def draw(cube: xr.Dataset, stem: Path) -> None:
     """Writes an animated WebP, which browsers play: as many snapshots as MOST, even in time."""
     shots = np.unique(np.linspace(0, cube.sizes["snapshot"] - 1, min(MOST, cube.sizes["snapshot"])).round().astype(int))
     half, top = (float(cube.attrs[name]) * CM for name in ("half_width_m", "top_height_m"))
-    figure, panel = plt.subplots(figsize=(3.4, min(7.0, 1.6 + 2.6 * (top + 4.0) / (2.0 * half))))
+    figure, panel = plt.subplots(figsize=(3.4, min(7.0, 1.6 + 2.6 * (top + BELOW) / (2.0 * half))))
     _outline(panel, cube)
     panel.set(xlabel="across (cm)", ylabel="height above the outlet (cm)", aspect="equal")
-    panel.set(xlim=(-half - 0.5, half + 0.5), ylim=(-4.0, top))
+    panel.set(xlim=(-half - 0.5, half + 0.5), ylim=(-BELOW, top))
     panel.grid(False)
     shown = panel.add_collection(_slice(cube, shots[-1], panel))
     figure.colorbar(shown, ax=panel, label="speed of the sphere (m/s)", shrink=0.6)

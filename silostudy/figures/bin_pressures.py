@@ -31,11 +31,18 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
         panel.set(title=name, xlabel="angle from the x axis (deg)", xlim=(0, 360), xticks=range(0, 361, 90))
         _transition(panel, cube)
     panels[0, 0].set_ylabel("height above the outlet (m)")
-    panels[0, 0].set_ylim(0.0, float(cube.attrs["top_height_m"]))
+    panels[0, 0].set_ylim(0.0, _loaded(cube, cells))
     figure.colorbar(found, ax=panels[0, : len(shown)], location="bottom", shrink=0.7, label="normal pressure (kPa)")
     table = _profiles(panels[0, -1], cube, cells)
     figure.suptitle(str(cube.attrs["title"]), fontsize=10)
     save(figure, pd.concat([cells.assign(kind="cell"), table], ignore_index=True), stem)
+
+
+def _loaded(cube: xr.Dataset, cells: pd.DataFrame) -> float:
+    """Height (m) up to which walls are drawn: a little above the highest cell that is ever pressed."""
+    pressed = cells[[*MAPS.values()]].max(axis=1) > 0.0
+    top = float(cube.attrs["top_height_m"])
+    return min(top, 1.15 * float(cells["height_m"][pressed].max())) if pressed.any() else top
 
 
 def _map(panel: Axes, cells: pd.DataFrame, column: str, most: float) -> PolyCollection:

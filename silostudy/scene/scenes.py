@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from silostudy.config.dem import DemScene
-from silostudy.config.grain_scenes import scene_class
+from silostudy.config.grain_scenes import AnyScene, scene_class
 from silostudy.config.load import own_validated, read_yaml
 from silostudy.config.scenes import ScenesStudy
 from silostudy.packing import PACKINGS
@@ -31,10 +31,25 @@ class SceneCase:
         return (*data, *own_files(self.folder, self.config.methods_from))
 
 
+def scene_in(path: Path) -> AnyScene:
+    """The scene in a file as asked; BadInput lists every mistake of it."""
+    content = read_yaml(path)
+    return own_validated(scene_class(content, str(path)), content, str(path), path.parent)
+
+
+def title_of_scene(path: Path) -> str:
+    """Title of the scene in a file."""
+    return scene_in(path).title
+
+
+def outputs_of_scene(path: Path) -> tuple[str, ...]:
+    """Keys of the figures that a scene file asks for."""
+    return getattr(scene_in(path), "outputs", ())
+
+
 def files_of_scene(path: Path) -> tuple[Path, ...]:
     """The user's own files that a scene file names; BadInput lists every mistake of it."""
-    content = read_yaml(path)
-    config = own_validated(scene_class(content, str(path)), content, str(path), path.parent)
+    config = scene_in(path)
     return (*(path.parent / name for name in config.named_files), *own_files(path.parent, config.methods_from))
 
 
