@@ -37,7 +37,7 @@ def phases(cube: xr.Dataset) -> pd.DataFrame:
     nothing = np.full(len(walls), np.nan)
     return pd.DataFrame({
         "surface": names[walls],
-        "height_m": cube["wall_cell_z"].values[walls],
+        "height_m": cube["wall_cell_z"].values[walls].round(9),
         "angle_deg": np.degrees(cube["wall_cell_turn"].values[walls]),
         "area_m2": cube["wall_cell_area"].values[walls],
         "pressure_rest_Pa": mean[rest[-1]],
@@ -50,10 +50,9 @@ def phases(cube: xr.Dataset) -> pd.DataFrame:
 def profile(cells: pd.DataFrame) -> pd.DataFrame:
     """Means over the angle, weighted by area: a row a height and kind of surface."""
     kind = cells["surface"].str.split("_").str[0]
-    height = cells["height_m"].round(9)
     columns = [name for name in cells.columns if name.endswith("_Pa")]
     weighted = cells[columns].multiply(cells["area_m2"], axis=0).assign(area=cells["area_m2"])
-    total = weighted.groupby([kind.rename("surface"), height]).sum(min_count=1)
+    total = weighted.groupby([kind.rename("surface"), cells["height_m"]]).sum(min_count=1)
     return total[columns].div(total["area"], axis=0).reset_index()
 
 

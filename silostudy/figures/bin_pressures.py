@@ -6,7 +6,7 @@ import numpy as np
 import pandas as pd
 import xarray as xr
 from matplotlib.axes import Axes
-from matplotlib.collections import PolyCollection
+from matplotlib.collections import QuadMesh
 
 from silostudy.figures import bin as bins
 from silostudy.figures.style import AID, plt, save
@@ -28,7 +28,7 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     most = max(float(cells[column].max()) for column in shown.values()) / KPA or 1.0
     for panel, (name, column) in zip(panels[0], shown.items(), strict=False):
         found = _map(panel, cells, column, most)
-        panel.set(title=name, xlabel="angle from the x axis (deg)", xlim=(0, 360), xticks=range(0, 361, 90))
+        panel.set(title=name, xlabel="angle from the x axis (°)", xlim=(0, 360), xticks=range(0, 361, 90))
         _transition(panel, cube)
     panels[0, 0].set_ylabel("height above the outlet (m)")
     panels[0, 0].set_ylim(0.0, _loaded(cube, cells))
@@ -45,21 +45,15 @@ def _loaded(cube: xr.Dataset, cells: pd.DataFrame) -> float:
     return min(top, 1.15 * float(cells["height_m"][pressed].max())) if pressed.any() else top
 
 
-def _map(panel: Axes, cells: pd.DataFrame, column: str, most: float) -> PolyCollection:
-    """Cells as rectangles of angle and height, coloured by pressure (kPa)."""
-    corners, values = [], []
-    for name, surface in cells.groupby("surface", sort=False):
-        heights = np.unique(surface["height_m"].round(9))
+def _map(panel: Axes, cells: pd.DataFrame, column: str, most: float) -> QuadMesh:
+    """Cells as rectangles of angle and height, coloured by pressure (kPa); all walls of a kind go round together."""
+    for _, kind in cells.groupby(cells["surface"].str.split("_").str[0], sort=False):
+        heights = np.unique(kind["height_m"])
+        grid = kind.sort_values(["height_m", "angle_deg"])[column].to_numpy().reshape(len(heights), -1) / KPA
+        angles = np.linspace(0.0, 360.0, grid.shape[1] + 1)
         high = heights[1] - heights[0] if len(heights) > 1 else 2.0 * heights[0]
-        alike = cells["surface"].str.split("_").str[0] == str(name).split("_")[0]
-        wide = 360.0 * len(heights) / alike.sum()  # all surfaces of a kind go round together, in equal parts
-        for height, angle, value in zip(surface["height_m"], surface["angle_deg"], surface[column], strict=True):
-            left, right, low, top = angle - wide / 2, angle + wide / 2, height - high / 2, height + high / 2
-            corners.append([(left, low), (right, low), (right, top), (left, top)])
-            values.append(value / KPA)
-    found = PolyCollection(corners, array=np.array(values), cmap="viridis", edgecolors="face", linewidths=0.3)
-    found.set_clim(0.0, most)
-    panel.add_collection(found)
+        edges = np.append(heights - high / 2, heights[-1] + high / 2)
+        found = panel.pcolormesh(angles, edges, grid, cmap="viridis", vmin=0.0, vmax=most)
     panel.grid(False)
     return found
 
