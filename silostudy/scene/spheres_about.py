@@ -7,7 +7,7 @@ from silostudy.dem.space.model import SphereModel
 from silostudy.packing.filling import FILLINGS
 from silostudy.packing.sizes import SIZES
 from silostudy.scene.dem import Effect, law_effect
-from silostudy.scene.spheres import MPA, contacts_of, grain_of, material_of, space_silo_of
+from silostudy.scene.spheres import MPA, contacts_of, grain_of, material_of, plane_of_rain, space_silo_of
 from silostudy.scene.spheres_model import narrow
 from silostudy.tables.materials import Material
 
@@ -32,6 +32,18 @@ def overlap_at(pressure: float, model: SphereModel) -> float:
     return float((pressure * 4.0 * radius**2 / (stiffness * sqrt(radius / 2.0))) ** (2.0 / 3.0) / radius)
 
 
+def overlap_of_fall(scene: SphereScene, model: SphereModel) -> float:
+    """Largest overlap over the radius (1) of a mean sphere that rain lets fall onto another from the plane to the outlet.
+
+    Hertz: (15 m* v^2 / (16 E* sqrt(R*)))^0.4, without its dashpot.
+    """
+    radius, mass = float(model.radius.mean()), float(model.mass.mean())
+    drop = plane_of_rain(scene, space_silo_of(scene), float(model.radius.max()))
+    square = scene.filling.speed_m_s**2 + 2.0 * float(-model.gravity[2]) * drop
+    modulus = 0.75 * model.pair_contact.coefficients["hertz_stiffness"]
+    return float((15.0 * mass / 2.0 * square / (16.0 * modulus * sqrt(radius / 2.0))) ** 0.4 / radius)
+
+
 def softening(scene: SphereScene, model: SphereModel) -> list[str]:
     """Lines on the modulus that is computed with, and the overlap that the column's weight makes of it."""
     real, used = material_of(scene.grain).youngs_modulus, grain_of(scene).youngs_modulus
@@ -53,6 +65,8 @@ def softening(scene: SphereScene, model: SphereModel) -> list[str]:
         deep = overlap_at(pressure, model)
         told = f"overlap under {low:.3g} m of spheres without friction at walls: {deep:.2%} of the radius"
         lines.append(f"{told}; unsoftened {deep * (used / real) ** (2.0 / 3.0):.2%}" if real > used else told)
+        if FILLINGS[scene.filling.kind].rains:
+            lines.append(f"overlap of the longest fall: {overlap_of_fall(scene, model):.2%} of the radius, without dashpots")
     return lines
 
 

@@ -60,8 +60,11 @@ def test_softening_is_told_with_its_overlap():
     """Modulus by 20: overlaps by 20^(2/3); Hertz's overlap under a column, by its own formula."""
     scene = scene_of()
     model = scene_model(scene, ROOT)
-    ratio, overlap = softening(scene, model)
+    ratio, overlap, fall = softening(scene, model)
     assert "a ratio of 20: steps 4.5 times as long, overlaps 7.37 times as deep" in ratio
+    speed, mass = sqrt(1.0 + 2.0 * 9.81 * (0.1 + 0.01 / tan(radians(30.0)) - 1.05 * 0.004)), 2500 * 4.0 / 3.0 * pi * 0.004**3
+    deepest = (15.0 * mass / 2.0 * speed**2 / (16.0 * 5e6 / (2.0 * 0.9375) * sqrt(0.002))) ** 0.4 / 0.004
+    assert f"{deepest:.2%}" in fall
     told = float(overlap.split("m of spheres")[0].split()[-1])
     force = 0.6 * 2500 * 9.81 * told * 0.008**2
     depth = (3.0 * force / (4.0 * 5e6 / (2.0 * (1.0 - 0.25**2)) * sqrt(0.002))) ** (2.0 / 3.0) / 0.004
