@@ -8,14 +8,14 @@ import matplotlib.pyplot as plt
 import numpy as np
 import pandas as pd
 import xarray as xr
-from matplotlib.colors import ListedColormap
+from matplotlib.colors import BoundaryNorm, ListedColormap
 from matplotlib.patches import Patch, Rectangle
 
 from silostudy.cube.governing import parts
 from silostudy.figures import rules
 from silostudy.figures.style import save, title
 
-STEPS = (0.0, 0.25, 0.5, 0.75, 1.0, np.inf)  # of utilisation, with a colour each
+STEPS = (0.0, 0.25, 0.5, 0.75, 1.0, 1e9)  # of utilisation, with a colour each
 COLOURS = ("#F7F7F7", "#D1E5F0", "#92C5DE", "#FDDBC7", "#D6604D")
 BLANK = "#FFFFFF"
 UNCHECKED = "not checked"
@@ -63,9 +63,7 @@ def _cases(cube: xr.Dataset) -> str:
 def _fields(axes, shown: pd.DataFrame, names: list[str], keys: list[str]) -> None:
     """A field for each part and combination; the governing one of each part has a frame."""
     used = shown.pivot(index="part", columns="combination", values="utilisation").loc[names, keys].to_numpy()
-    colour = np.clip(np.digitize(used, STEPS[1:-1], right=True), 0, len(COLOURS) - 1)
-    picture = np.ma.masked_where(np.isnan(used), colour)
-    axes.imshow(picture, cmap=ListedColormap(COLOURS), vmin=-0.5, vmax=len(COLOURS) - 0.5, aspect="auto")
+    axes.imshow(used, cmap=ListedColormap(COLOURS), norm=BoundaryNorm(STEPS, len(COLOURS)), aspect="auto")
     for record in shown.itertuples():
         row, column = names.index(record.part), keys.index(record.combination)
         governs = np.isfinite(record.utilisation) and record.utilisation == np.nanmax(used[row])
@@ -100,7 +98,7 @@ def _part(cube: xr.Dataset, name: str) -> str:
 
 
 def _handles() -> list[Patch]:
-    ends = [f"above {low:g}" if high == np.inf else f"{low:g} to {high:g}" for low, high in pairwise(STEPS)]
+    ends = [f"above {low:g}" if high == STEPS[-1] else f"{low:g} to {high:g}" for low, high in pairwise(STEPS)]
     found = [Patch(facecolor=colour, edgecolor="0.6", label=end) for colour, end in zip(COLOURS, ends, strict=True)]
     return [
         *found,
