@@ -67,6 +67,16 @@ def _combinations(chosen):
         yield f"{row.key:4}", f"{row.title:34}", factors, f"{row.source}, {row.locator}"
 
 
+def _load_cases(chosen):
+    from silostudy.pressure.en1991_4.characteristic import described
+    from silostudy.tables.load_cases import LOAD_CASES
+
+    for row in LOAD_CASES.values():
+        values = "; ".join(f"{name}: {described(name)}" for name in row.sets)
+        state = f"{row.state} ({row.evidence})" if row.evidence else row.state
+        yield f"{row.key:20}", f"{row.title:52}", f"{row.clause:12}", state, values, f"{row.source}, {row.locator}", row.remark
+
+
 def _laws(chosen):
     from silostudy.contact import FAMILIES
 
@@ -179,6 +189,7 @@ LISTS = {
     "buckling": _buckling,
     "checks": _checks,
     "combinations": _combinations,
+    "load-cases": _load_cases,
     "laws": _laws,
     **{name: _parts_of_scenes(name) for name in ("packings", "fillings", "sizes", "integrators", "triggers", "rest")},
     "mass-rules": _mass_rules,
