@@ -43,7 +43,7 @@ def measured_value(here: xr.Dataset, one: Measured) -> float:
 
 
 def deviations(here: xr.Dataset, one: Measured, methods: Sequence[str]) -> pd.DataFrame:
-    """Each method's value in every phase, by how much it is off (1), and which of the measured phase bracket the measurement."""
+    """Each method's value in every phase, by how much it is off (1), and which of the measured phase bracket it."""
     rows, measured = [], measured_value(here, one)
     for method in methods:
         for phase in map(str, here["phase"].values):
@@ -56,6 +56,12 @@ def deviations(here: xr.Dataset, one: Measured, methods: Sequence[str]) -> pd.Da
     below, above = same[same.off < 0].off.max(), same[same.off >= 0].off.min()
     bracket = np.where(table.off == below, "next below", np.where(table.off == above, "next above", ""))
     return table.assign(bracket=np.where(table.phase == one.phase, bracket, ""))
+
+
+def neighbour(table: pd.DataFrame, where: str) -> tuple[list[str], float]:
+    """(methods, by how much they are off) of the values next `below` or `above` a measurement; none and NaN where none is."""
+    rows = table[table.bracket == f"next {where}"]
+    return list(rows.pressure_method), float(rows.off.iloc[0]) if len(rows) else np.nan
 
 
 def _computed(state: xr.Dataset, one: Measured) -> float:

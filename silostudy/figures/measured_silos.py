@@ -55,7 +55,12 @@ def _curves(panel, here: xr.Dataset, points: list[Measured]) -> pd.DataFrame:
                     "markevery": 12,
                 }
                 style |= {"markerfacecolor": "none"} if phase == "filling" else {}
-                table: dict[str, Any] = {"shown": "curve", "measurement": points[0].measurement, "pressure_method": method, "phase": phase}
+                table: dict[str, Any] = {
+                    "shown": "curve",
+                    "measurement": points[0].measurement,
+                    "pressure_method": method,
+                    "phase": phase,
+                }
                 table |= {"title": f"{title(here, method)}, {phase}"}
                 table |= {"depth_m": here["depth"].values, "computed_kPa": pressure.values / 1e3}
                 tables.append(pd.DataFrame(table).dropna())

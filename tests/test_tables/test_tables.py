@@ -10,11 +10,11 @@ from silostudy.config.pressure import PressureStudy
 from silostudy.cube.contract import VARIABLES
 from silostudy.errors import BadInput
 from silostudy.pressure import PRESSURE
+from silostudy.tables import measured
 from silostudy.tables.asked import ASKED
 from silostudy.tables.clauses import EVIDENCE, STATES, clauses
 from silostudy.tables.handbook import TONNE_PER_M2, errata, table_4_2_5
 from silostudy.tables.read import HERE, rows
-from silostudy.tables import measured
 from silostudy.tables.references import cite
 from silostudy.tables.solids import SOLIDS, own_solids, read_solids
 from silostudy.tables.units import SUFFIXES, split_unit
