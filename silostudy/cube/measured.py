@@ -6,6 +6,7 @@ import numpy as np
 import pandas as pd
 import xarray as xr
 
+from silostudy.errors import BadInput
 from silostudy.tables.measured import Measured, measured_pressures
 
 PRESSURE = "wall_normal_pressure"
@@ -20,15 +21,21 @@ def pressures_measured_in(here: xr.Dataset) -> list[Measured]:
 def cases_of(cube: xr.Dataset, one: Measured) -> list[int]:
     """Places on the cube's axis `silo` with the solid, the wall and the size that a measurement is answered with.
 
-    What the measurement leaves open (the size, the wall) any case has.
+    What the measurement leaves open (the size, the wall) any case has.  BadInput where the cube holds no such case.
     """
     found = []
+    if not {"silo_solid", "silo_wall"} <= set(cube.coords):
+        raise BadInput("sweep", "silo", "the points of this axis must set solid and wall, which the measurements are known by")
     for place in range(cube.sizes["silo"]):
         here = cube.isel(silo=place)
         on_wall = one.taken_wall in ("", str(here["silo_wall"].values))
         sized = np.isnan(one.diameter) or _of_this_size(here, one)
         if str(here["silo_solid"].values) == one.taken_solid and on_wall and sized:
             found.append(place)
+    if not found:
+        size = "" if np.isnan(one.diameter) else f" of {one.diameter:g} m x {one.height:g} m"
+        wall = f" on {one.taken_wall}" if one.taken_wall else ""
+        raise BadInput("sweep", "silo", f"no point is the silo{size} with {one.taken_solid}{wall} of {one.measurement}")
     return found
 
 

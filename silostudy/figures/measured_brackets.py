@@ -61,7 +61,7 @@ def _name(cube: xr.Dataset, method: str) -> str:
 # ---- values beside a measurement ----
 def _compared(cube: xr.Dataset, one: Measured) -> pd.DataFrame:
     """Every method's value in the measured phase; the swelling solid is another state."""
-    (place,) = cases_of(cube, one)
+    place, *_ = cases_of(cube, one)
     methods = [method for method in map(str, cube["pressure_method"].values) if method != SWOLLEN]
     table = deviations(cube.isel(silo=place), one, methods)
     return table[table.phase == one.phase].assign(shown="method", ratio=lambda rows: rows.off + 1)

@@ -9,6 +9,7 @@ import pandas as pd
 import xarray as xr
 
 from silostudy.cube.measured import deviations, pressures_measured_in
+from silostudy.errors import BadInput
 from silostudy.figures.style import PHASE_LINES, look, save, silent, title
 from silostudy.tables.measured import Measured
 
@@ -17,6 +18,9 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     """Writes a pair of panels for each measured silo of the study (curves, deviations) and the deviations as numbers."""
     found = {place: pressures_measured_in(cube.isel(silo=place)) for place in range(cube.sizes["silo"])}
     places = [place for place, points in found.items() if points]
+    if not places:
+        told = "no silo of the study has the size of one in which pressures were measured (`silostudy list measurements`)"
+        raise BadInput("cube", cube.attrs["title"], told)
     figure, axes = plt.subplots(len(places), 2, figsize=(12.5, 6.2 * len(places)), squeeze=False, width_ratios=(1, 1.15))
     tables = []
     for (curves, bars), place in zip(axes, places, strict=True):

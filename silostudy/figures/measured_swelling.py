@@ -8,7 +8,7 @@ import pandas as pd
 import xarray as xr
 from matplotlib.axes import Axes
 
-from silostudy.cube.measured import crossing, swelling_over_filling
+from silostudy.cube.measured import cases_of, crossing, swelling_over_filling
 from silostudy.tables.measured import Measured
 
 DEEPEST = 0.9  # z/z_o down to which the quotient is drawn
@@ -23,11 +23,11 @@ def curves(cube: xr.Dataset, swollen: Sequence[Measured], swelling: str, filled:
     first wall stands for all.
     """
     tables: list[pd.DataFrame] = []
-    solids, seen = {one.taken_solid for one in swollen}, set()
-    for place in range(cube.sizes["silo"]):
+    seen: set[str] = set()
+    for place in sorted({place for one in swollen for place in cases_of(cube, one)}):
         here = cube.isel(silo=place)
         solid, wall = str(here["silo_solid"].values), str(here["silo_wall"].values)
-        for method in filled[: 1 if solid in seen else 2] if solid in solids else ():
+        for method in filled[: 1 if solid in seen else 2]:
             depth, ratio = swelling_over_filling(here, swelling, method)
             names = {"shown": "curve", "swelling": swelling, "pressure_method": method}
             names |= {"title": str(here["pressure_method_title"].sel(pressure_method=method).values)}

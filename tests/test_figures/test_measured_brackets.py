@@ -1,14 +1,17 @@
 """What brackets the measurements: the figure's numbers against the cube and against closed forms."""
 
 from functools import cache
+from pathlib import Path
 
 import matplotlib.pyplot as plt
 import numpy as np
 import pandas as pd
 import pytest
+from matplotlib.figure import Figure
 
 from silostudy.cube.measured import cases_of, deviations, neighbour
-from silostudy.figures import measured_brackets
+from silostudy.errors import BadInput
+from silostudy.figures import measured_brackets, measured_silos
 from silostudy.tables.measured import measurements
 from tests.test_figures.small_cubes import cube_of
 
@@ -20,11 +23,14 @@ def cube():
     return cube_of("measured-brackets", "pressure")
 
 
-@pytest.fixture
-def numbers(tmp_path):
-    measured_brackets.draw(cube(), tmp_path / "brackets")
-    plt.close("all")
-    return pd.read_csv(tmp_path / "brackets.csv")
+@pytest.fixture(scope="module")
+def numbers(tmp_path_factory):
+    """The table beside the figure, drawn once and without its pixels."""
+    stem = tmp_path_factory.mktemp("figure") / "brackets"
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(Figure, "savefig", lambda figure, path, **options: Path(path).touch())
+        measured_brackets.draw(cube(), stem)
+    return pd.read_csv(stem.with_suffix(".csv"))
 
 
 def test_every_measurement_has_its_finding(numbers):
@@ -85,3 +91,22 @@ def test_brackets_follow_the_pressures():
     assert neighbour(deviations(here, one, methods), "above")[0] == ["janssen"]
     assert neighbour(deviations(here, one, methods), "below")[0] == []
     assert neighbour(deviations(halved, one, methods), "below")[0] == ["en1991_4"]
+
+
+@pytest.mark.parametrize(
+    ("change", "told"),
+    [
+        (lambda cube: cube.drop_vars("silo_wall"), "must set solid and wall"),
+        (lambda cube: cube.isel(silo=slice(1, None)), "12.8 m x 17.1 m with maize_e1 on d3 of thompson_12_8"),
+        (lambda cube: cube.isel(silo=slice(0, 5)), "silo with barley_e1 of swelling_oats_1998"),
+    ],
+)
+def test_a_study_without_a_case_is_told(tmp_path, change, told):
+    with pytest.raises(BadInput, match=told):
+        measured_brackets.draw(change(cube()), tmp_path / "brackets")
+    plt.close("all")
+
+
+def test_a_study_without_a_measured_size_is_told(tmp_path):
+    with pytest.raises(BadInput, match="no silo of the study has the size"):
+        measured_silos.draw(cube().isel(silo=slice(2, None)), tmp_path / "silos")
