@@ -13,6 +13,8 @@ def told(cube: "xr.Dataset") -> list[str]:
     lines = []
     for one in pressures_measured_in(cube):
         table = deviations(cube, one, list(map(str, cube["pressure_method"].values)))
+        if not (table.phase == one.phase).any():
+            continue
         found = [(where, *neighbour(table, where)) for where in ("below", "above")]
         words = [f"next {where} {', '.join(names)} ({off:+.0%})" if names else f"none {where}" for where, names, off in found]
         what = f"{one.quantity} {one.told} at {one.depth:g} m, {one.phase}, {one.solid}"

@@ -10,6 +10,7 @@ from silostudy.errors import BadInput
 from silostudy.tables.measured import Measured, measured_pressures
 
 PRESSURE = "wall_normal_pressure"
+COLUMNS = ["measurement", "pressure_method", "phase", "measured", "computed", "off"]
 FORMULAS = {"1 - sin(phi)": lambda here: 1 - np.sin(float(here["internal_friction_angle"].isel(pressure_method=0)))}
 
 
@@ -58,7 +59,7 @@ def deviations(here: xr.Dataset, one: Measured, methods: Sequence[str]) -> pd.Da
             if np.isfinite(computed):
                 row = {"measurement": one.measurement, "pressure_method": method, "phase": phase}
                 rows.append(row | {"measured": measured, "computed": computed, "off": computed / measured - 1})
-    table = pd.DataFrame(rows).sort_values("off", kind="stable", ignore_index=True)
+    table = pd.DataFrame(rows, columns=COLUMNS).sort_values("off", kind="stable", ignore_index=True)
     same = table[table.phase == one.phase]
     below, above = same[same.off < 0].off.max(), same[same.off >= 0].off.min()
     bracket = np.where(table.off == below, "next below", np.where(table.off == above, "next above", ""))
@@ -72,11 +73,14 @@ def neighbour(table: pd.DataFrame, where: str) -> tuple[list[str], float]:
 
 
 def _computed(state: xr.Dataset, one: Measured) -> float:
-    """What answers a measurement in one state: a value behind the wall pressure, or a quantity at the measured depth."""
+    """What answers a measurement in one state: a value behind the wall pressure, or a quantity at the measured depth.
+
+    NaN at a depth that the cube does not reach.
+    """
     values = state[one.answer]
     if "used_for" in values.dims:
         return float(values.sel(used_for=PRESSURE))
-    return float(np.interp(one.depth, state["depth"].values, values.values))
+    return float(np.interp(one.depth, state["depth"].values, values.values, left=np.nan, right=np.nan))
 
 
 def swelling_over_filling(here: xr.Dataset, swollen: str, filled: str) -> tuple[np.ndarray, np.ndarray]:

@@ -16,10 +16,10 @@ from silostudy.tables.measured import Measured
 
 def draw(cube: xr.Dataset, stem: Path) -> None:
     """Writes a pair of panels for each measured silo of the study (curves, deviations) and the deviations as numbers."""
-    found = {place: pressures_measured_in(cube.isel(silo=place)) for place in range(cube.sizes["silo"])}
+    found = {place: _points(cube.isel(silo=place)) for place in range(cube.sizes["silo"])}
     places = [place for place, points in found.items() if points]
     if not places:
-        told = "no silo of the study has the size of one in which pressures were measured (`silostudy list measurements`)"
+        told = "no silo of the study has the size of a measured one, and depths to the measured one (see `silostudy list`)"
         raise BadInput("cube", cube.attrs["title"], told)
     figure, axes = plt.subplots(len(places), 2, figsize=(12.5, 6.2 * len(places)), squeeze=False, width_ratios=(1, 1.15))
     tables = []
@@ -33,6 +33,11 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     handles = [*axes[0, 0].get_legend_handles_labels()[0], *silent(cube)]
     figure.legend(handles=handles, loc="outside lower center", ncols=3, fontsize=8)
     save(figure, pd.concat(tables, ignore_index=True), stem)
+
+
+def _points(here: xr.Dataset) -> list[Measured]:
+    """The measured pressures of a silo at depths that the cube reaches."""
+    return [one for one in pressures_measured_in(here) if float(here["depth"].min()) <= one.depth <= float(here["depth"].max())]
 
 
 def _deviations(here: xr.Dataset, point: Measured) -> pd.DataFrame:

@@ -107,6 +107,12 @@ def test_a_study_without_a_case_is_told(tmp_path, change, told):
     plt.close("all")
 
 
+def test_a_depth_that_the_cube_does_not_reach_is_not_answered():
+    one = MEASURED["thompson_12_8"]
+    here = cube().isel(silo=0, relative_depth=slice(0, 100))
+    assert deviations(here, one, ["janssen"]).empty
+
+
 def test_a_study_without_a_measured_size_is_told(tmp_path):
-    with pytest.raises(BadInput, match="no silo of the study has the size"):
+    with pytest.raises(BadInput, match="no silo of the study has the size of a measured one"):
         measured_silos.draw(cube().isel(silo=slice(2, None)), tmp_path / "silos")
