@@ -8,8 +8,8 @@ from silostudy.commands.families import add_methods_from, families
 def add(sub) -> None:
     command = sub.add_parser(
         "list",
-        help="list kinds of study, methods, rules, laws and other parts of scenes, solids, walls, records, studies, outputs, "
-        "problems or accuracies",
+        help="list kinds of study, methods, rules, laws and other parts of scenes, solids, walls, records, measurements, "
+        "studies, outputs, problems or accuracies",
     )
     command.add_argument("what", choices=LISTS)
     command.add_argument("--studies", type=Path, default=Path("config/studies"), help="folder of study files")
@@ -132,6 +132,14 @@ def _records(chosen):
         yield f"{row.key:18}", row.title, f"{row.source}, {row.locator}", row.remark
 
 
+def _measurements(chosen):
+    from silostudy.tables.measured import measurements
+
+    for row in measurements():
+        what = f"{row.title}: {row.quantity} {row.told}"
+        yield f"{row.measurement:24}", f"{row.kind:13}", what, f"{row.source}, {row.locator}", row.why_none
+
+
 def _solids(chosen):
     from math import degrees
 
@@ -197,6 +205,7 @@ LISTS = {
     "walls": _walls,
     "materials": _materials,
     "records": _records,
+    "measurements": _measurements,
     "studies": _studies,
     "outputs": _outputs,
     "problems": _problems,
