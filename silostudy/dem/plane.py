@@ -31,6 +31,7 @@ from silostudy.dem.lanes import (
     gather,
     scatter,
 )  # fmt: skip
+from silostudy.dem.pieces import Laws
 from silostudy.dem.walls import cell_count, gather_walls, note_walls, scatter_walls, walls_of
 
 
@@ -57,6 +58,18 @@ def reduced(flat: bool):
 def carry(history, normal):
     """A history as it is: in the plane there is one direction along a contact."""
     return history
+
+
+@register_jitable
+def twisting(lanes, k, normal):
+    """Difference of spins about the normal (1/s): none, the normal lies in the plane."""
+    return 0.0
+
+
+@register_jitable
+def about(moment, twist, normal):
+    """A moment (N m/m) with that about the normal: none."""
+    return moment
 
 
 def rates(unequal: bool):
@@ -93,10 +106,12 @@ def where(touching, value):
     return value if touching else 0.0
 
 
-def walk(gathered: Callable, contact: Callable, unequal: bool, slides: bool, rolls: bool, key: tuple):
+def walk(gathered: Callable, contact: Callable, unequal: bool, laws: Laws, key: tuple):
     """Function that takes a stretch of a list contact by contact: the loop that the compiler vectorises."""
 
-    @piece("plane", unequal, slides, rolls, *key)
+    slides, rolls = laws.slides, laws.rolls
+
+    @piece("plane", unequal, *key)
     def forces(rows, contacts, shape, start, count, lanes, out, stored, rolled, dt, c):
         gathered(rows, contacts, shape, start, count, lanes)
         stored = stored[start:] if slides else stored
@@ -109,11 +124,11 @@ def walk(gathered: Callable, contact: Callable, unequal: bool, slides: bool, rol
             if unequal:
                 a, b, m = arm[k], other[k], mass[k]
             old, turned = stored[k] if slides else 0.0, rolled[k] if rolls else 0.0
-            held, moment = contact(lanes, out, k, a, b, m, old, turned, dt, c)
+            held, rolling, _, _ = contact(lanes, out, k, a, b, m, old, turned, 0.0, 0.0, dt, c)
             if slides:
                 stored[k] = held
             if rolls:
-                rolled[k] = moment
+                rolled[k] = rolling
 
     return forces
 
@@ -172,6 +187,8 @@ PLANE = Dimension(
     reduced=reduced,
     rates=rates,
     carry=carry,
+    twisting=twisting,
+    about=about,
     put=put,
     where=where,
     walk=walk,

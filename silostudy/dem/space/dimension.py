@@ -16,7 +16,7 @@ from silostudy.dem.space.lanes import (
     gather_rolling,
     scatter,
 )
-from silostudy.dem.space.motion import carry, facing, move, pushed, put, rates, reduced, walk, where
+from silostudy.dem.space.motion import about, carry, facing, move, pushed, put, rates, reduced, twisting, walk, where
 from silostudy.dem.space.walls import cell_count, walls_of
 
 SPACE = Dimension(
@@ -44,6 +44,8 @@ SPACE = Dimension(
     reduced=reduced,
     rates=rates,
     carry=carry,
+    twisting=twisting,
+    about=about,
     put=put,
     where=where,
     walk=walk,
