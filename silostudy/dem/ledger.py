@@ -101,7 +101,7 @@ def contact_book(space, laws, *, unequal, flat):
     forces, and power that dashpots take where contacts stick and where they slip."""
     gathered = gather_pass(space, laws, unequal=unequal, flat=flat)
     facing, rates, answer = space.facing, space.rates(unequal), response(laws)
-    slide_stiffness, roll_stiffness, cohesion_law = laws.tangential.stiffness, laws.rolling.stiffness, laws.cohesion.law
+    slide_stiffness, roll_stiffness, attraction = laws.tangential.stiffness, laws.rolling.stiffness, laws.cohesion.energy
     stretch = space.stretch
     energy, slides, rolls, tangential_law = laws.normal.energy, laws.slides, laws.rolls, laws.tangential.law
 
@@ -120,28 +120,27 @@ def contact_book(space, laws, *, unequal, flat):
                 normal, distance = facing(lanes, k)
                 overlap, stored, turned = a + b - distance, old_stored[at], old_rolled[at]
                 closing, sliding, rolling = rates(lanes, k, normal, a, b, overlap, flat)
-                touch = Touch(m, a if flat else a * b / (a + b), dt, overlap, closing)
+                touch = Touch(m, a if flat else a * b / (a + b), dt, overlap, closing, overlap - closing * dt)
                 slide_spring, roll_spring = slide_stiffness(overlap, touch, c[1]), roll_stiffness(overlap, touch, c[2])
                 if overlap <= 0.0:  # what springs held when the contact opened is lost
                     slid += of_spring(stored, slide_spring) if slides else 0.0
                     slid += of_spring(turned, roll_spring) if rolls else 0.0
                     continue
-                elastic, push, held, drag, moment = answer(overlap, closing, sliding, rolling, stored, turned, touch, c)
-                pull = cohesion_law(c[3])
-                elastic_energy += energy(overlap, touch, c[0]) - pull * overlap
+                elastic, push, pull, (held, drag), (rolled, moment), _ = answer(
+                    sliding, rolling, 0.0, stored, turned, 0.0, touch, c
+                )
+                elastic_energy += energy(overlap, touch, c[0]) + attraction(touch, c[3])
                 if slides:
                     elastic_energy += of_spring(held, slide_spring)
                     slid += of_slip(stored - slide_spring * dt * sliding, held, slide_spring)
                 if rolls:
-                    elastic_energy += of_spring(moment, roll_spring)
-                    slid += of_slip(turned - roll_spring * dt * rolling, moment, roll_spring)
+                    elastic_energy += of_spring(rolled, roll_spring)
+                    slid += of_slip(turned - roll_spring * dt * rolling, rolled, roll_spring)
                 nearing, along, turning = rates(ledger.lanes, k, normal, a, b, overlap, flat)  # on average over the step
                 elastic_power += (pull - elastic) * nearing + held * along
                 braking += (push - elastic) * nearing
-                if rolls:
-                    elastic_power += moment * turning
-                else:
-                    braking -= moment * turning
+                elastic_power += rolled * turning
+                braking -= (moment - rolled) * turning
                 lost = (held - drag) * along
                 _, unlimited = tangential_law(stored, sliding, touch, NO_LIMIT, NO_LIMIT, c[1])
                 if drag != unlimited or (drag == 0.0 and held != 0.0):  # a coefficient of zero slips at any force

@@ -13,8 +13,7 @@ from silostudy.cube.contract import VARIABLES
 from silostudy.errors import BadInput
 from silostudy.pressure import PRESSURE
 from silostudy.pressure.en1991_4.characteristic import SETS
-from silostudy.tables import load_cases
-from silostudy.tables import measured
+from silostudy.tables import load_cases, measured
 from silostudy.tables.asked import ASKED
 from silostudy.tables.clauses import EVIDENCE, STATES, clauses
 from silostudy.tables.handbook import TONNE_PER_M2, errata, table_4_2_5
