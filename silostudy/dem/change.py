@@ -4,7 +4,6 @@ from dataclasses import replace
 
 import numpy as np
 
-from silostudy.dem.arrays import Memory
 from silostudy.dem.engine import Engine
 from silostudy.dem.ledger import carry_in
 from silostudy.dem.neighbours import LOW, SHIFT
@@ -17,10 +16,10 @@ def keep_discs(engine: Engine, kept: np.ndarray) -> None:
     number = np.cumsum(kept) - 1
     first, second = pairs.key >> SHIFT, pairs.key & LOW
     stay = kept[first] & kept[second]
-    pairs = Memory((number[first] << SHIFT | number[second])[stay], pairs.stored[..., stay], pairs.rolled[..., stay])
+    pairs = pairs.picked(stay, (number[first] << SHIFT | number[second])[stay])
     disc, wall = near.key >> SHIFT, near.key & LOW
     stay = kept[disc]
-    near = Memory((number[disc] << SHIFT | wall)[stay], near.stored[..., stay], near.rolled[..., stay])
+    near = near.picked(stay, (number[disc] << SHIFT | wall)[stay])
     left = int(kept.sum())
     for column in engine.bodies:
         if len(column) >= engine.n:
@@ -63,7 +62,7 @@ def swap_walls(engine: Engine, gone: str, come: tuple[str, ...]) -> None:
     order = np.argsort(key, kind="stable")
     engine.walls.live[old] = False
     engine.walls.live[new] = True
-    engine.give_memories(pairs, Memory(key[order], near.stored[..., stay][..., order], near.rolled[..., stay][..., order]))
+    engine.give_memories(pairs, near.picked(stay, key).picked(order))
 
 
 def set_friction(engine: Engine, *, pair: float | None = None, wall: float | None = None) -> None:

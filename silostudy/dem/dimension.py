@@ -46,9 +46,11 @@ class Dimension:
     reduced: Callable  # flat -> (lanes, k, a, b) -> reduced radius (m)
     rates: Callable  # unequal -> (lanes, k, normal, a, b, depth, flat) -> closing, sliding (m/s), difference of spins (1/s)
     carry: Callable  # (history, normal) -> the history as the contact stands now
+    twisting: Callable  # (lanes, k, normal) -> difference of spins about the normal (1/s)
+    about: Callable  # (moment, twist, normal) -> the moment with another about the normal
     put: Callable  # drags, brakes -> (out, k, normal, push, drag, moment, a, b, depth, flat): lanes of force
     where: Callable  # (touching, drag or moment) -> it, or nothing
-    walk: Callable  # gathered, contact, unequal, slides, rolls, key -> function of a stretch of a list
+    walk: Callable  # gathered, contact, unequal, laws, key -> function of a stretch of a list
     move: Callable  # advance, holds, turns -> function that moves one body and gives the square of its way (m2)
     book_bodies: Callable  # holds, unequal, key -> function that books the energy of bodies and their mean motion
     pushed: Callable  # (gravity, quake, step) -> acceleration (m/s2) of bodies in an accelerated box

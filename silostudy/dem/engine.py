@@ -214,7 +214,9 @@ class Engine:
                 self.bodies, self.walls, self.blocks, self.record, self.ledger, self._quake, self.clock, self.said, self.gate
             ),
             Share(part.number, part.pairs, part.near, *part.memories, part.scratch, lo, hi, base),
-            March(pair, wall, self.gravity, self.model.dt, stop, self.n, self.threads, smallest, float(self.skin)),
+            March(
+                pair, wall, self.gravity, self.model.dt, stop, self.n, self.threads, smallest, self.model.gap, float(self.skin)
+            ),
         )
 
     def _explosion(self) -> Explosion:
@@ -238,12 +240,10 @@ class Engine:
 
     def _joined(self, which: int, counter: int) -> Memory:
         """The parts' memories as one: a pair that two threads share is kept once, its histories being the same."""
-        kept = [
-            Memory(*(column[..., : part.scratch.counts[counter]] for column in part.memories[which])) for part in self.parts
-        ]
+        kept = [part.memories[which].picked(slice(part.scratch.counts[counter])) for part in self.parts]
         key = np.concatenate([memory.key for memory in kept])
         _, order = np.unique(key, return_index=True)
-        return Memory(*(np.concatenate(columns, axis=-1)[..., order] for columns in zip(*kept, strict=True)))
+        return Memory(*(np.concatenate(columns, axis=-1) for columns in zip(*kept, strict=True))).picked(order)
 
     def give_memories(self, pair_memory: Memory, wall_memory: Memory) -> None:
         """Go on with these histories: the next list is made with them."""

@@ -111,7 +111,7 @@ def contact_book(space, laws, *, unequal, flat):
     gathered = gather_pass(space, laws, unequal=unequal, flat=flat)
     facing, rates, answer = space.facing, space.rates(unequal), response(laws)
     reduced, carry = space.reduced(flat), space.carry
-    slide_stiffness, roll_stiffness, cohesion_law = laws.tangential.stiffness, laws.rolling.stiffness, laws.cohesion.law
+    slide_stiffness, roll_stiffness, attraction = laws.tangential.stiffness, laws.rolling.stiffness, laws.cohesion.energy
     stretch = space.stretch
     energy, slides, rolls, tangential_law = laws.normal.energy, laws.slides, laws.rolls, laws.tangential.law
 
@@ -132,33 +132,33 @@ def contact_book(space, laws, *, unequal, flat):
                 depth = overlap if overlap > 0.0 else 0.0
                 stored, turned = carry(history.entry(old_stored, at), normal), carry(history.entry(old_rolled, at), normal)
                 closing, sliding, rolling = rates(lanes, k, normal, a, b, depth, flat)
-                radius = reduced(lanes, k, a, b)
-                touch, before = Touch(m, radius, dt, depth, closing), max(overlap - dt * closing, 0.0)
-                last = Touch(m, radius, dt, before, closing)
+                radius, before = reduced(lanes, k, a, b), overlap - closing * dt
+                touch = Touch(m, radius, dt, depth, closing, before)
+                before = max(before, 0.0)
+                last = Touch(m, radius, dt, before, closing, before)
                 slide_last, roll_last = slide_stiffness(before, last, c[1]), roll_stiffness(before, last, c[2])
                 if overlap <= 0.0:  # what springs held when the contact opened is lost
                     slid += of_spring(stored, slide_last) if slides else 0.0
                     slid += of_spring(turned, roll_last) if rolls else 0.0
                     continue
                 slide_spring, roll_spring = slide_stiffness(depth, touch, c[1]), roll_stiffness(depth, touch, c[2])
-                elastic, push, held, drag, moment = answer(overlap, closing, sliding, rolling, stored, turned, touch, c)
-                pull = cohesion_law(c[3])
-                elastic_energy += energy(overlap, touch, c[0]) - pull * overlap
+                elastic, push, pull, (held, drag), (rolled, moment), _ = answer(
+                    sliding, rolling, 0.0, stored, turned, 0.0, touch, c
+                )
+                elastic_energy += energy(overlap, touch, c[0]) + attraction(touch, c[3])
                 if slides:
                     elastic_energy += of_spring(held, slide_spring)
                     slid += of_slip(less(stored, slide_spring * dt, sliding), held, slide_spring)
                     slid += of_spring(stored, slide_last) - of_spring(stored, slide_spring)
                 if rolls:
-                    elastic_energy += of_spring(moment, roll_spring)
-                    slid += of_slip(less(turned, roll_spring * dt, rolling), moment, roll_spring)
+                    elastic_energy += of_spring(rolled, roll_spring)
+                    slid += of_slip(less(turned, roll_spring * dt, rolling), rolled, roll_spring)
                     slid += of_spring(turned, roll_last) - of_spring(turned, roll_spring)
                 nearing, along, turning = rates(ledger.lanes, k, normal, a, b, depth, flat)  # on average over the step
                 elastic_power += (pull - elastic) * nearing + dot(held, along)
                 braking += (push - elastic) * nearing
-                if rolls:
-                    elastic_power += dot(moment, turning)
-                else:
-                    braking -= dot(moment, turning)
+                elastic_power += dot(rolled, turning)
+                braking -= dot(less(moment, 1.0, rolled), turning)
                 lost = dot(less(held, 1.0, drag), along)
                 _, unlimited = tangential_law(stored, sliding, touch, NO_LIMIT, NO_LIMIT, c[1])
                 if differs(drag, unlimited) or (

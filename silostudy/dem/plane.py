@@ -34,6 +34,7 @@ from silostudy.dem.lanes import (
     scatter,
 )  # fmt: skip
 from silostudy.dem.network import all_from_wall, densest, tangents
+from silostudy.dem.pieces import Laws
 from silostudy.dem.walls import beside, cell_count, extents, gather_walls, nearest, note_walls, scatter_walls, walls_of
 
 
@@ -66,6 +67,18 @@ def reduced(flat: bool):
 def carry(history, normal):
     """A history as it is: in the plane there is one direction along a contact."""
     return history
+
+
+@register_jitable
+def twisting(lanes, k, normal):
+    """Difference of spins about the normal (1/s): none, the normal lies in the plane."""
+    return 0.0
+
+
+@register_jitable
+def about(moment, twist, normal):
+    """A moment (N m/m) with that about the normal: none."""
+    return moment
 
 
 def rates(unequal: bool):
@@ -102,10 +115,12 @@ def where(touching, value):
     return value if touching else 0.0
 
 
-def walk(gathered: Callable, contact: Callable, unequal: bool, slides: bool, rolls: bool, key: tuple):
+def walk(gathered: Callable, contact: Callable, unequal: bool, laws: Laws, key: tuple):
     """Function that takes a stretch of a list contact by contact: the loop that the compiler vectorises."""
 
-    @piece("plane", unequal, slides, rolls, *key)
+    slides, rolls = laws.slides, laws.rolls
+
+    @piece("plane", unequal, *key)
     def forces(rows, contacts, shape, start, count, lanes, out, stored, rolled, dt, c):
         gathered(rows, contacts, shape, start, count, lanes)
         stored = stored[start:] if slides else stored
@@ -118,11 +133,11 @@ def walk(gathered: Callable, contact: Callable, unequal: bool, slides: bool, rol
             if unequal:
                 a, b, m = arm[k], other[k], mass[k]
             old, turned = stored[k] if slides else 0.0, rolled[k] if rolls else 0.0
-            held, moment = contact(lanes, out, k, a, b, m, old, turned, dt, c)
+            held, rolling, _, _ = contact(lanes, out, k, a, b, m, old, turned, 0.0, 0.0, dt, c)
             if slides:
                 stored[k] = held
             if rolls:
-                rolled[k] = moment
+                rolled[k] = rolling
 
     return forces
 
@@ -200,6 +215,8 @@ PLANE = Dimension(
     reduced=reduced,
     rates=rates,
     carry=carry,
+    twisting=twisting,
+    about=about,
     put=put,
     where=where,
     walk=walk,

@@ -55,6 +55,7 @@ def _forces(engine, laws, contacts, count, flat, c):
     lanes, out = aligned(*space.lanes), aligned(*space.forces)
     read = reader(pieces.space, laws, pieces.unequal, flat)
     stored, rolled = contacts.stored[..., :count].copy(), contacts.rolled[..., :count].copy()
+    contacts = contacts._replace(twisted=contacts.twisted.copy(), touched=contacts.touched.copy())
     read(engine.bodies.rows, contacts, engine.walls.shape, count, lanes, out, found, stored, rolled, engine.model.dt, c)
     return found
 
@@ -139,13 +140,13 @@ def _listed(contacts, count: int, n: int):
 
 def _energy(contact, touches, overlaps, stored, rolled) -> float:
     """Energy (J/m) of the contacts of a list that touch."""
-    normal, tangential, rolling, cohesion = zip(contact.rows, contact.ordered, strict=True)
+    normal, tangential, rolling, cohesion, _ = zip(contact.rows, contact.ordered, strict=True)
     total = 0.0
     for touch, depth, held, turned in zip(touches, overlaps, stored, rolled, strict=True):
         if depth <= 0.0:
             continue
         touch = touch._replace(overlap=depth)
-        total += normal[0].energy(depth, touch, normal[1]) - cohesion[0].law(cohesion[1]) * depth
+        total += normal[0].energy(depth, touch, normal[1]) + cohesion[0].energy(touch, cohesion[1])
         for (law, c), force in ((tangential, held), (rolling, turned)):
             total += of_spring(force, law.stiffness(depth, touch, c))
     return float(total)

@@ -107,6 +107,7 @@ def sphere_effects(scene: SphereScene) -> tuple[Effect, ...]:
     return (
         law_effect("friction, rotation, history", "tangential", contacts),
         law_effect("rolling resistance", "rolling", contacts),
+        law_effect("twisting resistance", "twisting", contacts),
         law_effect("cohesion", "cohesion", contacts),
         Effect("spheres of several sizes", scene.sizes is None or scene.sizes.kind != "equal", f"sizes: {sizes}"),
         Effect("rain", FILLINGS[scene.filling.kind].rains, f"filling.kind: {scene.filling.kind}"),

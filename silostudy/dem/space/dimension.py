@@ -17,7 +17,20 @@ from silostudy.dem.space.lanes import (
     gather_rolling,
     scatter,
 )
-from silostudy.dem.space.motion import carry, facing, move, passed_for, pushed, put, rates, reduced, walk, where
+from silostudy.dem.space.motion import (
+    about,
+    carry,
+    facing,
+    move,
+    passed_for,
+    pushed,
+    put,
+    rates,
+    reduced,
+    twisting,
+    walk,
+    where,
+)
 from silostudy.dem.space.network import all_from_wall, bent, densest, tangents
 from silostudy.dem.space.surfaces import nearest
 from silostudy.dem.space.walls import beside, cell_count, extents, walls_of
@@ -56,6 +69,8 @@ SPACE = Dimension(
     reduced=reduced,
     rates=rates,
     carry=carry,
+    twisting=twisting,
+    about=about,
     put=put,
     where=where,
     walk=walk,
