@@ -12,6 +12,8 @@ from silostudy.choice.expand import Resolved
 from silostudy.compute.axes import sweep_of
 from silostudy.compute.buckling import rule_coordinates
 from silostudy.compute.checks_actions import given
+from silostudy.compute.checks_behind import strakes_behind
+from silostudy.compute.checks_numbers import given_numbers
 from silostudy.compute.checks_places import places
 from silostudy.compute.checks_scope import combined, rows_of
 from silostudy.compute.checks_supports import below
@@ -49,7 +51,7 @@ def checks_cube(expansion: Resolved, pressure: xr.Dataset, seismic: xr.Dataset |
     built = as_built(loads) if np.isfinite(loads.source.places.thickness).any() else {}
     rows = rows_of(study, WALL)
     data = rule_coordinates(rules) | actions(loads) | thicknesses(rules, rows, loads)
-    data |= below(pressure, loads, built)
+    data |= given_numbers(loads) | below(pressure, loads, built)
     if built:
         data |= utilisations(rules, rows, loads, built)
     sweep = sweep_of(expansion)
@@ -119,6 +121,7 @@ def utilisations(rules, rows, loads: Load, built) -> dict:
         "design_check_effect": by_check["effect"],
         "design_check_resistance": by_check["resistance"],
     }
+    found |= strakes_behind(rules, rows, loads, built, by_rule["utilisation"], by_check["utilisation"])
     return found | _by_strake(loads, "design_strake_utilisation", (used, check, combination), unjudged, told)
 
 

@@ -1,0 +1,122 @@
+"""A formula as one line of text, `gamma*R/mu*(1 - exp(-z/z_o))`: its value, and its MathML in symbols or in numbers."""
+
+import ast
+import operator
+from collections.abc import Callable, Mapping
+from functools import cache
+
+import numpy as np
+
+from silostudy.note.mathml import fenced, mi, mo, row, tag
+
+FUNCTIONS: dict[str, Callable] = {
+    **{name: getattr(np, name) for name in ("sqrt", "exp", "sin", "cos", "tan")},
+    "cot": lambda angle: 1 / np.tan(angle),
+    "asin": np.arcsin,
+    "acos": np.arccos,
+    "atan": np.arctan,
+    "max": lambda *values: np.max(values),
+    "min": lambda *values: np.min(values),
+    "between": lambda value, least, most: np.clip(value, least, most),
+}
+OPERATORS: dict[type, Callable] = {
+    ast.Add: operator.add,
+    ast.Sub: operator.sub,
+    ast.Mult: operator.mul,
+    ast.Div: operator.truediv,
+    ast.Pow: operator.pow,
+}
+CONSTANTS = {"pi": np.pi}
+SUM, PRODUCT, SIGN, POWER, WHOLE = range(1, 6)  # how tightly a part of a formula holds together
+HOLDS: dict[type, int] = {ast.Add: SUM, ast.Sub: SUM, ast.Mult: PRODUCT, ast.Div: WHOLE, ast.Pow: POWER}
+Written = Callable[[str], str]  # MathML of a name: its symbol, or its number
+
+
+@cache
+def parsed(text: str) -> ast.expr:
+    """The tree of a formula."""
+    return ast.parse(text, mode="eval").body
+
+
+def names(text: str) -> list[str]:
+    """The quantities that a formula asks for, in the order in which they stand in it."""
+    calls = {node.func.id for node in ast.walk(parsed(text)) if isinstance(node, ast.Call) and isinstance(node.func, ast.Name)}
+    found = [node for node in ast.walk(parsed(text)) if isinstance(node, ast.Name)]
+    found.sort(key=lambda node: node.col_offset)
+    return list(dict.fromkeys(node.id for node in found if node.id not in calls and node.id not in CONSTANTS))
+
+
+def evaluate(text: str, numbers: Mapping[str, float]) -> float:
+    """The value of a formula with numbers in SI."""
+    return float(_value(parsed(text), {**CONSTANTS, **numbers}))
+
+
+def _value(node: ast.expr, numbers: Mapping[str, float]):
+    match node:
+        case ast.Constant(value=value):
+            return value
+        case ast.Name(id=name):
+            return numbers[name]
+        case ast.UnaryOp(op=ast.USub(), operand=inner):
+            return -_value(inner, numbers)
+        case ast.BinOp(left=left, op=op, right=right):
+            return OPERATORS[type(op)](_value(left, numbers), _value(right, numbers))
+        case ast.Call(func=ast.Name(id=name), args=arguments):
+            return FUNCTIONS[name](*(_value(one, numbers) for one in arguments))
+    raise ValueError(f"a formula cannot hold {ast.dump(node)}")
+
+
+def mathml(text: str, written: Written) -> str:
+    """The formula in MathML, every name as `written` has it."""
+    return _written(parsed(text), written)[0]
+
+
+def _written(node: ast.expr, name_of: Written) -> tuple[str, int]:
+    """(MathML, how tightly it holds together)."""
+    match node:
+        case ast.Constant(value=value):
+            return tag("mn", f"{value:g}"), WHOLE
+        case ast.Name(id=name):
+            return (mi("π") if name == "pi" else name_of(name)), WHOLE
+        case ast.UnaryOp(operand=inner):
+            return row(mo("−"), _tight(inner, PRODUCT, name_of)), SUM
+        case ast.BinOp(left=left, op=op, right=right):
+            return _joined(left, op, right, name_of), HOLDS[type(op)]
+        case ast.Call(func=ast.Name(id=function), args=arguments):
+            return _called(function, [_written(one, name_of)[0] for one in arguments]), WHOLE
+    raise ValueError(f"a formula cannot hold {ast.dump(node)}")
+
+
+def _tight(node: ast.expr, least: int, name_of: Written) -> str:
+    text, holds = _written(node, name_of)
+    return text if holds >= least else fenced(text)
+
+
+def _joined(left: ast.expr, op: ast.operator, right: ast.expr, name_of: Written) -> str:
+    match op:
+        case ast.Div():
+            return tag("mfrac", row(_written(left, name_of)[0]) + row(_written(right, name_of)[0]))
+        case ast.Pow():
+            whole = isinstance(left, (ast.Name, ast.Constant))
+            base = _written(left, name_of)[0] if whole else fenced(_written(left, name_of)[0])
+            return tag("msup", row(base) + row(_written(right, name_of)[0]))
+        case ast.Mult():
+            return row(_tight(left, PRODUCT, name_of), mo("·"), _tight(right, PRODUCT, name_of))
+        case ast.Add():
+            return row(_written(left, name_of)[0], mo("+"), _tight(right, SUM, name_of))
+        case ast.Sub():
+            return row(_written(left, name_of)[0], mo("−"), _tight(right, PRODUCT, name_of))
+    raise ValueError(f"a formula cannot hold {op}")
+
+
+def _called(function: str, arguments: list[str]) -> str:
+    match function:
+        case "sqrt":
+            return tag("msqrt", arguments[0])
+        case "exp":
+            return tag("msup", mi("e") + row(arguments[0]))
+        case "between":
+            value, least, most = arguments
+            return row(mi("min"), fenced(row(mi("max"), fenced(value + mo(";") + least), mo(";"), most)))
+    inner = mo(";").join(arguments)
+    return row(mi(function if function not in ("asin", "acos", "atan") else f"arc{function[1:]}"), fenced(inner))
