@@ -14,7 +14,7 @@ FORCES = ("own_weight", "solid", "patch", "roof", "snow", "wind", "earthquake")
 
 
 def strakes_behind(rules, rows, loads: Load, built: Mapping, by_rule: np.ndarray, by_check: np.ndarray) -> dict:
-    """Utilisation, place, combination and numbers of BEHIND of every check in every strake, (strake_check, method, axes..., strake).
+    """Utilisation, place, combination and numbers of BEHIND of every check in every strake, (followed_check, method, axes..., strake).
 
     by_rule: (rule, combination, method, ...), by_check: (check, combination, method, ...): the utilisations.
     """
@@ -26,13 +26,13 @@ def strakes_behind(rules, rows, loads: Load, built: Mapping, by_rule: np.ndarray
         for name, value in _in_strakes(values, row, forces, shears, loads.source.places.strake).items():
             found.setdefault(name, []).append(value)
     arrays = {name: np.array(value) for name, value in found.items()}
-    combination = arrays.pop("strake_check_combination"), flags("in which combination", [one.key for one in loads.combinations])
-    for name in ("strake_axial_force_part", "strake_shear_force_part"):
+    combination = arrays.pop("followed_combination"), flags("in which combination", [one.key for one in loads.combinations])
+    for name in ("followed_axial_force_part", "followed_shear_force_part"):
         arrays[name] = np.moveaxis(arrays[name], 1, 0)
     return {
-        "strake_check": [row.key for row in members],
+        "followed_check": [row.key for row in members],
         "force_part": list(FORCES),
-        "strake_check_combination": combination,
+        "followed_combination": combination,
         **{name: value for name, value in arrays.items() if not (value.dtype.kind == "f" and np.isnan(value).all())},
     }
 
@@ -65,12 +65,12 @@ def _in_strakes(used: np.ndarray, numbers: Mapping, forces: np.ndarray, shears: 
         known = ~np.isnan(largest)
         each.append(
             {
-                "strake_check_utilisation": largest,
-                "strake_check_combination": np.where(known, place[..., 0] // count, 0).astype(np.int8),
-                "strake_check_place": np.where(known, place[..., 0] % count + 1, 0),
-                "strake_axial_force_part": np.where(known, at(forces), np.nan),
-                "strake_shear_force_part": np.where(known, at(shears), np.nan),
-                **{f"strake_{name}": np.where(known, at(numbers[name]), np.nan) if name in numbers else largest * np.nan
+                "followed_utilisation": largest,
+                "followed_combination": np.where(known, place[..., 0] // count, 0).astype(np.int8),
+                "followed_place": np.where(known, place[..., 0] % count + 1, 0),
+                "followed_axial_force_part": np.where(known, at(forces), np.nan),
+                "followed_shear_force_part": np.where(known, at(shears), np.nan),
+                **{f"followed_{name}": np.where(known, at(numbers[name]), np.nan) if name in numbers else largest * np.nan
                    for name in BEHIND},
             }
         )  # fmt: skip
