@@ -27,6 +27,9 @@ def silo_variables(expansion: Expansion, methods: Sequence[AskedMethod]) -> dict
     scenes = [case.scene for case in expansion.cases]
     found = {name: _of_cases(expansion, [getattr(one.silo, own) for one in scenes]) for name, own in SIZES.items()}
     found["silo_slenderness"] = _of_cases(expansion, [one.silo.cylinder_depth / one.silo.diameter for one in scenes])
+    capped = [float(one.characteristic_friction == "capped") for one in scenes]
+    found["characteristic_friction_capped"] = _of_cases(expansion, capped)
+    found["dynamic_bottom_load"] = _of_cases(expansion, [float(one.silo.dynamic_bottom) for one in scenes])
     found["wall_contact_share"] = _of_cases(expansion, [one.contact_share for one in scenes])
     found["solid_key"] = _of_cases(expansion, [one.solid.key for one in scenes])
     found["wall_key"] = _of_cases(expansion, [one.wall.key if one.wall else "" for one in scenes])

@@ -19,6 +19,13 @@ FUNCTIONS: dict[str, Callable] = {
     "min": lambda *values: np.min(values),
     "between": lambda value, least, most: np.clip(value, least, most),
 }
+COMPARED: dict[type, tuple[str, Callable]] = {
+    ast.Lt: ("<", operator.lt),
+    ast.LtE: ("≤", operator.le),
+    ast.Gt: (">", operator.gt),
+    ast.GtE: ("≥", operator.ge),
+    ast.Eq: ("=", operator.eq),
+}
 OPERATORS: dict[type, Callable] = {
     ast.Add: operator.add,
     ast.Sub: operator.sub,
@@ -61,6 +68,11 @@ def _value(node: ast.expr, numbers: Mapping[str, float]):
             return -_value(inner, numbers)
         case ast.BinOp(left=left, op=op, right=right):
             return OPERATORS[type(op)](_value(left, numbers), _value(right, numbers))
+        case ast.Compare(left=left, ops=[op], comparators=[right]):
+            return float(COMPARED[type(op)][1](_value(left, numbers), _value(right, numbers)))
+        case ast.BoolOp(op=joint, values=values):
+            each = [_value(one, numbers) for one in values]
+            return float(all(each) if isinstance(joint, ast.And) else any(each))
         case ast.Call(func=ast.Name(id=name), args=arguments):
             return FUNCTIONS[name](*(_value(one, numbers) for one in arguments))
     raise ValueError(f"a formula cannot hold {ast.dump(node)}")
@@ -82,6 +94,8 @@ def _written(node: ast.expr, name_of: Written) -> tuple[str, int]:
             return row(mo("−"), _tight(inner, PRODUCT, name_of)), SUM
         case ast.BinOp(left=left, op=op, right=right):
             return _joined(left, op, right, name_of), HOLDS[type(op)]
+        case ast.Compare(left=left, ops=[op], comparators=[right]):
+            return row(_written(left, name_of)[0], mo(COMPARED[type(op)][0]), _written(right, name_of)[0]), SUM
         case ast.Call(func=ast.Name(id=function), args=arguments):
             return _called(function, [_written(one, name_of)[0] for one in arguments]), WHOLE
     raise ValueError(f"a formula cannot hold {ast.dump(node)}")

@@ -1,0 +1,165 @@
+"""The chapters of the note on silo, solid and loads, from the cube of pressures."""
+
+from dataclasses import dataclass, field, replace
+from math import isnan
+
+import numpy as np
+import xarray as xr
+
+from silostudy.cube.silence import silences
+from silostudy.note.lines import Scope, Written, every_line, write
+from silostudy.note.mathml import rounded
+
+DEPTHS = ("depth", "relative_depth")
+END = "wall_friction_end"
+LEVELS = 13  # rows of a table over depth
+
+
+@dataclass(frozen=True)
+class Block:
+    """A part of a chapter: lines, or a table, or a drawing (SVG), or a paragraph, each under a heading of its own."""
+
+    heading: str = ""
+    lines: tuple[Written, ...] = ()
+    head: tuple[str, ...] = ()
+    rows: tuple[tuple[str, ...], ...] = ()
+    drawing: str = ""
+    texts: tuple[str, ...] = ()
+    strong: tuple[int, ...] = ()  # rows that matter most
+
+
+@dataclass(frozen=True)
+class Chapter:
+    """A numbered chapter of the note."""
+
+    title: str
+    blocks: list[Block] = field(default_factory=list)
+
+
+def method_of(cube: xr.Dataset) -> str:
+    """The method that a note follows: the first of the study with lines of its own, else its first."""
+    owned = {owner for line in every_line() for owner in line.owner}
+    keys = [str(key) for key in cube["pressure_method"].values]
+    return next((key for key in keys if key in owned), keys[0])
+
+
+def phase(one: xr.Dataset, key: str) -> xr.Dataset | None:
+    """The part of a cube in a phase; None where the study has not asked for it."""
+    return one.sel(phase=key) if key in one["phase"].values else None
+
+
+def foot(one: xr.Dataset) -> xr.Dataset:
+    """The part of a cube at its lowest depth."""
+    return one.isel({dim: -1 for dim in DEPTHS if dim in one.dims})
+
+
+def flags(one: xr.Dataset) -> dict[str, float]:
+    """Numbers for the conditions of lines: kind of plan and of characteristic values."""
+    plan = str(one["silo_plan"].values)
+    deepest, transition = float(foot(one)["depth"]), float(one["cylinder_depth"])
+    return {
+        "circular": plan == "circular",
+        "cone": plan in ("circular", "square"),
+        "slot": plan == "slot",
+        "capped": float(one["characteristic_friction_capped"]),
+        "share": float(one["wall_contact_share"]),
+        "dynamic": float(one["dynamic_bottom_load"]),
+        "reaches": abs(deepest - transition) < 1e-9 * transition,
+    }
+
+
+def chapters(one: xr.Dataset, scope: Scope, method: str) -> list[Chapter]:
+    """Chapters on the silo, the solid, and the pressures; `scope` then knows all names of them."""
+    first = one.isel(phase=0)
+    scope = scope.at(foot(first), **flags(one))
+    return [
+        Chapter("Silo", [Block(lines=tuple(write("silo", scope, method)))]),
+        Chapter("Stored solid and walls", _solid(first, scope, method)),
+        Chapter("Pressures on the vertical wall", _wall(one, scope, method)),
+        Chapter("Bottom and hopper", _hopper(one, scope, method)),
+    ], scope
+
+
+def _solid(first: xr.Dataset, scope: Scope, method: str) -> list[Block]:
+    found = [replace(line, origin=_origin(first, line.line.variable)) for line in write("solid", scope, method)]
+    blocks = [Block("Properties as handed to the method", tuple(found))]
+    if classed := write("class", scope, method):
+        blocks.append(Block("Classes", tuple(classed)))
+    if sets := write("sets", scope, method):
+        blocks.append(Block("Characteristic values", tuple(sets)))
+    return blocks
+
+
+def _origin(first: xr.Dataset, name: str) -> str:
+    """Where a property comes from, in words, with the source of its row."""
+    if name not in first["solid_property"].values:
+        return ""
+    flags = first["property_origin"].sel(solid_property=name)
+    return flags.attrs["flag_meanings"].split()[int(flags)].replace("_", " ")
+
+
+def _wall(one: xr.Dataset, scope: Scope, method: str) -> list[Block]:
+    blocks = []
+    for key in ("filling", "discharge"):
+        here = phase(one, key)
+        if here is None or here["wall_normal_pressure"].isnull().all():
+            continue
+        found = write(key, scope.at(foot(here)) if key != "filling" else _knowing(scope, foot(here)), method)
+        blocks.append(Block(f"After {key}" if key == "filling" else "In discharge", tuple(found)))
+        blocks.append(_over_depth(here, key))
+        patch = write(f"patch {key}", _knowing(scope, foot(here)), method)
+        if patch:
+            blocks.append(Block(f"Patch load, {key}", tuple(patch)))
+    told = silences(one.expand_dims("pressure_method") if "pressure_method" not in one.dims else one)
+    return [*blocks, *([Block(texts=tuple(told))] if told else [])]
+
+
+def _knowing(scope: Scope, *cubes: xr.Dataset) -> Scope:
+    """The same scope of names, read elsewhere: what is learnt there stays known."""
+    return Scope(cubes, scope.known)
+
+
+def _over_depth(here: xr.Dataset, key: str) -> Block:
+    dim = next(dim for dim in DEPTHS if dim in here["wall_normal_pressure"].dims)
+    places = np.unique(np.linspace(0, here.sizes[dim] - 1, LEVELS).round().astype(int))
+    names = ("depth", "wall_normal_pressure", "wall_friction_traction", "vertical_pressure", "axial_wall_force")
+    head = ("z (m)", "p_h (kPa)", "p_w (kPa)", "p_v (kPa)", "n_z (kN/m)")
+    scales = (1.0, 1e3, 1e3, 1e3, 1e3)
+    rows = []
+    for place in places:
+        values = [float(here[name].isel({dim: place})) / scale for name, scale in zip(names, scales, strict=True)]
+        rows.append(tuple(rounded(value) for value in values))
+    return Block(f"Over depth, {key}", head=head, rows=tuple(rows))
+
+
+def _hopper(one: xr.Dataset, scope: Scope, method: str) -> list[Block]:
+    blocks: list[Block] = []
+    first = phase(one, "filling")
+    if first is not None and (found := write("bottom", _knowing(scope, foot(first)), method)):
+        blocks.append(Block("Load on hopper or bottom", tuple(found)))
+    if "hopper_position" not in one.dims:
+        return [*blocks, Block(texts=("No hopper, or the study gives no hopper_position: nothing is computed on its wall.",))]
+    middle = one.sizes["hopper_position"] // 2
+    for key in ("filling", "discharge"):
+        here = phase(one, key)
+        if here is None or here["hopper_normal_pressure"].isnull().all():
+            continue
+        found = write(f"hopper {key}", _knowing(scope, foot(here).isel(hopper_position=middle)), method)
+        blocks.append(Block(f"Hopper, {key}", tuple(found)))
+        blocks.append(_over_hopper(here, key))
+    return blocks
+
+
+def _over_hopper(here: xr.Dataset, key: str) -> Block:
+    places = np.unique(np.linspace(0, here.sizes["hopper_position"] - 1, 9).round().astype(int))
+    names = ("hopper_place_height", "hopper_vertical_pressure", "hopper_normal_pressure", "hopper_friction_traction")
+    rows = []
+    for place in places:
+        at = here.isel(hopper_position=place)
+        rows.append(tuple(rounded(float(at[name]) / (1.0 if name == names[0] else 1e3)) for name in names))
+    return Block(f"Over the hopper, {key}", head=("x (m)", "p_v (kPa)", "p_n (kPa)", "p_t (kPa)"), rows=tuple(rows))
+
+
+def known(value: float) -> bool:
+    """Whether a number is there."""
+    return not isnan(value)
