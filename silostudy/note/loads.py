@@ -1,7 +1,6 @@
 """The chapters of the note on silo, solid and loads, from the cube of pressures."""
 
 from dataclasses import dataclass, field, replace
-from math import isnan
 
 import numpy as np
 import xarray as xr
@@ -104,17 +103,17 @@ def _wall(one: xr.Dataset, scope: Scope, method: str) -> list[Block]:
         here = phase(one, key)
         if here is None or here["wall_normal_pressure"].isnull().all():
             continue
-        found = write(key, scope.at(foot(here)) if key != "filling" else _knowing(scope, foot(here)), method)
-        blocks.append(Block(f"After {key}" if key == "filling" else "In discharge", tuple(found)))
+        found = write(key, knowing(scope, foot(here)), method)
+        blocks.append(Block("After filling, at the foot of the wall" if key == "filling" else "In discharge", tuple(found)))
         blocks.append(_over_depth(here, key))
-        patch = write(f"patch {key}", _knowing(scope, foot(here)), method)
+        patch = write(f"patch {key}", knowing(scope, foot(here)), method)
         if patch:
             blocks.append(Block(f"Patch load, {key}", tuple(patch)))
     told = silences(one.expand_dims("pressure_method") if "pressure_method" not in one.dims else one)
     return [*blocks, *([Block(texts=tuple(told))] if told else [])]
 
 
-def _knowing(scope: Scope, *cubes: xr.Dataset) -> Scope:
+def knowing(scope: Scope, *cubes: xr.Dataset) -> Scope:
     """The same scope of names, read elsewhere: what is learnt there stays known."""
     return Scope(cubes, scope.known)
 
@@ -135,7 +134,7 @@ def _over_depth(here: xr.Dataset, key: str) -> Block:
 def _hopper(one: xr.Dataset, scope: Scope, method: str) -> list[Block]:
     blocks: list[Block] = []
     first = phase(one, "filling")
-    if first is not None and (found := write("bottom", _knowing(scope, foot(first)), method)):
+    if first is not None and (found := write("bottom", knowing(scope, foot(first)), method)):
         blocks.append(Block("Load on hopper or bottom", tuple(found)))
     if "hopper_position" not in one.dims:
         return [*blocks, Block(texts=("No hopper, or the study gives no hopper_position: nothing is computed on its wall.",))]
@@ -144,7 +143,7 @@ def _hopper(one: xr.Dataset, scope: Scope, method: str) -> list[Block]:
         here = phase(one, key)
         if here is None or here["hopper_normal_pressure"].isnull().all():
             continue
-        found = write(f"hopper {key}", _knowing(scope, foot(here).isel(hopper_position=middle)), method)
+        found = write(f"hopper {key}", knowing(scope, foot(here).isel(hopper_position=middle)), method)
         blocks.append(Block(f"Hopper, {key}", tuple(found)))
         blocks.append(_over_hopper(here, key))
     return blocks
@@ -159,7 +158,3 @@ def _over_hopper(here: xr.Dataset, key: str) -> Block:
         rows.append(tuple(rounded(float(at[name]) / (1.0 if name == names[0] else 1e3)) for name in names))
     return Block(f"Over the hopper, {key}", head=("x (m)", "p_v (kPa)", "p_n (kPa)", "p_t (kPa)"), rows=tuple(rows))
 
-
-def known(value: float) -> bool:
-    """Whether a number is there."""
-    return not isnan(value)
