@@ -6,8 +6,12 @@ import numpy as np
 import xarray as xr
 
 from silostudy.cube.silence import silences
+from silostudy.note import drawing
 from silostudy.note.lines import Scope, Written, every_line, write
 from silostudy.note.mathml import rounded
+from silostudy.note.sources import short
+from silostudy.tables.solids import SOLIDS
+from silostudy.tables.walls import WALLS
 
 DEPTHS = ("depth", "relative_depth")
 END = "wall_friction_end"
@@ -25,6 +29,8 @@ class Block:
     drawing: str = ""
     texts: tuple[str, ...] = ()
     strong: tuple[int, ...] = ()  # rows that matter most
+    items: tuple[str, ...] = ()
+    wordy: bool = False  # a table of words rather than numbers
 
 
 @dataclass(frozen=True)
@@ -67,12 +73,13 @@ def flags(one: xr.Dataset) -> dict[str, float]:
     }
 
 
-def chapters(one: xr.Dataset, scope: Scope, method: str) -> list[Chapter]:
-    """Chapters on the silo, the solid, and the pressures; `scope` then knows all names of them."""
+def chapters(one: xr.Dataset, method: str, checks: xr.Dataset | None) -> tuple[list[Chapter], Scope]:
+    """(chapters on silo, solid and pressures, the scope that knows all their names); one: a silo by a method, all phases."""
     first = one.isel(phase=0)
-    scope = scope.at(foot(first), **flags(one))
+    scope = Scope(()).at(foot(first), **flags(one))
+    sizes = tuple(write("silo", scope, method))
     return [
-        Chapter("Silo", [Block(lines=tuple(write("silo", scope, method)))]),
+        Chapter("Silo", [Block(drawing=drawing.picture(one, checks)), Block("Sizes", sizes)]),
         Chapter("Stored solid and walls", _solid(first, scope, method)),
         Chapter("Pressures on the vertical wall", _wall(one, scope, method)),
         Chapter("Bottom and hopper", _hopper(one, scope, method)),
@@ -94,7 +101,27 @@ def _origin(first: xr.Dataset, name: str) -> str:
     if name not in first["solid_property"].values:
         return ""
     flags = first["property_origin"].sel(solid_property=name)
-    return flags.attrs["flag_meanings"].split()[int(flags)].replace("_", " ")
+    return ORIGINS.get(word := flags.attrs["flag_meanings"].split()[int(flags)], lambda _: word.replace("_", " "))(first)
+
+
+def _of_solid(first: xr.Dataset) -> str:
+    key = str(first["solid_key"].values)
+    return f"{key}: {_place(SOLIDS[key])}" if key in SOLIDS else f"{key}: the study's own table"
+
+
+def _of_wall(name: str):
+    def told(first: xr.Dataset) -> str:
+        row = WALLS[str(first[name].values)]
+        return f"{row.key}, {row.title}: {_place(row)}"
+
+    return told
+
+
+def _place(row) -> str:
+    return f"{short(row.source)}, {row.locator}"
+
+
+ORIGINS = {"solid_table": _of_solid, "kind_of_wall": _of_wall("wall_key"), "kind_of_hopper_wall": _of_wall("hopper_wall_key")}
 
 
 def _wall(one: xr.Dataset, scope: Scope, method: str) -> list[Block]:
@@ -146,7 +173,8 @@ def _hopper(one: xr.Dataset, scope: Scope, method: str) -> list[Block]:
         found = write(f"hopper {key}", knowing(scope, foot(here).isel(hopper_position=middle)), method)
         blocks.append(Block(f"Hopper, {key}", tuple(found)))
         blocks.append(_over_hopper(here, key))
-    return blocks
+    drawn = not one["hopper_normal_pressure"].isnull().all()
+    return [*blocks, *([Block("Over the hopper", drawing=drawing.hopper(one))] if drawn else [])]
 
 
 def _over_hopper(here: xr.Dataset, key: str) -> Block:

@@ -6,12 +6,12 @@ from dataclasses import dataclass
 import numpy as np
 import xarray as xr
 
+from silostudy.buckling import BUCKLING
+from silostudy.checks import CHECKS
 from silostudy.cube.contract import SCOPE
-from silostudy.note.lines import Scope, Written, write
+from silostudy.note.lines import Scope, Written, every_line, write
 from silostudy.note.loads import END, Block, Chapter, knowing
 from silostudy.note.mathml import rounded
-
-SUPPORTS = ("transition_ring", "transition_ring_buckling", "ring_beam", "anchors")
 
 
 @dataclass(frozen=True)
@@ -54,7 +54,8 @@ def _combinations(cube: xr.Dataset) -> Block:
         (str(key), str(one["combination_title"].values), *(rounded(float(value)) for value in one["combination_factor"].values))
         for key, one in ((key, cube.sel(combination=key)) for key in cube["combination"].values)
     )
-    return Block("Partial and combination factors on the characteristic actions", head=head, rows=rows)
+    told = "Each multiplies a characteristic action; the solid's is the largest of its phases, or that of filling."
+    return Block("Partial and combination factors on the characteristic actions", head=head, rows=rows, texts=(told,))
 
 
 def _whole(cube: xr.Dataset) -> str:
@@ -98,7 +99,7 @@ def _strakes(cube: xr.Dataset, scope: Scope) -> Iterator[Block]:
         yield _strake_table(cube, found, most, strake, rules)
         if np.isfinite(most.utilisation):
             yield Block(f"Strake {strake}, governing check in full: {titled(cube, most.key)}, combination {most.combination}",
-                        tuple(_in_full(cube, scope, most, rules)))  # fmt: skip
+                        tuple(_in_full(cube, scope, most, rules)), texts=_told(most.key))  # fmt: skip
 
 
 def _strake_summary(cube: xr.Dataset) -> Block:
@@ -116,7 +117,7 @@ def _strake_summary(cube: xr.Dataset) -> Block:
                      rounded(needed * 1e3), told))  # fmt: skip
     head = ("strake", "built (mm)", "utilisation", "governing check", "needed (mm)", "asked for by")
     note = "needed: if the whole wall were so thick; a strake may do with less where thicker ones below and above steady it"
-    return Block("Summary", head=head, rows=tuple(rows), texts=(note,))
+    return Block("Summary", head=head, rows=tuple(rows), texts=(note,), wordy=True)
 
 
 def _strake_table(cube: xr.Dataset, found: list[Use], most: Use, strake: int, rules: list[str]) -> Block:
@@ -127,7 +128,7 @@ def _strake_table(cube: xr.Dataset, found: list[Use], most: Use, strake: int, ru
         place = rounded(depth) if use.combination else ""
         rows.append((titled(cube, use.key), use.told, use.combination or why, place, "" if use is not most else "governs"))
     head = ("check", "utilisation", "combination", "at z (m)", "")
-    return Block(f"Strake {strake}, all checks", head=head, rows=tuple(rows), strong=(found.index(most),))
+    return Block(f"Strake {strake}, all checks", head=head, rows=tuple(rows), strong=(found.index(most),), wordy=True)
 
 
 def _why(cube: xr.Dataset, key: str, rules: list[str]) -> str:
@@ -157,7 +158,14 @@ def _in_full(cube: xr.Dataset, scope: Scope, use: Use, rules: list[str]) -> list
         full=str(one["combination_contents"].values) == "full",
         shaken=float(one["combination_factor"].sel(action="earthquake")) > 0,
     )
-    return [line for section in ("place", "axial", "wall") for line in write(section, local, use.key)]
+    owner = use.key if any(use.key in line.owner for line in every_line()) else "other_rule"
+    return [line for section in ("place", "axial", "wall") for line in write(section, local, owner)]
+
+
+def _told(key: str) -> tuple[str, ...]:
+    """What else there is to say of a check or a rule: its formula as `silostudy explain` has it, and its range."""
+    row = CHECKS[key] if key in CHECKS else BUCKLING[key] if key in BUCKLING else None
+    return (f"Formula: {row.formula}.", f"Range and evidence: {row.validity}.") if row else ()
 
 
 def _parts(cube: xr.Dataset, pressure: xr.Dataset, scope: Scope, part: str) -> Iterator[Block]:
@@ -170,7 +178,7 @@ def _parts(cube: xr.Dataset, pressure: xr.Dataset, scope: Scope, part: str) -> I
     )
     most = max(known, key=lambda use: use.utilisation, default=None)
     strong = (found.index(most),) if most else ()
-    yield Block("All checks", head=("check", "utilisation", "combination"), rows=rows, strong=strong)
+    yield Block("All checks", head=("check", "utilisation", "combination"), rows=rows, strong=strong, wordy=True)
     for use in known:
         one = _end(cube, use.at["end"]).sel({dim: use.key, "combination": use.combination})
         cubes = (one,)
@@ -180,7 +188,8 @@ def _parts(cube: xr.Dataset, pressure: xr.Dataset, scope: Scope, part: str) -> I
             phase = int(normal["hopper_normal_pressure"].argmax("phase"))
             cubes = one, normal.isel(phase=phase)
         lines = write(f"{part} check" if part == "hopper" else part, scope.at(*cubes), use.key)
-        yield Block(f"{use.key.replace('_', ' ').capitalize()}, combination {use.combination}", tuple(lines))
+        heading = f"{use.key.replace('_', ' ').capitalize()}, combination {use.combination}"
+        yield Block(heading, tuple(lines), texts=_told(use.key))
 
 
 def _used(cube: xr.Dataset, name: str, dim: str, key: str) -> Use:
