@@ -1,5 +1,6 @@
 """Drawings of the note as SVG text: the silo with its sizes, and loads over depth beside it on the same scale."""
 
+import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 from html import escape
@@ -9,7 +10,7 @@ import xarray as xr
 
 from silostudy.note.mathml import rounded
 
-TOP, DOWN = 34.0, 430.0  # of the picture's height: margin above, what the silo takes
+TOP, DOWN = 34.0, 370.0  # of the picture's height: margin above, what the silo takes
 PHASES = {"filling": ("#2166AC", "0"), "discharge": ("#B2182B", "6 3")}  # colour, dashes
 
 
@@ -42,7 +43,9 @@ def path(points: Sequence[tuple[float, float]], **look: str) -> str:
 
 def text(x: float, y: float, content: str, anchor: str = "middle", **look: str) -> str:
     """A word."""
-    return f'<text x="{x:.1f}" y="{y:.1f}" text-anchor="{anchor}" {_look(look)}>{escape(content)}</text>'
+    below = '<tspan dy="3" font-size="75%">{}</tspan><tspan dy="-3">\u200b</tspan>'
+    told = re.sub(r"\b(\w)_(\w+)", lambda found: found[1] + below.format(found[2]), escape(content))
+    return f'<text x="{x:.1f}" y="{y:.1f}" text-anchor="{anchor}" {_look(look)}>{told}</text>'
 
 
 def _look(look: dict[str, str]) -> str:
@@ -69,7 +72,9 @@ def picture(one: xr.Dataset, checks: xr.Dataset | None) -> str:
 
 
 def _svg(width: float, height: float, parts: Sequence[str]) -> str:
-    head = f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width:.0f} {height:.0f}" role="img" font-family="sans-serif">'
+    head = (
+        f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width:.0f} {height:.0f}" role="img" font-family="sans-serif">'
+    )
     return head + "".join(parts) + "</svg>"
 
 
@@ -152,11 +157,16 @@ def _panel(one: xr.Dataset, name: str, label: str, scale: Scale, left: float, wi
     parts = [line(left, top, left, foot), line(left, top, left + width, top), _word(left + width / 2, top - 18, label)]
     for share in (0.5, 1.0):
         x = left + width * share
-        parts += [line(x, top - 3, x, foot, stroke="#ccc", stroke_width="0.6"), _word(x, top - 5, rounded(float(f"{most * share:.2g}")), size=9)]
+        parts += [
+            line(x, top - 3, x, foot, stroke="#ccc", stroke_width="0.6"),
+            _word(x, top - 5, rounded(float(f"{most * share:.2g}")), size=9),
+        ]
     for key, (colour, dashes) in PHASES.items():
         if key in one["phase"].values:
             values, z = one[name].sel(phase=key).values / 1e3, one["depth"].values
-            points = [(left + width * v / float(f"{most:.2g}"), scale.y(d)) for v, d in zip(values, z, strict=True) if np.isfinite(v)]
+            points = [
+                (left + width * v / float(f"{most:.2g}"), scale.y(d)) for v, d in zip(values, z, strict=True) if np.isfinite(v)
+            ]
             if points:
                 parts.append(path(points, stroke=colour, stroke_width="1.6", stroke_dasharray=dashes))
     if name == "wall_normal_pressure":
@@ -189,13 +199,17 @@ def hopper(one: xr.Dataset) -> str:
     height = one["hopper_place_height"].values
     scale = Scale(-float(height.max()), -float(height.min()))
     parts: list[str] = []
-    for number, (name, label) in enumerate((("hopper_normal_pressure", "p_n (kPa)"), ("hopper_friction_traction", "p_t (kPa)"))):
+    for number, (name, label) in enumerate(
+        (("hopper_normal_pressure", "p_n (kPa)"), ("hopper_friction_traction", "p_t (kPa)"))
+    ):
         parts += _beside(one, name, label, -height, scale, 90.0 + 260 * number)
     legend = [_legend(key, 90.0 + 120 * k, TOP + DOWN * 0.5 + 30) for k, key in enumerate(PHASES) if key in one["phase"].values]
     return _svg(620, TOP + DOWN * 0.5 + 42, [*parts, *legend])
 
 
-def _beside(one: xr.Dataset, name: str, label: str, z: np.ndarray, scale: Scale, left: float, width: float = 190.0) -> list[str]:
+def _beside(
+    one: xr.Dataset, name: str, label: str, z: np.ndarray, scale: Scale, left: float, width: float = 190.0
+) -> list[str]:
     most = float(one[name].max()) / 1e3
     if not np.isfinite(most) or most <= 0:
         return [_word(left + width / 2, TOP + 20, f"{label}: masked")]
@@ -205,10 +219,16 @@ def _beside(one: xr.Dataset, name: str, label: str, z: np.ndarray, scale: Scale,
 
     top, foot = y(z.min()), y(z.max())
     parts = [line(left, top, left, foot), line(left, top, left + width, top), _word(left + width / 2, top - 20, label)]
-    parts += [_word(left - 5, top + 4, f"x {rounded(-z.min())} m", "end", 9), _word(left - 5, foot, f"x {rounded(-z.max())} m", "end", 9)]
+    parts += [
+        _word(left - 5, top + 4, f"x {rounded(-z.min())} m", "end", 9),
+        _word(left - 5, foot, f"x {rounded(-z.max())} m", "end", 9),
+    ]
     for share in (0.5, 1.0):
         x = left + width * share
-        parts += [line(x, top - 3, x, foot, stroke="#ccc", stroke_width="0.6"), _word(x, top - 6, rounded(most * share), size=9)]
+        parts += [
+            line(x, top - 3, x, foot, stroke="#ccc", stroke_width="0.6"),
+            _word(x, top - 6, rounded(most * share), size=9),
+        ]
     for key, (colour, dashes) in PHASES.items():
         if key in one["phase"].values:
             values = one[name].sel(phase=key).values / 1e3

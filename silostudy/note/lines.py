@@ -73,6 +73,11 @@ class Written:
     origin: str = ""
 
     @property
+    def constant(self) -> bool:
+        """Whether the formula is a number, which is the result."""
+        return bool(self.line.formula) and not formula.names(self.line.formula)
+
+    @property
     def agrees(self) -> bool:
         """Whether the formula gives what the cube holds; a line without one has nothing to compare."""
         return isnan(self.value) or isclose(self.value, self.result, rel_tol=AGREES, abs_tol=1e-9)
@@ -104,7 +109,7 @@ def write(section: str, scope: Scope, owner: str = "") -> list[Written]:
     """The lines of a section that hold in a scope, which then knows their names; owner: of the lines that have one."""
     found = []
     for line in lines(section):
-        if line.owner and owner not in line.owner or not scope.holds(line.when):
+        if (line.owner and owner not in line.owner) or not scope.holds(line.when):
             continue
         result = read(line, scope.cubes)
         if not isnan(result):
@@ -121,25 +126,29 @@ def read(line: Line, cubes: Iterable[xr.Dataset]) -> float:
             for dim, place in line.at:
                 one = one.isel({dim: 0 if place == "first" else -1}) if place in ("first", "last") else one.sel({dim: place})
             if one.ndim:
-                raise BadInput("line", f"{line.section}, {line.name}", f"{line.variable} still has {', '.join(map(str, one.dims))}")
+                raise BadInput(
+                    "line", f"{line.section}, {line.name}", f"{line.variable} still has {', '.join(map(str, one.dims))}"
+                )
             return float(one)
     return np.nan
 
 
 def _written(line: Line, result: float, scope: Scope) -> Written:
+    sign = tag("mtext", "\u00a0if\u00a0") if line.words else mo("=")
     told = line.words[int(result)] if line.words else shown(result, line.unit)
     if not line.formula or any(name not in scope.known for name in formula.names(line.formula)):
         return Written(line, result, np.nan, math(symbol(line.name)), "", told)
     asked = formula.names(line.formula)
-    symbols = row(symbol(line.name), mo(":" if line.words else "="), formula.mathml(line.formula, symbol))
-    numbers = formula.mathml(line.formula, lambda name: number(*scope.known[name])) if asked else ""
+    symbols = row(symbol(line.name), sign, formula.mathml(line.formula, symbol))
+    put_in = asked and asked != [line.formula]  # a constant, or one other quantity, says all with its result
+    numbers = formula.mathml(line.formula, lambda name: number(*scope.known[name])) if put_in else ""
     value = formula.evaluate(line.formula, scope.numbers(asked))
-    return Written(line, result, value, math(symbols), math(row(mo(":" if line.words else "="), numbers)) if numbers else "", told)
+    return Written(
+        line, result, value, math(symbols), math(row(mo("=") if not line.words else "", numbers)) if numbers else "", told
+    )
 
 
 def result_of(one: Written) -> str:
     """MathML of a line's result with its unit."""
     content = tag("mtext", one.shown) if one.line.words else number(one.result, one.line.unit)
     return math(row(mo("→" if one.line.words else "="), content))
-
-

@@ -14,7 +14,12 @@ from silostudy.tables.solids import SOLIDS
 from silostudy.tables.walls import WALLS
 
 DEPTHS = ("depth", "relative_depth")
-END = "wall_friction_end"
+OVER_DEPTH = (
+    ("wall_normal_pressure", "p_h", "kPa"),
+    ("wall_friction_traction", "p_w", "kPa"),
+    ("vertical_pressure", "p_v", "kPa"),
+    ("axial_wall_force", "n_z", "kN/m"),
+)
 LEVELS = 13  # rows of a table over depth
 
 
@@ -132,10 +137,10 @@ def _wall(one: xr.Dataset, scope: Scope, method: str) -> list[Block]:
             continue
         found = write(key, knowing(scope, foot(here)), method)
         blocks.append(Block("After filling, at the foot of the wall" if key == "filling" else "In discharge", tuple(found)))
-        blocks.append(_over_depth(here, key))
         patch = write(f"patch {key}", knowing(scope, foot(here)), method)
         if patch:
             blocks.append(Block(f"Patch load, {key}", tuple(patch)))
+    blocks.append(_over_depth(one))
     told = silences(one.expand_dims("pressure_method") if "pressure_method" not in one.dims else one)
     return [*blocks, *([Block(texts=tuple(told))] if told else [])]
 
@@ -145,17 +150,22 @@ def knowing(scope: Scope, *cubes: xr.Dataset) -> Scope:
     return Scope(cubes, scope.known)
 
 
-def _over_depth(here: xr.Dataset, key: str) -> Block:
-    dim = next(dim for dim in DEPTHS if dim in here["wall_normal_pressure"].dims)
-    places = np.unique(np.linspace(0, here.sizes[dim] - 1, LEVELS).round().astype(int))
-    names = ("depth", "wall_normal_pressure", "wall_friction_traction", "vertical_pressure", "axial_wall_force")
-    head = ("z (m)", "p_h (kPa)", "p_w (kPa)", "p_v (kPa)", "n_z (kN/m)")
-    scales = (1.0, 1e3, 1e3, 1e3, 1e3)
-    rows = []
-    for place in places:
-        values = [float(here[name].isel({dim: place})) / scale for name, scale in zip(names, scales, strict=True)]
-        rows.append(tuple(rounded(value) for value in values))
-    return Block(f"Over depth, {key}", head=head, rows=tuple(rows))
+def _over_depth(one: xr.Dataset) -> Block:
+    dim = next(dim for dim in DEPTHS if dim in one["wall_normal_pressure"].dims)
+    places = np.unique(np.linspace(0, one.sizes[dim] - 1, LEVELS).round().astype(int))
+    columns = [
+        (f"{symbol}{'f' if key == 'filling' else 'e'} ({unit})", one[name].sel(phase=key))
+        for key in ("filling", "discharge")
+        if key in one["phase"].values
+        for name, symbol, unit in OVER_DEPTH
+        if not one[name].sel(phase=key).isnull().all()
+    ]
+    rows = [
+        (rounded(float(one["depth"][place])), *(rounded(float(values[place]) / 1e3) for _, values in columns))
+        for place in places
+    ]
+    head = ("z (m)", *(label for label, _ in columns))
+    return Block("Over depth: f after filling, e in discharge", head=head, rows=tuple(rows))
 
 
 def _hopper(one: xr.Dataset, scope: Scope, method: str) -> list[Block]:
@@ -185,4 +195,3 @@ def _over_hopper(here: xr.Dataset, key: str) -> Block:
         at = here.isel(hopper_position=place)
         rows.append(tuple(rounded(float(at[name]) / (1.0 if name == names[0] else 1e3)) for name in names))
     return Block(f"Over the hopper, {key}", head=("x (m)", "p_v (kPa)", "p_n (kPa)", "p_t (kPa)"), rows=tuple(rows))
-

@@ -57,7 +57,7 @@ def fenced(text: str) -> str:
 
 def math(content: str) -> str:
     """A whole formula within a line of text."""
-    return f'<math xmlns="http://www.w3.org/1998/Math/MathML">{content}</math>'
+    return f'<math xmlns="http://www.w3.org/1998/Math/MathML" displaystyle="true">{content}</math>'
 
 
 def symbol(name: str) -> str:
@@ -90,5 +90,5 @@ def rounded(value: float) -> str:
 
 def number(value: float, unit: str) -> str:
     """MathML of a number with its unit."""
-    text = tag("mn", shown(value, unit)) + (tag("mtext", ("" if unit == "°" else " ") + unit) if unit else "")
+    text = tag("mn", shown(value, unit)) + (tag("mtext", ("" if unit == "°" else "\u202f") + unit) if unit else "")
     return fenced(text) if value < 0 else text

@@ -1,14 +1,17 @@
 """The note of one silo as an HTML page that stands alone: no scripts, no other files."""
 
+import re
 from collections.abc import Sequence
 from pathlib import Path
 
 import jinja2
 import xarray as xr
+from markupsafe import Markup, escape  # what Jinja2 brings
 
+from silostudy.cube.silos import END, at_silo
 from silostudy.note import left_out, loads, steel
 from silostudy.note.lines import Written, result_of
-from silostudy.note.loads import END, Block, Chapter
+from silostudy.note.loads import Block, Chapter
 from silostudy.note.sources import short
 from silostudy.pressure import PRESSURE
 
@@ -20,19 +23,6 @@ CAVEAT = (
 )
 
 
-def silos(cube: xr.Dataset) -> list[str]:
-    """The case that names each silo: cases that differ in the end of the wall friction alone are one."""
-    cases = cube["case"]
-    return [str(one) for one in (cases.isel({END: 0}) if END in cases.dims else cases).values.ravel()]
-
-
-def at_silo(cube: xr.Dataset, case: str) -> xr.Dataset:
-    """The part of a cube of the silo that a case names, the ends of its wall friction still in it."""
-    where = (cube["case"] == case).values.nonzero()
-    place = {dim: int(index[0]) for dim, index in zip(cube["case"].dims, where, strict=True) if dim != END}
-    return cube.isel(place)
-
-
 def page(pressure: xr.Dataset, checks: xr.Dataset | None, case: str) -> str:
     """The note of a silo; pressure, checks: the cubes of a study."""
     method = loads.method_of(pressure)
@@ -41,9 +31,10 @@ def page(pressure: xr.Dataset, checks: xr.Dataset | None, case: str) -> str:
     found = chapters(one, steel_cube, method)
     lines = [line for chapter in found for block in chapter.blocks for line in block.lines]
     return _template().render(
-        title=pressure.attrs["title"], running=pressure.attrs["title"][:90].replace('"', "'"), case=case,
+        title=pressure.attrs["title"], running=_running(pressure.attrs["title"]), case=case,
         about=_about(pressure, checks, one, method), caveat=CAVEAT, recomputed=recomputed(lines),
         chapters=found, result_of=result_of, source_of=source_of,
+        results=steel.results(steel_cube) if steel_cube is not None else [], subscripts=subscripts,
     )  # fmt: skip
 
 
@@ -68,13 +59,25 @@ def recomputed(lines: Sequence[Written]) -> str:
     """How many formulas were evaluated again with the numbers shown before them, and how well they agree with the cube."""
     again = [line for line in lines if line.value == line.value]
     off = [line.line.name for line in again if not line.agrees]
-    told = f"{len(lines)} lines, every result read from the cubes; {len(again)} formulas evaluated again with the numbers put in: "
+    told = (
+        f"{len(lines)} lines, every result read from the cubes; {len(again)} formulas evaluated again with the numbers put in: "
+    )
     return told + (f"DISAGREEING: {', '.join(off)}." if off else "all give the cubes' results.")
 
 
 def source_of(one: Written) -> str:
     """Source and place of a line."""
     return f"{short(one.line.source)}, {one.line.locator}"
+
+
+def subscripts(told: str) -> Markup:
+    """A heading such as `p_h (kPa)` with its subscript."""
+    return Markup(re.sub(r"\b(\w)_(\w+)", r"\1<sub>\2</sub>", str(escape(told))))
+
+
+def _running(title: str) -> str:
+    """The title as it stands in the head of every page, within a style sheet."""
+    return re.sub(r"[^\w .,:;()/-]", "\u2019", title)[:90]
 
 
 def _about(pressure: xr.Dataset, checks: xr.Dataset | None, one: xr.Dataset, method: str) -> list[tuple[str, str]]:

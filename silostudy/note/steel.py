@@ -9,8 +9,9 @@ import xarray as xr
 from silostudy.buckling import BUCKLING
 from silostudy.checks import CHECKS
 from silostudy.cube.contract import SCOPE
+from silostudy.cube.silos import END
 from silostudy.note.lines import Scope, Written, every_line, write
-from silostudy.note.loads import END, Block, Chapter, knowing
+from silostudy.note.loads import Block, Chapter, knowing
 from silostudy.note.mathml import rounded
 
 
@@ -44,6 +45,27 @@ def chapters(cube: xr.Dataset, pressure: xr.Dataset, scope: Scope) -> list[Chapt
     return [*found, Chapter("Transition ring, ring beam, anchors", list(_parts(cube, pressure, scope, "support")))]
 
 
+def results(cube: xr.Dataset) -> list[tuple[str, str, str, str]]:
+    """What governs each part: part, check, combination, utilisation."""
+    found = []
+    for strake in map(int, cube["strake"].values if "followed_check" in cube.dims else ()):
+        most = governing(cube, uses(cube, strake))
+        found.append((f"strake {strake}", titled(cube, most.key), most.combination, most.told))
+    for part in ("hopper", "support"):
+        dim = f"{part}_check"
+        each = [_used(cube, f"{dim}_utilisation", dim, key) for key in map(str, cube[dim].values)] if dim in cube.dims else []
+        for use in _leading([use for use in each if np.isfinite(use.utilisation)]):
+            found.append(
+                (
+                    use.key.split("_")[0] if part == "hopper" else "below the wall",
+                    titled(cube, use.key),
+                    use.combination,
+                    use.told,
+                )
+            )
+    return found
+
+
 def _end(cube: xr.Dataset, number: int) -> xr.Dataset:
     return cube.isel({END: number}) if END in cube.dims else cube
 
@@ -55,7 +77,9 @@ def _combinations(cube: xr.Dataset) -> Block:
         for key, one in ((key, cube.sel(combination=key)) for key in cube["combination"].values)
     )
     told = "Each multiplies a characteristic action; the solid's is the largest of its phases, or that of filling."
-    return Block("Partial and combination factors on the characteristic actions", head=head, rows=rows, texts=(told,))
+    return Block(
+        "Partial and combination factors on the characteristic actions", head=head, rows=rows, texts=(told,), wordy=True
+    )
 
 
 def _whole(cube: xr.Dataset) -> str:
@@ -126,9 +150,13 @@ def _strake_table(cube: xr.Dataset, found: list[Use], most: Use, strake: int, ru
         depth = float(_end(cube, use.at["end"])["place_depth"].sel(place=max(use.at["place"], 1)))
         why = _why(cube, use.key, rules)
         place = rounded(depth) if use.combination else ""
-        rows.append((titled(cube, use.key), use.told, use.combination or why, place, "" if use is not most else "governs"))
+        rows.append((titled(cube, use.key), use.told, use.combination or why, place, _mark(use, most, rules)))
     head = ("check", "utilisation", "combination", "at z (m)", "")
     return Block(f"Strake {strake}, all checks", head=head, rows=tuple(rows), strong=(found.index(most),), wordy=True)
+
+
+def _mark(use: Use, most: Use, rules: list[str]) -> str:
+    return "governs" if use is most else "for comparison" if use.key in rules[1:] else ""
 
 
 def _why(cube: xr.Dataset, key: str, rules: list[str]) -> str:
@@ -158,14 +186,20 @@ def _in_full(cube: xr.Dataset, scope: Scope, use: Use, rules: list[str]) -> list
         full=str(one["combination_contents"].values) == "full",
         shaken=float(one["combination_factor"].sel(action="earthquake")) > 0,
     )
-    owner = use.key if any(use.key in line.owner for line in every_line()) else "other_rule"
+    owner = use.key if owned(use.key) else "other_rule"
     return [line for section in ("place", "axial", "wall") for line in write(section, local, owner)]
 
 
 def _told(key: str) -> tuple[str, ...]:
     """What else there is to say of a check or a rule: its formula as `silostudy explain` has it, and its range."""
     row = CHECKS[key] if key in CHECKS else BUCKLING[key] if key in BUCKLING else None
-    return (f"Formula: {row.formula}.", f"Range and evidence: {row.validity}.") if row else ()
+    formula = () if owned(key) else (f"Formula: {row.formula}.",) if row else ()
+    return (*formula, f"Range and evidence: {row.validity}.") if row else ()
+
+
+def owned(key: str) -> bool:
+    """Whether a rule or check has lines of its own."""
+    return any(key in line.owner for line in every_line())
 
 
 def _parts(cube: xr.Dataset, pressure: xr.Dataset, scope: Scope, part: str) -> Iterator[Block]:
@@ -173,13 +207,11 @@ def _parts(cube: xr.Dataset, pressure: xr.Dataset, scope: Scope, part: str) -> I
     name, dim = f"{part}_check_utilisation", f"{part}_check"
     found = [_used(cube, name, dim, key) for key in map(str, cube[dim].values)]
     known = [use for use in found if np.isfinite(use.utilisation)]
-    rows = tuple(
-        (use.key.replace("_", " "), use.told, use.combination or _reason(cube, name, dim, use.key)) for use in found
-    )
+    rows = tuple((use.key.replace("_", " "), use.told, use.combination or _reason(cube, name, dim, use.key)) for use in found)
     most = max(known, key=lambda use: use.utilisation, default=None)
     strong = (found.index(most),) if most else ()
     yield Block("All checks", head=("check", "utilisation", "combination"), rows=rows, strong=strong, wordy=True)
-    for use in known:
+    for use in _leading(known):
         one = _end(cube, use.at["end"]).sel({dim: use.key, "combination": use.combination})
         cubes = (one,)
         if part == "hopper":
@@ -190,6 +222,15 @@ def _parts(cube: xr.Dataset, pressure: xr.Dataset, scope: Scope, part: str) -> I
         lines = write(f"{part} check" if part == "hopper" else part, scope.at(*cubes), use.key)
         heading = f"{use.key.replace('_', ' ').capitalize()}, combination {use.combination}"
         yield Block(heading, tuple(lines), texts=_told(use.key))
+
+
+def _leading(found: list[Use]) -> list[Use]:
+    """Of the checks that share lines, so of one part, the one by which it is used most."""
+    kept: list[Use] = []
+    for use in sorted(found, key=lambda use: -use.utilisation):
+        if not any({use.key, other.key} <= set(line.owner) or "hopper" in use.key for line in every_line() for other in kept):
+            kept.append(use)
+    return kept
 
 
 def _used(cube: xr.Dataset, name: str, dim: str, key: str) -> Use:

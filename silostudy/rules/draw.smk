@@ -2,7 +2,7 @@
 
 def shown(name, key):
     """Files of an output, the first of them with its caption in the report."""
-    first, *others = files_of(key, RESULTS / name)
+    first, *others = files_of(key, RESULTS / name, silos(name))
     row, title = OUTPUTS[key], MODELS[name].title.replace("{", "{\u2060")  # which is not seen, and makes it no wildcard
     labels = {"output": f"{row.title} ({row.kind})"}
     return [report(first, CAPTIONS[key].absolute(), f"{title} ({name})", labels=labels), *others]
