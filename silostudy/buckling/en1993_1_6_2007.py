@@ -102,7 +102,7 @@ def parts_by(length_factor, imperfection_factor, capacity):
         fabrication_quality,
         end_factor,
     ):
-        """The parts of the strength (Pa) without internal pressure. Source: en1993_1_6_2007, annex D and section 8.5, second-hand."""
+        """The parts of the strength (Pa) without pressure. Source: en1993_1_6_2007, annex D and section 8.5, second-hand."""
         wall = {"shell_radius": shell_radius, "thickness": thickness}
         length = held_length(bay_length=bay_length, total_length=total_length, ring_area=ring_area, **wall)
         relative = length / np.sqrt(shell_radius * thickness)

@@ -67,7 +67,7 @@ def behind(
     *, yield_stress, critical_external_pressure, wind_pressure, suction, inner_radius, thickness, thinnest, wall_height,
     edge_factor,
 ):  # fmt: skip
-    """The numbers behind the check: omega and k_w of the thinnest course, even pressure (Pa), critical stress (Pa), lambda, chi.
+    """omega and k_w of the thinnest course, even pressure (Pa), critical stress (Pa), lambda and chi behind the check.
 
     Source: en1993_1_6_2007, as above.
     """

@@ -132,8 +132,8 @@ ROWS = (
         interaction(en1993_1_6_2025, shear_buckling.alpha_2025, exponents_2025, ASKED),
         behind=behind(en1993_1_6_2025, shear_buckling.alpha_2025, ASKED),
         formula="k_x = 1 + chi_x^2, k_tau = 1.5 + 0.5 chi_tau^2",
-        sources="one public program; hoop strengths of this edition are not known, so only where nothing presses from outside; a mix "
-        "of editions where the solid's pressure is counted",
+        sources="one public program; hoop strengths of this edition are not known, so only where nothing presses from outside; "
+        "a mix of editions where the solid's pressure is counted",
         limits=(BELOW_HOOP_YIELD,),
         idle_with=frozenset({"suction"}),
         one_source=True,

@@ -58,7 +58,7 @@ def case_of(expansion, asked: str | None) -> str:
         return silos[0]
     if asked in silos:
         return asked
-    if asked in ids.ravel():
+    if asked is not None and asked in ids.ravel():
         return silos[silos.index(_first_end(ids, axes, asked))]
     told = ", ".join(silos[:8]) + (f" and {len(silos) - 8} more (`silostudy cases`)" if len(silos) > 8 else "")
     missing = f"is missing, and the study has {len(silos)} silos: " if asked is None else ""

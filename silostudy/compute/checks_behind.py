@@ -14,7 +14,7 @@ FORCES = ("own_weight", "solid", "patch", "roof", "snow", "wind", "earthquake")
 
 
 def strakes_behind(rules, rows, loads: Load, built: Mapping, by_rule: np.ndarray, by_check: np.ndarray) -> dict:
-    """Utilisation, place, combination and numbers of BEHIND of every check in every strake, (followed_check, method, axes..., strake).
+    """Utilisation, place, combination and BEHIND of every check in every strake, (followed_check, method, axes..., strake).
 
     by_rule: (rule, combination, method, ...), by_check: (check, combination, method, ...): the utilisations.
     """
@@ -78,7 +78,7 @@ def _in_strakes(used: np.ndarray, numbers: Mapping, forces: np.ndarray, shears: 
 
 
 def parts(loads: Load) -> tuple[np.ndarray, np.ndarray]:
-    """(axial force, shear (N/m)) of the wall by each of FORCES with its factors, (part, combination, method, axes..., place)."""
+    """(axial force, shear (N/m)) of the wall by each of FORCES with factors, (part, combination, method, axes..., place)."""
     source, place = loads.source, loads.source.places
     axial, shear = [], []
     for one in loads.combinations:

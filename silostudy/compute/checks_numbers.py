@@ -1,4 +1,4 @@
-"""What the study gives for the checks beside the silo's sizes, as the cube's variables: steel, actions, parts below the wall."""
+"""What the study gives for the checks beside the silo's sizes, as variables of the cube: steel, actions, supports."""
 
 from silostudy.compute.checks_wall import Load
 

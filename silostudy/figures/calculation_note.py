@@ -10,7 +10,7 @@ from silostudy.note.page import page
 
 
 def draw(cube: xr.Dataset, stem: Path, checks: xr.Dataset | None = None) -> None:
-    """Writes STEM-CASE.html for every silo of a cube of pressures; checks: the cube of the steel's checks, if the study has it."""
+    """Writes STEM-CASE.html for every silo of a cube of pressures; checks: the cube of the checks, if there is one."""
     for case in silos(cube):
         path = stem.with_name(f"{stem.name}-{case}.html")
         with replacing(path) as temporary:

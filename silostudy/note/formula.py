@@ -86,8 +86,8 @@ def mathml(text: str, written: Written) -> str:
 def _written(node: ast.expr, name_of: Written) -> tuple[str, int]:
     """(MathML, how tightly it holds together)."""
     match node:
-        case ast.Constant(value=value):
-            return tag("mn", f"{value:g}"), WHOLE
+        case ast.Constant(value=int() | float() as value):
+            return tag("mn", f"{float(value):g}"), WHOLE
         case ast.Name(id=name):
             return (mi("π") if name == "pi" else name_of(name)), WHOLE
         case ast.UnaryOp(operand=inner):

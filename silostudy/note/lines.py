@@ -62,7 +62,7 @@ class Scope:
 
 @dataclass(frozen=True)
 class Written:
-    """A line with its result from the cube (SI), the value of its formula with the numbers before it, and the MathML of both."""
+    """A line with its result from the cube (SI), the value of its formula with the numbers before it, and their MathML."""
 
     line: Line
     result: float
@@ -113,7 +113,7 @@ def write(section: str, scope: Scope, owner: str = "") -> list[Written]:
             continue
         result = read(line, scope.cubes)
         if not isnan(result):
-            found.append(_written(line, result, scope))
+            found.append(written(line, result, scope))
             scope.known[line.name] = (result, line.unit)
     return found
 
@@ -133,7 +133,8 @@ def read(line: Line, cubes: Iterable[xr.Dataset]) -> float:
     return np.nan
 
 
-def _written(line: Line, result: float, scope: Scope) -> Written:
+def written(line: Line, result: float, scope: Scope) -> Written:
+    """A line with its result and its formula in numbers."""
     sign = tag("mtext", "\u00a0if\u00a0") if line.words else mo("=")
     told = line.words[int(result)] if line.words else shown(result, line.unit)
     if not line.formula or any(name not in scope.known for name in formula.names(line.formula)):

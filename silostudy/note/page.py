@@ -16,10 +16,10 @@ from silostudy.note.sources import short
 from silostudy.pressure import PRESSURE
 
 CAVEAT = (
-    "The printed standards were not seen. The formulas come second-hand, from public programs and accounts that agree with each "
-    "other or with statics; what a single source has is marked. Editions: EN 1991-4:2006 (a second generation, EN 1991-4:2026, "
-    "exists), EN 1993-4-1 and EN 1993-1-6:2007. Partial factors and limits of classes are national choices. Whoever signs must "
-    "compare with the standards in force."
+    "The printed standards were not seen. The formulas come second-hand, from public programs and accounts that agree with "
+    "each other or with statics; what a single source has is marked. Editions: EN 1991-4:2006 (a second generation, "
+    "EN 1991-4:2026, exists), EN 1993-4-1 and EN 1993-1-6:2007. Partial factors and limits of classes are national choices. "
+    "Whoever signs must compare with the standards in force."
 )
 
 
