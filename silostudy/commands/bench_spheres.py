@@ -2,8 +2,9 @@
 
 import time
 
-from silostudy.accuracy.bin_of_spheres import DIAMETER, PLUG, bin_of_spheres
+from silostudy.accuracy.bin_of_spheres import DIAMETER, bin_of_spheres
 from silostudy.commands.bench_dem import has_peer, in_turn, show
+from silostudy.scene.space_silo import FLOOR
 
 # spheres, radius of the bin (m), steps that settle, steps a turn
 SIZES = {"5 thousand": (5_000, 0.05, 30_000, 1_000), "50 thousand": (50_000, 0.108, 30_000, 100)}
@@ -30,7 +31,7 @@ class Ours:
         self.engine.step_to(self.engine.step + steps)
 
     def open_outlet(self):
-        self.engine.walls.live[self.engine.model.wall_number(PLUG)] = False
+        self.engine.walls.live[self.engine.model.wall_number(FLOOR)] = False
 
     @property
     def grains(self):

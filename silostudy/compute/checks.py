@@ -14,6 +14,7 @@ from silostudy.compute.buckling import rule_coordinates
 from silostudy.compute.checks_actions import given
 from silostudy.compute.checks_behind import strakes_behind
 from silostudy.compute.checks_numbers import given_numbers
+from silostudy.compute.checks_phases import contents_load_cases
 from silostudy.compute.checks_places import places
 from silostudy.compute.checks_scope import combined, rows_of
 from silostudy.compute.checks_supports import below
@@ -28,6 +29,7 @@ from silostudy.compute.checks_wall import (
     needed_by_rules,
 )
 from silostudy.compute.evaluate import methods_of
+from silostudy.compute.listed_cases import listed_variables
 from silostudy.compute.shell import excluded
 from silostudy.compute.shell_earthquake import earthquake_told, of_this_study
 from silostudy.cube.assemble import assemble
@@ -51,9 +53,10 @@ def checks_cube(expansion: Resolved, pressure: xr.Dataset, seismic: xr.Dataset |
     built = as_built(loads) if np.isfinite(loads.source.places.thickness).any() else {}
     rows = rows_of(study, WALL)
     data = rule_coordinates(rules) | actions(loads) | thicknesses(rules, rows, loads)
-    data |= given_numbers(loads) | below(pressure, loads, built)
+    data |= given_numbers(loads) | below(pressure, loads, built) | contents_load_cases(loads.source, pressure)
     if built:
         data |= utilisations(rules, rows, loads, built)
+    data |= listed_variables(expansion)
     sweep = sweep_of(expansion)
     data |= {str(name): pressure[name].values for name in pressure.coords.keys() - sweep.coordinates.keys()}
     silent = [row.key for row in CHECKS.values() if row.one_source and row.key not in study.checks.one_source]

@@ -46,12 +46,14 @@ def balance(account: np.ndarray) -> float:
 
 
 def carry_out(engine, gone: np.ndarray) -> None:
-    """Book the kinetic and potential energy that discs take with them; `gone` marks them among those left."""
-    account, rows, mass = engine.ledger.account, engine.bodies.rows[: engine.n][gone], engine.mass[gone]
-    speed = engine.bodies.held[: engine.n][gone, :3] if len(engine.bodies.held) else rows[:, [U, V, W]]
-    inertia = 0.5 * mass * engine.radius[gone] ** 2
-    kinetic = float((0.5 * mass * (speed[:, 0] ** 2 + speed[:, 1] ** 2) + 0.5 * inertia * speed[:, 2] ** 2).sum())
-    potential = -float((mass * (rows[:, [X, Y]] @ np.asarray(engine.gravity))).sum())
+    """Book the kinetic and potential energy that bodies take with them; `gone` marks them among those left."""
+    account, rows, mass, space = engine.ledger.account, engine.bodies.rows[: engine.n][gone], engine.mass[gone], engine.space
+    lanes = (*space.velocity, *space.spin)
+    speed = engine.bodies.held[: engine.n][gone, : len(lanes)] if len(engine.bodies.held) else rows[:, lanes]
+    moving, turning = (sum(part.T**2) for part in np.split(speed, [space.ways], axis=1))
+    inertia = mass * engine.radius[gone] ** 2 / space.inverse_inertia
+    kinetic = float((0.5 * mass * moving + 0.5 * inertia * turning).sum())
+    potential = -float((mass * (rows[:, space.place] @ np.asarray(engine.gravity))).sum())
     account[CARRIED_OUT] += kinetic + potential
     account[POTENTIAL] -= potential
     account[KINETIC] -= kinetic
@@ -63,10 +65,10 @@ def take_springs(engine, energy: float) -> None:
     engine.ledger.account[ELASTIC] -= energy
 
 
-def change_gravity(engine, gravity: tuple[float, float]) -> None:
-    """Book what another gravity (m/s2) adds to the potential energy of discs where they are."""
+def change_gravity(engine, gravity: tuple[float, ...]) -> None:
+    """Book what another gravity (m/s2) adds to the potential energy of bodies where they are."""
     change = np.subtract(gravity, engine.gravity)
-    work = -float((engine.mass * (engine.bodies.rows[: engine.n, [X, Y]] @ change)).sum())
+    work = -float((engine.mass * (engine.bodies.rows[: engine.n, engine.space.place] @ change)).sum())
     engine.ledger.account[[POTENTIAL, GRAVITY]] += work
 
 
@@ -99,7 +101,7 @@ def contact_book(space, laws, *, unequal, flat):
     forces, and power that dashpots take where contacts stick and where they slip."""
     gathered = gather_pass(space, laws, unequal=unequal, flat=flat)
     facing, rates, answer = space.facing, space.rates(unequal), response(laws)
-    slide_stiffness, roll_stiffness, cohesion_law = laws.tangential.stiffness, laws.rolling.stiffness, laws.cohesion.law
+    slide_stiffness, roll_stiffness, attraction = laws.tangential.stiffness, laws.rolling.stiffness, laws.cohesion.energy
     stretch = space.stretch
     energy, slides, rolls, tangential_law = laws.normal.energy, laws.slides, laws.rolls, laws.tangential.law
 
@@ -118,28 +120,27 @@ def contact_book(space, laws, *, unequal, flat):
                 normal, distance = facing(lanes, k)
                 overlap, stored, turned = a + b - distance, old_stored[at], old_rolled[at]
                 closing, sliding, rolling = rates(lanes, k, normal, a, b, overlap, flat)
-                touch = Touch(m, a if flat else a * b / (a + b), dt, overlap, closing)
+                touch = Touch(m, a if flat else a * b / (a + b), dt, overlap, closing, overlap - closing * dt)
                 slide_spring, roll_spring = slide_stiffness(overlap, touch, c[1]), roll_stiffness(overlap, touch, c[2])
                 if overlap <= 0.0:  # what springs held when the contact opened is lost
                     slid += of_spring(stored, slide_spring) if slides else 0.0
                     slid += of_spring(turned, roll_spring) if rolls else 0.0
                     continue
-                elastic, push, held, drag, moment = answer(overlap, closing, sliding, rolling, stored, turned, touch, c)
-                pull = cohesion_law(c[3])
-                elastic_energy += energy(overlap, touch, c[0]) - pull * overlap
+                elastic, push, pull, (held, drag), (rolled, moment), _ = answer(
+                    sliding, rolling, 0.0, stored, turned, 0.0, touch, c
+                )
+                elastic_energy += energy(overlap, touch, c[0]) + attraction(touch, c[3])
                 if slides:
                     elastic_energy += of_spring(held, slide_spring)
                     slid += of_slip(stored - slide_spring * dt * sliding, held, slide_spring)
                 if rolls:
-                    elastic_energy += of_spring(moment, roll_spring)
-                    slid += of_slip(turned - roll_spring * dt * rolling, moment, roll_spring)
+                    elastic_energy += of_spring(rolled, roll_spring)
+                    slid += of_slip(turned - roll_spring * dt * rolling, rolled, roll_spring)
                 nearing, along, turning = rates(ledger.lanes, k, normal, a, b, overlap, flat)  # on average over the step
                 elastic_power += (pull - elastic) * nearing + held * along
                 braking += (push - elastic) * nearing
-                if rolls:
-                    elastic_power += moment * turning
-                else:
-                    braking -= moment * turning
+                elastic_power += rolled * turning
+                braking -= (moment - rolled) * turning
                 lost = (held - drag) * along
                 _, unlimited = tangential_law(stored, sliding, touch, NO_LIMIT, NO_LIMIT, c[1])
                 if drag != unlimited or (drag == 0.0 and held != 0.0):  # a coefficient of zero slips at any force

@@ -8,11 +8,12 @@ import jinja2
 import xarray as xr
 from markupsafe import Markup, escape  # what Jinja2 brings
 
-from silostudy.cube.silos import END, at_silo
-from silostudy.note import left_out, loads, steel
+from silostudy.cube.silos import at_silo
+from silostudy.note import cases, left_out, loads, steel
 from silostudy.note.lines import Written, result_of
 from silostudy.note.loads import Block, Chapter
 from silostudy.note.sources import short
+from silostudy.note.uses import at_end
 from silostudy.pressure import PRESSURE
 
 CAVEAT = (
@@ -40,14 +41,13 @@ def page(pressure: xr.Dataset, checks: xr.Dataset | None, case: str) -> str:
 
 def chapters(one: xr.Dataset, checks: xr.Dataset | None, method: str) -> list[Chapter]:
     """All chapters of a note, of a silo's parts of the cubes by one method."""
-    first = one.isel({END: 0}) if END in one.dims else one
-    drawn = None
-    if checks is not None and int(checks["place_strake"].max()) > 0:
-        drawn = checks.isel({END: 0}) if END in checks.dims else checks
-    found, scope = loads.chapters(first, method, drawn)
+    with_strakes = checks is not None and int(checks["place_strake"].max()) > 0
+    drawn = at_end(checks, 0) if checks is not None and with_strakes else None
+    found, scope = loads.chapters(at_end(one, 0), method, drawn)
     if method in PRESSURE:
         row = PRESSURE[method]
         found[2].blocks.append(Block("The method", texts=(f"Formula: {row.formula}.", f"Range and evidence: {row.validity}.")))
+    found.append(cases.chapter(None if checks is None else at_end(checks, 0)))
     if checks is not None:
         found += steel.chapters(checks, one, scope)
     found.append(left_out.chapter(method, checks))

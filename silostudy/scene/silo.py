@@ -87,8 +87,13 @@ class Silo:
         return self.wall_depth + self.contact_depth
 
     @property
+    def hopper_height(self) -> float:
+        """Height (m) of the transition above the outlet; 0 over a flat bottom."""
+        if self.hopper is None:
+            return 0.0
+        return (self.diameter - self.hopper.outlet_width) / 2 / tan(self.hopper.half_angle)
+
+    @property
     def outlet_depth(self) -> float:
         """Depth (m) of the outlet below the equivalent flat surface."""
-        if self.hopper is None:
-            return self.cylinder_depth
-        return self.cylinder_depth + (self.diameter - self.hopper.outlet_width) / 2 / tan(self.hopper.half_angle)
+        return self.cylinder_depth + self.hopper_height

@@ -147,7 +147,10 @@ def test_the_studies_of_every_part_are_sound(part):
     assert callable(part.less())
 
 
-@pytest.mark.parametrize(("name", "memory"), [("hopper walls", 0.0), ("rival readings", 0.05), ("49 snapshots", 0.4)])
+@pytest.mark.parametrize(
+    ("name", "memory"),
+    [("hopper walls", 0.0), ("rival readings", 0.05), pytest.param("49 snapshots", 0.4, marks=pytest.mark.long)],
+)
 def test_parts_that_surely_need_memory_do(name, memory):
     found = optional_parts.part_price(next(part for part in prices.PARTS if part.name == name), 1)
     assert memory < found.memory < 1.0

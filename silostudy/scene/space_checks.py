@@ -1,0 +1,90 @@
+"""Silos that have no surfaces in space are refused, each in one line."""
+
+from __future__ import annotations
+
+from math import atan2, degrees, pi, radians
+from typing import TYPE_CHECKING
+
+from silostudy.dem.space.surfaces import CIRCLE, RECTANGLE
+from silostudy.errors import BadInput
+
+if TYPE_CHECKING:
+    from silostudy.scene.space_silo import SpaceSilo
+
+PLANS = ("circular", "square", "rectangular", "polygonal")
+MOST_SIDES = 24  # with more, a sphere pressed in by 1/cos(15 degrees) - 1 = 3.5 % of its radius passes a corner with a jump
+SHALLOWEST = radians(5.0)  # between a wall and the hopper below it: both push where less turns the sphere about
+FLATTEST = 1e-6  # height of a hopper over the silo's width
+
+
+def require_surfaces(space: SpaceSilo) -> None:
+    """BadInput for a plan, a hopper or an outlet that cannot be built, or that the engine has no surfaces for."""
+    silo = space.silo
+    if silo.plan not in PLANS:
+        raise BadInput("silo.plan", silo.plan, f"has no end walls, which grains in space need; known: {', '.join(PLANS)}")
+    if silo.plan == "polygonal" and not 3 <= silo.sides <= MOST_SIDES:
+        allowed = f"must be from 3 to {MOST_SIDES}: corners of more sides are too flat for spheres; take a circular plan"
+        raise BadInput("silo.sides", silo.sides, allowed)
+    if not silo.wall_depth + space.freeboard > 0.0:
+        raise BadInput("silo.wall_depth", silo.wall_depth, "the vertical walls must have a height")
+    if silo.hopper:
+        require_hopper(space)
+    else:
+        require_floor(space)
+
+
+def require_hopper(space: SpaceSilo) -> None:
+    """BadInput for a hopper without a height, an outlet that leaves it, or a wall that is neither flat nor turned."""
+    silo, hopper = space.silo, space.silo.hopper
+    assert hopper is not None
+    if space.outlet:
+        raise BadInput("outlet", space.outlet, "is of a flat floor; the hopper has its own, silo.hopper.outlet_width")
+    if space.wedge and space.plan.sides != RECTANGLE:
+        raise BadInput("wedge", space.wedge, f"stands below a square or rectangular plan, not a {silo.plan} one")
+    if not 0.0 <= hopper.outlet_width <= silo.diameter:
+        allowed = f"must be from 0 to below the width of the hopper's top, {silo.diameter:g} m"
+        raise BadInput("silo.hopper.outlet_width", hopper.outlet_width, allowed)
+    if not (0.0 < hopper.half_angle < pi / 2 and silo.hopper_height > FLATTEST * silo.diameter):
+        raise BadInput("silo.hopper", hopper, "must have a height: an outlet narrower than its top and a half angle above 0")
+    if silo.outlet_eccentricity and space.plan.sides == CIRCLE:
+        allowed = "must be 0: the engine has no surface for the wall of an eccentric cone; take a flat floor or a pyramid"
+        raise BadInput("silo.outlet_eccentricity", silo.outlet_eccentricity, allowed)
+    most, opening = (silo.diameter - hopper.outlet_width) / 2, space.opening
+    assert opening is not None
+    if space.plan.room_for(opening) < -1e-12 * silo.diameter:
+        allowed = f"must not be above {most:g} m: the outlet must not leave the floor"
+        raise BadInput("silo.outlet_eccentricity", silo.outlet_eccentricity, allowed)
+    if 0.0 < (turn := shallowest_joint(space)) < SHALLOWEST:
+        allowed = f"a face of the hopper stands {degrees(turn):.2g} degrees off the wall above it: at least 5, or none at all"
+        raise BadInput("silo.hopper", hopper, allowed)
+
+
+def shallowest_joint(space: SpaceSilo) -> float:
+    """Least angle (rad) between a face of the hopper and the wall above it, of those that are not one plane."""
+    opening, plan = space.opening, space.plan
+    assert opening is not None
+    high = space.silo.hopper_height
+    if plan.sides == CIRCLE:
+        return space.silo.hopper.half_angle if space.silo.hopper else 0.0
+    spans = plan.half * 2 if plan.sides == RECTANGLE else plan.half[:1] * plan.sides
+    runs = [span - opening.reach(way) for span, way in zip(spans, plan.normals, strict=True)]
+    return min((atan2(run, high) for run in runs if run > FLATTEST * space.silo.diameter), default=0.0)
+
+
+def require_floor(space: SpaceSilo) -> None:
+    """BadInput for an outlet that does not lie in the flat floor with floor about it; a slot may run from wall to wall."""
+    silo, outlet, plan = space.silo, space.outlet, space.plan
+    if space.wedge:
+        raise BadInput("wedge", space.wedge, "is a hopper's; the silo has none")
+    if outlet is None:
+        return
+    for name, size, room in (("width", outlet.width, plan.half[0]), ("length", outlet.length, plan.half[1])):
+        whole = name == "length" and plan.sides == RECTANGLE and size == 2 * room
+        if size is not None and not (0.0 < size < 2 * room or whole):
+            raise BadInput(f"outlet.{name}", size, f"must be above 0 and below the width of the floor there, {2 * room:g} m")
+    opening = space.opening
+    assert opening is not None
+    room = plan.half[0] - opening.reach((1.0, 0.0)) if space.slotted else plan.room_for(opening)
+    if not room > 0.0:
+        allowed = f"the outlet must not leave the floor, and stands out by {-room:g} m"
+        raise BadInput("silo.outlet_eccentricity", silo.outlet_eccentricity, allowed)
