@@ -83,43 +83,55 @@ def mathml(text: str, written: Written) -> str:
     return _written(parsed(text), written)[0]
 
 
-def _written(node: ast.expr, name_of: Written) -> tuple[str, int]:
-    """(MathML, how tightly it holds together)."""
+def _written(node: ast.expr, name_of: Written, linear: bool = False) -> tuple[str, int]:
+    """(MathML, how tightly it holds together); linear: fractions with a stroke, as in an exponent."""
     match node:
         case ast.Constant(value=int() | float() as value):
             return tag("mn", f"{float(value):g}"), WHOLE
         case ast.Name(id=name):
             return (mi("π") if name == "pi" else name_of(name)), WHOLE
         case ast.UnaryOp(operand=inner):
-            return row(mo("−"), _tight(inner, PRODUCT, name_of)), SUM
+            return row(mo("−"), _tight(inner, PRODUCT, name_of, linear)), SUM
         case ast.BinOp(left=left, op=op, right=right):
-            return _joined(left, op, right, name_of), HOLDS[type(op)]
+            return _joined(left, op, right, name_of, linear), _holds(left, op, linear)
         case ast.Compare(left=left, ops=[op], comparators=[right]):
             return row(_written(left, name_of)[0], mo(COMPARED[type(op)][0]), _written(right, name_of)[0]), SUM
         case ast.Call(func=ast.Name(id=function), args=arguments):
-            return _called(function, [_written(one, name_of)[0] for one in arguments]), WHOLE
+            inner = function == "exp"
+            return _called(function, [_written(one, name_of, inner)[0] for one in arguments]), WHOLE
     raise ValueError(f"a formula cannot hold {ast.dump(node)}")
 
 
-def _tight(node: ast.expr, least: int, name_of: Written) -> str:
-    text, holds = _written(node, name_of)
+def _holds(left: ast.expr, op: ast.operator, linear: bool) -> int:
+    if isinstance(left, ast.UnaryOp) and isinstance(op, (ast.Mult, ast.Div)):
+        return SUM
+    return PRODUCT if linear and isinstance(op, ast.Div) else HOLDS[type(op)]
+
+
+def _tight(node: ast.expr, least: int, name_of: Written, linear: bool = False) -> str:
+    text, holds = _written(node, name_of, linear)
     return text if holds >= least else fenced(text)
 
 
-def _joined(left: ast.expr, op: ast.operator, right: ast.expr, name_of: Written) -> str:
+def _joined(left: ast.expr, op: ast.operator, right: ast.expr, name_of: Written, linear: bool) -> str:
+    def factor(node: ast.expr) -> str:
+        return _tight(node, SUM if isinstance(node, ast.UnaryOp) else PRODUCT, name_of, linear)
+
     match op:
+        case ast.Div() if linear:
+            return row(factor(left), mo("/"), _tight(right, POWER, name_of, linear))
         case ast.Div():
             return tag("mfrac", row(_written(left, name_of)[0]) + row(_written(right, name_of)[0]))
         case ast.Pow():
             whole = isinstance(left, (ast.Name, ast.Constant))
-            base = _written(left, name_of)[0] if whole else fenced(_written(left, name_of)[0])
-            return tag("msup", row(base) + row(_written(right, name_of)[0]))
+            base = _written(left, name_of, linear)[0] if whole else fenced(_written(left, name_of, linear)[0])
+            return tag("msup", row(base) + row(_written(right, name_of, True)[0]))
         case ast.Mult():
-            return row(_tight(left, PRODUCT, name_of), mo("·"), _tight(right, PRODUCT, name_of))
+            return row(factor(left), mo("·"), _tight(right, PRODUCT, name_of, linear))
         case ast.Add():
-            return row(_written(left, name_of)[0], mo("+"), _tight(right, SUM, name_of))
+            return row(_written(left, name_of, linear)[0], mo("+"), _tight(right, SUM, name_of, linear))
         case ast.Sub():
-            return row(_written(left, name_of)[0], mo("−"), _tight(right, PRODUCT, name_of))
+            return row(_written(left, name_of, linear)[0], mo("−"), _tight(right, PRODUCT, name_of, linear))
     raise ValueError(f"a formula cannot hold {op}")
 
 

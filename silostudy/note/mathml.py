@@ -1,5 +1,6 @@
 """MathML of symbols, numbers and their units: `sigma_x__Ed` is sigma with the subscript x,Ed."""
 
+import re
 from html import escape
 from math import floor, isfinite, isinf, log10, pi
 
@@ -64,9 +65,23 @@ def symbol(name: str) -> str:
     """MathML of a quantity's name: base and subscript apart by `_`, parts of the subscript by `__`, Greek letters by name."""
     base, _, below = name.partition("_")
     letter = mi(GREEK.get(base, base))
-    if not below:
-        return letter
-    return tag("msub", letter + tag("mtext", ",".join(GREEK.get(part, part) for part in below.split("__"))))
+    parts = below.split("__") if below else []
+    if parts[:1] == ["bar"]:
+        letter, parts = tag("mover", letter + mo("¯")), parts[1:]
+    return tag("msub", letter + tag("mtext", ",".join(GREEK.get(part, part) for part in parts))) if parts else letter
+
+
+def prose(text: str) -> str:
+    """HTML of words that name quantities: `gamma_Q times z_o` in letters with subscripts."""
+    return re.sub(r"\b([A-Za-z]+)(?:_(\w+))?\b", _letter, escape(text, quote=False))
+
+
+def _letter(found: re.Match) -> str:
+    base, below = found[1], found[2]
+    if base not in GREEK and not (below and len(base) == 1):
+        return found[0]
+    letter = GREEK.get(base, base)
+    return f"{letter}<sub>{GREEK.get(below, below)}</sub>" if below else letter
 
 
 def shown(value: float, unit: str) -> str:

@@ -6,12 +6,13 @@ from pathlib import Path
 
 import jinja2
 import xarray as xr
-from markupsafe import Markup, escape  # what Jinja2 brings
+from markupsafe import Markup  # what Jinja2 brings
 
 from silostudy.cube.silos import at_silo
 from silostudy.note import cases, left_out, loads, steel
 from silostudy.note.lines import Written, result_of
 from silostudy.note.loads import Block, Chapter
+from silostudy.note.mathml import prose
 from silostudy.note.sources import short
 from silostudy.note.uses import at_end
 from silostudy.pressure import PRESSURE
@@ -35,7 +36,7 @@ def page(pressure: xr.Dataset, checks: xr.Dataset | None, case: str) -> str:
         title=pressure.attrs["title"], running=_running(pressure.attrs["title"]), case=case,
         about=_about(pressure, checks, one, method), caveat=CAVEAT, recomputed=recomputed(lines),
         chapters=found, result_of=result_of, source_of=source_of,
-        results=steel.results(steel_cube) if steel_cube is not None else [], subscripts=subscripts,
+        results=steel.results(steel_cube) if steel_cube is not None else [], prose=lambda text: Markup(prose(text)),
     )  # fmt: skip
 
 
@@ -68,11 +69,6 @@ def recomputed(lines: Sequence[Written]) -> str:
 def source_of(one: Written) -> str:
     """Source and place of a line."""
     return f"{short(one.line.source)}, {one.line.locator}"
-
-
-def subscripts(told: str) -> Markup:
-    """A heading such as `p_h (kPa)` with its subscript."""
-    return Markup(re.sub(r"\b(\w)_(\w+)", r"\1<sub>\2</sub>", str(escape(told))))
 
 
 def _running(title: str) -> str:

@@ -5,6 +5,7 @@ from collections.abc import Iterator
 import numpy as np
 import xarray as xr
 
+from silostudy.cube.governing import parts
 from silostudy.note import below
 from silostudy.note.lines import Scope, Written, write
 from silostudy.note.loads import Block, Chapter, knowing
@@ -17,7 +18,8 @@ def chapters(cube: xr.Dataset, pressure: xr.Dataset, scope: Scope) -> list[Chapt
     scope = knowing(scope, at_end(cube, 0))
     given = Block("Steel, imposed actions, parts below the wall", tuple(write("steel", scope)))
     scope = scope.at(windless="q_w" not in scope.known)
-    found = [Chapter("Steel and imposed actions", [given]), Chapter("Combinations of actions", [_combinations(cube)])]
+    combined = Chapter("Combinations of actions", [_combinations(cube), _by_combination(cube)])
+    found = [Chapter("Steel and imposed actions", [given]), combined]
     if "followed_check" in cube.dims:
         found.append(Chapter("Wall: strakes", list(_strakes(cube, scope))))
     else:
@@ -50,6 +52,21 @@ def _combinations(cube: xr.Dataset) -> Block:
     return Block(
         "Partial and combination factors on the characteristic actions", head=head, rows=rows, texts=(told,), wordy=True
     )
+
+
+def _by_combination(cube: xr.Dataset) -> Block:
+    """Every part's utilisation in every combination, with the load case of the contents where it is largest."""
+    method, keys = str(cube["pressure_method"].values), [str(key) for key in cube["combination"].values]
+    found: dict[str, dict[str, dict]] = {}
+    for one in parts(cube.expand_dims("pressure_method"), method, str(cube["rule"].values[0])):
+        found.setdefault(one["part"], {})[one["combination"]] = one
+    rows = []
+    for part, each in found.items():
+        most = max(each.values(), key=lambda one: np.nan_to_num(one["utilisation"], nan=-1.0))
+        rows.append((part, *(rounded(each[key]["utilisation"]) for key in keys), most["combination"], most["load_case"]))
+    note = "Axial buckling by the study's first rule. –: no load for the part, or masked; the chapters on the parts say why."
+    head = ("part", *keys, "largest in", "load case of the contents there")
+    return Block("Utilisation of every part", head=head, rows=tuple(rows), texts=(note,), wordy=True)
 
 
 def _whole(cube: xr.Dataset) -> str:
