@@ -106,7 +106,7 @@ def _silo(first: xr.Dataset, checks: xr.Dataset | None, scale: Scale, middle: fl
         parts.append(path([(left, top), (middle, scale.y(contact - heap)), (right, top)], stroke="#A6611A"))
     parts += _below(first, scale, left, right, middle)
     parts += _dimension(left - 18, scale.y(0), foot, f"h_c {rounded(depth)} m")
-    diameter = f"d_c {rounded(float(first['silo_diameter']))} m"
+    diameter = f"d_c {rounded(float(first['given_diameter']))} m"
     parts += [_word(middle, TOP - 18, diameter), line(left, TOP - 12, right, TOP - 12, stroke="#555", stroke_width="0.7")]
     return parts + (_strakes(checks, scale, left, right) if checks is not None else [])
 
