@@ -63,7 +63,7 @@ def resume(run: Run, scene: AnyScene, checkpoint: Path) -> None:
     if not other:
         run.restore(saved)
         return
-    why = other[0] if saved is None else f"was made with another {', another '.join(other)}"
+    why = other[0] if saved is None else f"was made with other {', other '.join(other)}"
     aside = checkpoint.with_name(f"{checkpoint.name}.old")
     checkpoint.replace(aside)
     print(f"silostudy: {checkpoint} {why}: the run starts anew; kept as {aside.name}", file=sys.stderr)

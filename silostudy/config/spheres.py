@@ -11,7 +11,7 @@ from silostudy.config.fields import Strict, described, one_of
 from silostudy.config.own import key_of
 from silostudy.config.run import GrainScene, Recorded, Waiting
 from silostudy.config.scene import Silo
-from silostudy.contact import NO_COHESION, NO_ROLLING, SPHERE_LAWS
+from silostudy.contact import NO_COHESION, NO_ROLLING, NO_TWISTING, SPHERE_LAWS
 from silostudy.contact.normal import hertz
 from silostudy.contact.tangential import mindlin
 from silostudy.packing.filling import FILLINGS
@@ -38,6 +38,7 @@ NormalKey: TypeAlias = key_of(LAWS["normal"])  # type: ignore[valid-type]
 TangentialKey: TypeAlias = key_of(LAWS["tangential"])  # type: ignore[valid-type]
 RollingKey: TypeAlias = key_of(LAWS["rolling"])  # type: ignore[valid-type]
 CohesionKey: TypeAlias = key_of(LAWS["cohesion"])  # type: ignore[valid-type]
+TwistingKey: TypeAlias = key_of(LAWS["twisting"])  # type: ignore[valid-type]
 OutputKey: TypeAlias = Literal[tuple(key for key, row in OUTPUTS.items() if row.stage == "dem")]  # type: ignore[valid-type]
 Cells: TypeAlias = Annotated[int, Field(ge=1, le=1000)]
 if TYPE_CHECKING:
@@ -83,6 +84,7 @@ class TouchConfig(LawsConfig):
     tangential: TangentialKey = described("law of the tangential force", "", default=mindlin.ROW.key)
     rolling: RollingKey = described("law of rolling resistance", "", default=NO_ROLLING)
     cohesion: CohesionKey = described("law of cohesion", "", default=NO_COHESION)
+    twisting: TwistingKey = described("law of resistance to twisting about the normal", "", default=NO_TWISTING)
     restitution: float | None = described(
         "speed after over speed before a head-on impact; null: of the pair of materials", gt=1e-3, le=1, default=None
     )

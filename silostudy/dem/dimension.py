@@ -40,6 +40,7 @@ class Dimension:
     )
     passed_for: Callable  # rows -> steps for which each body has been below the outlet
     nearest: Callable  # (walls, wall, *place) -> vector (m) from a wall's nearest point to a place, then what else it finds
+    bent: Callable  # (walls, wall, *place) -> curvature (1/m) of a wall at its point nearest to a place
     force_of: Callable  # (lanes of force, k) -> force on the first body
     facing: Callable  # (lanes, k) -> normal, distance (m)
     reduced: Callable  # flat -> (lanes, k, a, b) -> reduced radius (m)
@@ -51,6 +52,7 @@ class Dimension:
     where: Callable  # (touching, drag or moment) -> it, or nothing
     walk: Callable  # gathered, contact, unequal, laws, key -> function of a stretch of a list
     move: Callable  # advance, holds, turns -> function that moves one body and gives the square of its way (m2)
+    book_bodies: Callable  # holds, unequal, key -> function that books the energy of bodies and their mean motion
     pushed: Callable  # (gravity, quake, step) -> acceleration (m/s2) of bodies in an accelerated box
 
     def __repr__(self) -> str:

@@ -7,6 +7,7 @@ import numpy as np
 from numba.extending import register_jitable
 
 from silostudy.dem.arrays import Discs
+from silostudy.dem.booking import book_bodies
 from silostudy.dem.cache import piece
 from silostudy.dem.dimension import Dimension
 from silostudy.dem.lanes import (
@@ -170,6 +171,11 @@ def pushed(gravity, quake, step):
     return gravity[0] - quake[step, 0], gravity[1] - quake[step, 1]
 
 
+def bent(shape: np.ndarray, wall: int, *place: float) -> float:
+    """Curvature (1/m) of a wall: none."""
+    return 0.0
+
+
 def passed_for(rows: np.ndarray) -> np.ndarray:
     """Steps for which discs have been below the slit: none are counted."""
     return np.zeros(len(rows))
@@ -203,6 +209,7 @@ PLANE = Dimension(
     tangents=tangents,
     passed_for=passed_for,
     nearest=nearest,
+    bent=bent,
     force_of=force_of,
     facing=facing,
     reduced=reduced,
@@ -214,5 +221,6 @@ PLANE = Dimension(
     where=where,
     walk=walk,
     move=move,
+    book_bodies=book_bodies,
     pushed=pushed,
 )

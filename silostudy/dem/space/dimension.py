@@ -2,6 +2,7 @@
 
 from silostudy.dem.arrays import Spheres
 from silostudy.dem.dimension import Dimension
+from silostudy.dem.space.booking import book_bodies
 from silostudy.dem.space.felt import force_of, gather_walls, note_walls, scatter_walls
 from silostudy.dem.space.lanes import (
     HISTORIES,
@@ -30,7 +31,7 @@ from silostudy.dem.space.motion import (
     walk,
     where,
 )
-from silostudy.dem.space.network import all_from_wall, densest, tangents
+from silostudy.dem.space.network import all_from_wall, bent, densest, tangents
 from silostudy.dem.space.surfaces import nearest
 from silostudy.dem.space.walls import beside, cell_count, extents, walls_of
 
@@ -62,6 +63,7 @@ SPACE = Dimension(
     tangents=tangents,
     passed_for=passed_for,
     nearest=nearest,
+    bent=bent,
     force_of=force_of,
     facing=facing,
     reduced=reduced,
@@ -73,5 +75,6 @@ SPACE = Dimension(
     where=where,
     walk=walk,
     move=move,
+    book_bodies=book_bodies,
     pushed=pushed,
 )
