@@ -1,18 +1,22 @@
 """The stage of the loads: the field of each load case on wall and hopper, for finite elements, and what it sums to."""
 
 from collections.abc import Mapping
+from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import xarray as xr
 
-from silostudy.choice.expand import Resolved
+from silostudy.choice.expand import Resolved, expand_file
 from silostudy.compute.axes import stacked, sweep_of
 from silostudy.compute.evaluate import masked, sources_of
 from silostudy.compute.hopper import heights
 from silostudy.compute.load_cases import COMPUTED, LISTED_STATES, Listed, load_cases
+from silostudy.config.pressure import Loads
 from silostudy.cube.assemble import assemble
 from silostudy.cube.load import Load, Piece
 from silostudy.cube.variables import flags
+from silostudy.errors import BadInput
 from silostudy.pressure import PRESSURE
 from silostudy.pressure.calls import call
 from silostudy.pressure.en1991_4 import on_wall
@@ -45,6 +49,16 @@ def loads_cube(expansion: Resolved) -> xr.Dataset:
     data = {**labels, **data, "load_case_state": (data["load_case_state"], state)}
     sources = [*sources_of(expansion), *(row.source for row in LOAD_CASES.values())]
     return assemble(study, "loads", data, sources=sources, notes={**expansion.promise}, sweep=sweep_of(expansion))
+
+
+def with_loads(path: Path) -> Resolved:
+    """The cases of a study file, with the loads at their usual levels where it does not ask for them; BadInput of other kinds."""
+    expansion = expand_file(path)
+    if not hasattr(expansion.study, "loads"):
+        raise BadInput("kind", expansion.study.kind, "has no loads on walls: a pressure or shell study has", str(path))
+    if expansion.study.loads is not None:
+        return expansion
+    return replace(expansion, study=expansion.study.model_copy(update={"loads": Loads()}))
 
 
 def _of_silo(study, scene: Scene) -> dict:
@@ -94,8 +108,13 @@ def _written(found: Mapping[str, np.ndarray], at: tuple[int, int], load: Load) -
 
 
 def _given(scene: Scene) -> dict:
-    """The parameters that the code's own methods are handed."""
-    return parameters_of_scenes([scene], PRESSURE[next(iter(LOAD_CASES.values())).methods[0]])
+    """The parameters that the code's own method is handed."""
+    return parameters_of_scenes([scene], _usual_method())
+
+
+def _usual_method() -> PressureMethod:
+    """The code's own method: that of the first load case."""
+    return PRESSURE[next(iter(LOAD_CASES.values())).methods[0]]
 
 
 def _load(one: Listed, values: str, study, scene: Scene) -> Load | None:
@@ -106,10 +125,11 @@ def _load(one: Listed, values: str, study, scene: Scene) -> Load | None:
     method = PRESSURE[one.row.methods[0]]
     given, levels = parameters_of_scenes([scene], method), study.loads.levels
     pieces = build(one, values, study, scene, given)
-    bottom = np.nan  # what rests on the bottom beside a channel is not known
-    if build is not _channels:
+    bottom = _bottom(one.row.phase, values, scene)
+    if build is _channels:
+        bottom = bottom if scene.silo.hopper is None else np.nan  # what a hopper carries beside a channel is not known
+    else:
         pieces += _hopper(one, method, given, levels, scene)
-        bottom = _bottom(one, values, given, method, scene)
     silo, unit_weight = scene.silo, given["unit_weight"][0, 0]
     shape = {"radius": silo.diameter / 2, "perimeter": silo.perimeter, "transition": silo.cylinder_depth}
     half_angle = silo.hopper.half_angle if silo.hopper else np.nan
@@ -181,14 +201,15 @@ def _hopper(one: Listed, method: PressureMethod, given: Mapping, levels: int, sc
     if np.isnan(normal).any():
         return []
     z = scene.silo.cylinder_depth + (top - x)
-    return [Piece("hopper", z, normal, traction, 0.0, ROUND, 0, last=True)]
+    return [Piece("hopper", z, normal, traction, 0.0, ROUND, 0, last=True, on_hopper=True)]
 
 
-def _bottom(one: Listed, values: str, given: Mapping, method: PressureMethod, scene: Scene) -> float:
+def _bottom(phase: str, values: str, scene: Scene) -> float:
     """Force (N) through the outlet, of a flat floor that under the vertical pressure after filling of the case's own set."""
+    method, given = _usual_method(), _given(scene)
     if scene.silo.hopper is not None:
-        return _total(method, "outlet_force", one.row.phase, given) if scene.silo.plan in WITH_HOPPER else np.nan
-    factor = _total(method, "bottom_load_magnifier", one.row.phase, given)
+        return _total(method, "outlet_force", phase, given) if scene.silo.plan in WITH_HOPPER else np.nan
+    factor = _total(method, "bottom_load_magnifier", phase, given)
     vertical = on_wall.on_cylinder("vertical_pressure", values, "filling")
     pressure = float(np.ravel(call(vertical, np.array([scene.silo.cylinder_depth]), given))[0])
     return factor * pressure * scene.silo.area

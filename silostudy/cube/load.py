@@ -22,7 +22,8 @@ ENDS = 2  # of a piece round the wall: it stands on both sides of the angle 0
 class Piece:
     """Part of a load: values times cos(waves theta) from one angle (rad) to another on both sides, over its levels (m).
 
-    A piece holds its first level and angle and not its last one, unless `last`: then the wall or the circle ends there.
+    A piece holds its first level and angle and not its last one, unless `last`: then the wall or the circle ends there.  Where
+    wall and hopper meet, the level is the wall's.
     """
 
     name: str
@@ -33,11 +34,13 @@ class Piece:
     angle_to: float
     waves: int
     last: bool
+    on_hopper: bool = False
 
     def at(self, z: np.ndarray, theta: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """(pressure, friction (Pa)) of this piece, 0 outside of it; theta between 0 and pi."""
         ends_here = (z == self.depth[-1]) if self.last else False
-        level = (z >= self.depth[0]) & ((z < self.depth[-1]) | ends_here)
+        begins = z > self.depth[0] if self.on_hopper else z >= self.depth[0]
+        level = begins & ((z < self.depth[-1]) | ends_here)
         angle = (theta >= self.angle_from) & ((theta < self.angle_to) | (self.angle_to >= np.pi))
         share = np.where(level & angle, np.cos(self.waves * theta), 0.0)
         normal, traction = (np.interp(z, self.depth, values) for values in (self.normal, self.traction))
@@ -81,26 +84,22 @@ class Load:
         below = np.maximum(np.asarray(z, dtype=float) - self.transition, 0.0)
         return self.radius - below * (0.0 if np.isnan(self.half_angle) else np.tan(self.half_angle))
 
-    def on_hopper(self, piece: Piece) -> bool:
-        """Whether a piece lies on the hopper's wall."""
-        return bool(piece.depth[0] >= self.transition)
-
     def vertical_force(self, *, hopper: bool) -> float:
         """Downward force (N) on the cylinder's wall, or on the hopper's."""
-        return sum(self._down(piece) for piece in self.pieces if self.on_hopper(piece) == hopper)
+        return sum(self._down(piece) for piece in self.pieces if piece.on_hopper == hopper)
 
     def _down(self, piece: Piece) -> float:
-        around, slope = piece.around()[0] / (2 * np.pi), np.tan(self.half_angle) if self.on_hopper(piece) else 0.0
+        around, slope = piece.around()[0] / (2 * np.pi), np.tan(self.half_angle) if piece.on_hopper else 0.0
         pushed = piece.normal * slope + piece.traction
         return around * self._integral(piece.depth, pushed) * self.perimeter / self.radius
 
     def horizontal_force(self) -> float:
         """Horizontal force (N) of the pressures on the cylinder's wall, towards the angle 0."""
-        return sum(self._sideways(piece, 1.0) for piece in self.pieces if not self.on_hopper(piece))
+        return sum(self._sideways(piece, 1.0) for piece in self.pieces if not piece.on_hopper)
 
     def overturning_moment(self) -> float:
         """Moment (N m) of the horizontal force about the transition."""
-        return sum(self._sideways(one, self.transition - one.depth) for one in self.pieces if not self.on_hopper(one))
+        return sum(self._sideways(one, self.transition - one.depth) for one in self.pieces if not one.on_hopper)
 
     def _sideways(self, piece: Piece, lever) -> float:
         return piece.around()[1] * self._integral(piece.depth, piece.normal, lever)
@@ -111,11 +110,34 @@ class Load:
         upper, lower, wide, narrow = values[:-1], values[1:], arm[:-1], arm[1:]
         return float(np.sum(np.diff(z) / 6 * (2 * upper * wide + upper * narrow + lower * wide + 2 * lower * narrow)))
 
+    def grid(self, *, levels: int, step: float) -> tuple[np.ndarray, np.ndarray]:
+        """(depths (m), angles (rad)) of a table: both sides of every edge, so many levels on wall and hopper between them, and
+        an angle every `step` where the load waves round the wall."""
+        depths, angles = self.edges()
+        between = [np.linspace(piece.depth[0], piece.depth[-1], levels) for piece in self.pieces if piece.last]
+        waving = any(piece.waves for piece in self.pieces)
+        round_it = np.linspace(0.0, np.pi, round(np.pi / step) + 1) if waving else np.array([])
+        return _with_sides(np.concatenate([depths, *between]), depths), _with_sides(np.append(angles, round_it), angles)
+
+    def columns(self, *, levels: int, step: float) -> dict[str, np.ndarray]:
+        """Columns of a table over the grid: depth (m), angle (deg), inner radius (m), pressure and friction (kPa)."""
+        depths, angles = self.grid(levels=levels, step=step)
+        z, theta = (one.ravel() for one in np.meshgrid(depths, angles, indexing="ij"))
+        normal, traction = self.at(z, theta)
+        found = {"depth_m": z, "angle_deg": np.degrees(theta), "radius_m": self.radius_at(z)}
+        return found | {"normal_kPa": normal / 1e3, "friction_kPa": traction / 1e3}
+
     def edges(self) -> tuple[np.ndarray, np.ndarray]:
         """(depths (m), angles (rad)) at which the load steps or bends: ends of pieces, for the lines of a mesh."""
         depths = {float(end) for piece in self.pieces for end in (piece.depth[0], piece.depth[-1])}
         angles = {end for piece in self.pieces for end in (piece.angle_from, piece.angle_to)}
         return np.array(sorted(depths)), np.array(sorted(angles))
+
+
+def _with_sides(values: np.ndarray, edges: np.ndarray) -> np.ndarray:
+    """All values, increasing, and beside each inner edge the last number before it and, where pieces end on it, after it."""
+    inner = edges[1:-1]
+    return np.unique(np.concatenate([values, np.nextafter(inner, -np.inf), np.nextafter(inner, np.inf)]))
 
 
 def load_case(cube: xr.Dataset | Path | str, load_case: str, values: str, case: str | None = None) -> Load:
@@ -163,5 +185,7 @@ def _piece(one: xr.Dataset, transition: float) -> Piece:
     names = {"depth": "load_depth", "normal": "load_normal_pressure", "traction": "load_friction_traction"}
     arrays = {key: one[name].values for key, name in names.items()}
     ends = (float(one["load_angle_from"]), float(one["load_angle_to"]), int(one["load_waves"]))
-    last = bool(np.isclose(arrays["depth"][-1], transition) or arrays["depth"][0] >= transition)
-    return Piece(str(one["load_piece"].values), *arrays.values(), *ends, last)
+    below = bool(arrays["depth"][0] >= transition)
+    return Piece(
+        str(one["load_piece"].values), *arrays.values(), *ends, below or bool(arrays["depth"][-1] == transition), below
+    )
