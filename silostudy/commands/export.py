@@ -2,6 +2,7 @@
 
 from pathlib import Path
 
+SHOWN = 6  # ids of cases in a message
 LEVELS, DEGREES = 201, 5.0  # of the tables: on wall and hopper, and where a load waves round the wall
 
 
@@ -58,13 +59,15 @@ def _table(load):
 
 def _scene(expansion, case: str | None):
     """The silo that a call names; BadInput lists the known ones."""
-    from silostudy.errors import unknown
+    from silostudy.errors import BadInput
 
     if not expansion.shape and case is None:
         return expansion.cases[0].scene
     known = {one.id: one.scene for one in expansion.cases}
     if case not in known:
-        raise unknown("--case", case, known)
+        ids, count = ", ".join(list(known)[:SHOWN]), len(known)
+        told = f"{ids}{f' and {count - SHOWN} more, see `silostudy cases`' if count > SHOWN else ''}"
+        raise BadInput("--case", case, f"must be one of the study's cases: {told}")
     return known[case]
 
 

@@ -12,7 +12,7 @@ from silostudy.compute.axes import stacked, sweep_of
 from silostudy.compute.evaluate import masked, sources_of
 from silostudy.compute.hopper import heights
 from silostudy.compute.load_cases import COMPUTED, LISTED_STATES, Listed, load_cases
-from silostudy.config.pressure import Loads
+from silostudy.config.pressure import MOST_SILOS, Loads
 from silostudy.cube.assemble import assemble
 from silostudy.cube.load import Load, Piece
 from silostudy.cube.variables import flags
@@ -38,8 +38,8 @@ def loads_cube(expansion: Resolved) -> xr.Dataset:
     study = expansion.study
     each = [_of_silo(study, case.scene) for case in expansion.cases]
     state = flags("whether the load case is computed", [one.replace(" ", "_") for one in LISTED_STATES])
-    data = stacked(each, expansion.shape)
-    labels = {
+    data: dict = stacked(each, expansion.shape)
+    labels: dict = {
         "load_case": list(LOAD_CASES),
         "load_case_title": [row.title for row in LOAD_CASES.values()],
         "value_set": list(SETS),
@@ -52,10 +52,12 @@ def loads_cube(expansion: Resolved) -> xr.Dataset:
 
 
 def with_loads(path: Path) -> Resolved:
-    """The cases of a study file, with the loads at their usual levels where it does not ask for them; BadInput of other kinds."""
+    """The cases of a study file, with the loads at their usual levels where it asks for none; BadInput of other kinds."""
     expansion = expand_file(path)
     if not hasattr(expansion.study, "loads"):
         raise BadInput("kind", expansion.study.kind, "has no loads on walls: a pressure or shell study has", str(path))
+    if len(expansion.cases) > MOST_SILOS:
+        raise BadInput("sweep", f"{len(expansion.cases)} silos", f"loads are for {MOST_SILOS} silos at most", str(path))
     if expansion.study.loads is not None:
         return expansion
     return replace(expansion, study=expansion.study.model_copy(update={"loads": Loads()}))
@@ -66,7 +68,7 @@ def _of_silo(study, scene: Scene) -> dict:
     listed = load_cases(study, scene)
     shape, levels = (len(listed), len(SETS)), study.loads.levels
     sizes = {"depth": levels, "normal_pressure": levels, "friction_traction": levels}
-    found = {f"load_{name}": np.full((*shape, len(PIECES), size), np.nan) for name, size in sizes.items()}
+    found: dict = {f"load_{name}": np.full((*shape, len(PIECES), size), np.nan) for name, size in sizes.items()}
     found |= {f"load_{name}": np.full((*shape, len(PIECES)), np.nan) for name in ("angle_from", "angle_to", "waves")}
     found |= {f"load_{name}": np.full(shape, np.nan) for name in FORCES}
     for place, one in enumerate(listed):

@@ -184,8 +184,13 @@ def _load(one: xr.Dataset) -> Load:
 def _piece(one: xr.Dataset, transition: float) -> Piece:
     names = {"depth": "load_depth", "normal": "load_normal_pressure", "traction": "load_friction_traction"}
     arrays = {key: one[name].values for key, name in names.items()}
-    ends = (float(one["load_angle_from"]), float(one["load_angle_to"]), int(one["load_waves"]))
     below = bool(arrays["depth"][0] >= transition)
     return Piece(
-        str(one["load_piece"].values), *arrays.values(), *ends, below or bool(arrays["depth"][-1] == transition), below
+        name=str(one["load_piece"].values),
+        **arrays,
+        angle_from=float(one["load_angle_from"]),
+        angle_to=float(one["load_angle_to"]),
+        waves=int(one["load_waves"]),
+        last=below or bool(arrays["depth"][-1] == transition),
+        on_hopper=below,
     )
