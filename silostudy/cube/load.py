@@ -77,7 +77,8 @@ class Load:
         turned = np.abs(theta)
         turned = np.where(turned > np.pi, np.abs(np.remainder(theta + np.pi, 2 * np.pi) - np.pi), turned)
         each = [piece.at(z, turned) for piece in self.pieces]
-        return sum(normal for normal, _ in each), sum(traction for _, traction in each)
+        normal, traction = np.sum(each, axis=0)
+        return normal, traction
 
     def radius_at(self, z) -> np.ndarray:
         """Inner radius (m) at depth z (m): of the hopper below the transition."""
