@@ -1,4 +1,4 @@
-"""The contact laws: four families of plain functions of floats, one file a law; a scene picks one of each."""
+"""The contact laws: families of plain functions of floats, one file a law; a scene picks one of each."""
 
 from collections.abc import Mapping
 
@@ -11,26 +11,37 @@ from silostudy.contact.rolling import ROLLING
 from silostudy.contact.rolling import none as no_rolling
 from silostudy.contact.tangential import TANGENTIAL, spring_slider
 from silostudy.contact.tangential import none as frictionless
+from silostudy.contact.twisting import TWISTING
+from silostudy.contact.twisting import none as no_twisting
 
-FAMILIES: Mapping[str, Family] = {"normal": NORMAL, "tangential": TANGENTIAL, "rolling": ROLLING, "cohesion": COHESION}
+FAMILIES: Mapping[str, Family] = {
+    "normal": NORMAL,
+    "tangential": TANGENTIAL,
+    "rolling": ROLLING,
+    "cohesion": COHESION,
+    "twisting": TWISTING,
+}
 
 
 def of_grains(grains: str) -> Mapping[str, Family]:
-    """The laws of `discs` or of `spheres`, by the names of their families here."""
-    return {
+    """The laws of `discs` or of `spheres`, by the names of their families here; not of a family that has none for them."""
+    found = {
         name: Family(family.name, (row for row in family.values() if grains in row.grains), family.takes)
         for name, family in FAMILIES.items()
     }
+    return {name: family for name, family in found.items() if family}
 
 
 LAWS, SPHERE_LAWS = of_grains("discs"), of_grains("spheres")
 NO_TANGENTIAL, NO_ROLLING, NO_COHESION = frictionless.ROW.key, no_rolling.ROW.key, no_cohesion.ROW.key
+NO_TWISTING = no_twisting.ROW.key
 # what a contact has whose section in a scene names no law
 DEFAULTS = {
     "normal": spring_dashpot.ROW.key,
     "tangential": spring_slider.ROW.key,
     "rolling": NO_ROLLING,
     "cohesion": NO_COHESION,
+    "twisting": NO_TWISTING,
 }
 # with which the errors behind `accuracy:` of scenes were measured
 MEASURED = {name: next(key for key, law in family.items() if law.measured) for name, family in LAWS.items()}
@@ -45,8 +56,10 @@ __all__ = [
     "NO_COHESION",
     "NO_ROLLING",
     "NO_TANGENTIAL",
+    "NO_TWISTING",
     "ROLLING",
     "SPHERE_LAWS",
     "TANGENTIAL",
+    "TWISTING",
     "Law",
 ]

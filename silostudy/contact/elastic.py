@@ -104,8 +104,7 @@ def contact_radius(touch):
 @register_jitable
 def shrinking(touch):
     """Radius of a contact over that of a step before (1) where it unloads, one where it loads."""
-    before = touch.overlap - touch.closing * touch.dt
-    return np.sqrt(touch.overlap / before) if before > touch.overlap else 1.0
+    return np.sqrt(touch.overlap / touch.before) if touch.before > touch.overlap else 1.0
 
 
 @register_jitable

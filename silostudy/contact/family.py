@@ -20,13 +20,17 @@ from silostudy.soundness import faults_of_function, faults_of_trial
 
 class Touch(NamedTuple):
     """What every law may take of a contact: reduced mass (kg/m; of spheres kg), reduced radius (m), time step (s), overlap (m),
-    closing speed (m/s)."""
+    closing speed (m/s), overlap a step before (m).
+
+    Overlaps are those that the normal law presses with: larger than the bodies' own where an attraction widens the contact.
+    """
 
     mass: float
     radius: float
     dt: float
     overlap: float = 0.0
     closing: float = 0.0
+    before: float = 0.0
 
 
 @dataclass(frozen=True)
@@ -128,6 +132,12 @@ def no_stiffness(overlap, touch, c):
     return 0.0
 
 
+@register_jitable
+def no_attraction(touch, c):
+    """Energy (J/m) of a contact without attraction: zero."""
+    return 0.0
+
+
 def no_damping(touch, c):
     """Damping of a law without a dashpot: zero."""
     return 0.0 * touch.mass
@@ -158,7 +168,8 @@ class Law(Row):
     def faults(self) -> Iterator[str]:
         """What is wrong with the row, in words."""
         yield from super().faults()
-        yield from faults_of_function("law", self.law, self.unit, (), ())
+        unit = self.unit if "discs" in self.grains else self.unit.removesuffix(" m-1")
+        yield from faults_of_function("law", self.law, unit, (), ())
         for one in self.coefficients:
             if not one.unit:
                 yield f"coefficient {one.name}: has no unit"
@@ -219,6 +230,7 @@ class NormalLaw(Law):
 
     energy: Callable
     linear: bool = False  # whether the elastic force is proportional to the overlap
+    of_hertz: bool = False  # whether the elastic force is that of Hertz's contact
     one_size: bool = False  # whether its coefficients hold for discs of one size alone
     damped: Callable[[float], float] | None = None
 
@@ -249,23 +261,70 @@ class TangentialLaw(Law):
 
 @dataclass(frozen=True, kw_only=True)
 class RollingLaw(Law):
-    """law(stored, difference of spins, touch, elastic, c) -> moment (N m/m), which it stores where it stores any."""
+    """law(stored, difference of spins, touch, elastic, c) -> stored and total moment (N m/m)."""
 
     unit: ClassVar[str] = "N m m-1"
 
     def tried(self, made: Callable[[Callable], Callable], c: tuple[float, ...]) -> None:
         """Calls the law on a usual contact."""
         super().tried(made, c)
-        float(made(self.law)(0.0, 0.1, USUAL, 1.0, c))
+        stored, total = made(self.law)(0.0, 0.1, USUAL, 1.0, c)
+        float(stored), float(total)
+
+
+@dataclass(frozen=True, kw_only=True)
+class TwistingLaw(RollingLaw):
+    """law(stored, difference of spins about the normal, touch, elastic, c) -> stored and total moment (N m) about it."""
+
+    unit: ClassVar[str] = "N m"
+
+    grains: tuple[str, ...] = ("spheres",)
+
+
+@register_jitable
+def no_gap(radius, c):
+    """Gap (m) across which an attraction holds on: none."""
+    return 0.0
+
+
+@register_jitable
+def as_pressed(overlap, radius, c):
+    """Overlap (m) that the normal law presses with: the bodies' own."""
+    return overlap
+
+
+@register_jitable
+def without_pull(force, pull, touch, c):
+    """Normal force (N/m) that friction takes: that of the normal law, so that the attraction adds to what presses outside."""
+    return force
 
 
 @dataclass(frozen=True, kw_only=True)
 class CohesionLaw(Law):
-    """law(c) -> attraction (N/m) while in touch."""
+    """law(touch, c) -> attraction (N/m) while in touch; energy(touch, c) -> J/m that it holds, none where bodies just touch.
+
+    One that holds on keeps bodies in touch that have touched, up to the gap(reduced radius, c) (m), and may widen the contact:
+    pressed(overlap, reduced radius, c) -> overlap (m) that the normal law presses with, rubbed(force, attraction, touch, c) ->
+    normal force (N) that friction takes.
+    """
 
     unit: ClassVar[str] = "N m-1"
+
+    energy: Callable = no_attraction
+    holds_on: bool = False
+    gap: Callable = no_gap
+    pressed: Callable = as_pressed
+    rubbed: Callable = without_pull
+    of_hertz: bool = False  # whether it stands on Hertz's contact alone
+
+    @property
+    def compiled(self) -> dict[str, Callable]:
+        """The functions that kernels are built from."""
+        own = {"energy": self.energy, "gap": self.gap, "pressed": self.pressed, "rubbed": self.rubbed}
+        return super().compiled | own
 
     def tried(self, made: Callable[[Callable], Callable], c: tuple[float, ...]) -> None:
         """Calls the law on a usual contact."""
         super().tried(made, c)
-        float(made(self.law)(c))
+        float(made(self.law)(USUAL, c)), float(made(self.energy)(USUAL, c))
+        float(made(self.gap)(0.01, c)), float(made(self.pressed)(1e-6, 0.01, c)), float(made(self.rubbed)(1.0, 1.0, USUAL, c))

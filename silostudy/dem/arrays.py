@@ -42,6 +42,8 @@ class Contacts(NamedTuple):
     second: np.ndarray
     stored: np.ndarray  # tangential spring force, N/m
     rolled: np.ndarray  # rolling moment, N m/m
+    twisted: np.ndarray  # moment about the normal, N m; of spheres
+    touched: np.ndarray  # 1 where the bodies are in touch, by laws under which those that have touched hold on
     arm: np.ndarray  # radius of the first, m; length one where all are equal, as are the next two
     other: np.ndarray  # radius of the second, m
     mass: np.ndarray  # reduced mass, kg/m
@@ -64,6 +66,13 @@ class Memory(NamedTuple):
     key: np.ndarray
     stored: np.ndarray
     rolled: np.ndarray
+    twisted: np.ndarray
+    touched: np.ndarray
+
+    def picked(self, which, key: np.ndarray | None = None) -> "Memory":
+        """Those that `which` picks, under other keys where these are given; what no law calls for stays empty."""
+        columns = (column[..., which] if column.shape[-1] else column for column in self[1:])
+        return Memory(self.key[which] if key is None else key, *columns)
 
 
 class Walls(NamedTuple):
@@ -155,6 +164,7 @@ class March(NamedTuple):
     bodies: int  # that are left
     parties: int  # threads
     smallest: float  # radius, m
+    gap: float  # m, across which bodies that have touched may hold on
     skin: float  # m; 0: chosen by the engine
 
 

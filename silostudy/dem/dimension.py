@@ -31,18 +31,37 @@ class Dimension:
     note_walls: Callable  # what walls feel
     walls_of: Callable  # the walls of a model as arrays
     cell_count: Callable  # how many cells the walls of a model have
+    extents: Callable  # walls -> of each the corners (n, d) of a box around it, m
+    beside: Callable  # (walls, places) -> which places stand beside what the walls surround
+    densest: Callable  # -> places (n, d) of the densest packing about the origin, in radii
+    all_from_wall: Callable  # (walls, wall, places) -> vectors (n, d; m) from a wall's nearest points to places
+    tangents: (
+        Callable  # normals (n, d) -> of each direction across them: unit vectors, and the turns of a spin that moves along
+    )
+    passed_for: Callable  # rows -> steps for which each body has been below the outlet
+    nearest: Callable  # (walls, wall, *place) -> vector (m) from a wall's nearest point to a place, then what else it finds
+    bent: Callable  # (walls, wall, *place) -> curvature (1/m) of a wall at its point nearest to a place
+    force_of: Callable  # (lanes of force, k) -> force on the first body
     facing: Callable  # (lanes, k) -> normal, distance (m)
     reduced: Callable  # flat -> (lanes, k, a, b) -> reduced radius (m)
     rates: Callable  # unequal -> (lanes, k, normal, a, b, depth, flat) -> closing, sliding (m/s), difference of spins (1/s)
     carry: Callable  # (history, normal) -> the history as the contact stands now
+    twisting: Callable  # (lanes, k, normal) -> difference of spins about the normal (1/s)
+    about: Callable  # (moment, twist, normal) -> the moment with another about the normal
     put: Callable  # drags, brakes -> (out, k, normal, push, drag, moment, a, b, depth, flat): lanes of force
     where: Callable  # (touching, drag or moment) -> it, or nothing
-    walk: Callable  # gathered, contact, unequal, slides, rolls, key -> function of a stretch of a list
+    walk: Callable  # gathered, contact, unequal, laws, key -> function of a stretch of a list
     move: Callable  # advance, holds, turns -> function that moves one body and gives the square of its way (m2)
+    book_bodies: Callable  # holds, unequal, key -> function that books the energy of bodies and their mean motion
     pushed: Callable  # (gravity, quake, step) -> acceleration (m/s2) of bodies in an accelerated box
 
     def __repr__(self) -> str:
         return self.key  # the same in every process: kept kernels are named by it
+
+    @property
+    def ways(self) -> int:
+        """Number of directions."""
+        return len(self.place)
 
     @property
     def motion(self) -> int:

@@ -51,10 +51,10 @@ def relist(shared, share, march):
     if not stays:
         allow_wide(blocks, own, after, march.smallest)
         meet(shared.gate, march.parties)
-        enough = list_wide(bodies, shared.walls, blocks, scratch, march.bodies, lo, hi)
-    enough = enough and list_pairs(bodies, share.pairs, share.pair_memory, blocks, scratch, lo, hi, base)
+        enough = list_wide(bodies, shared.walls, blocks, scratch, march.gap, march.bodies, lo, hi)
+    enough = enough and list_pairs(bodies, share.pairs, share.pair_memory, blocks, scratch, march.gap, lo, hi, base)
     dummy = base + scratch.ghost.size
-    enough = enough and list_walls(bodies, share.near, share.wall_memory, shared.walls, blocks, scratch, dummy)
+    enough = enough and list_walls(bodies, share.near, share.wall_memory, shared.walls, blocks, scratch, march.gap, dummy)
     said[number] = FRESH if enough else SHORT_OF_ROOM
     if scratch.counts[PRESSED] > 0:
         said[number] = EXPLODED

@@ -2,7 +2,8 @@
 
 Kinetic + potential + elastic + dashpots + sliding + carried out
 = start + worked in by the base + by changes of gravity + created by the step.
-Sliding is the work of friction at contacts that slip, and what springs held when their contact opened; a dashpot of a
+Sliding is the work of friction at contacts that slip, what springs held when their contact opened, and what a spring gives or
+takes whose stiffness changes under its force (Mindlin's follows the overlap); a dashpot of a
 contact that slips is part of that friction, and only where the contact sticks is its loss the dashpots'.
 Carried out is what discs that are gone had, and the springs of contacts with a disc or a wall that was taken away.
 `created` is what the finite step itself adds or takes (work of the elastic forces over a step less the energy they
@@ -13,11 +14,14 @@ import numpy as np
 from numba.extending import register_jitable
 
 from silostudy.contact.family import Touch
+from silostudy.contact.vector import less
+from silostudy.dem import history
 from silostudy.dem.arrays import Ledger, aligned
 from silostudy.dem.cache import piece
+from silostudy.dem.dimension import Dimension
 from silostudy.dem.force import gather_pass, response
+from silostudy.dem.history import differs, dot, histories, size
 from silostudy.dem.integrate import INTEGRATORS
-from silostudy.dem.lanes import FX, FY, STRETCH, TORQUE, U, V, W, X, Y
 
 ENTRIES = ("kinetic", "potential", "elastic", "dashpot", "sliding", "carried_out", "base", "gravity", "created")
 KINETIC, POTENTIAL, ELASTIC, DASHPOT, SLIDING, CARRIED_OUT, BASE, GRAVITY, CREATED = range(len(ENTRIES))
@@ -25,17 +29,17 @@ WORK, BRAKING, RUBBING, SHAKING, BEGUN, TURNOVER = range(len(ENTRIES), len(ENTRI
 NO_LIMIT = 1e200  # N/m: a normal force under which nothing slips
 
 
-def empty(rows: np.ndarray, room: int, wall_room: int) -> Ledger:
+def empty(space: Dimension, rows: np.ndarray, room: int, wall_room: int) -> Ledger:
     """A ledger for this many contacts, nothing booked; no room at all where the scene asks for none."""
     asked = room > 0
     return Ledger(
         account=np.zeros(TURNOVER + 1),
-        mean=aligned(*(rows.shape if asked else (0, 8))),
-        lanes=aligned(6, STRETCH if asked else 0),
-        pair_stored=np.zeros(room),
-        pair_rolled=np.zeros(room),
-        wall_stored=np.zeros(wall_room),
-        wall_rolled=np.zeros(wall_room),
+        mean=aligned(len(rows) if asked else 0, space.row),
+        lanes=aligned(space.lanes[0], space.lanes[1] if asked else 0),
+        pair_stored=histories(room, space.components),
+        pair_rolled=histories(room, space.components),
+        wall_stored=histories(wall_room, space.components),
+        wall_rolled=histories(wall_room, space.components),
     )
 
 
@@ -45,16 +49,23 @@ def balance(account: np.ndarray) -> float:
     return float(held - account[[BASE, GRAVITY, CREATED]].sum())
 
 
-def carry_out(engine, gone: np.ndarray) -> None:
-    """Book the kinetic and potential energy that discs take with them; `gone` marks them among those left."""
-    account, rows, mass = engine.ledger.account, engine.bodies.rows[: engine.n][gone], engine.mass[gone]
-    speed = engine.bodies.held[: engine.n][gone, :3] if len(engine.bodies.held) else rows[:, [U, V, W]]
-    inertia = 0.5 * mass * engine.radius[gone] ** 2
-    kinetic = float((0.5 * mass * (speed[:, 0] ** 2 + speed[:, 1] ** 2) + 0.5 * inertia * speed[:, 2] ** 2).sum())
-    potential = -float((mass * (rows[:, [X, Y]] @ np.asarray(engine.gravity))).sum())
-    account[CARRIED_OUT] += kinetic + potential
-    account[POTENTIAL] -= potential
-    account[KINETIC] -= kinetic
+def carry_in(engine, come: np.ndarray) -> None:
+    """Book the kinetic and potential energy that bodies bring with them; `come` marks them among those that are there."""
+    carry_out(engine, come, -1.0)
+
+
+def carry_out(engine, gone: np.ndarray, sign: float = 1.0) -> None:
+    """Book the kinetic and potential energy that bodies take with them; `gone` marks them among those left."""
+    account, rows, mass, space = engine.ledger.account, engine.bodies.rows[: engine.n][gone], engine.mass[gone], engine.space
+    lanes = (*space.velocity, *space.spin)
+    speed = engine.bodies.held[: engine.n][gone, : len(lanes)] if len(engine.bodies.held) else rows[:, lanes]
+    moving, turning = (sum(part.T**2) for part in np.split(speed, [space.ways], axis=1))
+    inertia = mass * engine.radius[gone] ** 2 / space.inverse_inertia
+    kinetic = float((0.5 * mass * moving + 0.5 * inertia * turning).sum())
+    potential = -float((mass * (rows[:, space.place] @ np.asarray(engine.gravity))).sum())
+    account[CARRIED_OUT] += sign * (kinetic + potential)
+    account[POTENTIAL] -= sign * potential
+    account[KINETIC] -= sign * kinetic
 
 
 def take_springs(engine, energy: float) -> None:
@@ -63,10 +74,10 @@ def take_springs(engine, energy: float) -> None:
     engine.ledger.account[ELASTIC] -= energy
 
 
-def change_gravity(engine, gravity: tuple[float, float]) -> None:
-    """Book what another gravity (m/s2) adds to the potential energy of discs where they are."""
+def change_gravity(engine, gravity: tuple[float, ...]) -> None:
+    """Book what another gravity (m/s2) adds to the potential energy of bodies where they are."""
     change = np.subtract(gravity, engine.gravity)
-    work = -float((engine.mass * (engine.bodies.rows[: engine.n, [X, Y]] @ change)).sum())
+    work = -float((engine.mass * (engine.bodies.rows[: engine.n, engine.space.place] @ change)).sum())
     engine.ledger.account[[POTENTIAL, GRAVITY]] += work
 
 
@@ -74,14 +85,14 @@ def change_gravity(engine, gravity: tuple[float, float]) -> None:
 def keep_histories(contacts, count, stored, rolled):
     """Copy the histories before the forces change them."""
     for k in range(count):
-        stored[k] = contacts.stored[k] if contacts.stored.size else 0.0
-        rolled[k] = contacts.rolled[k] if contacts.rolled.size else 0.0
+        history.enter(stored, k, history.entry(contacts.stored, k))
+        history.enter(rolled, k, history.entry(contacts.rolled, k))
 
 
 @register_jitable
 def of_spring(force, stiffness):
     """Energy (J/m) of a spring that holds a force."""
-    return 0.5 * force * force / stiffness if stiffness > 0.0 else 0.0
+    return 0.5 * dot(force, force) / stiffness if stiffness > 0.0 else 0.0
 
 
 @register_jitable
@@ -89,9 +100,9 @@ def of_slip(trial, held, stiffness):
     """Energy (J/m) that slip takes from a spring that would have held `trial` and holds `held`."""
     if not stiffness > 0.0:
         return 0.0
-    if held * trial >= 0.0 and abs(held) <= abs(trial):
-        return held * (trial - held) / stiffness  # the force that is left, over the slip
-    return 0.5 * (trial * trial - held * held) / stiffness  # a spring that a cap on the sum has loaded at a stroke
+    if dot(held, trial) >= 0.0 and size(held) <= size(trial):
+        return dot(held, less(trial, 1.0, held)) / stiffness  # the force that is left, over the slip
+    return 0.5 * (dot(trial, trial) - dot(held, held)) / stiffness  # a spring that a cap on the sum has loaded at a stroke
 
 
 def contact_book(space, laws, *, unequal, flat):
@@ -99,7 +110,8 @@ def contact_book(space, laws, *, unequal, flat):
     forces, and power that dashpots take where contacts stick and where they slip."""
     gathered = gather_pass(space, laws, unequal=unequal, flat=flat)
     facing, rates, answer = space.facing, space.rates(unequal), response(laws)
-    slide_stiffness, roll_stiffness, cohesion_law = laws.tangential.stiffness, laws.rolling.stiffness, laws.cohesion.law
+    reduced, carry = space.reduced(flat), space.carry
+    slide_stiffness, roll_stiffness, attraction = laws.tangential.stiffness, laws.rolling.stiffness, laws.cohesion.energy
     stretch = space.stretch
     energy, slides, rolls, tangential_law = laws.normal.energy, laws.slides, laws.rolls, laws.tangential.law
 
@@ -116,33 +128,42 @@ def contact_book(space, laws, *, unequal, flat):
                 if unequal:
                     a, b, m = contacts.arm[at], contacts.other[at], contacts.mass[at]
                 normal, distance = facing(lanes, k)
-                overlap, stored, turned = a + b - distance, old_stored[at], old_rolled[at]
-                closing, sliding, rolling = rates(lanes, k, normal, a, b, overlap, flat)
-                touch = Touch(m, a if flat else a * b / (a + b), dt, overlap, closing)
-                slide_spring, roll_spring = slide_stiffness(overlap, touch, c[1]), roll_stiffness(overlap, touch, c[2])
+                overlap = a + b - distance
+                depth = overlap if overlap > 0.0 else 0.0
+                stored, turned = carry(history.entry(old_stored, at), normal), carry(history.entry(old_rolled, at), normal)
+                closing, sliding, rolling = rates(lanes, k, normal, a, b, depth, flat)
+                radius, before = reduced(lanes, k, a, b), overlap - closing * dt
+                touch = Touch(m, radius, dt, depth, closing, before)
+                before = max(before, 0.0)
+                last = Touch(m, radius, dt, before, closing, before)
+                slide_last, roll_last = slide_stiffness(before, last, c[1]), roll_stiffness(before, last, c[2])
                 if overlap <= 0.0:  # what springs held when the contact opened is lost
-                    slid += of_spring(stored, slide_spring) if slides else 0.0
-                    slid += of_spring(turned, roll_spring) if rolls else 0.0
+                    slid += of_spring(stored, slide_last) if slides else 0.0
+                    slid += of_spring(turned, roll_last) if rolls else 0.0
                     continue
-                elastic, push, held, drag, moment = answer(overlap, closing, sliding, rolling, stored, turned, touch, c)
-                pull = cohesion_law(c[3])
-                elastic_energy += energy(overlap, touch, c[0]) - pull * overlap
+                slide_spring, roll_spring = slide_stiffness(depth, touch, c[1]), roll_stiffness(depth, touch, c[2])
+                elastic, push, pull, (held, drag), (rolled, moment), _ = answer(
+                    sliding, rolling, 0.0, stored, turned, 0.0, touch, c
+                )
+                elastic_energy += energy(overlap, touch, c[0]) + attraction(touch, c[3])
                 if slides:
                     elastic_energy += of_spring(held, slide_spring)
-                    slid += of_slip(stored - slide_spring * dt * sliding, held, slide_spring)
+                    slid += of_slip(less(stored, slide_spring * dt, sliding), held, slide_spring)
+                    slid += of_spring(stored, slide_last) - of_spring(stored, slide_spring)
                 if rolls:
-                    elastic_energy += of_spring(moment, roll_spring)
-                    slid += of_slip(turned - roll_spring * dt * rolling, moment, roll_spring)
-                nearing, along, turning = rates(ledger.lanes, k, normal, a, b, overlap, flat)  # on average over the step
-                elastic_power += (pull - elastic) * nearing + held * along
+                    elastic_energy += of_spring(rolled, roll_spring)
+                    slid += of_slip(less(turned, roll_spring * dt, rolling), rolled, roll_spring)
+                    slid += of_spring(turned, roll_last) - of_spring(turned, roll_spring)
+                nearing, along, turning = rates(ledger.lanes, k, normal, a, b, depth, flat)  # on average over the step
+                elastic_power += (pull - elastic) * nearing + dot(held, along)
                 braking += (push - elastic) * nearing
-                if rolls:
-                    elastic_power += moment * turning
-                else:
-                    braking -= moment * turning
-                lost = (held - drag) * along
+                elastic_power += dot(rolled, turning)
+                braking -= dot(less(moment, 1.0, rolled), turning)
+                lost = dot(less(held, 1.0, drag), along)
                 _, unlimited = tangential_law(stored, sliding, touch, NO_LIMIT, NO_LIMIT, c[1])
-                if drag != unlimited or (drag == 0.0 and held != 0.0):  # a coefficient of zero slips at any force
+                if differs(drag, unlimited) or (
+                    history.holds(held) and not history.holds(drag)
+                ):  # a coefficient of zero slips at any force
                     rubbing += lost
                 else:
                     braking += lost
@@ -155,34 +176,13 @@ def book_pass(pieces):
     """Function that books a step, after its forces and before its moves."""
     of_pairs = contact_book(pieces.space, pieces.pair_laws, unequal=pieces.unequal, flat=False)
     of_walls = contact_book(pieces.space, pieces.wall_laws, unequal=pieces.unequal, flat=True)
-    holds, unequal = INTEGRATORS[pieces.integrator].holds, pieces.unequal
-
-    @piece(pieces)
-    def discs_book(discs, mean, n, pull, gravity, kick):
-        rows, (gx, gy) = discs.rows, pull
-        kinetic = potential = falling = shaking = 0.0
-        m, im, ii = discs.mass[0], discs.inverse_mass[0], discs.inverse_inertia[0]
-        for i in range(n):
-            if unequal:
-                m, im, ii = discs.mass[i], discs.inverse_mass[i], discs.inverse_inertia[i]
-            u, v, w = rows[i, U], rows[i, V], rows[i, W]
-            if holds:
-                u, v, w = discs.held[i, 0], discs.held[i, 1], discs.held[i, 2]
-            mean[i, X], mean[i, Y] = rows[i, X], rows[i, Y]
-            mean[i, U] = u + 0.5 * kick * (rows[i, FX] * im + gx)
-            mean[i, V] = v + 0.5 * kick * (rows[i, FY] * im + gy)
-            mean[i, W] = w + 0.5 * kick * rows[i, TORQUE] * ii
-            kinetic += 0.5 * m * (u * u + v * v) + 0.5 * w * w / ii
-            potential -= m * (gravity[0] * rows[i, X] + gravity[1] * rows[i, Y])
-            falling += m * (gravity[0] * mean[i, U] + gravity[1] * mean[i, V]) * kick
-            shaking += m * ((gx - gravity[0]) * mean[i, U] + (gy - gravity[1]) * mean[i, V]) * kick
-        return kinetic, potential, falling, shaking
+    bodies_book = pieces.space.book_bodies(INTEGRATORS[pieces.integrator].holds, pieces.unequal, pieces.integrator)
 
     @piece(pieces)
     def book(shared, share, march, last, pull, kick):
         ledger, shape, lanes = shared.ledger, shared.walls.shape, share.scratch.lanes
         account, rows, pairs, near = ledger.account, shared.bodies.rows, share.pairs, share.near
-        kinetic, potential, falling, shaking = discs_book(shared.bodies, ledger.mean, share.hi, pull, march.gravity, kick)
+        kinetic, potential, falling, shaking = bodies_book(shared.bodies, ledger.mean, share.hi, pull, march.gravity, kick)
         pair = of_pairs(
             rows, ledger, pairs, shape, pairs.begin[last], ledger.pair_stored, ledger.pair_rolled,
             march.dt, march.pair_coefficients, lanes,

@@ -4,11 +4,11 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
 from math import isfinite, pi
-from typing import ClassVar
+from typing import Any, ClassVar
 
 import numpy as np
 
-from silostudy.contact import Law
+from silostudy.contact import NORMAL, Law
 from silostudy.dem.dimension import Dimension
 from silostudy.dem.integrate import INTEGRATORS, PLAIN
 from silostudy.dem.pieces import Laws, Pieces
@@ -53,6 +53,11 @@ class Contact:
         for name in sorted(self.coefficients.keys() - needed):
             raise BadInput(name, self.coefficients[name], f"unknown; these laws take {', '.join(sorted(needed))}")
         self.ordered  # noqa: B018  (each law looks at its own)
+        if self.laws.cohesion.of_hertz and not self.laws.normal.of_hertz:
+            fitting = ", ".join(key for key, row in NORMAL.items() if row.of_hertz)
+            raise BadInput(
+                "cohesion", self.laws.cohesion.key, f"stands on {fitting} as normal law, not on {self.laws.normal.key}"
+            )
 
     @classmethod
     def taking(cls, laws: Laws, values: Mapping[str, float]) -> "Contact":
@@ -62,13 +67,17 @@ class Contact:
 
     @property
     def rows(self) -> tuple[Law, ...]:
-        """Rows of the four laws."""
+        """Rows of the laws."""
         return self.laws.rows
 
     @cached_property
     def ordered(self) -> tuple[tuple[float, ...], ...]:
-        """Coefficients of the four laws in the order that their functions take."""
+        """Coefficients of the laws in the order that their functions take."""
         return tuple(row.ordered(self.coefficients) for row in self.rows)
+
+    def gap(self, radius: float) -> float:
+        """Gap (m) across which two bodies that have touched hold on, of a reduced radius (m)."""
+        return float(self.laws.cohesion.gap(radius, self.ordered[3]))
 
     def scaled(self, *, stiffness: float, damping: float) -> "Contact":
         """The same laws with springs and dashpots stronger by these factors."""
@@ -82,7 +91,10 @@ class Contact:
 
 @dataclass(frozen=True, eq=False)
 class Model:
-    """Discs (m, m/s, kg/m3), walls, contacts, gravity (m/s2), base acceleration a step (m/s2), integrator and step (s)."""
+    """Discs (m, m/s, kg/m3), walls, contacts, gravity (m/s2), base acceleration a step (m/s2), integrator and step (s).
+
+    waiting: so many of the last are not there at the start; they come in while the model runs.
+    """
 
     space: ClassVar[Dimension] = PLANE
     columns: ClassVar[tuple[str, ...]] = ("x", "y", "radius", "u", "v", "w")
@@ -103,6 +115,7 @@ class Model:
     u: np.ndarray | None = None
     v: np.ndarray | None = None
     w: np.ndarray | None = None
+    waiting: int = 0
 
     def __post_init__(self):
         for name in self.columns:
@@ -130,7 +143,7 @@ class Model:
         if len(set(names)) < len(names):
             raise BadInput("walls", names, "each wall needs a name of its own")
         for law in (*self.pair_contact.laws.rows, *self.wall_contact.laws.rows):
-            if f"{self.space.body}s" not in law.grains:
+            if law.acts and f"{self.space.body}s" not in law.grains:
                 raise BadInput("law", law.key, f"is a law of {' and '.join(law.grains)}, not of {self.space.body}s")
         for normal in (self.pair_contact.laws.normal, self.wall_contact.laws.normal):
             if self.unequal and normal.one_size:
@@ -146,6 +159,11 @@ class Model:
     def wall_named(self, name: str) -> Wall:
         """The wall of a name."""
         return self.walls[self.wall_number(name)]
+
+    @staticmethod
+    def level_wall(half: float, height: float) -> Any:
+        """A floor of a half width at a height (m)."""
+        return Wall("floor", (-half, height), (half, height))
 
     @property
     def place(self) -> np.ndarray:
@@ -169,6 +187,12 @@ class Model:
     @property
     def unequal(self) -> bool:
         return bool(np.ptp(self.radius) > 0.0)
+
+    @property
+    def gap(self) -> float:
+        """Gap (m) across which any two bodies that have touched may hold on; a bent wall at most doubles a body's radius."""
+        largest = float(self.radius.max())
+        return max(self.pair_contact.gap(0.5 * largest), self.wall_contact.gap(2.0 * largest))
 
     @property
     def mass(self) -> np.ndarray:

@@ -23,13 +23,16 @@ def remember(contacts, begin, end, base, ghost, memory, kept):
     """Append the histories of a stretch of the list that are not zero to the memory; gives the new count."""
     for k in range(begin, end):
         held, turned = history.entry(contacts.stored, k), history.entry(contacts.rolled, k)
-        if history.holds(held) or history.holds(turned):
+        twisted, touched = history.entry(contacts.twisted, k), history.entry(contacts.touched, k)
+        if history.holds(held) or history.holds(turned) or history.holds(twisted) or history.holds(touched):
             first, second = np.int64(contacts.first[k]), np.int64(contacts.second[k])
             first = np.int64(ghost[first - base]) if first >= base else first
             second = np.int64(ghost[second - base]) if second >= base else second
             memory.key[kept] = (first << SHIFT) | second
             history.enter(memory.stored, kept, held)
             history.enter(memory.rolled, kept, turned)
+            history.enter(memory.twisted, kept, twisted)
+            history.enter(memory.touched, kept, touched)
             kept += 1
     return kept
 
@@ -51,6 +54,8 @@ def recall(contacts, place, key, memory, kept, at):
     same = at < kept and memory.key[at] == key
     hand_over(memory.stored, at, contacts.stored, place, same)
     hand_over(memory.rolled, at, contacts.rolled, place, same)
+    hand_over(memory.twisted, at, contacts.twisted, place, same)
+    hand_over(memory.touched, at, contacts.touched, place, same)
     return at
 
 
@@ -61,6 +66,8 @@ def pad(contacts, fill, first, second):
         contacts.first[fill], contacts.second[fill] = first, second
         history.forget(contacts.stored, fill)
         history.forget(contacts.rolled, fill)
+        history.forget(contacts.twisted, fill)
+        history.forget(contacts.touched, fill)
         fill += 1
     return fill
 
@@ -88,19 +95,19 @@ def enter(bodies, contacts, fill, i, j, first, second):
 
 
 @njit(**OPTIONS)
-def is_near(bodies, skin, i, j, scratch):
+def is_near(bodies, skin, gap, i, j, scratch):
     """Whether bodies i and j are within reach of each other; notes one more than i where they are pressed half through."""
     (x, y, z), (xj, yj, zj) = place(bodies, i), place(bodies, j)
     own, other = bodies.radius[i if bodies.radius.size > 1 else 0], bodies.radius[j if bodies.radius.size > 1 else 0]
     square = (xj - x) * (xj - x) + (yj - y) * (yj - y) + (zj - z) * (zj - z)
-    reach, least = own + other + skin[i // BLOCK] + skin[j // BLOCK], own + other - TOO_DEEP * min(own, other)
+    reach, least = own + other + skin[i // BLOCK] + skin[j // BLOCK] + gap, own + other - TOO_DEEP * min(own, other)
     if square < least * least:
         scratch.counts[PRESSED] = i + 1
     return square < reach * reach
 
 
 @njit(**OPTIONS)
-def list_pairs(bodies, contacts, memory, blocks, scratch, lo, hi, base):
+def list_pairs(bodies, contacts, memory, blocks, scratch, gap, lo, hi, base):
     """List the near pairs of bodies lo to hi, then the pairs that reach back to earlier threads; False if room is short."""
     kept, room, dummy = scratch.counts[KEPT_PAIRS], contacts.first.size - WIDTH, base + scratch.ghost.size
     scratch.slot[:] = -1
@@ -116,7 +123,7 @@ def list_pairs(bodies, contacts, memory, blocks, scratch, lo, hi, base):
             return False
         for t in range(begin, end):
             j = scratch.wide[t]
-            if not is_near(bodies, blocks.skin, i, j, scratch):
+            if not is_near(bodies, blocks.skin, gap, i, j, scratch):
                 continue
             second = j if j < hi else ghost_of(j, scratch, base)
             if second < 0:
@@ -127,13 +134,13 @@ def list_pairs(bodies, contacts, memory, blocks, scratch, lo, hi, base):
     last = (hi - lo + BLOCK - 1) // BLOCK
     fill = pad(contacts, fill, dummy, dummy + 1)
     contacts.begin[last] = fill
-    fill = list_crossing(bodies, contacts, memory, blocks, scratch, fill, base)
+    fill = list_crossing(bodies, contacts, memory, blocks, scratch, gap, fill, base)
     contacts.begin[last + 1] = pad(contacts, fill, dummy, dummy + 1)
     return fill >= 0
 
 
 @njit(**OPTIONS)
-def list_crossing(bodies, contacts, memory, blocks, scratch, fill, base):
+def list_crossing(bodies, contacts, memory, blocks, scratch, gap, fill, base):
     """List the pairs whose first body belongs to an earlier thread; -1 if room is short."""
     crossing = scratch.cross[0]
     if fill + crossing > contacts.first.size - WIDTH:
@@ -142,7 +149,7 @@ def list_crossing(bodies, contacts, memory, blocks, scratch, fill, base):
     for k in range(1, crossing + 1):
         key = scratch.cross[k]
         i, j = key >> SHIFT, key & LOW
-        if not is_near(bodies, blocks.skin, i, j, scratch):
+        if not is_near(bodies, blocks.skin, gap, i, j, scratch):
             continue
         first = ghost_of(i, scratch, base)
         if first < 0:
@@ -154,13 +161,13 @@ def list_crossing(bodies, contacts, memory, blocks, scratch, fill, base):
 
 
 @njit(**OPTIONS)
-def list_walls(bodies, near, memory, walls, blocks, scratch, dummy):
+def list_walls(bodies, near, memory, walls, blocks, scratch, gap, dummy):
     """List the bodies near each live wall, in the order (body, wall); False if room is short."""
     fill, at, kept = 0, 0, scratch.counts[KEPT_WALLS]
     for t in range(scratch.counts[WIDE_WALLS]):
         i, q = scratch.wide_body[t], scratch.wide_wall[t]
         radius = bodies.radius[i if bodies.radius.size > 1 else 0]
-        reach, least = radius + blocks.skin[i // BLOCK], (1.0 - TOO_DEEP) * radius
+        reach, least = radius + blocks.skin[i // BLOCK] + gap, (1.0 - TOO_DEEP) * radius
         square = square_gap(bodies, walls.shape, q, i)
         if not walls.live[q] or square >= reach * reach:
             continue

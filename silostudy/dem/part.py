@@ -15,13 +15,15 @@ class Part:
     def __init__(self, engine, number: int):
         self.number, self.engine = number, engine
         self.room, self.wall_room = 3 * BLOCK * WIDTH + int(2.7 * engine.most), 64 + engine.most // 16
-        self.ghost_room = 0 if engine.threads == 1 else 1024 + 8 * int(engine.n**0.5)
-        self.memories = (self._memory(0), self._memory(0))
+        self.ghost_room = 0 if engine.threads == 1 else 1024 + 8 * int(engine.most**0.5)
+        self.laws = engine.model.pair_contact.laws, engine.model.wall_contact.laws
+        self.memories = self._memory(0, self.laws[0]), self._memory(0, self.laws[1])
         self.counts = np.zeros(5, np.int64)
         self.make_lists()
 
-    def _memory(self, room: int) -> Memory:
-        return Memory(np.zeros(room, np.int64), self._histories(room), self._histories(room))
+    def _memory(self, room: int, laws: Laws) -> Memory:
+        vectors = self._histories(room), self._histories(room)
+        return Memory(np.zeros(room, np.int64), *vectors, aligned(room * laws.winds), aligned(room * laws.clings))
 
     def _histories(self, room: int) -> np.ndarray:
         return histories(room, self.engine.space.components)
@@ -33,6 +35,8 @@ class Part:
             second=np.zeros(room, np.int32),
             stored=self._histories(room if laws.slides else 0),
             rolled=self._histories(room if laws.rolls else 0),
+            twisted=aligned(room * laws.winds),
+            touched=aligned(room * laws.clings),
             arm=np.full(each, self.engine.bodies.radius[0]),
             other=np.full(each, other),
             mass=np.full(each, mass),
@@ -41,17 +45,13 @@ class Part:
 
     def make_lists(self):
         """Lists with the room asked for; memories grow with them and keep what they hold."""
-        engine, model = self.engine, self.engine.model
+        engine = self.engine
         engine.blocks.wide_travel[:] = np.inf
         mass, radius = engine.bodies.mass[0], engine.bodies.radius[0]
-        self.pairs = self._contacts(self.room, model.pair_contact.laws, radius, 0.5 * mass)
-        self.near = self._contacts(self.wall_room, model.wall_contact.laws, 0.0, mass)
-        stores = (model.pair_contact.laws.stores, model.wall_contact.laws.stores)
+        self.pairs = self._contacts(self.room, self.laws[0], radius, 0.5 * mass)
+        self.near = self._contacts(self.wall_room, self.laws[1], 0.0, mass)
         pair, wall = self.memories
-        self.memories = (
-            self._grown(pair, self.room if stores[0] else 0),
-            self._grown(wall, self.wall_room if stores[1] else 0),
-        )
+        self.memories = self._grown(pair, self.room, self.laws[0]), self._grown(wall, self.wall_room, self.laws[1])
         motion = aligned(BLOCK)
         self.scratch = Scratch(
             lanes=aligned(*engine.space.lanes),
@@ -71,10 +71,11 @@ class Part:
             counts=self.counts,
         )
 
-    def _grown(self, memory: Memory, room: int) -> Memory:
-        new = self._memory(room)
+    def _grown(self, memory: Memory, room: int, laws: Laws) -> Memory:
+        new = self._memory(room if laws.stores else 0, laws)
         for old, fresh in zip(memory, new, strict=True):
-            fresh[..., : min(old.shape[-1], room)] = old[..., :room]
+            both = min(old.shape[-1], fresh.shape[-1])
+            fresh[..., :both] = old[..., :both]
         return new
 
     def grow(self):

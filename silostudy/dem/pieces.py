@@ -2,19 +2,32 @@
 
 from dataclasses import dataclass
 
-from silostudy.contact import COHESION, DEFAULTS, FAMILIES, NO_COHESION, NO_ROLLING, NO_TANGENTIAL, NORMAL, ROLLING, TANGENTIAL
-from silostudy.contact.family import CohesionLaw, NormalLaw, RollingLaw, TangentialLaw
+from silostudy.contact import (
+    COHESION,
+    DEFAULTS,
+    FAMILIES,
+    NO_COHESION,
+    NO_ROLLING,
+    NO_TANGENTIAL,
+    NO_TWISTING,
+    NORMAL,
+    ROLLING,
+    TANGENTIAL,
+    TWISTING,
+)
+from silostudy.contact.family import CohesionLaw, NormalLaw, RollingLaw, TangentialLaw, TwistingLaw
 from silostudy.dem.dimension import Dimension
 
 
 @dataclass(frozen=True, repr=False)
 class Laws:
-    """The four contact laws between two bodies; an effect whose law is not given is left out."""
+    """The contact laws between two bodies; an effect whose law is not given is left out."""
 
     normal: NormalLaw = NORMAL[DEFAULTS["normal"]]
     tangential: TangentialLaw = TANGENTIAL[NO_TANGENTIAL]
     rolling: RollingLaw = ROLLING[NO_ROLLING]
     cohesion: CohesionLaw = COHESION[NO_COHESION]
+    twisting: TwistingLaw = TWISTING[NO_TWISTING]
 
     @classmethod
     def of(cls, **keys: str) -> "Laws":
@@ -26,8 +39,8 @@ class Laws:
         return f"Laws({', '.join(row.fingerprint for row in self.rows)})"
 
     @property
-    def rows(self) -> tuple[NormalLaw, TangentialLaw, RollingLaw, CohesionLaw]:
-        return self.normal, self.tangential, self.rolling, self.cohesion
+    def rows(self) -> tuple[NormalLaw, TangentialLaw, RollingLaw, CohesionLaw, TwistingLaw]:
+        return self.normal, self.tangential, self.rolling, self.cohesion, self.twisting
 
     @property
     def keys(self) -> tuple[str, ...]:
@@ -39,7 +52,7 @@ class Laws:
 
     @property
     def brakes(self) -> bool:
-        return self.rolling.acts
+        return self.rolling.acts or self.twists
 
     @property
     def slides(self) -> bool:
@@ -50,12 +63,24 @@ class Laws:
         return self.rolling.stores
 
     @property
+    def twists(self) -> bool:
+        return self.twisting.acts
+
+    @property
+    def winds(self) -> bool:
+        return self.twisting.stores
+
+    @property
+    def clings(self) -> bool:
+        return self.cohesion.holds_on
+
+    @property
     def turns(self) -> bool:
         return self.drags or self.brakes
 
     @property
     def stores(self) -> bool:
-        return self.slides or self.rolls
+        return self.slides or self.rolls or self.winds or self.clings
 
 
 @dataclass(frozen=True)

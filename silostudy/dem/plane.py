@@ -3,9 +3,11 @@
 from collections.abc import Callable
 from math import sqrt
 
+import numpy as np
 from numba.extending import register_jitable
 
 from silostudy.dem.arrays import Discs
+from silostudy.dem.booking import book_bodies
 from silostudy.dem.cache import piece
 from silostudy.dem.dimension import Dimension
 from silostudy.dem.lanes import (
@@ -31,7 +33,15 @@ from silostudy.dem.lanes import (
     gather,
     scatter,
 )  # fmt: skip
-from silostudy.dem.walls import cell_count, gather_walls, note_walls, scatter_walls, walls_of
+from silostudy.dem.network import all_from_wall, densest, tangents
+from silostudy.dem.pieces import Laws
+from silostudy.dem.walls import beside, cell_count, extents, gather_walls, nearest, note_walls, scatter_walls, walls_of
+
+
+@register_jitable
+def force_of(out, k):
+    """Force (N/m) of a contact on its first body."""
+    return out[FORCE_X, k], out[FORCE_Y, k]
 
 
 @register_jitable
@@ -57,6 +67,18 @@ def reduced(flat: bool):
 def carry(history, normal):
     """A history as it is: in the plane there is one direction along a contact."""
     return history
+
+
+@register_jitable
+def twisting(lanes, k, normal):
+    """Difference of spins about the normal (1/s): none, the normal lies in the plane."""
+    return 0.0
+
+
+@register_jitable
+def about(moment, twist, normal):
+    """A moment (N m/m) with that about the normal: none."""
+    return moment
 
 
 def rates(unequal: bool):
@@ -93,10 +115,12 @@ def where(touching, value):
     return value if touching else 0.0
 
 
-def walk(gathered: Callable, contact: Callable, unequal: bool, slides: bool, rolls: bool, key: tuple):
+def walk(gathered: Callable, contact: Callable, unequal: bool, laws: Laws, key: tuple):
     """Function that takes a stretch of a list contact by contact: the loop that the compiler vectorises."""
 
-    @piece("plane", unequal, slides, rolls, *key)
+    slides, rolls = laws.slides, laws.rolls
+
+    @piece("plane", unequal, *key)
     def forces(rows, contacts, shape, start, count, lanes, out, stored, rolled, dt, c):
         gathered(rows, contacts, shape, start, count, lanes)
         stored = stored[start:] if slides else stored
@@ -109,11 +133,11 @@ def walk(gathered: Callable, contact: Callable, unequal: bool, slides: bool, rol
             if unequal:
                 a, b, m = arm[k], other[k], mass[k]
             old, turned = stored[k] if slides else 0.0, rolled[k] if rolls else 0.0
-            held, moment = contact(lanes, out, k, a, b, m, old, turned, dt, c)
+            held, rolling, _, _ = contact(lanes, out, k, a, b, m, old, turned, 0.0, 0.0, dt, c)
             if slides:
                 stored[k] = held
             if rolls:
-                rolled[k] = moment
+                rolled[k] = rolling
 
     return forces
 
@@ -147,6 +171,16 @@ def pushed(gravity, quake, step):
     return gravity[0] - quake[step, 0], gravity[1] - quake[step, 1]
 
 
+def bent(shape: np.ndarray, wall: int, *place: float) -> float:
+    """Curvature (1/m) of a wall: none."""
+    return 0.0
+
+
+def passed_for(rows: np.ndarray) -> np.ndarray:
+    """Steps for which discs have been below the slit: none are counted."""
+    return np.zeros(len(rows))
+
+
 PLANE = Dimension(
     key="plane",
     body="disc",
@@ -168,13 +202,25 @@ PLANE = Dimension(
     note_walls=note_walls,
     walls_of=walls_of,
     cell_count=cell_count,
+    extents=extents,
+    beside=beside,
+    densest=densest,
+    all_from_wall=all_from_wall,
+    tangents=tangents,
+    passed_for=passed_for,
+    nearest=nearest,
+    bent=bent,
+    force_of=force_of,
     facing=facing,
     reduced=reduced,
     rates=rates,
     carry=carry,
+    twisting=twisting,
+    about=about,
     put=put,
     where=where,
     walk=walk,
     move=move,
+    book_bodies=book_bodies,
     pushed=pushed,
 )

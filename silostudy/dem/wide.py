@@ -71,14 +71,14 @@ def sort(keys, begin, end):
 
 
 @njit(**OPTIONS)
-def near_bodies(bodies, skin, i, lo, grid, scratch):
+def near_bodies(bodies, skin, gap, i, lo, grid, scratch):
     """Bodies after i within reach of it, in order; pairs with a body before `lo` go to scratch.cross. Gives how many."""
     (x0, y0, z0), size, (nx, ny, nz) = grid
     found, radius = scratch.found, bodies.radius
     x, y, z = place(bodies, i)
     cx, cy, cz = cell_of(x, x0, size, nx), cell_of(y, y0, size, ny), cell_of(z, z0, size, nz)
     own = radius[i if radius.size > 1 else 0]
-    reach_i = own + skin[i // BLOCK]
+    reach_i = own + skin[i // BLOCK] + gap
     count, crossing = 0, scratch.cross[0]
     rows, layers = min(cy + 2, ny) - max(cy - 1, 0), min(cz + 2, nz) - max(cz - 1, 0)
     for turn in range(layers * rows):
@@ -111,16 +111,16 @@ def near_bodies(bodies, skin, i, lo, grid, scratch):
 
 
 @njit(**OPTIONS)
-def list_wide(bodies, walls, blocks, scratch, n, lo, hi):
+def list_wide(bodies, walls, blocks, scratch, gap, n, lo, hi):
     """List for each body from lo to hi the later ones that may come near it, and the walls; False if room is short."""
     widest = largest_of(blocks.wide_skin, (n + BLOCK - 1) // BLOCK)
     largest = largest_of(bodies.radius, min(n, bodies.radius.size))
-    grid = bin_bodies(bodies, n, 2.0 * (largest + widest), scratch.cell_begin, scratch.order)
+    grid = bin_bodies(bodies, n, 2.0 * (largest + widest) + gap, scratch.cell_begin, scratch.order)
     scratch.cross[0] = 0
     fill = 0
     for i in range(lo, hi):
         scratch.wide_begin[i - lo] = fill
-        count = near_bodies(bodies, blocks.wide_skin, i, lo, grid, scratch)
+        count = near_bodies(bodies, blocks.wide_skin, gap, i, lo, grid, scratch)
         if fill + count > scratch.wide.size or count == scratch.found.size:
             return False
         for c in range(count):
@@ -130,15 +130,15 @@ def list_wide(bodies, walls, blocks, scratch, n, lo, hi):
     if scratch.cross[0] >= scratch.cross.size:
         return False
     sort(scratch.cross, 1, scratch.cross[0] + 1)
-    return list_wide_walls(bodies, walls, blocks, scratch, lo, hi)
+    return list_wide_walls(bodies, walls, blocks, scratch, gap, lo, hi)
 
 
 @njit(**OPTIONS)
-def list_wide_walls(bodies, walls, blocks, scratch, lo, hi):
+def list_wide_walls(bodies, walls, blocks, scratch, gap, lo, hi):
     """List the walls, standing or not, that bodies from lo to hi may come near; False if room is short."""
     fill = 0
     for i in range(lo, hi):
-        reach = bodies.radius[i if bodies.radius.size > 1 else 0] + blocks.wide_skin[i // BLOCK]
+        reach = bodies.radius[i if bodies.radius.size > 1 else 0] + blocks.wide_skin[i // BLOCK] + gap
         for q in range(walls.live.size):
             if square_gap(bodies, walls.shape, q, i) >= reach * reach:
                 continue

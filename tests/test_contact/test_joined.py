@@ -46,8 +46,8 @@ def drag(stored, sliding, touch, elastic, normal, c):
 
 @register_jitable
 def brake(stored, rolling, touch, elastic, c):
-    """Moment (N m/m): a dashpot by the difference of the spins."""
-    return -c[0] * rolling
+    """Stored (nothing) and total moment (N m/m): a dashpot by the difference of the spins."""
+    return stored, -c[0] * rolling
 
 
 NORMAL_ROW = NormalLaw(

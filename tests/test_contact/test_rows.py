@@ -1,6 +1,7 @@
 """A law's row says all of it: ranges, units, losses; its key stands nowhere else."""
 
 import ast
+import re
 from dataclasses import replace
 
 import pytest
@@ -21,22 +22,31 @@ OF_DISCS = [(family, row) for family, rows in LAWS.items() for row in rows.value
 
 @pytest.mark.parametrize(("family", "row"), ROWS, ids=lambda part: part if isinstance(part, str) else part.key)
 def test_a_contact_names_law_coefficient_unit_and_range(family, row):
-    laws = replace(Laws(), **{family: row})
+    normal = NORMAL["hertz"] if getattr(row, "of_hertz", False) else Laws().normal
+    laws = replace(Laws(normal), **{family: row})
     values = Contact.taking(laws, KNOWN).coefficients
     for one in row.coefficients:
         assert one.unit
-        with pytest.raises(
-            BadInput,
-            match=rf"{one.name} = None: missing: the law {row.key} takes it, in {one.unit}".replace("(", r"\(").replace(
-                ")", r"\)"
-            ),
-        ):
+        asking = normal if one in normal.coefficients and family != "normal" else row
+        message = f"{one.name} = None: missing: the law {asking.key} takes it, in {one.unit}"
+        with pytest.raises(BadInput, match=re.escape(message)):
             Contact(laws, {name: value for name, value in values.items() if name != one.name})
         with pytest.raises(BadInput, match=rf"{one.name} = -1\.0: must be (positive|zero or more) .* for the law"):
             Contact(laws, values | {one.name: -1.0})
         if one.positive:
             with pytest.raises(BadInput, match=rf"{one.name} = 0\.0: must be positive"):
                 Contact(laws, values | {one.name: 0.0})
+
+
+@pytest.mark.parametrize("normal", NORMAL)
+def test_surface_energy_stands_on_hertz(normal):
+    """Another normal law knows no radius of contact that an attraction could widen."""
+    laws = Laws.of(normal=normal, cohesion="jkr")
+    if NORMAL[normal].of_hertz:
+        assert Contact.taking(laws, KNOWN).laws is laws
+    else:
+        with pytest.raises(BadInput, match=f"cohesion = 'jkr': stands on hertz, hertz-tension as normal law, not on {normal}"):
+            Contact.taking(laws, KNOWN)
 
 
 def test_a_normal_law_needs_a_spring():

@@ -30,10 +30,17 @@ KNOWN = {
     "hertz_stiffness": 1e7,
     "hertz_damping": 1e3,
     "mindlin_stiffness": 2e7,
+    "rolling_damping": 1e-4,
+    "twisting_stiffness": 1e-3,
+    "twisting_damping": 1e-7,
+    "twisting_friction": 0.1,
+    "cohesion_energy_density": 1e4,
+    "work_of_adhesion": 0.05,
 }
 CHOICES = [Laws.of(normal=key, tangential="spring-slider") for key in LAWS["normal"]]
 CHOICES += [Laws.of(tangential=key) for key in LAWS["tangential"] if key != "spring-slider"]
 CHOICES += [Laws.of(tangential="spring-slider", rolling="spring-slider", cohesion="constant-pull")]
+CHOICES += [Laws.of(tangential="spring-slider", rolling="spring-dashpot-slider")]
 
 
 def contact(laws):

@@ -18,9 +18,9 @@ INERTIA = 0.4 * MASS * RADIUS**2
 LAWS = Laws.of(normal="hertz", tangential="mindlin")
 
 
-def contact(restitution=None, friction=0.5, modulus=MODULUS, laws=LAWS) -> Contact:
-    """Hertz and Mindlin between equal materials."""
-    both = ((modulus, POISSON), (modulus, POISSON))
+def contact(restitution=None, friction=0.5, modulus=MODULUS, laws=LAWS, materials=None) -> Contact:
+    """Hertz and Mindlin between equal materials, or between two that are given."""
+    both = materials or ((modulus, POISSON), (modulus, POISSON))
     given = Given({"materials": both, "restitution": restitution, "sliding_friction": friction}, 0.0, DENSITY, laws.normal)
     return Contact(laws, laws.normal.prepared(given) | laws.tangential.prepared(given))
 

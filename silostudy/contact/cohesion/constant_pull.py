@@ -6,12 +6,18 @@ from silostudy.contact.family import Coefficient, CohesionLaw
 
 
 @register_jitable
-def law(c):
-    """Attraction (N/m) of two bodies while they touch: the same at every overlap; c = (pull,).
+def law(touch, c):
+    """Attraction (N/m, of spheres N) of two bodies while they touch: the same at every overlap; c = (pull,).
 
     Luding (2008), the simplest of the cohesive laws.
     """
     return c[0]
+
+
+@register_jitable
+def energy(touch, c):
+    """Energy (J/m) that the attraction holds."""
+    return -c[0] * touch.overlap
 
 
 ROW = CohesionLaw(
@@ -21,6 +27,7 @@ ROW = CohesionLaw(
     source="luding_2008",
     locator="cohesive contact, constant limit",
     law=law,
+    energy=energy,
     coefficients=(
         Coefficient(name="pull", unit="N m-1", fields=(("pull_N_m",),), text="attraction while in touch", default=0.0),
     ),

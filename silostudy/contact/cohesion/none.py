@@ -7,7 +7,7 @@ from silostudy.contact.sources import KIYAMA
 
 
 @register_jitable
-def law(c):
+def law(touch, c):
     """Attraction (N/m) of a contact without cohesion: zero."""
     return 0.0
 

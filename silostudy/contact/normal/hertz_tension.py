@@ -29,6 +29,7 @@ ROW = NormalLaw(
     damping=elastic.damping,
     coefficients=(elastic.STIFFNESS, elastic.DAMPING),
     grains=("spheres",),
+    of_hertz=True,
     damped=elastic.damping_where_pulled,
     dissipates=("dashpot",),
     explicit_key=hertz.ROW.key,

@@ -9,11 +9,12 @@ from silostudy.contact.vector import direction, scaled
 
 @register_jitable
 def law(stored, rolling, touch, elastic, c):
-    """Moment (N m/m, of spheres N m) against the difference of the spins: friction times reduced radius times normal force.
+    """Stored (nothing) and total moment (N m/m, of spheres N m) against the difference of the spins, of one size whatever that
+    is: friction times reduced radius times normal force.
 
     Ai et al. (2011), model A; c = (rolling friction,).  At rest it changes its sign from step to step.
     """
-    return scaled(-c[0] * touch.radius * elastic, direction(rolling))
+    return stored, scaled(-c[0] * touch.radius * elastic, direction(rolling))
 
 
 ROW = RollingLaw(

@@ -8,8 +8,8 @@ from silostudy.contact.sources import KIYAMA
 
 @register_jitable
 def law(stored, rolling, touch, elastic, c):
-    """Moment (N m/m) of a contact without rolling resistance: zero, as what it stores."""
-    return stored
+    """Stored and total moment (N m/m) of a contact without rolling resistance: zero."""
+    return stored, stored
 
 
 ROW = RollingLaw(

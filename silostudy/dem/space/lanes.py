@@ -11,14 +11,15 @@ from numba.extending import intrinsic, overload
 
 from silostudy.dem.vectors import EIGHT, LANE, WIDTH, base_of, in_eights, lane_of, load, mix, plus, row_of, store, transpose
 
-X, Y, Z, U, V, W, P, Q, R, FX, FY, FZ, TX, TY, TZ, SPARE = range(16)  # numbers of a sphere's row
+# numbers of a sphere's row, the last one for how many steps it has been below the outlet
+X, Y, Z, U, V, W, P, Q, R, FX, FY, FZ, TX, TY, TZ, PASSED = range(16)
 PLACE, VELOCITY, SPIN, FORCE, TORQUE = (X, Y, Z), (U, V, W), (P, Q, R), (FX, FY, FZ), (TX, TY, TZ)
 # lanes of relative motion, first less second: place, velocity, sum and difference of spins; curvature of a wall (1/m)
 DX, DY, DZ, DU, DV, DW, SUM_P, SUM_Q, SUM_R, APART_P, APART_Q, APART_R, CURVED = range(13)
 # lanes of force and of the torques on both
 FORCE_X, FORCE_Y, FORCE_Z, FIRST_X, FIRST_Y, FIRST_Z, SECOND_X, SECOND_Y, SECOND_Z = range(9)
-# histories stand among the lanes while forces are computed, before and after: of sliding, then of rolling
-OLD, NEW, HISTORIES = 13, 9, 6
+# histories stand among the lanes while forces are computed, before and after: of sliding, rolling, twisting, being in touch
+OLD, NEW, HISTORIES = 13, 9, 8
 
 # contacts whose forces are computed together, in the first-level cache
 STRETCH = 120
@@ -63,17 +64,17 @@ def scatter(rows, first, second, start, count, force):
 
 
 def bring(history, start, count, lanes, place):
-    """Copy the histories of a stretch, three rows, into lanes that follow each other from a place on."""
+    """Copy the histories of a stretch, in three rows or in one, into lanes that follow each other from a place on."""
     flat = lanes.reshape(-1)
-    for n in range(3):
-        flat[place + n * STRETCH :][:count] = history[n, start : start + count]
+    for n, row in enumerate(history.reshape(-1, history.shape[-1])):
+        flat[place + n * STRETCH :][:count] = row[start : start + count]
 
 
 def take(lanes, place, history, start, count):
     """Copy lanes that follow each other from a place on into the histories of a stretch."""
     flat = lanes.reshape(-1)
-    for n in range(3):
-        history[n, start : start + count] = flat[place + n * STRETCH :][:count]
+    for n, row in enumerate(history.reshape(-1, history.shape[-1])):
+        row[start : start + count] = flat[place + n * STRETCH :][:count]
 
 
 @intrinsic
@@ -153,10 +154,12 @@ in_eights(scatter, _scatter)
 
 @overload(bring)
 def _bring_overload(history, start, count, lanes, place):
+    rows = 1 if history.ndim == 1 else 3
+
     def eight_at_a_time(history, start, count, lanes, place):
-        room = history.shape[1]
+        room = history.size // rows
         for k in range(0, count, WIDTH):
-            for n in range(3):
+            for n in range(rows):
                 _copy(history, n * room + start + k, lanes, place + n * STRETCH + k)  # type: ignore[call-arg]
 
     return eight_at_a_time
@@ -164,10 +167,12 @@ def _bring_overload(history, start, count, lanes, place):
 
 @overload(take)
 def _take_overload(lanes, place, history, start, count):
+    rows = 1 if history.ndim == 1 else 3
+
     def eight_at_a_time(lanes, place, history, start, count):
-        room = history.shape[1]
+        room = history.size // rows
         for k in range(0, count, WIDTH):
-            for n in range(3):
+            for n in range(rows):
                 _copy(lanes, place + n * STRETCH + k, history, n * room + start + k)  # type: ignore[call-arg]
 
     return eight_at_a_time

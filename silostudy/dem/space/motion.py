@@ -3,9 +3,11 @@
 from collections.abc import Callable
 from math import sqrt
 
+import numpy as np
 from numba.extending import register_jitable
 
 from silostudy.dem.cache import piece
+from silostudy.dem.pieces import Laws
 from silostudy.dem.space.lanes import (
     APART_P,
     CURVED,
@@ -22,6 +24,7 @@ from silostudy.dem.space.lanes import (
     FZ,
     NEW,
     OLD,
+    PASSED,
     SECOND_X,
     SECOND_Y,
     SECOND_Z,
@@ -43,6 +46,7 @@ from silostudy.dem.space.lanes import (
     take,
 )  # fmt: skip
 
+OUTLET = 0.0  # m: level of the outlet, at which a sphere is counted
 UPRIGHT = 1e-12  # square of the sine below which a history counts as along the normal: the rest is rounding
 
 
@@ -61,6 +65,7 @@ def three(lane: int) -> Callable:
 
 
 away_of, velocity_of, summed_of, apart_of, held_of, turned_of = map(three, (DX, DU, SUM_P, APART_P, OLD, OLD + 3))
+TWISTED, TOUCHED, NEW_TWISTED, NEW_TOUCHED = ((lane + n) * STRETCH for lane in (OLD, NEW) for n in (6, 7))
 
 
 @register_jitable(forceinline=True)
@@ -144,6 +149,18 @@ def carry(old, normal):
     return factor * new[0], factor * new[1], factor * new[2]
 
 
+@register_jitable(forceinline=True)
+def twisting(lanes, k, normal):
+    """Difference of spins about the normal (1/s)."""
+    return dot(apart_of(lanes, k), normal)
+
+
+@register_jitable(forceinline=True)
+def about(moment, twist, normal):
+    """A moment (N m) with another about the normal."""
+    return moment[0] + twist * normal[0], moment[1] + twist * normal[1], moment[2] + twist * normal[2]
+
+
 def put(drags: bool, brakes: bool):
     """Function that writes a contact's force (N) and its moments (N m) on both bodies into lanes."""
 
@@ -173,20 +190,25 @@ def where(touching, value):
     return value[0] if touching else 0.0, value[1] if touching else 0.0, value[2] if touching else 0.0
 
 
-def walk(gathered: Callable, contact: Callable, unequal: bool, slides: bool, rolls: bool, key: tuple):
+def walk(gathered: Callable, contact: Callable, unequal: bool, laws: Laws, key: tuple):
     """Function that takes a stretch of a list contact by contact: the loop that the compiler vectorises.
 
     It reads and writes two arrays only: with a history each the compiler finds too many that may overlap.
     """
     slid, turned, new_slid, new_turned = OLD * STRETCH, (OLD + 3) * STRETCH, NEW * STRETCH, (NEW + 3) * STRETCH
+    slides, rolls, winds, clings = laws.slides, laws.rolls, laws.winds, laws.clings
 
-    @piece("space", unequal, slides, rolls, *key)
+    @piece("space", unequal, *key)
     def forces(rows, contacts, shape, start, count, lanes, out, stored, rolled, dt, c):
         gathered(rows, contacts, shape, start, count, lanes)
         if slides:
             bring(stored, start, count, lanes, slid)
         if rolls:
             bring(rolled, start, count, lanes, turned)
+        if winds:
+            bring(contacts.twisted, start, count, lanes, TWISTED)
+        if clings:
+            bring(contacts.touched, start, count, lanes, TOUCHED)
         arm = contacts.arm[start:] if unequal else contacts.arm
         other = contacts.other[start:] if unequal else contacts.other
         mass = contacts.mass[start:] if unequal else contacts.mass
@@ -196,7 +218,9 @@ def walk(gathered: Callable, contact: Callable, unequal: bool, slides: bool, rol
                 a, b, m = arm[k], other[k], mass[k]
             old = held_of(lanes, k) if slides else (0.0, 0.0, 0.0)
             rolled_before = turned_of(lanes, k) if rolls else (0.0, 0.0, 0.0)
-            held, moment = contact(lanes, out, k, a, b, m, old, rolled_before, dt, c)
+            twisted = lanes[0, TWISTED + k] if winds else 0.0
+            touched = lanes[0, TOUCHED + k] if clings else 0.0
+            held, moment, wound, touching = contact(lanes, out, k, a, b, m, old, rolled_before, twisted, touched, dt, c)
             if slides:
                 out[0, NEW * STRETCH + k] = held[0]
                 out[0, (NEW + 1) * STRETCH + k] = held[1]
@@ -205,10 +229,18 @@ def walk(gathered: Callable, contact: Callable, unequal: bool, slides: bool, rol
                 out[0, (NEW + 3) * STRETCH + k] = moment[0]
                 out[0, (NEW + 4) * STRETCH + k] = moment[1]
                 out[0, (NEW + 5) * STRETCH + k] = moment[2]
+            if winds:
+                out[0, NEW_TWISTED + k] = wound
+            if clings:
+                out[0, NEW_TOUCHED + k] = touching
         if slides:
             take(out, new_slid, stored, start, count)
         if rolls:
             take(out, new_turned, rolled, start, count)
+        if winds:
+            take(out, NEW_TWISTED, contacts.twisted, start, count)
+        if clings:
+            take(out, NEW_TOUCHED, contacts.touched, start, count)
 
     return forces
 
@@ -233,10 +265,16 @@ def move(advance: Callable, holds: bool, turns: bool, key: str):
             rows[i, R], hr, _ = advance(rows[i, R], hr, rows[i, TZ] * ii, kick, dt)
         if holds:
             held[i, 0], held[i, 1], held[i, 2], held[i, 3], held[i, 4], held[i, 5] = hu, hv, hw, hp, hq, hr
+        rows[i, PASSED] += 1.0 if rows[i, Z] < OUTLET else 0.0
         rows[i, FX] = rows[i, FY] = rows[i, FZ] = rows[i, TX] = rows[i, TY] = rows[i, TZ] = 0.0
         return dx * dx + dy * dy + dz * dz
 
     return moved
+
+
+def passed_for(rows: np.ndarray) -> np.ndarray:
+    """Steps for which spheres have been below the outlet."""
+    return rows[:, PASSED].copy()
 
 
 @register_jitable
