@@ -94,7 +94,7 @@ def _wanted(cube, chosen) -> list[tuple[str, str]]:
     given = given_cases(one)
     for key in chosen.load_case or ():
         if key not in given:
-            why = str(one["load_case_why"].sel(load_case=key).values) or "it has no field of its own"
+            why = str(one["load_case_reason"].sel(load_case=key).values) or "it has no field of its own"
             raise BadInput("--load-case", key, f"is not given for this silo: {why}; given: {', '.join(given)}")
     found = [
         (key, values) for key in chosen.load_case or given for values in given[key] if values in (chosen.values or given[key])

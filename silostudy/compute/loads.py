@@ -11,11 +11,11 @@ from silostudy.choice.expand import Resolved, expand_file
 from silostudy.compute.axes import stacked, sweep_of
 from silostudy.compute.evaluate import masked, sources_of
 from silostudy.compute.hopper import heights
-from silostudy.compute.load_cases import COMPUTED, LISTED_STATES, Listed, load_cases
-from silostudy.config.pressure import MOST_SILOS, Loads
+from silostudy.compute.listed_cases import listed_variables
+from silostudy.compute.load_cases import COMPUTED, Listed, load_cases
+from silostudy.config.pressure import FIELD_METHODS, MOST_SILOS, Loads
 from silostudy.cube.assemble import assemble
 from silostudy.cube.load import Load, Piece
-from silostudy.cube.variables import flags
 from silostudy.errors import BadInput
 from silostudy.pressure import PRESSURE
 from silostudy.pressure.calls import call
@@ -37,16 +37,14 @@ def loads_cube(expansion: Resolved) -> xr.Dataset:
     """The cube of the loads: every load case of each silo with its state, its field in pieces, its forces."""
     study = expansion.study
     each = [_of_silo(study, case.scene) for case in expansion.cases]
-    state = flags("whether the load case is computed", [one.replace(" ", "_") for one in LISTED_STATES])
     data: dict = stacked(each, expansion.shape)
     labels: dict = {
-        "load_case": list(LOAD_CASES),
         "load_case_title": [row.title for row in LOAD_CASES.values()],
         "value_set": list(SETS),
         "load_piece": list(PIECES),
         "load_level": np.linspace(0.0, 1.0, study.loads.levels),
     }
-    data = {**labels, **data, "load_case_state": (data["load_case_state"], state)}
+    data = {**labels, **data, **listed_variables(expansion)}
     sources = [*sources_of(expansion), *(row.source for row in LOAD_CASES.values())]
     return assemble(study, "loads", data, sources=sources, notes={**expansion.promise}, sweep=sweep_of(expansion))
 
@@ -58,6 +56,10 @@ def with_loads(path: Path) -> Resolved:
         raise BadInput("kind", expansion.study.kind, "has no loads on walls: a pressure or shell study has", str(path))
     if len(expansion.cases) > MOST_SILOS:
         raise BadInput("sweep", f"{len(expansion.cases)} silos", f"loads are for {MOST_SILOS} silos at most", str(path))
+    if not expansion.study.loaded_by:
+        raise BadInput(
+            "methods", list(expansion.study.method_keys), f"load cases need one of {', '.join(FIELD_METHODS)}", str(path)
+        )
     if expansion.study.loads is not None:
         return expansion
     return replace(expansion, study=expansion.study.model_copy(update={"loads": Loads()}))
@@ -78,8 +80,6 @@ def _of_silo(study, scene: Scene) -> dict:
     silo, hopper = scene.silo, scene.silo.hopper
     found |= {"load_radius": silo.diameter / 2, "load_perimeter": silo.perimeter, "load_transition_depth": silo.cylinder_depth}
     found |= {"load_half_angle": hopper.half_angle if hopper else np.nan}
-    found["load_case_state"] = np.array([LISTED_STATES.index(one.state) for one in listed], dtype=np.int8)
-    found["load_case_why"] = np.array([one.why for one in listed])
     found["load_weight"] = scene.silo.volume * _given(scene)["unit_weight"][0, 0]
     return found
 

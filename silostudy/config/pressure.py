@@ -14,9 +14,11 @@ from silostudy.config.scene import SceneConfig
 from silostudy.config.study import BaseStudy, distinct
 from silostudy.pressure import PRESSURE
 from silostudy.pressure.family import PHASES, USUAL_PHASES, usual
+from silostudy.tables.load_cases import LOAD_CASES
 from silostudy.tables.outputs import OUTPUTS
 
 MOST_SILOS = 100  # whose loads one cube holds
+FIELD_METHODS = tuple(dict.fromkeys(key for row in LOAD_CASES.values() for key in row.methods))
 MethodKey: TypeAlias = key_of(PRESSURE)  # type: ignore[valid-type]
 MethodKeys: TypeAlias = keys_of(PRESSURE)  # type: ignore[valid-type]
 PhaseKey: TypeAlias = Literal[PHASES]  # type: ignore[valid-type]
@@ -146,7 +148,14 @@ class PressureStudy(Asked, OwnMethods, BaseStudy):
         silos = prod(len(axis.settings()) for axis in self.sweep)
         if self.loads is not None and silos > MOST_SILOS:
             raise ValueError(f"loads are for {MOST_SILOS} silos at most; this study has {silos}")
+        if self.loads is not None and not self.loaded_by:
+            raise ValueError(f"loads need one of the methods {', '.join(FIELD_METHODS)}")
         return self
+
+    @property
+    def loaded_by(self) -> tuple[str, ...]:
+        """The methods asked for that give load cases."""
+        return tuple(key for key in self.method_keys if key in FIELD_METHODS)
 
     @property
     def method_keys(self) -> tuple[str, ...]:

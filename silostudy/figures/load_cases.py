@@ -24,7 +24,10 @@ def _rows(one: xr.Dataset, silo: str | None) -> list[dict]:
     for key in map(str, one["load_case"].values):
         here = one.sel(load_case=key)
         about = {"case": silo or "", "load_case": key, "title": str(here["load_case_title"].values)}
-        about |= {"state": meanings[int(here["load_case_state"])].replace("_", " "), "why": str(here["load_case_why"].values)}
+        about |= {
+            "state": meanings[int(here["load_case_state"])].replace("_", " "),
+            "why": str(here["load_case_reason"].values),
+        }
         found += [about | _forces(here, values) for values in given.get(key, [])] or [about]
     return found
 

@@ -156,7 +156,7 @@ def test_a_written_cube_gives_the_same_load(eccentric, tmp_path):
     again = load_case(tmp_path / "loads.nc", "channel_40", "wall_normal")
     z, theta = np.meshgrid(np.linspace(0, 24, 33), np.linspace(0, 2 * np.pi, 41))
     np.testing.assert_array_equal(again.at(z, theta), load_case(cube, "channel_40", "wall_normal").at(z, theta))
-    assert read(tmp_path / "loads.nc")["load_case_why"].sel(load_case="hopper_filling") == "flat bottom"
+    assert read(tmp_path / "loads.nc")["load_case_reason"].sel(load_case="hopper_filling") == "flat bottom"
     with pytest.raises(BadInput, match="known: filling, filling_patch"):
         load_case(cube, "hopper_filling", "wall_normal")
     with pytest.raises(BadInput, match="known: wall_normal"):
@@ -252,4 +252,6 @@ def test_too_many_silos_are_told_before_anything_is_computed(capsys, tmp_path):
         "sweep": [{"axis": "d", "values": {"silo.diameter_m": {"start": 7.0, "stop": 9.0, "count": 101}}}]
     }
     (tmp_path / "many.yaml").write_text(yaml.safe_dump(many))
+    (tmp_path / "janssen.yaml").write_text(yaml.safe_dump(content("eccentric-silo") | {"methods": ["janssen"]}))
+    assert "loads need one of the methods en1991_4, " in said(capsys, "check", tmp_path / "janssen.yaml", status=2)
     assert "this study has 101" in said(capsys, "check", tmp_path / "many.yaml", status=2)
