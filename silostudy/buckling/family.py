@@ -55,6 +55,9 @@ BEHIND = {
     "axial_reduction": "1",
     "hoop_reduction": "1",
     "shear_reduction": "1",
+    "axial_exponent": "1",
+    "hoop_exponent": "1",
+    "shear_exponent": "1",
 }
 MODES = (
     "local_elastic",

@@ -62,12 +62,15 @@ def _hoop(given) -> tuple:
         return np.where(acts, share, 0.0), np.where(acts, call(external_pressure.reduction, given), 1.0)
 
 
-def behind(edition: ModuleType, alpha: Callable, names: tuple[str, ...]) -> Callable:
-    """Function that gives the numbers behind the check: stress over design strength and chi of each kind of stress."""
+def behind(edition: ModuleType, alpha: Callable, exponents: Callable, names: tuple[str, ...]) -> Callable:
+    """Function that gives the numbers behind the check: of each kind of stress its share of the strength, chi and exponent."""
 
     def numbers(**given):
         parts = {"axial": _axial(edition, given), "hoop": _hoop(given), "shear": _shear(alpha, given)}
-        return {f"{kind}_{what}": part[k] for kind, part in parts.items() for k, what in enumerate(("share", "reduction"))}
+        powers = dict(zip(parts, exponents(*(chi for _, chi in parts.values())), strict=True))
+        found = {f"{kind}_share": share for kind, (share, _) in parts.items()}
+        found |= {f"{kind}_reduction": chi for kind, (_, chi) in parts.items()}
+        return found | {f"{kind}_exponent": power for kind, power in powers.items()}
 
     numbers.__signature__ = Signature([Parameter(name, Parameter.KEYWORD_ONLY) for name in names])  # type: ignore[attr-defined]
     return numbers
@@ -121,7 +124,7 @@ ROWS = (
         en1993_1_6_2007,
         "2007",
         interaction(en1993_1_6_2007, shear_buckling.alpha_2007, exponents_2007, (*ASKED, *OUTSIDE)),
-        behind=behind(en1993_1_6_2007, shear_buckling.alpha_2007, (*ASKED, *OUTSIDE)),
+        behind=behind(en1993_1_6_2007, shear_buckling.alpha_2007, exponents_2007, (*ASKED, *OUTSIDE)),
         formula="k_x = 1.25 + 0.75 chi_x, k_th likewise, k_tau = 1.75 + 0.25 chi_tau",
         sources="two public programs (a third has 1.25 + 0.25 chi_tau for k_tau, which is safe)",
         limits=(BELOW_HOOP_YIELD, KNOWN_CLASSES, external_pressure.MEDIUM),
@@ -130,7 +133,7 @@ ROWS = (
         en1993_1_6_2025,
         "2025",
         interaction(en1993_1_6_2025, shear_buckling.alpha_2025, exponents_2025, ASKED),
-        behind=behind(en1993_1_6_2025, shear_buckling.alpha_2025, ASKED),
+        behind=behind(en1993_1_6_2025, shear_buckling.alpha_2025, exponents_2025, ASKED),
         formula="k_x = 1 + chi_x^2, k_tau = 1.5 + 0.5 chi_tau^2",
         sources="one public program; hoop strengths of this edition are not known, so only where nothing presses from outside; "
         "a mix of editions where the solid's pressure is counted",

@@ -1,5 +1,6 @@
 """The lines of a calculation note: what each reads from the cubes, and its formula with those numbers put in."""
 
+import re
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from functools import cache
@@ -14,6 +15,7 @@ from silostudy.note import formula
 from silostudy.note.mathml import UNITS, math, mo, number, row, shown, symbol, tag
 from silostudy.tables.read import rows
 
+LONG, LONGER = 66, 84  # letters of a formula that fill its column in the usual and in the smaller size
 AGREES = 1e-6  # relative: how far the value of a formula may lie from what the cube holds
 TEXT = ("section", "owner", "name", "what", "unit", "read", "formula", "when", "words", "source", "locator", "remark")
 
@@ -71,6 +73,12 @@ class Written:
     numbers: str
     shown: str
     origin: str = ""
+
+    @property
+    def size(self) -> str:
+        """How small the formula has to be set to stand beside its name and source: `long`, `longer`, or as it is."""
+        width = max(len(re.sub(r"<[^>]*>", "", text)) for text in (self.symbols, self.numbers))
+        return "longer" if width > LONGER else "long" if width > LONG else ""
 
     @property
     def constant(self) -> bool:
@@ -151,5 +159,5 @@ def written(line: Line, result: float, scope: Scope) -> Written:
 
 def result_of(one: Written) -> str:
     """MathML of a line's result with its unit."""
-    content = tag("mtext", one.shown) if one.line.words else number(one.result, one.line.unit)
+    content = tag("mtext", one.shown) if one.line.words else number(one.result, one.line.unit, bracketed=False)
     return math(row(mo("→" if one.line.words else "="), content))

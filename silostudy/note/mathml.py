@@ -103,7 +103,7 @@ def rounded(value: float) -> str:
     return text.replace("-", "−")
 
 
-def number(value: float, unit: str) -> str:
-    """MathML of a number with its unit."""
+def number(value: float, unit: str, bracketed: bool = True) -> str:
+    """MathML of a number with its unit; a negative one in brackets, unless it stands alone."""
     text = tag("mn", shown(value, unit)) + (tag("mtext", ("" if unit == "°" else "\u202f") + unit) if unit else "")
-    return fenced(text) if value < 0 else text
+    return fenced(text) if value < 0 and bracketed else text

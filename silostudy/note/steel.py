@@ -63,7 +63,8 @@ def _by_combination(cube: xr.Dataset) -> Block:
     rows = []
     for part, each in found.items():
         most = max(each.values(), key=lambda one: np.nan_to_num(one["utilisation"], nan=-1.0))
-        rows.append((part, *(rounded(each[key]["utilisation"]) for key in keys), most["combination"], most["load_case"]))
+        where = (most["combination"], most["load_case"]) if np.isfinite(most["utilisation"]) else ("", "")
+        rows.append((part, *(rounded(each[key]["utilisation"]) for key in keys), *where))
     note = "Axial buckling by the study's first rule. –: no load for the part, or masked; the chapters on the parts say why."
     head = ("part", *keys, "largest in", "load case of the contents there")
     return Block("Utilisation of every part", head=head, rows=tuple(rows), texts=(note,), wordy=True)
