@@ -201,8 +201,7 @@ def test_anchors_by_hand(cube):
     weight = 7850 * STANDARD_GRAVITY * 18 * (0.33 * 4 + 0.33 * 5 + 0.34 * 7) * 1e-3 * 6 * np.pi + 30e3
     moment = 1.5 * 0.7 * 900 * 6 * 18**2 / 2
     higher = 1.5 * 900 * 18**2 / 6 / 4 * (4 * 0.8 + 9 * 0.3 - 16 * 0.1 - 25 * 0.05)
-    circle = 6.2 / 6.0  # of the anchors over the wall
-    by_hand = (moment * 4 / (24 * 6.0) - weight / 24 + higher * np.pi * 6.0 / 24) * circle
+    by_hand = moment * 4 / (24 * 6.2) - weight / 24 + higher * np.pi * 6.0 / 24  # 6.2 m, the circle of the anchors
     assert float(one["anchor_tension"]) == pytest.approx(by_hand, rel=1e-9)
 
 
