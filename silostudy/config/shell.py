@@ -41,7 +41,6 @@ class SteelSilo(SceneConfig):
         default="mean",
     )
 
-
     @model_validator(mode="after")
     def _steel_for_a_hopper(self) -> Self:
         given = [name for name in OF_THE_HOPPER if getattr(self, name) is not None]
