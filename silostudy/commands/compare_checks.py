@@ -22,7 +22,24 @@ def lines_of(expansion, pressure: "xr.Dataset", seismic: "xr.Dataset | None") ->
     from silostudy.cube.unchecked import unchecked
 
     cube = checks_cube(expansion, pressure, seismic)
-    return ["", *strakes(cube), *parts(cube), *(f"note: {line}" for line in unchecked(cube))]
+    return ["", *strakes(cube), *parts(cube), *(f"note: {line}" for line in [*unchecked(cube), *ranges(cube)])]
+
+
+def ranges(cube: "xr.Dataset") -> list[str]:
+    """A line for every check that is silent somewhere because the steel is out of its range: its limits."""
+    from silostudy.checks import CHECKS
+    from silostudy.checks.family import OUT_OF_RANGE
+    from silostudy.cube.contract import SCOPE
+    from silostudy.cube.unchecked import PARTS
+
+    silent = [
+        check
+        for axis, name in PARTS.items()
+        if name in cube
+        for check in map(str, cube[axis].values)
+        if (cube[name + SCOPE].sel({axis: check}) == OUT_OF_RANGE).any()
+    ]
+    return [f"{check}: out of range where not {'; '.join(one.words() for one in CHECKS[check].bounds)}" for check in silent]
 
 
 def strakes(cube: "xr.Dataset") -> list[str]:

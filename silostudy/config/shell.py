@@ -50,7 +50,7 @@ class SteelSilo(SceneConfig):
 
     @model_validator(mode="after")
     def _joint_no_weaker_than_yield(self) -> Self:
-        ultimate = self.hopper_shell and self.hopper_shell.ultimate_stress_MPa
+        ultimate = self.hopper_shell.ultimate_stress_MPa if self.hopper_shell else None
         if ultimate is not None and ultimate < self.shell.yield_stress_MPa:
             least = f"shell.yield_stress_MPa, {self.shell.yield_stress_MPa:g}"
             raise ValueError(f"hopper_shell.ultimate_stress_MPa = {ultimate:g}: must not be below {least}")
@@ -58,8 +58,9 @@ class SteelSilo(SceneConfig):
 
     @model_validator(mode="after")
     def _anchors_at_the_wall(self) -> Self:
-        circle, wall = self.anchors and self.anchors.circle_diameter_m, self.silo.diameter_m
-        if circle is not None and not 1 / ANCHOR_CIRCLE <= circle / wall <= ANCHOR_CIRCLE:
+        wall = self.silo.diameter_m
+        circle = self.anchors.circle_diameter_m if self.anchors else wall
+        if not 1 / ANCHOR_CIRCLE <= circle / wall <= ANCHOR_CIRCLE:
             allowed = f"must be {wall / ANCHOR_CIRCLE:g} to {wall * ANCHOR_CIRCLE:g}: anchors stand at the foot of the wall"
             raise ValueError(f"anchors.circle_diameter_m = {circle:g}: {allowed}")
         return self

@@ -322,6 +322,16 @@ def test_earthquake_by_its_factors(shaken):
     assert "not checked in EP" not in "\n".join(unchecked(cube))
 
 
+def test_a_check_out_of_its_range_names_the_limit(tmp_path, capsys):
+    path = tmp_path / "rough.yaml"
+    path.write_text(yaml.safe_dump(study(levels=3, shell__quality="C", methods=["janssen"]), sort_keys=False))
+    assert main(["compare", str(path)]) == 0
+    said = capsys.readouterr().out
+    assert "note: shear_buckling_2007: out of range where not t/r <= 0.05" in said
+    assert "Q >= 25 (alpha 0.65 of class B" in said
+    assert " nan" not in said
+
+
 MISTAKES = {
     "free on pinned": (
         {"wind__upper_edge": "free", "wind__lower_edge": "pinned"},
