@@ -17,6 +17,8 @@ class Dimension:
     place: tuple[int, ...]  # numbers of a row
     velocity: tuple[int, ...]
     spin: tuple[int, ...]
+    force: tuple[int, ...]
+    torque: tuple[int, ...]
     row: int  # numbers in a row, whole cache lines
     inverse_inertia: float  # of a body, times mass and square of radius
     stretch: int  # contacts whose forces are computed together

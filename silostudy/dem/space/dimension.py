@@ -4,6 +4,7 @@ from silostudy.dem.arrays import Spheres
 from silostudy.dem.dimension import Dimension
 from silostudy.dem.space.felt import gather_walls, note_walls, scatter_walls
 from silostudy.dem.space.lanes import (
+    FORCE,
     HISTORIES,
     NEW,
     OLD,
@@ -11,6 +12,7 @@ from silostudy.dem.space.lanes import (
     SPARE,
     SPIN,
     STRETCH,
+    TORQUE,
     VELOCITY,
     gather,
     gather_rolling,
@@ -26,6 +28,8 @@ SPACE = Dimension(
     place=PLACE,
     velocity=VELOCITY,
     spin=SPIN,
+    force=FORCE,
+    torque=TORQUE,
     row=SPARE + 1,
     inverse_inertia=2.5,
     stretch=STRETCH,

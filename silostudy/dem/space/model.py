@@ -33,8 +33,6 @@ class SphereModel(Model):
         super().__post_init__()
         if len(self.gravity) != 3:
             raise BadInput("gravity", self.gravity, "must have three components (m/s2)")
-        if self.booked:
-            raise BadInput("booked", self.booked, "the energy ledger is of discs")
 
     @property
     def place(self) -> np.ndarray:
