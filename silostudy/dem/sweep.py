@@ -5,11 +5,11 @@ from math import sqrt
 import numpy as np
 
 from silostudy.dem.arrays import BLOCK
+from silostudy.dem.book import book_pass, keep_histories, of_pairs, of_walls
 from silostudy.dem.cache import piece
 from silostudy.dem.dimension import Dimension
 from silostudy.dem.force import force_pass
 from silostudy.dem.integrate import INTEGRATORS
-from silostudy.dem.ledger import book_pass, keep_histories, of_pairs, of_walls
 from silostudy.dem.pieces import Laws, Pieces
 
 FRESH, STALE, REMEMBERED, SHORT_OF_ROOM, EXPLODED = range(5)  # what a thread says of its list after a step
