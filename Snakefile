@@ -31,7 +31,9 @@ try:  # every mistake of every study is told before any job starts
     SWEEPS = [name for name, model in MODELS.items() if KINDS[model.kind].parts]
     WANTED = [file for name in STUDIES for file in wanted(name)]
     WANTED += [RESULTS / "dem" / f"{carried('scenes', name)}.nc" for name in SCENES]
-    CAPTIONS = {key: RESULTS / "captions" / f"{key}.rst" for model in MODELS.values() for key in model.outputs}
+    WANTED += [Path(file) for name in SCENES for files in scene_outputs(name).values() for file in files]
+    ASKED = [*(model.outputs for model in MODELS.values()), *map(scene_outputs, SCENES)]
+    CAPTIONS = {key: RESULTS / "captions" / f"{key}.rst" for outputs in ASKED for key in outputs}
     if SCENES and "dem" in STUDIES:
         raise BadInput("studies", "dem", "the folder of this name is for scenes: rename the study", str(PROJECT))
     for name, model in MODELS.items():

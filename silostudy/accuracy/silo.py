@@ -91,4 +91,5 @@ def wall_force(engine: Engine, parts: int) -> np.ndarray:
     edges = np.linspace(0.0, height, parts + 1)
     edges[-1] = np.inf
     sides = [touching.second == engine.model.wall_number(name) for name in SIDES]
-    return np.array([np.histogram(touching.y[side], edges, weights=np.abs(touching.fx[side]))[0] for side in sides])
+    height_of, push = touching.place[:, 1], np.abs(touching.force[:, 0])
+    return np.array([np.histogram(height_of[side], edges, weights=push[side])[0] for side in sides])

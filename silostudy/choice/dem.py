@@ -8,16 +8,18 @@ from silostudy.choice.promise import Choice
 from silostudy.choice.settle import settled
 from silostudy.config.contact import ContactConfig
 from silostudy.config.dem import DemScene
+from silostudy.config.grain_scenes import AnyScene, scene_class
 from silostudy.config.load import own_validated, read_yaml
 from silostudy.contact import MEASURED
 from silostudy.errors import BadInput
 from silostudy.packing import rows
 
 
-def load(path: Path) -> tuple[DemScene, Choice | None]:
+def load(path: Path) -> tuple[AnyScene, Choice | None]:
     """The scene in a YAML file with the settings chosen for its accuracy, and the choice; BadInput lists every mistake."""
-    scene = own_validated(DemScene, read_yaml(path), str(path), path.parent)
-    return settled(scene, [scene], str(path)) if scene.accuracy else (scene, None)
+    content = read_yaml(path)
+    scene = own_validated(scene_class(content, str(path)), content, str(path), path.parent)
+    return settled(scene, [scene], str(path)) if isinstance(scene, DemScene) and scene.accuracy else (scene, None)
 
 
 def dem_traits(asking: DemScene, scenes: Sequence[DemScene]) -> list[dict[str, float]]:

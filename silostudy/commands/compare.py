@@ -6,7 +6,7 @@ from math import isfinite
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from silostudy.commands import compare_loads, compare_steel
+from silostudy.commands import compare_cases, compare_loads, compare_measured, compare_steel
 from silostudy.commands.about import cautions
 from silostudy.commands.families import add_methods_from
 from silostudy.errors import BadInput
@@ -60,6 +60,7 @@ def run(chosen: argparse.Namespace) -> None:
     cube = pressure_cube(expansion)
     balanced = {method.label: method.row.equilibrium for method in methods_of(expansion)}
     lines = [*table(cube, balanced), *silences(cube), *hopper_table(cube), *compare_loads.told(cube)]
+    lines += [*compare_cases.told(expansion), *compare_measured.told(cube)]
     lines += [*values_used(cube), *cautions(expansion)]
     print("\n".join(lines))
     if chosen.figure:

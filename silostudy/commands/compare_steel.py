@@ -4,7 +4,7 @@ from math import isnan
 from pkgutil import resolve_name
 from typing import TYPE_CHECKING
 
-from silostudy.commands import compare_checks
+from silostudy.commands import compare_cases, compare_checks
 from silostudy.commands.about import cautions, rings
 from silostudy.errors import BadInput
 
@@ -36,6 +36,7 @@ def shell(expansion) -> list[str]:
         told,
         *(_shaken_table(cube) if shaken else []),
         *compare_checks.lines_of(expansion, pressure, seismic),
+        *compare_cases.told(expansion),
         *_unlooked(pressure),
         *silences(pressure),
         *rings(expansion),

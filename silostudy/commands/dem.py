@@ -83,10 +83,13 @@ def run_ensemble(chosen, scene, choice, outputs: list[Path]) -> None:
 
 
 def run_one(chosen, scene, choice, output: Path) -> None:
+    from silostudy.commands.studies import told_before
     from silostudy.compute.dem import carry_through, run_of
     from silostudy.errors import BadInput
 
     model = _model(chosen, scene)
+    for line in told_before(scene, model):
+        print(f"silostudy: {line}", file=sys.stderr)
     task = run_of(scene, model, threads=chosen.threads)
     with progress(task) as tell:
         carry_through(task, scene, checkpoint_of(scene, output), tell)
@@ -94,6 +97,8 @@ def run_one(chosen, scene, choice, output: Path) -> None:
     print(f"{scene.title}: {task.engine.step} steps of {model.dt:.3g} s, {where_discs_are(task)} -> {output}")
     if task.trouble:
         key, value = ("march.limit_s", scene.march.limit_s) if task.recording.waiting else ("march.step_s", model.dt)
+        if task.recording.buried:
+            key, value = "filling.count", len(model.x)
         raise BadInput(key, value, f"{task.trouble}; what was recorded is in {output}")
 
 
@@ -110,10 +115,9 @@ def _check_seeds(chosen, scene) -> None:
     from silostudy.errors import BadInput
 
     one, other = (_model(chosen, scene.model_copy(update={"seed": seed})) for seed in (0, 1))
-    if all(np.array_equal(getattr(one, name), getattr(other, name)) for name in ("x", "y", "radius")):
-        raise BadInput(
-            "--seeds", chosen.seeds, f"the packing {scene.packing.kind} is the same for every seed", str(chosen.scene)
-        )
+    same = np.array_equal(one.place, other.place) and np.array_equal(one.radius, other.radius)
+    if same and not one.waiting:  # the seed says where those come in that wait
+        raise BadInput("--seeds", chosen.seeds, "the start is the same for every seed", str(chosen.scene))
 
 
 def checkpoint_of(scene, output: Path) -> Path | None:
@@ -145,9 +149,11 @@ def keep(task, scene, choice, output: Path) -> None:
 
 def where_discs_are(task) -> str:
     """How many discs are left in the silo, and how the others left it."""
-    left = task.recording.left
-    gone = ", ".join(f"{count} {way}" for way, count in left.items() if count)
-    return f"{task.engine.n} of {len(task.engine.model.x)} discs still there" + (f" ({gone})" if gone else "")
+    counts = {**task.recording.left, "not in yet": task.engine.most - task.come}
+    gone = ", ".join(f"{count} {way}" for way, count in counts.items() if count)
+    return f"{task.engine.n} of {len(task.engine.model.x)} {task.engine.space.body}s still there" + (
+        f" ({gone})" if gone else ""
+    )
 
 
 class progress:
@@ -169,7 +175,9 @@ class progress:
         return self.tell
 
     def tell(self, step: int) -> None:
-        self.bar.set_postfix_str(f"t = {self.task.engine.time:.3f} s, {self.task.engine.n} discs", refresh=False)
+        self.bar.set_postfix_str(
+            f"t = {self.task.engine.time:.3f} s, {self.task.engine.n} {self.task.engine.space.body}s", refresh=False
+        )
         self.bar.update((step - self.done) * len(self.task.engine.model.x))
         self.done = step
 

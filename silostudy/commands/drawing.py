@@ -12,6 +12,7 @@ def add(sub) -> None:
 
     redraw = sub.add_parser("redraw", help="draw figures and tables of a study anew")
     redraw.add_argument("folder", type=Path, help="results/STUDY")
+    redraw.add_argument("--cube", type=Path, help="the cube, where it does not lie in the folder: of a scene")
     redraw.add_argument("keys", nargs="+", metavar="key", help="see `silostudy list outputs`")
     redraw.set_defaults(run=run_redraw)
 
@@ -37,7 +38,7 @@ def run_redraw(chosen) -> None:
     once = cache(read)
     for key in chosen.keys:
         row = OUTPUTS[key]
-        files = [chosen.folder / f"{stage}.nc" for stage in (row.stage, *row.also)]
+        files = [chosen.cube] if chosen.cube else [chosen.folder / f"{stage}.nc" for stage in (row.stage, *row.also)]
         _draw(key, [once(file) for file in files[:1] + [file for file in files[1:] if file.exists()]],
               chosen.folder / f"{row.kind}s" / key)  # fmt: skip
         for name in files_of(key, str(chosen.folder)):

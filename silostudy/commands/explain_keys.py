@@ -6,8 +6,12 @@ from typing import Any
 
 def explanation(kind) -> list[str]:
     """The keys of a kind's files, those of a section further in: name, unit, whether it must be given, what it is."""
-    schema = kind.study.model_json_schema()
-    return [f"{kind.title} (kind: {kind.key})", *_keys(schema, schema.get("$defs", {}), "  ")]
+    lines = [f"{kind.title} (kind: {kind.key})"]
+    for model in kind.models:
+        schema = model.model_json_schema()
+        told = [f" {schema['description'].splitlines()[0]}"] if kind.variants else []
+        lines += [*told, *_keys(schema, schema.get("$defs", {}), "  ")]
+    return lines
 
 
 def _keys(section: Mapping[str, Any], known: Mapping[str, Any], margin: str) -> Iterator[str]:

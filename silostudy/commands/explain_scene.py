@@ -1,14 +1,24 @@
 """What `silostudy explain` says of a discrete-element scene, and of the parts that scenes choose from."""
 
 from pathlib import Path
+from typing import Any
 
 from silostudy.catalogue import Family, Row
 from silostudy.dem.events import TRIGGERS
 from silostudy.dem.integrate import INTEGRATORS
 from silostudy.dem.rest import REST
 from silostudy.packing import PACKINGS
+from silostudy.packing.filling import FILLINGS
+from silostudy.packing.sizes import SIZES
 
-PARTS: dict[str, Family] = {"packings": PACKINGS, "integrators": INTEGRATORS, "triggers": TRIGGERS, "rest": REST}
+PARTS: dict[str, Family] = {
+    "packings": PACKINGS,
+    "fillings": FILLINGS,
+    "sizes": SIZES,
+    "integrators": INTEGRATORS,
+    "triggers": TRIGGERS,
+    "rest": REST,
+}
 
 
 def explanation(row) -> list[str]:
@@ -17,7 +27,7 @@ def explanation(row) -> list[str]:
 
     part = next(name for name, family in PARTS.items() if row in family.values())
     lines = [f"{row.title} ({row.key}, of {part})"]
-    for function in ("advance", "measure", "place"):
+    for function in ("advance", "measure", "place", "draw"):
         if (told := getattr(row, function, None)) is not None:
             lines.append(f"  gives     {told.__doc__.splitlines()[0]}")
     for asked in getattr(row, "asks", ()):
@@ -30,16 +40,41 @@ def explanation(row) -> list[str]:
 
 
 def scene_explanation(name: str) -> list[str]:
-    """Each effect of a discrete-element scene: on or off, why, and its measured share of a step."""
-    from silostudy.accuracy.prices import prices
+    """Each effect of a discrete-element scene: on or off, why, and of discs its measured share of a step."""
     from silostudy.choice.dem import load
     from silostudy.compute.dem import scene_model
-    from silostudy.dem.stability import longest_step
-    from silostudy.scene.dem import effects
+    from silostudy.config.spheres import SphereScene
 
     path = Path(name)
     scene, _ = load(path)
-    model = scene_model(scene, path.parent, name)
+    model: Any = scene_model(scene, path.parent, name)
+    return _of_spheres(scene, model) if isinstance(scene, SphereScene) else _of_discs(scene, model)
+
+
+def _of_spheres(scene, model) -> list[str]:
+    """Materials, coefficients, softening, times and effects of a scene of spheres."""
+    from silostudy.dem.stability import packed_bound
+    from silostudy.scene.spheres import grain_of
+    from silostudy.scene.spheres_about import coefficients, materials, rayleigh_time, softening, sphere_effects, warnings
+
+    wave = rayleigh_time(grain_of(scene), float(model.radius.min()))
+    lines = [
+        f"{scene.title}: {len(model.x)} spheres, diameters {2e3 * model.radius.min():.4g} to {2e3 * model.radius.max():.4g} mm"
+    ]
+    lines += [f"  {line}" for line in (*materials(scene), *coefficients(scene), *softening(scene, model))]
+    lines.append(
+        f"  step {model.dt:.3g} s; stability bound of the densest packing {packed_bound(model):.3g} s; Rayleigh time of the "
+        f"smallest sphere {wave:.3g} s; integrator {model.integrator}"
+    )
+    lines += [f"  {effect.name:30}{'on ' if effect.on else 'off'}  {effect.why}" for effect in sphere_effects(scene)]
+    return lines + [f"  warning: {line}" for line in warnings(scene, model)]
+
+
+def _of_discs(scene, model) -> list[str]:
+    from silostudy.accuracy.prices import prices
+    from silostudy.dem.stability import longest_step
+    from silostudy.scene.dem import effects
+
     whole, share = prices(model)
     lines = [f"{scene.title}: {len(model.x)} discs, {whole / len(model.x) * 1e9:.1f} ns a particle-step"]
     lines.append(

@@ -8,8 +8,8 @@ from silostudy.commands.families import add_methods_from, families
 def add(sub) -> None:
     command = sub.add_parser(
         "list",
-        help="list kinds of study, methods, rules, laws and other parts of scenes, solids, walls, records, studies, outputs, "
-        "problems or accuracies",
+        help="list kinds of study, methods, rules, laws and other parts of scenes, solids, walls, records, measurements, "
+        "studies, outputs, problems or accuracies",
     )
     command.add_argument("what", choices=LISTS)
     command.add_argument("--studies", type=Path, default=Path("config/studies"), help="folder of study files")
@@ -67,6 +67,16 @@ def _combinations(chosen):
         yield f"{row.key:4}", f"{row.title:34}", factors, f"{row.source}, {row.locator}"
 
 
+def _load_cases(chosen):
+    from silostudy.pressure.en1991_4.characteristic import described
+    from silostudy.tables.load_cases import LOAD_CASES
+
+    for row in LOAD_CASES.values():
+        values = "; ".join(f"{name}: {described(name)}" for name in row.sets)
+        state = f"{row.state} ({row.evidence})" if row.evidence else row.state
+        yield f"{row.key:20}", f"{row.title:52}", f"{row.clause:12}", state, values, f"{row.source}, {row.locator}", row.remark
+
+
 def _laws(chosen):
     from silostudy.contact import FAMILIES
 
@@ -101,11 +111,33 @@ def _mass_rules(chosen):
         yield f"{row.key:18}", f"{row.title:52}", f"{row.source}, {row.locator}"
 
 
+def _materials(chosen):
+    from math import isnan
+
+    from silostudy.tables.materials import MATERIALS, PAIRS
+
+    for row in MATERIALS.values():
+        density = "" if isnan(row.density) else f"rho {row.density:g} kg/m3"
+        properties = f"E {row.youngs_modulus / 1e6:g} MPa  nu {row.poissons_ratio:g}  {density}"
+        yield f"{row.key:28}", f"{properties:44}", f"{row.title:36}", f"{row.source}, {row.locator}"
+    for pair in PAIRS.values():
+        properties = f"e {pair.restitution:g}  mu {pair.sliding_friction:g}  mu_r {pair.rolling_friction:g}"
+        yield f"{pair.title:28}", f"{properties:44}", f"{'pair':36}", f"{pair.source}, {pair.locator}"
+
+
 def _records(chosen):
     from silostudy.tables.records import RECORDS
 
     for row in RECORDS.values():
         yield f"{row.key:18}", row.title, f"{row.source}, {row.locator}", row.remark
+
+
+def _measurements(chosen):
+    from silostudy.tables.measured import measurements
+
+    for row in measurements():
+        what = f"{row.title}: {row.quantity} {row.told}"
+        yield f"{row.measurement:24}", f"{row.kind:13}", what, f"{row.source}, {row.locator}", row.why_none
 
 
 def _solids(chosen):
@@ -165,12 +197,15 @@ LISTS = {
     "buckling": _buckling,
     "checks": _checks,
     "combinations": _combinations,
+    "load-cases": _load_cases,
     "laws": _laws,
-    **{name: _parts_of_scenes(name) for name in ("packings", "integrators", "triggers", "rest")},
+    **{name: _parts_of_scenes(name) for name in ("packings", "fillings", "sizes", "integrators", "triggers", "rest")},
     "mass-rules": _mass_rules,
     "solids": _solids,
     "walls": _walls,
+    "materials": _materials,
     "records": _records,
+    "measurements": _measurements,
     "studies": _studies,
     "outputs": _outputs,
     "problems": _problems,

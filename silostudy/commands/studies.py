@@ -70,8 +70,19 @@ def scene_checked(path: Path) -> list[str]:
     model = scene_model(scene, path.parent, str(path))
     run_of(scene, model)  # what the step alone tells to be impossible
     steps = ceil(scene.march.limit_s / model.dt)
-    run = f"  {len(model.x)} discs, at most {steps:,} steps of {model.dt:.3g} s"
-    return [f"{path}: {scene.title}", run, *(f"  {line}" for line in chosen_for(promises([choice] if choice else [])))]
+    run = f"{len(model.x)} {model.space.body}s, at most {steps:,} steps of {model.dt:.3g} s"
+    told = [run, *told_before(scene, model), *chosen_for(promises([choice] if choice else []))]
+    return [f"{path}: {scene.title}", *(f"  {line}" for line in told)]
+
+
+def told_before(scene, model) -> list[str]:
+    """What a user should know of a scene of spheres before it runs: its softening, and what may be a mistake."""
+    from silostudy.config.spheres import SphereScene
+    from silostudy.scene.spheres_about import softening, warnings
+
+    if not isinstance(scene, SphereScene):
+        return []
+    return [*softening(scene, model), *(f"warning: {line}" for line in warnings(scene, model))]
 
 
 def chosen_for(promise: dict[str, str]) -> list[str]:

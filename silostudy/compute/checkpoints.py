@@ -7,13 +7,13 @@ from pathlib import Path
 
 import numpy as np
 
-from silostudy.config.dem import DemScene
+from silostudy.config.grain_scenes import AnyScene
 from silostudy.dem.run import Run
 from silostudy.files import replacing
 from silostudy.stamp import stamp
 
 
-def made_of(run: Run, scene: DemScene) -> dict[str, str]:
+def made_of(run: Run, scene: AnyScene) -> dict[str, str]:
     """What a run is made of, part by part: a checkpoint holds for a run of the same alone.
 
     Files of the user's own count by what was read from them: a path says nothing of a changed file.
@@ -23,7 +23,7 @@ def made_of(run: Run, scene: DemScene) -> dict[str, str]:
         "scene": scene.model_dump_json(),
         "program": stamp("contact", "dem", "packing"),
         "laws": repr(model.pieces),
-        "discs": _digest(model.x, model.y, model.radius),
+        "grains": _digest(*model.place.T, model.radius),
         "acceleration of the box": "" if model.quake is None else _digest(model.quake),
     }
 
@@ -35,7 +35,7 @@ def _digest(*arrays: np.ndarray) -> str:
     return digest.hexdigest()
 
 
-def save(run: Run, scene: DemScene, checkpoint: Path) -> None:
+def save(run: Run, scene: AnyScene, checkpoint: Path) -> None:
     """Write a checkpoint of where the run stands."""
     content = pickle.dumps((made_of(run, scene), run.checkpoint()))
     with replacing(checkpoint) as temporary:
@@ -50,7 +50,7 @@ def _whole(raw: bytes) -> bytes:
     return raw[size:]
 
 
-def resume(run: Run, scene: DemScene, checkpoint: Path) -> None:
+def resume(run: Run, scene: AnyScene, checkpoint: Path) -> None:
     """Go on from a checkpoint, where there is one of this run; says so where it is of another, and sets it aside."""
     if not checkpoint.exists():
         return
@@ -63,7 +63,7 @@ def resume(run: Run, scene: DemScene, checkpoint: Path) -> None:
     if not other:
         run.restore(saved)
         return
-    why = other[0] if saved is None else f"was made with another {', another '.join(other)}"
+    why = other[0] if saved is None else f"was made with other {', other '.join(other)}"
     aside = checkpoint.with_name(f"{checkpoint.name}.old")
     checkpoint.replace(aside)
     print(f"silostudy: {checkpoint} {why}: the run starts anew; kept as {aside.name}", file=sys.stderr)

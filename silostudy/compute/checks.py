@@ -12,6 +12,7 @@ from silostudy.choice.expand import Resolved
 from silostudy.compute.axes import sweep_of
 from silostudy.compute.buckling import rule_coordinates
 from silostudy.compute.checks_actions import given
+from silostudy.compute.checks_phases import contents_load_cases
 from silostudy.compute.checks_places import places
 from silostudy.compute.checks_scope import combined, rows_of
 from silostudy.compute.checks_supports import below
@@ -49,7 +50,7 @@ def checks_cube(expansion: Resolved, pressure: xr.Dataset, seismic: xr.Dataset |
     built = as_built(loads) if np.isfinite(loads.source.places.thickness).any() else {}
     rows = rows_of(study, WALL)
     data = rule_coordinates(rules) | actions(loads) | thicknesses(rules, rows, loads)
-    data |= below(pressure, loads, built)
+    data |= below(pressure, loads, built) | contents_load_cases(loads.source, pressure)
     if built:
         data |= utilisations(rules, rows, loads, built)
     sweep = sweep_of(expansion)
@@ -86,6 +87,7 @@ def actions(loads: Load) -> dict:
     return {
         "combination": [one.key for one in loads.combinations],
         "combination_title": [one.title or one.key for one in loads.combinations],
+        "combination_contents": [one.contents for one in loads.combinations],
         "action": ["permanent", "permanent_favourable", *ACTIONS],
         "combination_factor": np.array([list(one.factors.values()) for one in loads.combinations]),
         "place": np.arange(1, place.z.shape[-1] + 1),

@@ -15,13 +15,13 @@ from silostudy.tables.combinations import Combination
 
 NUMBERS = ("hopper_thickness", "hopper_joint_efficiency", "ultimate_stress", "ring_area", "ring_second_moment", "column_count",
            "section_modulus", "anchor_count", "anchor_resistance")  # fmt: skip
+LOADED_BY = {"support_force": "wall hopper", "hopper_meridional_force": "hopper"}  # force that a check asks for -> whose it is
 
 
 def hopper_forces(pressure: xr.Dataset, loads: Load) -> dict[str, np.ndarray]:
     """n_phi and n_th (N/m) of the hopper's wall, (combination, method, axes..., hopper_position), own weight included."""
-    height, half_angle = _heights(pressure)
-    names = ("hopper_normal_pressure", "hopper_friction_traction")
-    normal, traction = (pressure[name].values for name in names)
+    height, half_angle = heights(pressure)
+    normal, traction = pressures_in_hopper(pressure)
     shape = {"height": height, "half_angle": half_angle}
     along = hopper.meridional_force(normal, traction, **shape)
     if "ring_force" in pressure:  # of a switch of stresses: it hangs on the upper edge
@@ -37,7 +37,13 @@ def hopper_forces(pressure: xr.Dataset, loads: Load) -> dict[str, np.ndarray]:
     return found
 
 
-def _heights(pressure: xr.Dataset) -> tuple[np.ndarray, np.ndarray]:
+def pressures_in_hopper(pressure: xr.Dataset) -> tuple[np.ndarray, np.ndarray]:
+    """Normal pressure and friction (Pa) on the hopper's wall, (method, phase, axes..., hopper_position)."""
+    normal, traction = (pressure[name].values for name in ("hopper_normal_pressure", "hopper_friction_traction"))
+    return normal, traction
+
+
+def heights(pressure: xr.Dataset) -> tuple[np.ndarray, np.ndarray]:
     """(height above the apex (m), (axes..., hopper_position); half angle (rad), (axes..., 1))."""
     half_angle = pressure["hopper_half_angle"].values[..., None]
     top, outlet = pressure["hopper_height"].values[..., None], pressure["outlet_width"].values[..., None]
@@ -100,7 +106,11 @@ def below(pressure: xr.Dataset, loads: Load, built: Mapping) -> dict:
     top = parameters.pop("hopper_top_force", parameters["hopper_meridional_force"])
     study, shape = loads.source.expansion.study, (*loads.shape[:-1], 1)
     support = {**parameters, "hopper_meridional_force": top}
-    found: dict = _checked(rows_of(study, SUPPORT), support, loads, shape, SUPPORT)
+    rows = rows_of(study, SUPPORT)
+    found: dict = _checked(rows, support, loads, shape, SUPPORT)
+    found["support_check_loaded_by"] = [
+        " ".join(whose for name, whose in LOADED_BY.items() if name in row.needs) for row in rows
+    ]
     if "hopper_position" in pressure:
         names = ("hopper_meridional_force", "hopper_hoop_force")
         found |= _checked(rows_of(study, HOPPER), parameters, loads, parameters[names[0]].shape, HOPPER)

@@ -2,24 +2,43 @@
 
 from collections.abc import Callable
 from dataclasses import replace
+from functools import singledispatch
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
 from silostudy.compute.checkpoints import resume, save
-from silostudy.compute.dem_files import given_discs, quake_steps
+from silostudy.compute.dem_files import given_discs, given_spheres, quake_steps
 from silostudy.config.dem import DemScene
+from silostudy.config.grain_scenes import AnyScene
+from silostudy.config.spheres import SphereScene
 from silostudy.dem.engine import Engine
 from silostudy.dem.model import Model
 from silostudy.dem.run import Run
 from silostudy.errors import BadInput
 from silostudy.packing import PACKINGS
+from silostudy.packing.filling import FILLINGS
 from silostudy.scene.dem import events_of, rest_of
 from silostudy.scene.dem_model import placed, unshaken_scene_model
+from silostudy.scene.spheres import rain_of, space_silo_of, sphere_events
+from silostudy.scene.spheres_model import sphere_model
 
 
-def scene_model(scene: DemScene, folder: Path, where: str = "") -> Model:
+@singledispatch
+def scene_model(scene: AnyScene, folder: Path, where: str = "") -> Model:
     """The engine's model of a scene; BadInput for a start or a step that cannot be."""
+    raise TypeError(type(scene))
+
+
+@scene_model.register
+def _(scene: SphereScene, folder: Path, where: str = "") -> Model:
+    given = given_spheres(scene.filling.file, folder) if FILLINGS[scene.filling.kind].from_file else None
+    return sphere_model(scene, given, where)
+
+
+@scene_model.register
+def _(scene: DemScene, folder: Path, where: str = "") -> Model:
     discs = given_discs(scene.packing.file, folder) if PACKINGS[scene.packing.kind].from_file else placed(scene)
     model = unshaken_scene_model(scene, discs, where)
     if scene.quake is None:
@@ -27,38 +46,55 @@ def scene_model(scene: DemScene, folder: Path, where: str = "") -> Model:
     return replace(model, quake=quake_steps(scene.quake.file, folder, dt=model.dt, limit=scene.march.limit_s))
 
 
-def run_of(scene: DemScene, model: Model, *, threads: int = 1) -> Run:
+def run_of(scene: AnyScene, model: Model, *, threads: int = 1) -> Run:
     """The run that a scene asks for."""
-    record, dt = scene.record, model.dt
-    window = record.wall_force_window_s or (scene.march.limit_s / 100.0 if record.energy else None)
-    edges = None
+    happens = _of_spheres(scene, model) if isinstance(scene, SphereScene) else _of_discs(scene, model)
+    return Run(
+        Engine(model, threads=threads),
+        limit=scene.march.limit_s,
+        snapshots=_steps_of(scene, model.dt),
+        rest=rest_of(scene),
+        **happens,
+    )
+
+
+def _of_discs(scene: DemScene, model: Model) -> dict[str, Any]:
+    """Events, window and cells of the stress of a scene of discs."""
+    record, edges = scene.record, None
     if record.stress_cells is not None:
         top = float(max(max(wall.start[1], wall.end[1]) for wall in model.walls))
         edges = (
             np.linspace(0.0, scene.silo.width_m, record.stress_cells[0] + 1),
             np.linspace(0.0, top, record.stress_cells[1] + 1),
         )
-    return Run(
-        Engine(model, threads=threads),
-        events_of(scene),
-        limit=scene.march.limit_s,
-        window=max(1, round(window / dt)) if window else 0,
-        snapshots=_steps_of(record.snapshots_s, dt),
-        stress_edges=edges,
-        rest=rest_of(scene),
-    )
+    window = record.wall_force_window_s or (scene.march.limit_s / 100.0 if record.energy else None)
+    return {"events": events_of(scene), "window": _window(window, model), "stress_edges": edges}
 
 
-def _steps_of(times: tuple[float, ...], dt: float) -> tuple[int, ...]:
+def _of_spheres(scene: SphereScene, model: Model) -> dict[str, Any]:
+    """Events, window and rain of a scene of spheres."""
+    space = space_silo_of(scene)
+    rain = rain_of(scene, space, model.radius) if FILLINGS[scene.filling.kind].rains else None
+    return {"events": sphere_events(scene, space), "window": _window(scene.record.wall_force_window_s, model), "rain": rain}
+
+
+def _window(length: float | None, model: Model) -> int:
+    """Steps of a window of wall forces; 0: none are kept."""
+    return max(1, round(length / model.dt)) if length else 0
+
+
+def _steps_of(scene: AnyScene, dt: float) -> tuple[int, ...]:
     """Steps at which snapshots are taken; BadInput for two in one step."""
+    times, every = scene.record.snapshots_s, scene.record.snapshots_every_s
     steps = [round(time / dt) for time in times]
     for number, step in enumerate(steps):
         if step in steps[:number]:
             raise BadInput("record.snapshots_s", times[number], f"falls into the same step of {dt:.3g} s as another")
-    return tuple(steps)
+    further = range(0, round(scene.march.limit_s / dt) + 1, max(1, round(every / dt))) if every else ()
+    return tuple(dict.fromkeys([*steps, *further]))
 
 
-def carry_through(run: Run, scene: DemScene, checkpoint: Path | None, tell: Callable[[int], None]) -> None:
+def carry_through(run: Run, scene: AnyScene, checkpoint: Path | None, tell: Callable[[int], None]) -> None:
     """Run to the end, saving checkpoints as the scene asks; goes on from the checkpoint where there is one.
 
     The last one stays: whoever has written the result takes it away.

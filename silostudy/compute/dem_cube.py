@@ -4,7 +4,10 @@ import numpy as np
 import xarray as xr
 
 from silostudy.choice.promise import Choice, promises
+from silostudy.compute.sphere_cube import sphere_arrays, sphere_notes
 from silostudy.config.dem import DemScene
+from silostudy.config.grain_scenes import AnyScene
+from silostudy.config.spheres import SphereScene
 from silostudy.cube.assemble import assemble
 from silostudy.dem.integrate import INTEGRATORS
 from silostudy.dem.ledger import ENTRIES
@@ -14,14 +17,11 @@ from silostudy.dem.run import Run
 WAYS = ("x", "y")  # components of the stress
 
 
-def cube_of(run: Run, scene: DemScene, choice: Choice | None = None) -> xr.Dataset:
+def cube_of(run: Run, scene: AnyScene, choice: Choice | None = None) -> xr.Dataset:
     """The cube of everything that a run recorded; choice: that of its settings, where the scene asked for an accuracy."""
-    model = run.engine.model
-    data = {"disc": np.arange(len(model.x)), "disc_radius": np.array(model.radius), "disc_mass": model.mass}
-    data |= _windows(run) | _snapshots(run)
-    record = run.recording
-    last = np.flatnonzero(np.diff(record.discharge_time, append=np.inf))  # those that leave at one instant count together
-    data |= {"discharge_time": np.array(record.discharge_time)[last], "discharged_mass": np.array(record.discharged)[last]}
+    model, record = run.engine.model, run.recording
+    body = model.space.body
+    data = disc_arrays(run) if isinstance(scene, DemScene) else sphere_arrays(run)
     data |= {
         "event_time": np.array([time for time, _, _ in record.happened], float),
         "event_action": np.array([f"{trigger}: {action}" for _, trigger, action in record.happened], dtype=str),
@@ -32,12 +32,26 @@ def cube_of(run: Run, scene: DemScene, choice: Choice | None = None) -> xr.Datas
         **scene.own_methods,
         "time_step_s": model.dt,
         "steps": run.engine.step,
-        "discs_left": run.engine.n,
-        **{f"discs_{way}": count for way, count in record.left.items()},
+        f"{body}s_left": run.engine.n,
+        **{f"{body}s_{way}": count for way, count in record.left.items()},
     }
+    if isinstance(scene, SphereScene):
+        notes |= sphere_notes(scene)
     if run.trouble:
         notes["stopped"] = run.trouble
     return assemble(scene, "dem", kept, sources=sources_of(model), notes=notes)
+
+
+def disc_arrays(run: Run) -> dict[str, np.ndarray]:
+    """Arrays by name of a scene of discs."""
+    model, record = run.engine.model, run.recording
+    data = {"disc": np.arange(len(model.x)), "disc_radius": np.array(model.radius), "disc_mass": model.mass}
+    data |= _windows(run) | _snapshots(run)
+    last = np.flatnonzero(np.diff(record.discharge_time, append=np.inf))  # those that leave at one instant count together
+    return data | {
+        "discharge_time": np.array(record.discharge_time)[last],
+        "discharged_mass": np.array(record.discharged)[last],
+    }
 
 
 def sources_of(model: Model) -> list[str]:

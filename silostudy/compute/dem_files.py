@@ -12,6 +12,7 @@ from silostudy.tables.columns import equal_steps, read_columns
 QUAKE = ("time_s", "x_m_s2", "y_m_s2")
 STRONGEST = 1e6  # m s-2: beyond, no acceleration
 GIVEN = ("disc_x", "disc_y", "disc_radius")
+GIVEN_SPHERES = ("grain_x", "grain_y", "grain_z", "grain_radius")
 
 
 def given_discs(file: str, folder: Path) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
@@ -19,32 +20,46 @@ def given_discs(file: str, folder: Path) -> tuple[np.ndarray, np.ndarray, np.nda
 
     Discs that have left an earlier run have no place (NaN in all they have) and are left out.
     """
-    held = opened(folder / file, "packing.file")
-    missing = [name for name in GIVEN if name not in held]
-    if missing:
-        raise BadInput("packing.file", file, f"must hold {', '.join(GIVEN)}; {', '.join(missing)} is missing")
-    x, y, radius = (_metres(held[name], file) for name in GIVEN)
-    radius = np.full_like(x, radius) if radius.ndim == 0 else radius
-    if not x.shape == y.shape == radius.shape or x.ndim != 1:
-        raise BadInput("packing.file", file, f"must have an x, y and radius a disc, not {x.shape}, {y.shape}, {radius.shape}")
-    left = ~(np.isnan(x) & np.isnan(y))
-    x, y, radius = x[left], y[left], radius[left]
-    wrong = np.flatnonzero(~(np.isfinite(x) & np.isfinite(y) & np.isfinite(radius) & (radius > 0)))
-    if len(wrong) or not len(x):
-        first = np.flatnonzero(left)[wrong[0]] if len(wrong) else None
-        told = "holds no disc" if first is None else f"disc {first} must have finite places and a positive finite radius"
-        raise BadInput("packing.file", file, told)
+    x, y, radius = _given(file, folder, "packing.file", GIVEN, "disc")
     return place(x=x, y=y, radius=radius)
 
 
-def _metres(variable, file: str) -> np.ndarray:
+def given_spheres(file: str, folder: Path) -> tuple[np.ndarray, np.ndarray]:
+    """Places (n, 3) and radii (m) of the spheres in a netCDF file, those of its last snapshot, as of discs."""
+    *places, radius = _given(file, folder, "filling.file", GIVEN_SPHERES, "sphere")
+    return np.column_stack(places), radius
+
+
+def _given(file: str, folder: Path, key: str, names: tuple[str, ...], body: str) -> list[np.ndarray]:
+    """The named places (m) of bodies in a file and, as the last of them, their radii."""
+    held = opened(folder / file, key)
+    missing = [name for name in names if name not in held]
+    if missing:
+        raise BadInput(key, file, f"must hold {', '.join(names)}; {', '.join(missing)} is missing")
+    *places, radius = (_metres(held[name], file, key) for name in names)
+    radius = np.full_like(places[0], radius) if radius.ndim == 0 else radius
+    shapes = [column.shape for column in (*places, radius)]
+    if len(set(shapes)) > 1 or places[0].ndim != 1:
+        ways = ", ".join(name.rpartition("_")[2] for name in names[:-1])
+        raise BadInput(key, file, f"must have an {ways} and radius a {body}, not {', '.join(map(str, shapes))}")
+    left = ~np.isnan(places).all(axis=0)
+    columns = [column[left] for column in (*places, radius)]
+    wrong = np.flatnonzero(~(np.isfinite(columns).all(axis=0) & (columns[-1] > 0)))
+    if len(wrong) or not len(columns[0]):
+        first = np.flatnonzero(left)[wrong[0]] if len(wrong) else None
+        told = f"holds no {body}" if first is None else f"{body} {first} must have finite places and a positive finite radius"
+        raise BadInput(key, file, told)
+    return columns
+
+
+def _metres(variable, file: str, key: str) -> np.ndarray:
     """The values of a length, of the last snapshot where there are several."""
     unit = variable.attrs.get("units", "m")
     if unit not in ("m", "metre", "meter", "metres", "meters"):
-        raise BadInput("packing.file", file, f"{variable.name} must be in m, and the file says {unit}")
+        raise BadInput(key, file, f"{variable.name} must be in m, and the file says {unit}")
     last = {"snapshot": -1} if variable.sizes.get("snapshot") else {}
     if variable.dtype.kind not in "fiu":
-        raise BadInput("packing.file", file, f"{variable.name} must hold numbers, not {variable.dtype}")
+        raise BadInput(key, file, f"{variable.name} must hold numbers, not {variable.dtype}")
     return variable.isel(last).to_numpy().astype(float)
 
 

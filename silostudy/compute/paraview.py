@@ -1,4 +1,4 @@
-"""Snapshots for ParaView: discs as points with radius and velocity, contacts as lines with force, written by meshio."""
+"""Snapshots for ParaView: grains as points with radius and velocity, contacts as lines with force, written by meshio."""
 
 from pathlib import Path
 
@@ -10,38 +10,42 @@ from silostudy.files import replacing
 
 
 def export(run: Run, folder: Path) -> list[Path]:
-    """Two files a snapshot in the folder, NNN-discs.vtu and NNN-forces.vtu; gives their names."""
+    """Two files a snapshot in the folder, NNN-discs.vtu or NNN-spheres.vtu, and NNN-forces.vtu; gives their names."""
+    space = run.engine.space
     written = []
     for k, snapshot in enumerate(run.recording.snapshots):
-        written.append(_write(folder / f"{k:03d}-discs.vtu", discs_mesh(run, snapshot)))
-        written.append(_write(folder / f"{k:03d}-forces.vtu", forces_mesh(snapshot)))
+        written.append(_write(folder / f"{k:03d}-{space.body}s.vtu", grains_mesh(run, snapshot)))
+        written.append(_write(folder / f"{k:03d}-forces.vtu", forces_mesh(snapshot, space.ways)))
     return written
 
 
-def discs_mesh(run: Run, snapshot: dict) -> meshio.Mesh:
-    """A vertex a disc: radius (m), velocity (m/s), spin (rad/s), label."""
-    motion, label = snapshot["motion"], snapshot["label"]
-    flat = np.zeros(len(label))
+def solid(vectors: np.ndarray) -> np.ndarray:
+    """Vectors (n, d) as (n, 3): those of the plane lie at a height of zero."""
+    return np.column_stack([vectors, np.zeros((len(vectors), 3 - vectors.shape[1]))])
+
+
+def grains_mesh(run: Run, snapshot: dict) -> meshio.Mesh:
+    """A vertex a grain: radius (m), velocity (m/s), spin (rad/s), label."""
+    motion, label, space = snapshot["motion"], snapshot["label"], run.engine.space
     return meshio.Mesh(
-        np.column_stack([motion[:, :2], flat]),
+        solid(motion[:, space.place]),
         [("vertex", np.arange(len(label))[:, None])],
         point_data={
             "radius": np.asarray(run.engine.model.radius)[label],
-            "velocity": np.column_stack([motion[:, 2:4], flat]),
-            "spin": motion[:, 4],
+            "velocity": solid(motion[:, space.velocity]),
+            "spin": motion[:, space.spin].squeeze(),
             "label": label,
         },
     )
 
 
-def forces_mesh(snapshot: dict) -> meshio.Mesh:
-    """A line a contact between discs, from centre to centre: the force (N/m) on its first disc."""
-    place = dict(zip(snapshot["label"].tolist(), snapshot["motion"][:, :2], strict=True))
+def forces_mesh(snapshot: dict, ways: int) -> meshio.Mesh:
+    """A line a contact between grains, from centre to centre: the force (N/m, N) on its first grain."""
+    place = dict(zip(snapshot["label"].tolist(), snapshot["motion"][:, :ways], strict=True))
     pairs = snapshot["pairs"]
-    ends = np.array([[place[int(a)], place[int(b)]] for a, b in pairs[:, :2]]).reshape(-1, 2)
+    ends = np.array([[place[int(a)], place[int(b)]] for a, b in pairs[:, :2]]).reshape(-1, ways)
     lines = np.arange(len(ends)).reshape(-1, 2)
-    force = np.column_stack([pairs[:, 4:6], np.zeros(len(pairs))])
-    return meshio.Mesh(np.column_stack([ends, np.zeros(len(ends))]), [("line", lines)], cell_data={"force": [force]})
+    return meshio.Mesh(solid(ends), [("line", lines)], cell_data={"force": [solid(pairs[:, 2 + ways :])]})
 
 
 def _write(path: Path, mesh: meshio.Mesh) -> Path:

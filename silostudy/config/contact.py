@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 from functools import cache
-from typing import Any, Literal, Self, TypeAlias
+from typing import Any, ClassVar, Literal, Self, TypeAlias
 
 from pydantic import (
     BaseModel,
@@ -57,16 +57,54 @@ def own_fields(coefficients: tuple[Coefficient, ...]) -> type[BaseModel]:
     return create_model("OwnFields", __base__=Strict, **fields)
 
 
-def _with_own_fields(schema: dict[str, Any]) -> None:
+def _with_own_fields(schema: dict[str, Any], model: Any) -> None:
     """For editors: the fields of the package's laws; any other number may be one of a user's own law."""
-    schema["properties"] |= own_fields(own_coefficients(LAWS)).model_json_schema()["properties"]
+    schema["properties"] |= own_fields(own_coefficients(model.choices)).model_json_schema()["properties"]
     schema["additionalProperties"] = {"type": "number"}
 
 
-class ContactConfig(Strict):
-    """How two bodies push each other: a law of each family and its coefficients, per metre thickness."""
+class LawsConfig(Strict):
+    """A law of each family, whose own fields join the section."""
 
     model_config = ConfigDict(extra="allow", json_schema_extra=_with_own_fields)
+
+    choices: ClassVar[Mapping[str, Family]] = LAWS
+    normal: str
+    tangential: str
+    rolling: str
+    cohesion: str
+    _families: Families = PrivateAttr(default_factory=dict)
+
+    @property
+    def laws(self) -> dict[str, Any]:
+        """The laws by the names of their families here."""
+        return {name: self._families.get(family.name, family)[getattr(self, name)] for name, family in self.choices.items()}
+
+    @property
+    def _own(self) -> tuple[Coefficient, ...]:
+        return own_coefficients({name: self._families.get(family.name, family) for name, family in self.choices.items()})
+
+    @model_validator(mode="after")
+    def _fields_of_laws(self, info: ValidationInfo) -> Self:
+        self._families = families_of(info)
+        extra: dict[str, Any] = self.__pydantic_extra__  # type: ignore[assignment]  # a dict, extras being allowed
+        checked = own_fields(self._own).model_validate(extra).model_dump()
+        extra.clear()
+        extra.update(checked)
+        return self
+
+    @model_serializer(mode="wrap")
+    def _own_defaults_left_out(self, handler, info: SerializationInfo) -> dict[str, Any]:
+        """Fields of laws count as fields where only what differs from the defaults is asked for."""
+        content = handler(self)
+        if info.exclude_defaults:
+            unchanged = [one.field for one in self._own if content.get(one.field, one.default) == one.default]
+            content = {name: value for name, value in content.items() if name not in unchanged}
+        return content
+
+
+class ContactConfig(LawsConfig):
+    """How two bodies push each other: a law of each family and its coefficients, per metre thickness."""
 
     normal: NormalKey = described("law of the normal force", "", default=DEFAULTS["normal"])
     tangential: TangentialKey = described("law of the tangential force", "", default=DEFAULTS["tangential"])
@@ -93,25 +131,6 @@ class ContactConfig(Strict):
     )
     stiffness_ratio: float = described("s, tangential over normal stiffness; dashpots have its root", ge=0, default=0.25)
     sliding_friction: float = described("friction coefficient", ge=0, default=0.0)
-    _families: Families = PrivateAttr(default_factory=dict)
-
-    @property
-    def laws(self) -> dict[str, Any]:
-        """The laws by the names of their families here."""
-        return {name: self._families.get(family.name, family)[getattr(self, name)] for name, family in LAWS.items()}
-
-    @property
-    def _own(self) -> tuple[Coefficient, ...]:
-        return own_coefficients({name: self._families.get(family.name, family) for name, family in LAWS.items()})
-
-    @model_validator(mode="after")
-    def _fields_of_laws(self, info: ValidationInfo) -> Self:
-        self._families = families_of(info)
-        extra: dict[str, Any] = self.__pydantic_extra__  # type: ignore[assignment]  # a dict, extras being allowed
-        checked = own_fields(self._own).model_validate(extra).model_dump()
-        extra.clear()
-        extra.update(checked)
-        return self
 
     @model_validator(mode="after")
     def _what_the_laws_need(self) -> Self:
@@ -127,12 +146,3 @@ class ContactConfig(Strict):
         if self.restitution is not None and self.laws["normal"].damped is None:
             raise ValueError(f"restitution differs with the speed under the law {self.normal}: give damping_ratio instead")
         return self
-
-    @model_serializer(mode="wrap")
-    def _own_defaults_left_out(self, handler, info: SerializationInfo) -> dict[str, Any]:
-        """Fields of laws count as fields where only what differs from the defaults is asked for."""
-        content = handler(self)
-        if info.exclude_defaults:
-            unchanged = [one.field for one in self._own if content.get(one.field, one.default) == one.default]
-            content = {name: value for name, value in content.items() if name not in unchanged}
-        return content

@@ -1,9 +1,13 @@
 """Small pieces that every configuration model shares: strict frozen models, units, and lists of values."""
 
-from typing import Annotated, Literal
+from functools import reduce
+from operator import or_
+from typing import Annotated, Any, Literal
 
 import numpy as np
-from pydantic import BaseModel, ConfigDict, Field, model_validator
+from pydantic import BaseModel, ConfigDict, Field, create_model, model_validator
+
+from silostudy.catalogue import Family
 
 
 class Strict(BaseModel):
@@ -15,6 +19,19 @@ class Strict(BaseModel):
 def described(text: str, unit: str = "1", **constraints):
     """A field with its description and unit, both in the JSON schema."""
     return Field(description=text, json_schema_extra={"unit": unit}, **constraints)
+
+
+def section_of(row: Any, name: str = "") -> Any:
+    """Model of a section whose `kind` chooses a row of a family, with the fields that the row asks for; name: of the model."""
+    fields: dict[str, Any] = {"kind": (Literal[row.key], described(f"{row.key}: {row.title}", ""))}
+    for one in row.asks:
+        fields[one.name] = one.kind, described(one.text, one.unit, default=one.default, **one.bounds)
+    return create_model(f"{row.key.capitalize()}{name}Config", __base__=Strict, __doc__=f"{row.title}.", **fields)
+
+
+def one_of(family: Family, name: str = "") -> Any:
+    """Type of a section that chooses a row of a family by its `kind`."""
+    return Annotated[reduce(or_, (section_of(row, name) for row in family.values())), Field(discriminator="kind")]
 
 
 class Range(Strict):

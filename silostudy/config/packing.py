@@ -3,8 +3,8 @@
 from typing import ClassVar, Literal, TypeAlias
 
 from silostudy.config.asked import Asked
-from silostudy.config.dem import IntegratorKey
 from silostudy.config.fields import Strict, described
+from silostudy.config.run import IntegratorKey
 from silostudy.config.study import BaseStudy
 from silostudy.contact import DEFAULTS, LAWS
 from silostudy.dem.integrate import PLAIN

@@ -5,8 +5,8 @@ from typing import ClassVar, Literal, Self
 from pydantic import Field, model_validator
 
 from silostudy.config.contact import ContactConfig
-from silostudy.config.dem import IntegratorKey
 from silostudy.config.fields import Strict, described
+from silostudy.config.run import IntegratorKey
 from silostudy.config.study import BaseStudy
 from silostudy.dem.integrate import PLAIN
 

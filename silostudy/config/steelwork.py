@@ -115,6 +115,8 @@ class OwnCombination(Strict):
             raise ValueError("contents empty goes with solids 0, and with no other")
         if (self.earthquake == 0) != (self.side == "none"):
             raise ValueError("an earthquake needs a side, pressed or lifted, and nothing else does")
+        if self.earthquake and self.contents == "empty":
+            raise ValueError("an earthquake shakes the silo with its contents: a seismic study has no demand of the empty one")
         return self
 
 

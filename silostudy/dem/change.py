@@ -1,18 +1,16 @@
 """Changes to a scene between two steps: discs taken out, walls opened, friction changed; histories are carried over."""
 
 from dataclasses import replace
-from math import hypot
 
 import numpy as np
 
 from silostudy.dem.engine import Engine
-from silostudy.dem.lanes import X, Y
 from silostudy.dem.neighbours import LOW, SHIFT
-from silostudy.dem.walls import nearest
+from silostudy.dem.snapshot import from_walls, length
 
 
 def keep_discs(engine: Engine, kept: np.ndarray) -> None:
-    """Drop the discs that are not marked; the others keep their order, so that every sum keeps its own."""
+    """Drop the bodies that are not marked; the others keep their order, so that every sum keeps its own."""
     pairs, near = engine.take_memories()
     number = np.cumsum(kept) - 1
     first, second = pairs.key >> SHIFT, pairs.key & LOW
@@ -29,14 +27,33 @@ def keep_discs(engine: Engine, kept: np.ndarray) -> None:
     engine.give_memories(pairs, near)
 
 
+def add_bodies(engine: Engine, labels: np.ndarray, places: np.ndarray, velocity: tuple[float, ...]) -> None:
+    """Let bodies that waited in, behind all others: at these places (n, d; m), with one velocity (m/s) and no spin."""
+    pairs, near = engine.take_memories()
+    bodies, space, new = engine.bodies, engine.space, slice(engine.n, engine.n + len(labels))
+    rates = (*velocity, *(0.0 for _ in space.spin))
+    bodies.rows[new] = 0.0
+    bodies.rows[new, space.place] = places
+    bodies.rows[new, (*space.velocity, *space.spin)] = rates
+    if len(bodies.held):
+        bodies.held[new, : len(rates)] = rates
+    bodies.label[new] = labels
+    if engine.model.unequal:
+        mass, radius = engine.model.mass[labels], engine.model.radius[labels]
+        bodies.radius[new], bodies.mass[new], bodies.inverse_mass[new] = radius, mass, 1.0 / mass
+        bodies.inverse_inertia[new] = space.inverse_inertia / (mass * radius**2)
+    engine.n += len(labels)
+    engine.give_memories(pairs, near)
+
+
 def swap_walls(engine: Engine, gone: str, come: tuple[str, ...]) -> None:
     """Take a wall away and put others there; contacts that are still in touch with those keep their histories."""
     old, *new = (engine.model.wall_number(name) for name in (gone, *come))
     pairs, near = engine.take_memories()
     disc, wall = near.key >> SHIFT, near.key & LOW
     for k in np.flatnonzero(wall == old):
-        place = engine.bodies.rows[disc[k], [X, Y]]
-        nearer = [hypot(*nearest(engine.walls.shape, q, *place)[:2]) for q in new]
+        place = engine.bodies.rows[disc[k], engine.space.place]
+        nearer = length(from_walls(engine, np.array(new), np.broadcast_to(place, (len(new), len(place)))))
         wall[k] = new[int(np.argmin(nearer))] if new else old
     stay = wall != old
     key = (disc << SHIFT | wall)[stay]

@@ -29,6 +29,7 @@ def checkpoint(engine: Engine) -> dict[str, np.ndarray]:
 
 def restore(engine: Engine, saved: dict[str, np.ndarray]) -> None:
     """Go on from a checkpoint of the same model."""
+    engine.n = engine.most  # those that wait count, for they may have come in by then
     kept = np.isin(engine.labels, saved["label"])
     keep_discs(engine, kept)
     engine.clock[0] = int(saved["step"])

@@ -33,6 +33,16 @@ class Dimension:
     note_walls: Callable  # what walls feel
     walls_of: Callable  # the walls of a model as arrays
     cell_count: Callable  # how many cells the walls of a model have
+    extents: Callable  # walls -> of each the corners (n, d) of a box around it, m
+    beside: Callable  # (walls, places) -> which places stand beside what the walls surround
+    densest: Callable  # -> places (n, d) of the densest packing about the origin, in radii
+    all_from_wall: Callable  # (walls, wall, places) -> vectors (n, d; m) from a wall's nearest points to places
+    tangents: (
+        Callable  # normals (n, d) -> of each direction across them: unit vectors, and the turns of a spin that moves along
+    )
+    passed_for: Callable  # rows -> steps for which each body has been below the outlet
+    nearest: Callable  # (walls, wall, *place) -> vector (m) from a wall's nearest point to a place, then what else it finds
+    force_of: Callable  # (lanes of force, k) -> force on the first body
     facing: Callable  # (lanes, k) -> normal, distance (m)
     reduced: Callable  # flat -> (lanes, k, a, b) -> reduced radius (m)
     rates: Callable  # unequal -> (lanes, k, normal, a, b, depth, flat) -> closing, sliding (m/s), difference of spins (1/s)
@@ -47,6 +57,11 @@ class Dimension:
 
     def __repr__(self) -> str:
         return self.key  # the same in every process: kept kernels are named by it
+
+    @property
+    def ways(self) -> int:
+        """Number of directions."""
+        return len(self.place)
 
     @property
     def motion(self) -> int:

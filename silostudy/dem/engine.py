@@ -46,14 +46,17 @@ class Engine:
         if not 0.0 <= skin < 2.0 * model.radius.min():
             raise BadInput("skin", skin, "must be less than the smallest diameter")
         self.model, self.space, self.threads, self.skin = model, model.space, threads, skin
-        self.n = self.most = len(model.radius)
+        self.most = len(model.radius)
+        self.n = self.most - model.waiting
         self.contacts = (model.pair_contact, model.wall_contact)
         self.gravity = model.gravity
         self._quake = model.quake if model.quake is not None else np.zeros((1, len(model.gravity)))
-        label = sweep_order(model.place, model.radius) if sort else np.arange(self.n)
+        label = np.arange(self.most)
+        if sort and self.n:
+            label[: self.n] = sweep_order(model.place[: self.n], model.radius[: self.n])
         self.bodies = self._bodies(label.astype(np.int32))
         self.walls: Walls = self.space.walls_of(model.walls)
-        blocks = self.n // BLOCK + 2
+        blocks = self.most // BLOCK + 2
         self.blocks = Blocks(*np.zeros((5, blocks)))
         self.clock = np.zeros(2 + threads, np.int64)
         self.said = np.full(threads, REMEMBERED)
@@ -74,14 +77,14 @@ class Engine:
 
     def _bodies(self, label: np.ndarray) -> Discs | Spheres:
         model, space, unequal = self.model, self.space, self.model.unequal
-        ghosts = self.threads * (2 + (0 if self.threads == 1 else 1024 + 8 * int(self.n**0.5)))
-        rows = aligned(self.n + ghosts, space.row)
+        ghosts = self.threads * (2 + (0 if self.threads == 1 else 1024 + 8 * int(self.most**0.5)))
+        rows = aligned(self.most + ghosts, space.row)
         for lanes, values in ((space.place, model.place), (space.velocity, model.velocity), (space.spin, model.spin)):
-            rows[: self.n, lanes] = values[label]
+            rows[: self.most, lanes] = values[label]
         radius = model.radius[label] if unequal else model.radius[:1].copy()
         mass = model.mass[label] if unequal else model.mass[:1].copy()
         holds = INTEGRATORS[model.integrator].holds
-        held = aligned(self.n if holds else 0, space.row // 2)
+        held = aligned(self.most if holds else 0, space.row // 2)
         rates = (*space.velocity, *space.spin)
         held[:, : len(rates)] = rows[: len(held), rates]
         return space.bodies(rows, held, radius, mass, 1.0 / mass, space.inverse_inertia / (mass * radius**2), label)

@@ -47,12 +47,14 @@ def balance(account: np.ndarray) -> float:
 
 
 def carry_out(engine, gone: np.ndarray) -> None:
-    """Book the kinetic and potential energy that discs take with them; `gone` marks them among those left."""
-    account, rows, mass = engine.ledger.account, engine.bodies.rows[: engine.n][gone], engine.mass[gone]
-    speed = engine.bodies.held[: engine.n][gone, :3] if len(engine.bodies.held) else rows[:, [U, V, W]]
-    inertia = 0.5 * mass * engine.radius[gone] ** 2
-    kinetic = float((0.5 * mass * (speed[:, 0] ** 2 + speed[:, 1] ** 2) + 0.5 * inertia * speed[:, 2] ** 2).sum())
-    potential = -float((mass * (rows[:, [X, Y]] @ np.asarray(engine.gravity))).sum())
+    """Book the kinetic and potential energy that bodies take with them; `gone` marks them among those left."""
+    account, rows, mass, space = engine.ledger.account, engine.bodies.rows[: engine.n][gone], engine.mass[gone], engine.space
+    lanes = (*space.velocity, *space.spin)
+    speed = engine.bodies.held[: engine.n][gone, : len(lanes)] if len(engine.bodies.held) else rows[:, lanes]
+    moving, turning = (sum(part.T**2) for part in np.split(speed, [space.ways], axis=1))
+    inertia = mass * engine.radius[gone] ** 2 / space.inverse_inertia
+    kinetic = float((0.5 * mass * moving + 0.5 * inertia * turning).sum())
+    potential = -float((mass * (rows[:, space.place] @ np.asarray(engine.gravity))).sum())
     account[CARRIED_OUT] += kinetic + potential
     account[POTENTIAL] -= potential
     account[KINETIC] -= kinetic
@@ -64,10 +66,10 @@ def take_springs(engine, energy: float) -> None:
     engine.ledger.account[ELASTIC] -= energy
 
 
-def change_gravity(engine, gravity: tuple[float, float]) -> None:
-    """Book what another gravity (m/s2) adds to the potential energy of discs where they are."""
+def change_gravity(engine, gravity: tuple[float, ...]) -> None:
+    """Book what another gravity (m/s2) adds to the potential energy of bodies where they are."""
     change = np.subtract(gravity, engine.gravity)
-    work = -float((engine.mass * (engine.bodies.rows[: engine.n, [X, Y]] @ change)).sum())
+    work = -float((engine.mass * (engine.bodies.rows[: engine.n, engine.space.place] @ change)).sum())
     engine.ledger.account[[POTENTIAL, GRAVITY]] += work
 
 

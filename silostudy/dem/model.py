@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
 from math import isfinite, pi
-from typing import ClassVar
+from typing import Any, ClassVar
 
 import numpy as np
 
@@ -91,7 +91,10 @@ class Contact:
 
 @dataclass(frozen=True, eq=False)
 class Model:
-    """Discs (m, m/s, kg/m3), walls, contacts, gravity (m/s2), base acceleration a step (m/s2), integrator and step (s)."""
+    """Discs (m, m/s, kg/m3), walls, contacts, gravity (m/s2), base acceleration a step (m/s2), integrator and step (s).
+
+    waiting: so many of the last are not there at the start; they come in while the model runs.
+    """
 
     space: ClassVar[Dimension] = PLANE
     columns: ClassVar[tuple[str, ...]] = ("x", "y", "radius", "u", "v", "w")
@@ -112,6 +115,7 @@ class Model:
     u: np.ndarray | None = None
     v: np.ndarray | None = None
     w: np.ndarray | None = None
+    waiting: int = 0
 
     def __post_init__(self):
         for name in self.columns:
@@ -155,6 +159,11 @@ class Model:
     def wall_named(self, name: str) -> Wall:
         """The wall of a name."""
         return self.walls[self.wall_number(name)]
+
+    @staticmethod
+    def level_wall(half: float, height: float) -> Any:
+        """A floor of a half width at a height (m)."""
+        return Wall("floor", (-half, height), (half, height))
 
     @property
     def place(self) -> np.ndarray:

@@ -15,7 +15,7 @@ class Part:
     def __init__(self, engine, number: int):
         self.number, self.engine = number, engine
         self.room, self.wall_room = 3 * BLOCK * WIDTH + int(2.7 * engine.most), 64 + engine.most // 16
-        self.ghost_room = 0 if engine.threads == 1 else 1024 + 8 * int(engine.n**0.5)
+        self.ghost_room = 0 if engine.threads == 1 else 1024 + 8 * int(engine.most**0.5)
         self.laws = engine.model.pair_contact.laws, engine.model.wall_contact.laws
         self.memories = self._memory(0, self.laws[0]), self._memory(0, self.laws[1])
         self.counts = np.zeros(5, np.int64)

@@ -3,6 +3,7 @@
 from collections.abc import Callable
 from math import sqrt
 
+import numpy as np
 from numba.extending import register_jitable
 
 from silostudy.dem.arrays import Discs
@@ -31,8 +32,15 @@ from silostudy.dem.lanes import (
     gather,
     scatter,
 )  # fmt: skip
+from silostudy.dem.network import all_from_wall, densest, tangents
 from silostudy.dem.pieces import Laws
-from silostudy.dem.walls import cell_count, gather_walls, note_walls, scatter_walls, walls_of
+from silostudy.dem.walls import beside, cell_count, extents, gather_walls, nearest, note_walls, scatter_walls, walls_of
+
+
+@register_jitable
+def force_of(out, k):
+    """Force (N/m) of a contact on its first body."""
+    return out[FORCE_X, k], out[FORCE_Y, k]
 
 
 @register_jitable
@@ -162,6 +170,11 @@ def pushed(gravity, quake, step):
     return gravity[0] - quake[step, 0], gravity[1] - quake[step, 1]
 
 
+def passed_for(rows: np.ndarray) -> np.ndarray:
+    """Steps for which discs have been below the slit: none are counted."""
+    return np.zeros(len(rows))
+
+
 PLANE = Dimension(
     key="plane",
     body="disc",
@@ -185,6 +198,14 @@ PLANE = Dimension(
     note_walls=note_walls,
     walls_of=walls_of,
     cell_count=cell_count,
+    extents=extents,
+    beside=beside,
+    densest=densest,
+    all_from_wall=all_from_wall,
+    tangents=tangents,
+    passed_for=passed_for,
+    nearest=nearest,
+    force_of=force_of,
     facing=facing,
     reduced=reduced,
     rates=rates,

@@ -9,11 +9,11 @@ from silostudy.dem.change import keep_discs, set_friction, swap_walls
 from silostudy.dem.checkpoint import checkpoint, restore
 from silostudy.dem.engine import Engine, Explosion
 from silostudy.dem.events import Event
-from silostudy.dem.lanes import W
-from silostudy.dem.leaving import DISCHARGED, REMOVED, SPILT, WAYS, below, outside, spilt
+from silostudy.dem.leaving import DISCHARGED, REMOVED, SPILT, WAYS, below, lowest, spilt
 from silostudy.dem.ledger import ENTRIES, carry_out, change_gravity, take_springs
+from silostudy.dem.rain import Rain, pour
 from silostudy.dem.rest import PAPER, Rest
-from silostudy.dem.snapshot import held_energy, pair_contacts, stress, wall_contacts
+from silostudy.dem.snapshot import held_energy, length, pair_contacts, stress, wall_contacts
 from silostudy.errors import BadInput
 
 CHECK_EVERY = 200  # steps between looks at rest, discharge and drop-outs: counted from the start, so chunks do not matter
@@ -30,17 +30,19 @@ class Recording:
     discharged: list[float] = field(default_factory=list)  # kg/m
     left: dict[str, int] = field(default_factory=lambda: dict.fromkeys(WAYS, 0))  # discs that are gone, by their way
     lost: dict[str, float] = field(default_factory=lambda: dict.fromkeys(WAYS, 0.0))  # their mass, kg/m
+    passed: list[tuple[float, float]] = field(default_factory=list)  # s at which a body came below the outlet, and its mass
     snapshots: list[dict[str, np.ndarray]] = field(default_factory=list)
     happened: list[tuple[float, str, str]] = field(default_factory=list)  # time, trigger, action
     explosion: Explosion | None = None
     waiting: Event | None = None  # what the time limit came before
+    buried: str = ""  # what had no room to come in
 
 
 class Run:
     """Carries an engine through events until a stop, or at most to a time limit (s).
 
     window: steps over which wall forces are gathered, snapshots: steps at which contacts are read; both off by default.
-    rest: what the trigger `rest` waits for.
+    rest: what the trigger `rest` waits for, once all bodies are there; rain: how those come in that wait at the start.
     """
 
     def __init__(
@@ -53,21 +55,24 @@ class Run:
         snapshots: tuple[int, ...] = (),
         stress_edges: tuple[np.ndarray, np.ndarray] | None = None,
         rest: Rest = PAPER,
+        rain: Rain | None = None,
     ):
         if not events or events[-1].action != "stop":
             raise BadInput("events", [event.action for event in events], "the last event must be a stop")
         self.engine, self.events, self.window, self.snapshots = engine, events, window, snapshots
-        self.stress_edges, self.rest = stress_edges, rest
+        self.stress_edges, self.rest, self.rain = stress_edges, rest, rain
         self.recording, self.last = Recording(), round(limit / engine.model.dt)
         self.next_event, self.since, self.opened = 0, 0, engine.step
         self.full = float(engine.model.mass.sum())
-        (self.left, self.floor), (self.right, _) = outside(engine.model)
+        self.come, self.came = engine.n, engine.step  # how many bodies have come in, and when the last of them did
+        self.floor = lowest(engine.model)
 
     @property
     def done(self) -> bool:
         """Whether the stop has happened, the time limit came, or a disc ran away."""
         record = self.recording
-        return self.next_event == len(self.events) or record.waiting is not None or record.explosion is not None
+        ended = self.next_event == len(self.events)
+        return ended or record.waiting is not None or record.explosion is not None or bool(record.buried)
 
     @property
     def dropped(self) -> float:
@@ -91,6 +96,7 @@ class Run:
 
     def _begin(self) -> None:
         """A snapshot of the start, where one is asked for, and the events that are due at once."""
+        self._pour()
         if 0 in self.snapshots and not self.recording.snapshots:
             self.recording.snapshots.append(self.snapshot())
         self._act_where_due()
@@ -100,6 +106,8 @@ class Run:
         """Why the run did not come to its stop; empty where it did."""
         if self.recording.explosion is not None:
             return str(self.recording.explosion)
+        if self.recording.buried:
+            return self.recording.buried
         event = self.recording.waiting
         return f"the time limit came before the event `{event}`: {self._standing(event)}" if event else ""
 
@@ -138,6 +146,7 @@ class Run:
             self.recording.snapshots.append(self.snapshot())
         if step % CHECK_EVERY == 0:
             self._drop()
+            self._pour()
         self._act_where_due()
         if step >= self.last and not self.done:
             self.recording.happened.append((self.engine.time, "limit", "stop"))
@@ -152,7 +161,23 @@ class Run:
             return self.engine.step >= self._due()
         if self.engine.step % CHECK_EVERY or not self.engine.step:  # discs that have not moved yet are not at rest
             return False
-        return self.rest.holds(self.engine) if event.trigger == "rest" else self.dropped >= event.value * self.full
+        if event.trigger == "rest":
+            return self.come == self.engine.most and self.rest.holds(self.engine)
+        return self.dropped >= event.value * self.full
+
+    def _pour(self) -> None:
+        """Let those in that are due, as far as they find room; where none does for long, the run ends."""
+        engine, rain = self.engine, self.rain
+        if rain is None or self.come == engine.most:
+            return
+        due = min(engine.most, int(rain.due(engine.time)))
+        came = pour(engine, rain, self.come, due)
+        self.come += came
+        if came or self.come == due:
+            self.came = engine.step
+        elif (engine.step - self.came) * engine.model.dt > rain.patience(engine):
+            body = f"{engine.space.body} {self.come} of {engine.most}"
+            self.recording.buried = f"no room for {body} at the plane that they come in on: what is below it is full"
 
     def _act(self, event: Event) -> None:
         engine, action = self.engine, event.action
@@ -161,7 +186,7 @@ class Run:
         elif action == "remove":
             action = self._remove(event.what)
         elif action == "gravity":
-            gravity = float(event.what[0]), float(event.what[1])
+            gravity = tuple(map(float, event.what))
             change_gravity(engine, gravity)
             engine.gravity = gravity
         elif action == "friction":
@@ -193,13 +218,13 @@ class Run:
         if len(what) == 1:
             found = np.flatnonzero(self.engine.labels == what[0])
             return int(found[0]) if len(found) else None
-        place = self.engine.bodies.rows[: self.engine.n, :2]
-        return int(np.argmin(np.hypot(*(place - np.asarray(what)).T))) if len(place) else None
+        place = self.engine.bodies.rows[: self.engine.n, self.engine.space.place]
+        return int(np.argmin(length(place - np.asarray(what)))) if len(place) else None
 
     def _drop(self) -> None:
         """Count and drop discs wholly below the floor that touch nothing any more."""
         gone = below(self.engine, self.floor)
-        beside = gone & spilt(self.engine, self.left, self.right)
+        beside = gone & spilt(self.engine)
         labels = self.engine.labels.copy()
         for way, which in ((DISCHARGED, labels[gone & ~beside]), (SPILT, labels[beside])):
             if len(which):
@@ -209,11 +234,19 @@ class Run:
         record = self.recording
         record.left[way] += int(gone.sum())
         record.lost[way] += float(self.engine.mass[gone].sum())
+        if way == DISCHARGED:
+            record.passed += self.passing(gone)
         carry_out(self.engine, gone)
         keep_discs(self.engine, ~gone)
         if way == DISCHARGED:
             record.discharge_time.append(self.engine.time)
             record.discharged.append(self.dropped)
+
+    def passing(self, which: np.ndarray) -> list[tuple[float, float]]:
+        """When (s) bodies among those left came below the outlet, each with its mass."""
+        engine = self.engine
+        steps, mass = engine.space.passed_for(engine.bodies.rows[: engine.n]), engine.mass
+        return [((engine.step - steps[i]) * engine.model.dt, float(mass[i])) for i in np.flatnonzero(which & (steps > 0.0))]
 
     def _close_window(self) -> None:
         """Keep the window of wall forces up to now, the last of a run also where it is not full."""
@@ -230,7 +263,7 @@ class Run:
 
     def checkpoint(self) -> dict:
         """Everything that going on depends on: the engine's arrays, where the events stand, and what was recorded."""
-        stand = {name: getattr(self, name) for name in ("next_event", "since", "opened")}
+        stand = {name: getattr(self, name) for name in ("next_event", "since", "opened", "come", "came")}
         return {"engine": checkpoint(self.engine), "stand": stand, "recording": self.recording}
 
     def restore(self, saved: dict) -> None:
@@ -246,7 +279,7 @@ class Run:
         return averaged | {
             "time": np.array(engine.time),
             "label": engine.labels.copy(),
-            "motion": engine.bodies.rows[: engine.n, : W + 1].copy(),
-            "pairs": np.column_stack([*vars(pair_contacts(engine)).values()]),
-            "walls": np.column_stack([*vars(wall_contacts(engine)).values()]),
+            "motion": engine.bodies.rows[: engine.n, : engine.space.motion].copy(),
+            "pairs": pair_contacts(engine).table,
+            "walls": wall_contacts(engine).table,
         }

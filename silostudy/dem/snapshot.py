@@ -2,7 +2,6 @@
 
 from dataclasses import dataclass
 from functools import cache
-from math import hypot
 
 import numpy as np
 from numba import njit
@@ -12,46 +11,52 @@ from silostudy.dem.arrays import aligned
 from silostudy.dem.cache import OPTIONS, named
 from silostudy.dem.dimension import Dimension
 from silostudy.dem.force import force_pass
-from silostudy.dem.lanes import FORCE_X, FORCE_Y, X, Y
 from silostudy.dem.ledger import of_spring
 from silostudy.dem.pieces import Laws
-from silostudy.dem.walls import nearest
 
 
 @dataclass(frozen=True)
 class Contacts:
-    """Touching contacts: labels of the discs (the second may be a wall), place (m), force on the first disc (N/m)."""
+    """Touching contacts: labels of the bodies (the second may be a wall), place (m), force on the first (N/m, N)."""
 
     first: np.ndarray
     second: np.ndarray
-    x: np.ndarray
-    y: np.ndarray
-    fx: np.ndarray
-    fy: np.ndarray
+    place: np.ndarray
+    force: np.ndarray
+
+    @property
+    def table(self) -> np.ndarray:
+        """A row a contact: first, second, place, force."""
+        return np.column_stack([self.first, self.second, self.place, self.force])
 
 
 @cache
 def reader(space: Dimension, laws: Laws, unequal: bool, flat: bool):
     """Compiled function that computes the forces of a list without changing its histories."""
-    forces, stretch = force_pass(space, laws, unequal=unequal, flat=flat), space.stretch
+    forces, force_of, stretch = force_pass(space, laws, unequal=unequal, flat=flat), space.force_of, space.stretch
 
-    def read(rows, contacts, shape, count, lanes, out, stored, rolled, dt, c):
+    def read(rows, contacts, shape, count, lanes, out, found, stored, rolled, dt, c):
         for start in range(0, count, stretch):
             many = min(stretch, count - start)
-            forces(rows, contacts, shape, start, many, lanes, out[:, start:], stored, rolled, dt, c)
+            forces(rows, contacts, shape, start, many, lanes, out, stored, rolled, dt, c)
+            for k in range(many):
+                force = force_of(out, k)
+                for way in range(len(force)):
+                    found[start + k, way] = force[way]
 
     return njit(**OPTIONS)(named(read, repr((space, laws, unequal, flat))))
 
 
 def _forces(engine, laws, contacts, count, flat, c):
-    out = np.zeros((4, count))
-    lanes = aligned(*engine.space.lanes)
-    pieces = engine.model.pieces
+    """Force (count, d) of each contact of a list on its first body."""
+    space, pieces = engine.space, engine.model.pieces
+    found = np.zeros((count, space.ways))
+    lanes, out = aligned(*space.lanes), aligned(*space.forces)
     read = reader(pieces.space, laws, pieces.unequal, flat)
     stored, rolled = contacts.stored[..., :count].copy(), contacts.rolled[..., :count].copy()
     contacts = contacts._replace(twisted=contacts.twisted.copy(), touched=contacts.touched.copy())
-    read(engine.bodies.rows, contacts, engine.walls.shape, count, lanes, out, stored, rolled, engine.model.dt, c)
-    return out
+    read(engine.bodies.rows, contacts, engine.walls.shape, count, lanes, out, found, stored, rolled, engine.model.dt, c)
+    return found
 
 
 def pair_contacts(engine) -> Contacts:
@@ -61,47 +66,54 @@ def pair_contacts(engine) -> Contacts:
     for part in engine.parts:
         last = engine.blocks_of(part)
         count = int(part.pairs.begin[last + 1])
-        out = _forces(engine, engine.model.pair_contact.laws, part.pairs, count, False, engine.contacts[0].ordered)
+        force = _forces(engine, engine.model.pair_contact.laws, part.pairs, count, False, engine.contacts[0].ordered)
         lo, _ = engine.bounds(part.number)
         first, second = (engine.true_number(part, column[:count]) for column in part.pairs[:2])
-        touching = ((out[FORCE_X] != 0.0) | (out[FORCE_Y] != 0.0)) & (first >= lo)
-        columns.append(np.vstack([first, second, out[:2]])[:, touching])
-    first, second, fx, fy = np.hstack(columns)
-    i, j = first.astype(int), second.astype(int)
-    place, radius = engine.bodies.rows[:, [X, Y]], engine.radius
+        touching = force.any(axis=1) & (first >= lo)
+        columns.append((first[touching], second[touching], force[touching]))
+    i, j, force = (np.concatenate(column) for column in zip(*columns, strict=True))
+    place, radius = engine.bodies.rows[:, engine.space.place], engine.radius
     share = (radius[i] / (radius[i] + radius[j]))[:, None]
-    x, y = (place[i] + (place[j] - place[i]) * share).T
-    return Contacts(engine.labels[i], engine.labels[j], x, y, fx, fy)
+    return Contacts(engine.labels[i], engine.labels[j], place[i] + (place[j] - place[i]) * share, force)
 
 
 def wall_contacts(engine) -> Contacts:
-    """Every disc that touches a wall, with the number of the wall."""
+    """Every body that touches a wall, with the number of the wall."""
     engine.list_contacts()
     columns = []
     for part in engine.parts:
         count = int(part.near.begin[0])
-        out = _forces(engine, engine.model.wall_contact.laws, part.near, count, True, engine.contacts[1].ordered)
-        touching = (out[FORCE_X] != 0.0) | (out[FORCE_Y] != 0.0)
-        columns.append(np.vstack([part.near.first[:count], part.near.second[:count], out[:2]])[:, touching])
-    first, second, fx, fy = np.hstack(columns)
-    i, q = first.astype(int), second.astype(int)
-    place = engine.bodies.rows[i][:, [X, Y]]
-    away = np.array([nearest(engine.walls.shape, wall, *xy)[:2] for wall, xy in zip(q, place, strict=True)])
-    x, y = (place - away.reshape(-1, 2)).T
-    return Contacts(engine.labels[i], q, x, y, fx, fy)
+        force = _forces(engine, engine.model.wall_contact.laws, part.near, count, True, engine.contacts[1].ordered)
+        touching = force.any(axis=1)
+        columns.append((part.near.first[:count][touching], part.near.second[:count][touching], force[touching]))
+    i, q, force = (np.concatenate(column) for column in zip(*columns, strict=True))
+    place = engine.bodies.rows[i][:, engine.space.place]
+    return Contacts(engine.labels[i], q, place - from_walls(engine, q, place), force)
+
+
+def from_walls(engine, walls: np.ndarray, places: np.ndarray) -> np.ndarray:
+    """Vector (n, d; m) from the nearest point of each wall to each place."""
+    space, shape = engine.space, engine.walls.shape
+    away = [space.nearest(shape, wall, *place)[: space.ways] for wall, place in zip(walls, places, strict=True)]
+    return np.array(away).reshape(-1, space.ways)
 
 
 def held_energy(engine) -> float:
     """Elastic energy (J/m) of all contacts now, in their springs and in their attraction; of one thread's lists."""
     engine.list_contacts()
     (part,) = engine.parts
-    place, radius = engine.bodies.rows[: engine.n, [X, Y]], engine.radius
+    place, radius = engine.bodies.rows[: engine.n, engine.space.place], engine.radius
     i, j, *histories = _listed(part.pairs, int(part.pairs.begin[engine.blocks_of(part) + 1]), engine.n)
-    overlaps = radius[i] + radius[j] - np.hypot(*(place[i] - place[j]).T)
+    overlaps = radius[i] + radius[j] - length(place[i] - place[j])
     total = _energy(engine.contacts[0], _touches(engine, i, j), overlaps, *histories)
     i, q, *histories = _listed(part.near, int(part.near.begin[0]), engine.n)
-    away = [hypot(*nearest(engine.walls.shape, wall, *xy)[:2]) for wall, xy in zip(q, place[i], strict=True)]
-    return total + _energy(engine.contacts[1], _touches(engine, i), radius[i] - np.array(away), *histories)
+    away = length(from_walls(engine, q, place[i]))
+    return total + _energy(engine.contacts[1], _touches(engine, i), radius[i] - away, *histories)
+
+
+def length(vectors: np.ndarray) -> np.ndarray:
+    """Lengths of vectors (n, d)."""
+    return np.hypot(*vectors.T) if vectors.shape[-1] == 2 else np.linalg.norm(vectors, axis=-1)
 
 
 def _touches(engine, i, j=None) -> list[Touch]:
@@ -141,9 +153,9 @@ def stress(engine, edges_x: np.ndarray, edges_y: np.ndarray) -> np.ndarray:
     """
     pairs, walls = pair_contacts(engine), wall_contacts(engine)
     place = engine.places
-    branch = np.vstack([place[pairs.first] - place[pairs.second], place[walls.first] - np.c_[walls.x, walls.y]])
-    force = np.vstack([np.c_[pairs.fx, pairs.fy], np.c_[walls.fx, walls.fy]])
-    x, y = np.r_[pairs.x, walls.x], np.r_[pairs.y, walls.y]
+    branch = np.vstack([place[pairs.first] - place[pairs.second], place[walls.first] - walls.place])
+    force = np.vstack([pairs.force, walls.force])
+    x, y = np.vstack([pairs.place, walls.place]).T
     area = np.diff(edges_y)[:, None] * np.diff(edges_x)[None, :]
     total = np.empty((len(edges_y) - 1, len(edges_x) - 1, 2, 2))
     for a in range(2):

@@ -17,12 +17,13 @@ from scipy.spatial import cKDTree
 
 from silostudy.contact.family import Touch
 from silostudy.dem.integrate import INTEGRATORS
-from silostudy.dem.model import Contact, Model, Wall
-from silostudy.dem.walls import shape_of
+from silostudy.dem.model import Contact, Model
+from silostudy.dem.snapshot import length
 from silostudy.errors import BadInput
 
 HALVINGS = 50
 SOFTEST = 1e-3  # of the largest stiffness: a slow mode
+REACH = 4.5  # radii: size of the densest packing whose bound is taken
 SAFETY = 0.5  # of the bound, when the engine chooses the step: flow makes contacts that the start does not have
 DENSEST = 0.8  # of the bound of six contacts a disc: the most that a start without contacts will come to
 HOPELESS = 1e-4  # of the step that undamped springs bear with an integrator that keeps their energy
@@ -81,7 +82,7 @@ def chosen_step(model: Model) -> float:
 
 
 def packed_bound(model: Model) -> float:
-    """Longest stable time step (s) of a scene whatever its discs come to: of its start, and of the densest packing."""
+    """Longest stable time step (s) of a scene whatever its bodies come to: of its start, and of the densest packing."""
     return standing(model, min(longest_step(model), longest_step(_densest(model))))
 
 
@@ -100,7 +101,7 @@ def _undamped(model: Model) -> list[str]:
     one = np.array([0])
     return [
         f"{name} {row.key}"
-        for name, contact, other in (("discs", model.pair_contact, one), ("walls", model.wall_contact, None))
+        for name, contact, other in ((f"{model.space.body}s", model.pair_contact, one), ("walls", model.wall_contact, None))
         for row, k, d in zip(
             contact.rows[:3],
             _stiffness(contact, model, one, other, 0.0),
@@ -112,13 +113,13 @@ def _undamped(model: Model) -> list[str]:
 
 
 def _densest(model: Model) -> Model:
-    """The smallest discs of a model in hexagonal order on a floor; larger ones are heavier, or touch fewer of them."""
-    r, (i, j) = float(model.radius.min()), np.mgrid[-3:4, -3:4].reshape(2, -1)
-    x, y = 2.0 * r * (i + 0.5 * j), sqrt(3.0) * r * j
-    near = np.hypot(x, y) < 4.5 * r
-    low = float(y[near].min()) - r
-    walls = (Wall("floor", (-9.0 * r, low), (9.0 * r, low)),)
-    return replace(model, x=x[near], y=y[near], radius=np.full(near.sum(), r), u=None, v=None, w=None, walls=walls)
+    """The smallest bodies of a model in the densest order on a floor; larger ones are heavier, or touch fewer of them."""
+    r, space = float(model.radius.min()), model.space
+    place = r * space.densest()
+    place = place[length(place) < REACH * r]
+    walls = (model.level_wall(2.0 * REACH * r, float(place[:, -1].min()) - r),)
+    columns = dict(zip(model.columns, place.T, strict=False)) | dict.fromkeys(model.columns[space.ways + 1 :])
+    return replace(model, **(columns | {"radius": np.full(len(place), r), "walls": walls, "waiting": 0}))
 
 
 def check_step(model: Model) -> float:
@@ -151,22 +152,24 @@ def _bounded(integrator: str, total: float, incremental: float, damping: float, 
 
 
 def _network(model: Model) -> list[tuple]:
-    """Contacts that are or will be at once: (contact, first, second, nx, ny); second is None for walls."""
-    place = np.c_[model.x, model.y]
+    """Contacts that are or will be at once: (contact, first, second, normals); second is None for walls."""
+    place = model.place
     i, j = cKDTree(place).query_pairs((2.0 + NEAR) * model.radius.max(), output_type="ndarray").reshape(-1, 2).T
     away = place[i] - place[j]
-    distance = np.hypot(*away.T)
+    distance = length(away)
     near = distance < model.radius[i] + model.radius[j] + NEAR * np.minimum(model.radius[i], model.radius[j])
     if not distance.all():
         one = int(np.argmin(distance))
-        raise BadInput("x, y", f"discs {i[one]}, {j[one]}", "stand in the same place")
-    found: list[tuple] = [(model.pair_contact, i[near], j[near], *(away[near] / distance[near, None]).T)]
-    for wall, (x, y, tx, ty, length, *_) in zip(model.walls, shape_of(model.walls), strict=True):
-        along = np.clip((model.x - x) * tx + (model.y - y) * ty, 0.0, length)
-        away = place - np.c_[x + along * tx, y + along * ty]
-        distance = np.hypot(*away.T)
-        disc = np.flatnonzero((distance < (1.0 + NEAR) * model.radius) & (distance > 0.0) & wall.live)
-        found.append((model.wall_contact, disc, None, *(away[disc] / distance[disc, None]).T))
+        raise BadInput(
+            ", ".join(model.columns[: model.space.ways]), f"{model.space.body}s {i[one]}, {j[one]}", "stand in the same place"
+        )
+    found: list[tuple] = [(model.pair_contact, i[near], j[near], away[near] / distance[near, None])]
+    walls = model.space.walls_of(model.walls)
+    for q in np.flatnonzero(walls.live):
+        away = model.space.all_from_wall(walls.shape, q, place)
+        distance = length(away)
+        body = np.flatnonzero((distance < (1.0 + NEAR) * model.radius) & (distance > 0.0))
+        found.append((model.wall_contact, body, None, away[body] / distance[body, None]))
     return found
 
 
@@ -191,34 +194,36 @@ def _extremes(model: Model, network: list[tuple], dt: float) -> Extremes:
 
 def _largest(model: Model, network: list[tuple], lone: list[tuple], strengths) -> float:
     """Largest eigenvalue (1/s2 or 1/s) of the mass-scaled network, or of a lone contact."""
-    n, mass, radius = len(model.x), model.mass, model.radius
-    root = np.sqrt(np.r_[mass, mass, 0.5 * mass * radius**2])
+    n, mass, radius, space = len(model.x), model.mass, model.radius, model.space
+    light = space.inverse_inertia
+    root = np.sqrt(np.r_[np.tile(mass, space.ways), np.tile(mass * radius**2 / light, len(space.spin))])
     blocks, found = [], 0.0
-    for contact, i, j in lone:  # two translations and two rotations of inertia m r^2 / 2 pull at a tangential spring
-        ways = np.array([1.0, 3.0, 2.0 / radius[i[0]] ** 2]) * (1.0 if j is None else 2.0)
+    for contact, i, j in lone:  # two translations and two rotations pull at a tangential spring
+        ways = np.array([1.0, 1.0 + light, light / radius[i[0]] ** 2]) * (1.0 if j is None else 2.0)
         found = max(found, *(ways * np.ravel(strengths(contact, model, i, j)) / mass[i[0]]))
-    for contact, i, j, nx, ny in network:
+    for contact, i, j, normals in network:
         normal, tangential, rolling = np.sqrt(strengths(contact, model, i, j))
-        ones = np.ones(len(i))
-        for strength, tx, ty, arm, other in (
-            (normal, nx, ny, 0.0, 0.0),
-            (tangential, -ny, nx, radius[i], None if j is None else radius[j]),
-            (rolling, 0.0 * nx, 0.0 * ny, ones, -ones),
-        ):
-            row = _rows(strength, i, tx, ty, arm, n)
-            blocks.append(row if j is None else row + _rows(strength, j, -tx, -ty, other, n))
+        still, spins = np.zeros_like(normals), np.zeros((len(i), len(space.spin)))
+        stretches = [(normal, normals, spins, spins)]
+        for along, turn in space.tangents(normals):
+            arms = (of[:, None] * turn for of in (radius[i], radius[i if j is None else j]))
+            stretches += [(tangential, along, *arms), (rolling, still, turn, -turn)]
+        for strength, along, own, other in stretches:
+            row = _rows(strength, i, along, own, n)
+            blocks.append(row if j is None else row + _rows(strength, j, -along, other, n))
     scaled = vstack(blocks).tocsr() @ diags(1.0 / root)
     if scaled.nnz == 0:
         return found
-    start = np.random.default_rng(0).standard_normal(3 * n)  # an even start may be blind to the stiffest mode
+    start = np.random.default_rng(0).standard_normal(len(root))  # an even start may be blind to the stiffest mode
     return max(found, float(eigsh(scaled.T @ scaled, k=1, tol=1e-3, v0=start, return_eigenvectors=False)[0]))
 
 
-def _rows(strength, disc, tx, ty, arm, n):
-    """One row a contact: how the motion of these discs stretches it."""
-    values = np.c_[strength * tx, strength * ty, -strength * arm]
-    columns = np.c_[disc, n + disc, 2 * n + disc]
-    return csr_matrix((values.ravel(), columns.ravel(), 3 * np.arange(len(disc) + 1)), shape=(len(disc), 3 * n))
+def _rows(strength, body, along, turn, n):
+    """One row a contact: how the motion of these bodies along a direction and their turn stretch it."""
+    values = strength[:, None] * np.c_[along, -turn]
+    ways = values.shape[1]
+    columns = body[:, None] + n * np.arange(ways)
+    return csr_matrix((values.ravel(), columns.ravel(), ways * np.arange(len(body) + 1)), shape=(len(body), ways * n))
 
 
 def _stiffness(contact: Contact, model: Model, i, j, dt):
@@ -237,4 +242,4 @@ def _damping(contact: Contact, model: Model, i, j, dt):
 def _touch(model: Model, i, j, dt) -> Touch:
     """Reduced mass and radius of each contact."""
     mass, radius = (of[i] if j is None else 1.0 / (1.0 / of[i] + 1.0 / of[j]) for of in (model.mass, model.radius))
-    return Touch(mass, radius, dt)
+    return Touch(mass, radius, dt, DEEP * float(model.radius.max()))

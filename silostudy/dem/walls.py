@@ -135,6 +135,21 @@ def cell_count(walls) -> int:
     return sum(wall.cells + 2 for wall in walls)
 
 
+def extents(walls) -> list[np.ndarray]:
+    """Both ends (2, 2) of each wall, m."""
+    return [np.array([wall.start, wall.end]) for wall in walls]
+
+
+def beside(walls, places: np.ndarray) -> np.ndarray:
+    """Which places (n, 2; m) are left of all walls, or right of them; none without walls."""
+    ends = np.array([end[0] for wall in walls for end in (wall.start, wall.end)])
+    return (
+        (places[:, 0] < ends.min(initial=np.inf)) | (places[:, 0] > ends.max(initial=-np.inf))
+        if len(ends)
+        else np.zeros(len(places), bool)
+    )
+
+
 def cells_of(walls) -> np.ndarray:
     """First cell and number of inner cells of each wall; the two ends have a cell each, before and after the inner ones."""
     inner = np.array([wall.cells for wall in walls], np.int64)

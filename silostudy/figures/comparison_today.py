@@ -13,9 +13,9 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.patches import Patch
 
+from silostudy.cube.measured import pressures_measured_in
 from silostudy.figures.style import AID, PHASE_LINES, drawn, look, phases_of_its_own, save, silent, title
 from silostudy.figures.uncertainty_bands import distinct_methods
-from silostudy.tables.measured import Measured, measured_silos
 from silostudy.tables.outputs import output_of
 
 (STATIC,) = output_of(__name__).methods
@@ -42,8 +42,8 @@ def draw(cube: xr.Dataset, stem: Path, sampled: xr.Dataset | None = None) -> Non
             tables.append(band)
             _draw_band((left, right), band, phase)
     scatter = [] if sampled is None else _scatter((left, right), cube, sampled, static)
-    for point in _measured_here(cube):
-        left.plot(point.wall_normal_pressure / 1e3, point.depth, "k*", markersize=13, label=f"measured: {point.title}")
+    for point in pressures_measured_in(cube):
+        left.plot(point.value / 1e3, point.depth, "k*", markersize=13, label=f"measured: {point.title}")
     left.set(xlabel="wall normal pressure (kPa)", ylabel="depth z (m)", xlim=(0, None))
     right.set(xlabel="ratio to static Janssen", xlim=_ratios(tables, float(cube["cylinder_depth"])))
     _number_ends(left, tables)
@@ -149,9 +149,3 @@ def _scatter(axes: tuple[Axes, Axes], cube: xr.Dataset, sampled: xr.Dataset, sta
             colour = look(cube, method)["color"]
             panel.plot(ends, [bar, bar], color=colour, linewidth=5, alpha=0.45, solid_capstyle="butt", gid=AID)
     return [table.dropna(subset="upper_kPa") for table in tables]
-
-
-def _measured_here(cube: xr.Dataset) -> list[Measured]:
-    """Measured points of a silo of these very dimensions."""
-    sizes = 4 * float(cube["hydraulic_radius"]), float(cube["cylinder_depth"])
-    return [point for point in measured_silos() if np.allclose((point.diameter, point.height), sizes, rtol=1e-6, atol=0)]

@@ -8,21 +8,26 @@ import numpy as np
 import pandas as pd
 import xarray as xr
 
+from silostudy.cube.measured import deviations, pressures_measured_in
+from silostudy.errors import BadInput
 from silostudy.figures.style import PHASE_LINES, look, save, silent, title
-from silostudy.tables.measured import Measured, measured_silos
+from silostudy.tables.measured import Measured
 
 
 def draw(cube: xr.Dataset, stem: Path) -> None:
     """Writes a pair of panels for each measured silo of the study (curves, deviations) and the deviations as numbers."""
-    found = {place: _points(cube, place) for place in range(cube.sizes["silo"])}
+    found = {place: _points(cube.isel(silo=place)) for place in range(cube.sizes["silo"])}
     places = [place for place, points in found.items() if points]
+    if not places:
+        told = "no silo of the study has the size of a measured one, and depths to the measured one (see `silostudy list`)"
+        raise BadInput("cube", cube.attrs["title"], told)
     figure, axes = plt.subplots(len(places), 2, figsize=(12.5, 6.2 * len(places)), squeeze=False, width_ratios=(1, 1.15))
     tables = []
     for (curves, bars), place in zip(axes, places, strict=True):
         here = cube.isel(silo=place)
         tables.append(_curves(curves, here, found[place]))
         for point in found[place]:
-            tables.append(deviations(here, point))
+            tables.append(_deviations(here, point))
             _bars(bars, tables[-1], point)
     figure.suptitle(cube.attrs["title"])
     handles = [*axes[0, 0].get_legend_handles_labels()[0], *silent(cube)]
@@ -30,31 +35,18 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     save(figure, pd.concat(tables, ignore_index=True), stem)
 
 
-def _points(cube: xr.Dataset, place: int) -> list[Measured]:
-    """The measured points of the silo at a place on the axis, known by its dimensions."""
-    here = cube.isel(silo=place)
-    sizes = 4 * float(here["hydraulic_radius"]), float(here["cylinder_depth"])
-    return [point for point in measured_silos() if np.allclose((point.diameter, point.height), sizes, rtol=1e-6, atol=0)]
+def _points(here: xr.Dataset) -> list[Measured]:
+    """The measured pressures of a silo at depths that the cube reaches."""
+    return [one for one in pressures_measured_in(here) if float(here["depth"].min()) <= one.depth <= float(here["depth"].max())]
 
 
-def deviations(here: xr.Dataset, point: Measured) -> pd.DataFrame:
+def _deviations(here: xr.Dataset, point: Measured) -> pd.DataFrame:
     """Each method's pressure at the measured depth, by how much it is off, and which methods bracket the measurement."""
-    rows = []
-    depth = here["depth"].values
-    for method in map(str, here["pressure_method"].values):
-        for phase in map(str, here["phase"].values):
-            pressure = here["wall_normal_pressure"].sel(pressure_method=method, phase=phase).values
-            computed = float(np.interp(point.depth, depth, pressure))
-            if np.isfinite(computed):
-                rows.append({"shown": "at the measured depth", "silo": point.silo, "pressure_method": method, "phase": phase,
-                             "title": f"{title(here, method)}, {phase}",
-                             "depth_m": point.depth, "measured_kPa": point.wall_normal_pressure / 1e3,
-                             "computed_kPa": computed / 1e3, "off": computed / point.wall_normal_pressure - 1})  # fmt: skip
-    table = pd.DataFrame(rows).sort_values("off", kind="stable", ignore_index=True)
-    same = table[table.phase == point.phase]
-    below, above = same[same.off < 0].off.max(), same[same.off >= 0].off.min()
-    bracket = np.where(table.off == below, "next below", np.where(table.off == above, "next above", ""))
-    return table.assign(bracket=np.where(table.phase == point.phase, bracket, ""), source=f"{point.source}, {point.locator}")
+    found = deviations(here, point, list(map(str, here["pressure_method"].values)))
+    table = found.assign(shown="at the measured depth", depth_m=point.depth, source=f"{point.source}, {point.locator}")
+    table["title"] = [f"{title(here, row.pressure_method)}, {row.phase}" for row in table.itertuples()]
+    table["measured_kPa"], table["computed_kPa"] = table.pop("measured") / 1e3, table.pop("computed") / 1e3
+    return table
 
 
 def _curves(panel, here: xr.Dataset, points: list[Measured]) -> pd.DataFrame:
@@ -72,13 +64,18 @@ def _curves(panel, here: xr.Dataset, points: list[Measured]) -> pd.DataFrame:
                     "markevery": 12,
                 }
                 style |= {"markerfacecolor": "none"} if phase == "filling" else {}
-                table: dict[str, Any] = {"shown": "curve", "silo": points[0].silo, "pressure_method": method, "phase": phase}
+                table: dict[str, Any] = {
+                    "shown": "curve",
+                    "measurement": points[0].measurement,
+                    "pressure_method": method,
+                    "phase": phase,
+                }
                 table |= {"title": f"{title(here, method)}, {phase}"}
                 table |= {"depth_m": here["depth"].values, "computed_kPa": pressure.values / 1e3}
                 tables.append(pd.DataFrame(table).dropna())
                 panel.plot(tables[-1].computed_kPa, tables[-1].depth_m, label=table["title"], **style)
     for point in points:
-        panel.plot(point.wall_normal_pressure / 1e3, point.depth, "k*", markersize=15, label=f"measured in {point.phase}")
+        panel.plot(point.value / 1e3, point.depth, "k*", markersize=15, label=f"measured in {point.phase}")
     panel.set(xlabel="wall normal pressure (kPa)", ylabel="depth z (m)", xlim=(0, None), ylim=(float(here["depth"].max()), 0))
     panel.set_title(points[0].title)
     return pd.concat(tables)
@@ -94,7 +91,7 @@ def _bars(panel, table: pd.DataFrame, point: Measured) -> None:
     panel.set_yticks(np.arange(len(table)), table.title, fontsize=7.5)
     panel.axvline(0, color="black", linewidth=1)
     panel.set(xlabel="computed over measured, less one (%)", xlim=(None, 100 * table.off.max() + 45))
-    against = f"against {point.wall_normal_pressure / 1e3:.1f} kPa at {point.depth:g} m, {point.phase} (blue: same phase)"
+    against = f"against {point.value / 1e3:.1f} kPa at {point.depth:g} m, {point.phase} (blue: same phase)"
     panel.set_title(against)
     panel.text(0.99, 0.04, _brackets(table), transform=panel.transAxes, ha="right", fontsize=8)
     panel.grid(axis="y", visible=False)

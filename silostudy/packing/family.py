@@ -18,7 +18,7 @@ class PackingField:
     text: str
     argument: str = ""
     unit: str = "1"
-    kind: type = float
+    kind: Any = float
     default: Any = ...
     bounds: Mapping[str, float] = field(default_factory=dict)
 

@@ -2,8 +2,13 @@
 
 def shown(name, key):
     """Files of an output, the first of them with its caption in the report."""
-    first, *others = files_of(key, RESULTS / name)
-    row, title = OUTPUTS[key], MODELS[name].title.replace("{", "{\u2060")  # which is not seen, and makes it no wildcard
+    return told(files_of(key, RESULTS / name), name, MODELS[name].title, key)
+
+
+def told(files, name, title, key):
+    """Files of an output, the first of them with its caption in the report."""
+    first, *others = files
+    row, title = OUTPUTS[key], title.replace("{", "{\u2060")  # which is not seen, and makes it no wildcard
     labels = {"output": f"{row.title} ({row.kind})"}
     return [report(first, CAPTIONS[key].absolute(), f"{title} ({name})", labels=labels), *others]
 
@@ -36,6 +41,26 @@ for study in STUDIES:
                     RESULTS / study / f"logs/draw-{stage}.log",
                 shell:
                     command("redraw {params.folder:q} {params.drawings:q}")
+
+
+for scene in SCENES:
+    if outputs := scene_outputs(scene):
+
+        rule:
+            name:
+                name_of_rule("draw_scene", scene)
+            input:
+                RESULTS / "dem" / f"{scene}.nc",
+            output:
+                [file for key, files in outputs.items() for file in told(files, scene, title_of_scene(SCENES[scene]), key)],
+            params:
+                code=stamp("figures/style", *(f"figures/{key}" for key in outputs)),
+                folder=RESULTS / "dem" / scene,
+                drawings=list(outputs),
+            log:
+                RESULTS / "dem/logs" / f"draw-{scene}.log",
+            shell:
+                command("redraw {params.folder:q} {params.drawings:q} --cube {input[0]:q}")
 
 
 if CAPTIONS:

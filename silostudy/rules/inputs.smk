@@ -4,7 +4,7 @@ import hashlib
 from functools import cache
 
 from silostudy.choice.expand import expand_file
-from silostudy.scene.scenes import files_of_scene
+from silostudy.scene.scenes import files_of_scene, outputs_of_scene, title_of_scene
 
 
 def digest(content):
@@ -32,6 +32,11 @@ def study_files(name):
 def scene_files(name):
     """The scene file and the user's own files that it names."""
     return [SCENES[name], *files_of_scene(SCENES[name])]
+
+
+def scene_outputs(name):
+    """Figures that a scene asks for, and the files of each."""
+    return {key: files_of(key, RESULTS / "dem" / name) for key in outputs_of_scene(SCENES[name])}
 
 
 def given(files):

@@ -7,6 +7,7 @@ import numpy as np
 
 from silostudy.config.contact import ContactConfig
 from silostudy.config.dem import BoxConfig, DemScene, EventConfig
+from silostudy.config.grain_scenes import AnyScene
 from silostudy.contact import NO_TANGENTIAL, TANGENTIAL, spring
 from silostudy.contact.family import Given
 from silostudy.dem.events import Event
@@ -89,7 +90,7 @@ def _check_friction(scene: DemScene, what: tuple, key: str, where: str) -> None:
             raise BadInput(f"{key}.{field}", value, f"the tangential law {law.key} takes no friction", where)
 
 
-def rest_of(scene: DemScene) -> Rest:
+def rest_of(scene: AnyScene) -> Rest:
     """The criterion of rest."""
     criterion = REST[scene.rest.criterion]
     return Rest(criterion, criterion.below if scene.rest.below is None else scene.rest.below)
@@ -143,7 +144,7 @@ def check_start(walls: tuple[Wall, ...], x, y, radius, where: str = "") -> None:
         raise BadInput("packing", f"disc {worst}", f"{place}{low:.4g} to {high:.4g} m", where)
 
 
-def _law(name: str, family: str, contacts: dict[str, Contact]) -> Effect:
+def law_effect(name: str, family: str, contacts: dict[str, Contact]) -> Effect:
     """The effect of a family of laws, which discs or walls or both may call for."""
     rows = {where: getattr(contact.laws, family) for where, contact in contacts.items()}
     said = ", ".join(f"{where}.{family}: {row.key}" for where, row in rows.items())
@@ -156,9 +157,9 @@ def effects(scene: DemScene) -> tuple[Effect, ...]:
     uneven = PACKINGS[scene.packing.kind].uneven(scene.packing)
     record = scene.record
     return (
-        _law("friction, rotation, history", "tangential", contacts),
-        _law("rolling resistance", "rolling", contacts),
-        _law("cohesion", "cohesion", contacts),
+        law_effect("friction, rotation, history", "tangential", contacts),
+        law_effect("rolling resistance", "rolling", contacts),
+        law_effect("cohesion", "cohesion", contacts),
         Effect("discs of several sizes", uneven, f"packing.kind: {scene.packing.kind}"),
         Effect("shaking", scene.quake is not None, "quake"),
         Effect("wall forces every step", record.wall_force_window_s is not None, "record.wall_force_window_s"),

@@ -3,6 +3,7 @@
 from dataclasses import replace
 
 from silostudy.config.dem import DemScene
+from silostudy.config.grain_scenes import AnyScene
 from silostudy.dem.model import Model
 from silostudy.dem.stability import chosen_step, packed_bound
 from silostudy.errors import BadInput
@@ -31,10 +32,11 @@ def unshaken_scene_model(scene: DemScene, discs, where: str = "") -> Model:
         dt=scene.march.step_s or 1.0, gravity=scene.gravity_m_s2, integrator=integrator,
         watched=scene.record.wall_force_window_s is not None, booked=scene.record.energy,
     )  # fmt: skip
-    return replace(model, dt=_step(scene, model, where))
+    return replace(model, dt=step_of(scene, model, where))
 
 
-def _step(scene: DemScene, model: Model, where: str) -> float:
+def step_of(scene: AnyScene, model: Model, where: str) -> float:
+    """The time step (s) that a scene asks for, or that is chosen for it; BadInput beyond the stability bound."""
     if scene.march.step_s is None:
         assert scene.march.step_factor is not None, "march.step_factor is not chosen yet"
         return scene.march.step_factor * chosen_step(model)

@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from silostudy.config.dem import DemScene
+from silostudy.config.grain_scenes import AnyScene, scene_class
 from silostudy.config.load import own_validated, read_yaml
 from silostudy.config.scenes import ScenesStudy
 from silostudy.packing import PACKINGS
@@ -26,15 +27,30 @@ class SceneCase:
     @property
     def files(self) -> tuple[Path, ...]:
         """The user's own files that the scene is made from."""
-        config = self.config
-        names = [config.packing.file] if PACKINGS[config.packing.kind].from_file else []
-        data = (self.folder / name for name in [*names, *([config.quake.file] if config.quake else [])])
-        return (*data, *own_files(self.folder, config.methods_from))
+        data = (self.folder / name for name in self.config.named_files)
+        return (*data, *own_files(self.folder, self.config.methods_from))
+
+
+def scene_in(path: Path) -> AnyScene:
+    """The scene in a file as asked; BadInput lists every mistake of it."""
+    content = read_yaml(path)
+    return own_validated(scene_class(content, str(path)), content, str(path), path.parent)
+
+
+def title_of_scene(path: Path) -> str:
+    """Title of the scene in a file."""
+    return scene_in(path).title
+
+
+def outputs_of_scene(path: Path) -> tuple[str, ...]:
+    """Keys of the figures that a scene file asks for."""
+    return getattr(scene_in(path), "outputs", ())
 
 
 def files_of_scene(path: Path) -> tuple[Path, ...]:
     """The user's own files that a scene file names; BadInput lists every mistake of it."""
-    return SceneCase(own_validated(DemScene, read_yaml(path), str(path), path.parent), path.parent).files
+    config = scene_in(path)
+    return (*(path.parent / name for name in config.named_files), *own_files(path.parent, config.methods_from))
 
 
 def scenes_builder(study: ScenesStudy, folder: Path, where: str) -> Callable[[DemScene, dict], SceneCase]:

@@ -7,9 +7,12 @@ faces x: wall_1, wall_2, ...
 
 from dataclasses import dataclass
 
+import numpy as np
+
 from silostudy.dem.space.level import LevelPiece, Outline, Rim
+from silostudy.dem.space.network import all_from_wall
 from silostudy.dem.space.surfaces import CIRCLE, RECTANGLE
-from silostudy.dem.space.walls import FlatPiece, Surface, TurnedLine
+from silostudy.dem.space.walls import FlatPiece, Surface, TurnedLine, walls_of
 from silostudy.scene.silo import Silo
 from silostudy.scene.space_checks import require_surfaces
 
@@ -62,6 +65,34 @@ class SpaceSilo:
         if self.silo.plan == "polygonal":
             return Outline(sides=self.silo.sides, half=(half, half))
         return Outline(sides=int(RECTANGLE), half=(half, self.silo.length / 2 or half))
+
+    def outline(self, height: float) -> Outline:
+        """Outline of the inside at a height (m) above the outlet."""
+        low, high = self.opening, self.plan
+        if self.silo.hopper is None or low is None or height >= self.bottom:
+            return high
+        share = max(height, 0.0) / self.bottom
+        (a, b), (x, y) = (
+            tuple(p + share * (q - p) for p, q in zip(one, other, strict=True))
+            for one, other in ((low.half, high.half), (low.middle, high.middle))
+        )
+        return Outline(sides=high.sides, half=(a, b), middle=(x, y))
+
+    def volume_below(self, height: float) -> float:
+        """Volume (m3) of the inside below a height (m); exact, since areas are squares of the height by pieces."""
+        parts = [(0.0, min(height, self.bottom)), (self.bottom, max(height, self.bottom))]
+        return sum((z1 - z0) / 6 * sum(w * self.outline(z).area for w, z in ((1, z0), (4, (z0 + z1) / 2), (1, z1)))
+                   for z0, z1 in parts)  # fmt: skip
+
+    def room_at(self, places: np.ndarray, radius: np.ndarray | float) -> np.ndarray:
+        """Which places (n, 3; m) are inside and at least a radius (m; one, or each its own) from every surface that stands."""
+        radius = np.broadcast_to(radius, len(places))
+        inside = np.array([self.outline(z).inset(x, y) > 0.0 for x, y, z in places], bool)
+        inside &= (places[:, 2] > 0.0) & (places[:, 2] < self.top)
+        walls = walls_of(self.walls())
+        for wall in np.flatnonzero(walls.live):
+            inside[inside] = np.linalg.norm(all_from_wall(walls.shape, wall, places[inside]), axis=1) >= radius[inside]
+        return inside
 
     @property
     def opening(self) -> Outline | None:

@@ -6,6 +6,7 @@ KIND = Kind(
     key="dem",
     title="one discrete-element scene",
     model="silostudy.config.dem:DemScene",
+    variants=("silostudy.config.spheres:SphereScene",),
     traits="silostudy.choice.dem:dem_traits",
     stages=(
         Stage(

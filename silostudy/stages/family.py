@@ -71,6 +71,7 @@ class Kind(Entry):
 
     model: the configuration; builder(study, folder, where) -> build(configuration, settings) -> scene, frozen; none: the
     file is no study with cases but a single scene
+    variants: further configurations that files of the kind may hold, as one of their keys says
     traits(asking, scenes): what its errors hang on, for a kind that may ask for an accuracy, or whose scenes may
     about: functions of an expansion that give the lines which `silostudy check` says of it; timed: further ones, which
     measure something first
@@ -84,6 +85,7 @@ class Kind(Entry):
     about: tuple[str, ...] = ()
     timed: tuple[str, ...] = ()
     table: str = ""
+    variants: tuple[str, ...] = ()
 
     @cached_property
     def parts(self) -> Parts | None:
@@ -95,6 +97,11 @@ class Kind(Entry):
         """The configuration model of a study file."""
         return resolve_name(self.model)
 
+    @cached_property
+    def models(self) -> tuple[Any, ...]:
+        """All configuration models of its files."""
+        return (self.study, *map(resolve_name, self.variants))
+
     def scene_builder(self, study: Any, folder: Any, where: str) -> Any:
         """The function that builds the scenes of a study."""
         return resolve_name(self.builder)(study, folder, where)
@@ -105,7 +112,7 @@ class Kind(Entry):
 
     def places(self, stage: Stage | None = None) -> tuple[str, ...]:
         """The files and rooms at which the work of a stage begins."""
-        named = (self.model, self.builder, self.traits, *(stage.references if stage else ()))
+        named = (self.model, *self.variants, self.builder, self.traits, *(stage.references if stage else ()))
         files = tuple(place_of(reference) for reference in named if reference)
         chosen = ["choice/settle"] if self.traits else []
         return (*(["choice/expand"] if self.builder else []), *chosen, *files, *(stage.rooms if stage else ()))

@@ -11,6 +11,7 @@ SUFFIXES: dict[str, tuple[str, float]] = {
     "_kN_m3": ("N m-3", 1e3),
     "_N_m3": ("N m-3", 1.0),
     "_kg_m3": ("kg m-3", 1.0),
+    "_kPa_m": ("Pa m-1", 1e3),
     "_kPa": ("Pa", 1e3),
     "_MPa": ("Pa", 1e6),
     "_GPa": ("Pa", 1e9),

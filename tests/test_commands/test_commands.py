@@ -29,12 +29,25 @@ def said(capsys, *arguments, status=0):
 
 @pytest.mark.parametrize(
     ("what", "expected"),
-    [("methods", PRESSURE), ("solids", ["cement", "wheat_benchmark"]), ("walls", ["roughness_5"]), ("outputs", ["fig_4_2_11"])],
+    [
+        ("methods", PRESSURE),
+        ("solids", ["cement", "wheat_benchmark"]),
+        ("walls", ["roughness_5"]),
+        ("outputs", ["fig_4_2_11"]),
+        ("measurements", ["thompson_12_8", "jarrett_corner"]),
+    ],
 )
 def test_list(capsys, what, expected):
     out = said(capsys, "list", what)
     for key in expected:
         assert re.search(rf"^{key} ", out, re.MULTILINE)
+
+
+def test_compare_says_what_was_measured_in_a_silo_of_its_size(capsys):
+    flags = ("--solid", "maize_e1", "--wall", "d3", "--methods", "caquot", "as3774_1996")
+    told = said(capsys, "compare", "--diameter", 11, "--depth", 14, *flags)
+    assert "26.9 kPa at 11.9 m, filling, maize: next below as3774_1996 (-5%); next above caquot (+2%)" in told
+    assert "measured" not in said(capsys, "compare", "--diameter", 11.5, "--depth", 14, *flags)
 
 
 def test_list_studies(capsys):

@@ -38,7 +38,7 @@ def test_a_checkpoint_of_other_files_is_set_aside(changed, tmp_path, capsys):
         assert min(heard) > 100
         assert not said
         return
-    why = {"packing": "another discs", "quake": "another acceleration of the box", "cut short": "cannot be read"}[changed]
+    why = {"packing": "other grains", "quake": "other acceleration of the box", "cut short": "cannot be read"}[changed]
     assert why in said
     assert "starts anew" in said
     assert (tmp_path / "of.checkpoint.old").exists()

@@ -9,11 +9,13 @@ import xarray as xr
 
 from silostudy.accuracy import cube as accuracy
 from silostudy.choice.expand import expand
+from silostudy.compute.dem_cube import cube_of as dem_cube
 from silostudy.config.load import read_yaml
 from silostudy.scene.expand import Expansion
 from silostudy.stages import STAGES, called_for
 from silostudy.tables.outputs import OUTPUTS
 from tests.conftest import ROOT
+from tests.test_spheres.small import run, scene_of
 
 # of two parts, in place of those that take minutes to measure
 PRICES = {
@@ -138,8 +140,30 @@ def cube_of(study: str, stage: str) -> xr.Dataset:
         return row.cube(expansion, _nothing, (*read, *borrowed))
 
 
+@cache
+def bin_cube() -> xr.Dataset:
+    """The cube of a bin of spheres whose run is made up, so that no kernel is compiled: it rests, opens, and flows."""
+    scene = scene_of(filling={"kind": "loose", "count": 120})
+    task, random = run(scene), np.random.default_rng(1)
+    record, model = task.recording, task.engine.model
+    cells = len(task.engine.record.window)
+    for number in range(4):
+        record.window.append(random.uniform(0.01, 0.1, (cells, 3, 1)) * [1.0, 0.5, 2.0])
+        record.window_time.append(0.02 * (number + 1))
+    record.happened = [(0.04, "rest", "open"), (0.08, "after", "stop")]
+    for time in (0.0, 0.04, 0.08):
+        motion = np.column_stack([model.place + np.array([0.0, 0.0, 0.04 - time / 2]), random.uniform(-1, 1, (120, 6))])
+        none = np.empty((0, 8))
+        record.snapshots.append(
+            {"time": np.array(time), "label": np.arange(120), "motion": motion, "pairs": none, "walls": none}
+        )
+    return dem_cube(task, scene)
+
+
 def cubes_of(output: str) -> list[xr.Dataset]:
     """The cubes that an output is drawn from."""
+    if OUTPUTS[output].stage == "dem":
+        return [bin_cube()]
     row, study = OUTPUTS[output], study_of(output)
     also = [stage for stage in row.also if stage in called_for(expansion_of(study).study)]
     return [cube_of(study, stage) for stage in (row.stage, *also)]

@@ -18,7 +18,7 @@ from silostudy.figures import (
     sobol_indices,
     uncertainty_bands,
 )
-from silostudy.tables.measured import measured_silos as measured
+from silostudy.tables.measured import measured_pressures
 from silostudy.tables.outputs import OUTPUTS
 from tests.conftest import ROOT, expanded
 
@@ -92,7 +92,7 @@ def test_the_switch_lies_between_flow_and_initial_field(hopper_bin):
 
 
 def test_comparison_shows_the_band_and_the_measured_point(hopper_bin, tmp_path, kept):
-    point = measured()[0]
+    point = measured_pressures()[0]
     hopper_bin["scene"]["silo"] = {"plan": "circular", "diameter_m": point.diameter, "cylinder_depth_m": point.height}
     hopper_bin |= {"hopper_position": None, "phases": ["filling", "discharge"]}
     cube = pressure_cube(expanded(hopper_bin))
@@ -172,11 +172,11 @@ def test_measured_points_and_what_brackets_them(tmp_path, kept):
     cube = pressure_cube(expand_file(ROOT / "config/studies/measured-silos.yaml"))
     measured_silos.draw(cube, tmp_path / "measured")
     numbers = pd.read_csv(tmp_path / "measured.csv").query("shown == 'at the measured depth'")
-    assert set(numbers.silo) == {"thompson_12_8", "thompson_11_0"}
+    assert set(numbers.measurement) == {"thompson_12_8", "thompson_11_0"}
     assert numbers.off.to_numpy() == pytest.approx(
         (numbers.computed_kPa / numbers.measured_kPa - 1).to_numpy(), rel=1e-5, abs=1e-6
     )
-    for _, group in numbers[numbers.phase == "filling"].groupby("silo"):
+    for _, group in numbers[numbers.phase == "filling"].groupby("measurement"):
         above = group[group.bracket == "next above"]
         assert above.off.min() == group[group.off >= 0].off.min()
         assert len(group[group.bracket == "next below"]) == (group.off < 0).any()

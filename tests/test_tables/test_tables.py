@@ -6,10 +6,14 @@ import pytest
 
 from silostudy.buckling import BUCKLING
 from silostudy.choice import fronts
+from silostudy.compute.load_cases import QUESTIONS
 from silostudy.config.pressure import PressureStudy
+from silostudy.config.shell import ShellStudy
 from silostudy.cube.contract import VARIABLES
 from silostudy.errors import BadInput
 from silostudy.pressure import PRESSURE
+from silostudy.pressure.en1991_4.characteristic import SETS
+from silostudy.tables import load_cases, measured
 from silostudy.tables.asked import ASKED
 from silostudy.tables.clauses import EVIDENCE, STATES, clauses
 from silostudy.tables.handbook import TONNE_PER_M2, errata, table_4_2_5
@@ -26,13 +30,13 @@ HEADER = "solid,grain,unit_weight_kN_m3,internal_friction_angle_deg,wall_frictio
 def test_every_row_of_every_table_has_a_source(path):
     text = {"solid", "method", "parameter", "value", "as_printed", "grain", "wall", "rule", "particle_size", "phase"}
     text |= {"output", "kind", "stage", "axes", "methods", "phases", "rules", "demands"}
-    text |= {"erratum", "place", "printed", "right", "evidence", "silo", "plan"}
+    text |= {"erratum", "place", "printed", "right", "evidence"}
     text |= {"test", "material", "steel", "collapse", "shape", "ring"}
     text |= {"problem", "group", "setting", "quantities", "reference_kind", "reference", "compare"}
     text |= {*fronts.TEXT, "decides"}
     text |= {"record", "package", "file", "claim", "variable", "measure", "trait", "quantity", "unit"}
     text |= {"limit", "methods", "clause", "what", "state", "names", "evidence"}
-    text |= {"combination", "leading", "contents", "side"}
+    text |= {"combination", "leading", "contents", "side", "first", "second", *load_cases.TEXT, *measured.TEXT}
     found = rows(path, text=text)
     assert found
     for row in found:
@@ -153,6 +157,19 @@ def test_clauses_say_their_state_and_what_carries_them(clause):
         assert clause.state == "not computed"
     if clause.state == "off by default":
         assert all(PRESSURE[name].on_request for name in clause.names if name in PRESSURE)
+
+
+@pytest.mark.parametrize("row", load_cases.LOAD_CASES.values(), ids=lambda row: row.key)
+def test_load_cases_say_what_calls_for_them_and_what_carries_them(row):
+    assert row.state in load_cases.STATES
+    assert row.evidence in EVIDENCE
+    assert row.called_for in QUESTIONS
+    assert not set(row.methods) - set(PRESSURE)
+    assert not set(row.sets) - set(SETS)
+    assert bool(row.names) == (row.state == "computed")
+    assert not set(row.names) - {*VARIABLES, *names_of_keys(PressureStudy), *names_of_keys(ShellStudy)}
+    if row.evidence == "memory only":
+        assert row.state == "not computed"
 
 
 def test_what_one_source_has_is_off_by_default():

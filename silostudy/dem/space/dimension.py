@@ -2,14 +2,14 @@
 
 from silostudy.dem.arrays import Spheres
 from silostudy.dem.dimension import Dimension
-from silostudy.dem.space.felt import gather_walls, note_walls, scatter_walls
+from silostudy.dem.space.felt import force_of, gather_walls, note_walls, scatter_walls
 from silostudy.dem.space.lanes import (
     FORCE,
     HISTORIES,
     NEW,
     OLD,
+    PASSED,
     PLACE,
-    SPARE,
     SPIN,
     STRETCH,
     TORQUE,
@@ -18,8 +18,23 @@ from silostudy.dem.space.lanes import (
     gather_rolling,
     scatter,
 )
-from silostudy.dem.space.motion import about, carry, facing, move, pushed, put, rates, reduced, twisting, walk, where
-from silostudy.dem.space.walls import cell_count, walls_of
+from silostudy.dem.space.motion import (
+    about,
+    carry,
+    facing,
+    move,
+    passed_for,
+    pushed,
+    put,
+    rates,
+    reduced,
+    twisting,
+    walk,
+    where,
+)
+from silostudy.dem.space.network import all_from_wall, densest, tangents
+from silostudy.dem.space.surfaces import nearest
+from silostudy.dem.space.walls import beside, cell_count, extents, walls_of
 
 SPACE = Dimension(
     key="space",
@@ -30,7 +45,7 @@ SPACE = Dimension(
     spin=SPIN,
     force=FORCE,
     torque=TORQUE,
-    row=SPARE + 1,
+    row=PASSED + 1,
     inverse_inertia=2.5,
     stretch=STRETCH,
     lanes=(1, (OLD + HISTORIES) * STRETCH),
@@ -44,6 +59,14 @@ SPACE = Dimension(
     note_walls=note_walls,
     walls_of=walls_of,
     cell_count=cell_count,
+    extents=extents,
+    beside=beside,
+    densest=densest,
+    all_from_wall=all_from_wall,
+    tangents=tangents,
+    passed_for=passed_for,
+    nearest=nearest,
+    force_of=force_of,
     facing=facing,
     reduced=reduced,
     rates=rates,

@@ -11,7 +11,8 @@ from numba.extending import intrinsic, overload
 
 from silostudy.dem.vectors import EIGHT, LANE, WIDTH, base_of, in_eights, lane_of, load, mix, plus, row_of, store, transpose
 
-X, Y, Z, U, V, W, P, Q, R, FX, FY, FZ, TX, TY, TZ, SPARE = range(16)  # numbers of a sphere's row
+# numbers of a sphere's row, the last one for how many steps it has been below the outlet
+X, Y, Z, U, V, W, P, Q, R, FX, FY, FZ, TX, TY, TZ, PASSED = range(16)
 PLACE, VELOCITY, SPIN, FORCE, TORQUE = (X, Y, Z), (U, V, W), (P, Q, R), (FX, FY, FZ), (TX, TY, TZ)
 # lanes of relative motion, first less second: place, velocity, sum and difference of spins; curvature of a wall (1/m)
 DX, DY, DZ, DU, DV, DW, SUM_P, SUM_Q, SUM_R, APART_P, APART_Q, APART_R, CURVED = range(13)

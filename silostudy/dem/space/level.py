@@ -1,7 +1,7 @@
 """Level surfaces of a scene of spheres: pieces inside an outline and outside a hole, and the rims of rectangular holes."""
 
 from dataclasses import dataclass
-from math import cos, hypot, pi, sin
+from math import cos, hypot, pi, sin, tan
 
 import numpy as np
 
@@ -59,6 +59,24 @@ class Outline:
             return [(x + a, y - b), (x + a, y + b), (x - a, y + b), (x - a, y - b)]
         wide, part = a / cos(pi / self.sides), 2.0 * pi / self.sides
         return [(x + wide * cos(part * (k - 0.5)), y + wide * sin(part * (k - 0.5))) for k in range(self.sides)]
+
+    @property
+    def area(self) -> float:
+        """Area (m2)."""
+        if self.sides == CIRCLE:
+            return pi * self.half[0] ** 2
+        if self.sides == RECTANGLE:
+            return 4.0 * self.half[0] * self.half[1]
+        return self.sides * self.half[0] ** 2 * tan(pi / self.sides)
+
+    def inset(self, x, y):
+        """How far (m) inside it (x, y) stands, the least over its sides; negative outside."""
+        x, y = x - self.middle[0], y - self.middle[1]
+        if self.sides == CIRCLE:
+            return self.half[0] - np.hypot(x, y)
+        if self.sides == RECTANGLE:
+            return np.minimum(self.half[0] - abs(x), self.half[1] - abs(y))
+        return self.half[0] - np.max([x * a + y * b for a, b in self.normals], axis=0)
 
     def reach(self, way: tuple[float, float]) -> float:
         """Distance (m) from the origin to its farthest point along a unit vector."""

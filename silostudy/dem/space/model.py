@@ -9,7 +9,7 @@ import numpy as np
 from silostudy.dem.dimension import Dimension
 from silostudy.dem.model import Model
 from silostudy.dem.space.dimension import SPACE
-from silostudy.dem.space.walls import Surface
+from silostudy.dem.space.walls import Surface, TurnedLine
 from silostudy.errors import BadInput
 
 
@@ -33,6 +33,11 @@ class SphereModel(Model):
         super().__post_init__()
         if len(self.gravity) != 3:
             raise BadInput("gravity", self.gravity, "must have three components (m/s2)")
+
+    @staticmethod
+    def level_wall(half: float, height: float) -> TurnedLine:
+        """A level disc of a radius at a height (m)."""
+        return TurnedLine(name="floor", start=(0.0, height), end=(half, height))
 
     @property
     def place(self) -> np.ndarray:

@@ -3,6 +3,7 @@
 from collections.abc import Callable
 from math import sqrt
 
+import numpy as np
 from numba.extending import register_jitable
 
 from silostudy.dem.cache import piece
@@ -23,6 +24,7 @@ from silostudy.dem.space.lanes import (
     FZ,
     NEW,
     OLD,
+    PASSED,
     SECOND_X,
     SECOND_Y,
     SECOND_Z,
@@ -44,6 +46,7 @@ from silostudy.dem.space.lanes import (
     take,
 )  # fmt: skip
 
+OUTLET = 0.0  # m: level of the outlet, at which a sphere is counted
 UPRIGHT = 1e-12  # square of the sine below which a history counts as along the normal: the rest is rounding
 
 
@@ -262,10 +265,16 @@ def move(advance: Callable, holds: bool, turns: bool, key: str):
             rows[i, R], hr, _ = advance(rows[i, R], hr, rows[i, TZ] * ii, kick, dt)
         if holds:
             held[i, 0], held[i, 1], held[i, 2], held[i, 3], held[i, 4], held[i, 5] = hu, hv, hw, hp, hq, hr
+        rows[i, PASSED] += 1.0 if rows[i, Z] < OUTLET else 0.0
         rows[i, FX] = rows[i, FY] = rows[i, FZ] = rows[i, TX] = rows[i, TY] = rows[i, TZ] = 0.0
         return dx * dx + dy * dy + dz * dz
 
     return moved
+
+
+def passed_for(rows: np.ndarray) -> np.ndarray:
+    """Steps for which spheres have been below the outlet."""
+    return rows[:, PASSED].copy()
 
 
 @register_jitable

@@ -35,6 +35,11 @@ class Surface:
         if min(self.cells) < 1:
             raise BadInput(f"{self.name}.cells", self.cells, "must be 1 or more each way")
 
+    def covers(self, places: np.ndarray) -> np.ndarray:
+        """Which places (n, 3) stand over or under the box around it."""
+        ends = np.array(self.corners)[:, :2]  # type: ignore[attr-defined]
+        return ((places[:, :2] >= ends.min(axis=0)) & (places[:, :2] <= ends.max(axis=0))).all(axis=1)
+
 
 @dataclass(frozen=True, kw_only=True)
 class TurnedLine(Surface):
@@ -67,6 +72,10 @@ class TurnedLine(Surface):
         row = np.zeros(COLUMNS)
         row[:10] = [TURNED, *self.axis, r0, z0, (r1 - r0) / length, (z1 - z0) / length, length, *ends]
         return row
+
+    def covers(self, places: np.ndarray) -> np.ndarray:
+        """Which places (n, 3) stand over or under its widest circle."""
+        return np.hypot(*(places[:, :2] - self.axis).T) <= max(self.start[0], self.end[0])
 
     @property
     def corners(self) -> np.ndarray:
@@ -124,6 +133,19 @@ def walls_of(surfaces) -> Walls:
         np.array([surface.live for surface in surfaces], bool),
         np.column_stack([np.cumsum(total) - total, counts]).reshape(-1, 3),
     )
+
+
+def extents(surfaces) -> list[np.ndarray]:
+    """Corners (n, 3) of a box around each surface, m."""
+    return [np.array(surface.corners) for surface in surfaces]
+
+
+def beside(surfaces, places: np.ndarray) -> np.ndarray:
+    """Which places (n, 3; m) have no surface above, below or at them."""
+    covered = np.zeros(len(places), bool)
+    for surface in surfaces:
+        covered |= surface.covers(places)
+    return ~covered
 
 
 def cell_count(surfaces) -> int:

@@ -1,0 +1,104 @@
+"""The cube of everything that the run of a scene of spheres recorded."""
+
+import numpy as np
+
+from silostudy.config.spheres import SphereScene
+from silostudy.dem.model import Model
+from silostudy.dem.run import Run
+from silostudy.dem.space.cells import areas, middles, uprightness
+from silostudy.scene.space_silo import LID
+from silostudy.scene.spheres import space_silo_of
+
+FELT = (
+    ("normal", "pressure"),
+    ("shear", "shear_stress"),
+    ("cross", "cross_shear_stress"),
+)  # what a cell feels, and over its area
+MOTION = ("x", "y", "z", "u", "v", "w", "spin_x", "spin_y", "spin_z")
+
+
+def sphere_arrays(run: Run) -> dict[str, np.ndarray]:
+    """Arrays of the cube by name."""
+    model = run.engine.model
+    data = {"grain": np.arange(len(model.x)), "grain_radius": np.array(model.radius), "grain_mass": model.mass}
+    return data | _windows(run) | _snapshots(run) | _meter(run)
+
+
+def sphere_notes(scene: SphereScene) -> dict[str, float]:
+    """Attributes that figures draw the silo by, m."""
+    space = space_silo_of(scene)
+    return {
+        "half_width_m": space.plan.half[0],
+        "outlet_half_width_m": space.opening.half[0] if space.opening else 0.0,
+        "outlet_middle_m": space.opening.middle[0] if space.opening else 0.0,
+        "transition_height_m": space.bottom,
+        "top_height_m": space.top,
+        "hydraulic_radius_m": space.silo.hydraulic_radius,
+        "plan_area_m2": space.silo.area,
+        "gravity_m_s2": -scene.gravity_m_s2[2],
+    }
+
+
+def _meter(run: Run) -> dict[str, np.ndarray]:
+    """When spheres came below the outlet, in order, and the mass up to each; those that have not left yet among them."""
+    passed = sorted([*run.recording.passed, *run.passing(np.ones(run.engine.n, bool))])
+    time, mass = np.array(passed, float).reshape(-1, 2).T
+    last = np.flatnonzero(np.diff(time, append=np.inf))  # those that pass in one step count together
+    return {"outflow_time": time[last], "outflow_mass": np.cumsum(mass)[last]}
+
+
+def _windows(run: Run) -> dict[str, np.ndarray]:
+    """Forces of the cells over windows, their pressures, and the totals of each surface."""
+    record, model = run.recording, run.engine.model
+    if not record.window or not model.watched:
+        return {}
+    force, data = np.array(record.window), _cells(model)
+    for way, (name, stress) in enumerate(FELT):
+        for k, what in enumerate(("mean", "min", "max")):
+            data[f"cell_{name}_force_{what}"] = force[:, :, way, k]
+            data[f"wall_{stress}_{what}"] = force[:, :, way, k] / data["wall_cell_area"]
+    total = np.add.reduceat(force[:, :, :, 0], model.space.walls_of(model.walls).cells[:, 0], axis=1)
+    lean = np.array([uprightness(wall, wall.name == LID) for wall in model.walls])
+    data |= {f"surface_{name}_force": total[:, :, way] for way, (name, _) in enumerate(FELT)}
+    data |= {"surface_load": (total[:, :, :2] * lean).sum(axis=2)}
+    return data | {"surface": np.array([wall.name for wall in model.walls]), "window_time": np.array(record.window_time)}
+
+
+def _cells(model: Model) -> dict[str, np.ndarray]:
+    """Surface, middle, area of each cell, and its angle about the axis."""
+    x, y, z = np.vstack([middles(wall) for wall in model.walls]).T
+    names = [wall.name for wall in model.walls for _ in range(int(np.prod(wall.cells)))]
+    return {
+        "wall_cell": np.arange(len(names)), "wall_name": np.array(names), "wall_cell_x": x, "wall_cell_y": y, "wall_cell_z": z,
+        "wall_cell_turn": np.arctan2(y, x) % (2.0 * np.pi),
+        "wall_cell_area": np.concatenate([areas(wall) for wall in model.walls]),
+    }  # fmt: skip
+
+
+def _snapshots(run: Run) -> dict[str, np.ndarray]:
+    """Places, velocities, spins and contacts of every snapshot, and how deep its deepest overlap is."""
+    found, model = run.recording.snapshots, run.engine.model
+    if not found:
+        return {}
+    motion = np.full((len(found), len(model.x), len(MOTION)), np.nan)
+    for k, snapshot in enumerate(found):
+        motion[k, snapshot["label"]] = snapshot["motion"]
+    tables = [(k, on, snapshot[name]) for k, snapshot in enumerate(found) for on, name in enumerate(("pairs", "walls"))]
+    table, counts = np.vstack([rows for *_, rows in tables]), [len(rows) for *_, rows in tables]
+    data = {f"grain_{name}": motion[:, :, k] for k, name in enumerate(MOTION)}
+    data |= {"snapshot": np.arange(len(found)), "snapshot_time": np.array([float(snapshot["time"]) for snapshot in found])}
+    data |= {"contact_snapshot": np.repeat(np.array([k for k, *_ in tables], np.int32), counts)}
+    data |= {"contact_on_wall": np.repeat(np.array([on for _, on, _ in tables], np.int8), counts)}
+    for k, name in enumerate(("first", "second")):
+        data[f"contact_{name}"] = table[:, k].astype(np.int32)
+    for k, name in enumerate(("x", "y", "z"), start=2):
+        data[f"contact_{name}"], data[f"contact_load_{name}"] = table[:, k], table[:, k + 3]
+    return data | {"deepest_overlap": np.array([_deepest(model, motion[k], snapshot) for k, snapshot in enumerate(found)])}
+
+
+def _deepest(model: Model, motion: np.ndarray, snapshot: dict) -> float:
+    """Deepest overlap of two spheres over the smaller radius (1); 0 where none touch."""
+    i, j = snapshot["pairs"][:, :2].astype(int).T
+    gap = np.linalg.norm(motion[i, :3] - motion[j, :3], axis=1)
+    overlap = (model.radius[i] + model.radius[j] - gap) / np.minimum(model.radius[i], model.radius[j])
+    return float(overlap.max(initial=0.0))

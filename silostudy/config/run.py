@@ -1,0 +1,105 @@
+"""What every discrete-element scene says, whatever its grains are: the march, rest, what events wait for, what is recorded."""
+
+from typing import TYPE_CHECKING, Annotated, Any, Literal, Self, TypeAlias
+
+from pydantic import Field, model_validator
+
+from silostudy.config.fields import Strict, described
+from silostudy.config.own import OwnMethods
+from silostudy.dem.events import TRIGGERS
+from silostudy.dem.integrate import INTEGRATORS, PLAIN
+from silostudy.dem.rest import REST
+
+CriterionKey: TypeAlias = Literal[tuple(REST)]  # type: ignore[valid-type]
+TriggerKey: TypeAlias = Literal[tuple(TRIGGERS)]  # type: ignore[valid-type]
+IntegratorKey: TypeAlias = Literal[tuple(INTEGRATORS)]  # type: ignore[valid-type]
+
+
+class MarchConfig(Strict):
+    """The march in time."""
+
+    integrator: IntegratorKey | None = described(
+        "how velocities and places follow from forces; null: for the accuracy", "", default=PLAIN.key
+    )
+    step_s: float | None = described("time step; null: from the stability bound", "s", gt=0, default=None)
+    step_factor: float | None = described(
+        "time step over the one that the engine chooses where step_s is null; null: for the accuracy", gt=0, le=1, default=1.0
+    )
+    beyond_stability: bool = described("take a step_s beyond the stability bound all the same", "", default=False)
+    limit_s: float = described("time at which the run ends at the latest", "s", gt=0)
+
+
+class RestConfig(Strict):
+    """When the grains count as at rest."""
+
+    criterion: CriterionKey = described(
+        "unbalanced-force: mean force left over on a grain over mean contact force; kinetic-over-potential: kinetic energy "
+        "over the energy that lifts every grain by its radius; displacement: mean displacement of a step over dt^2 g, Kiyama "
+        "and Fujimura's own, which loose grains keep from",
+        "",
+        default="unbalanced-force",
+    )
+    below: float | None = described("what it must come below; null: the criterion's own", gt=0, default=None)
+
+
+class Waiting(Strict):
+    """What an event waits for."""
+
+    when: TriggerKey = described("; ".join(f"{row.key}: {row.title}" for row in TRIGGERS.values()), "")
+    value: float = described("seconds or share that the trigger takes", "", ge=0, default=0.0)
+
+    @model_validator(mode="after")
+    def _as_the_trigger_takes(self) -> Self:
+        if self.value and not TRIGGERS[self.when].takes_value:
+            raise ValueError(f"value must be left out where when is {self.when}")
+        most = TRIGGERS[self.when].most
+        if most is not None and self.value > most:
+            raise ValueError(f"value must be a share, {most:g} or less, where when is {self.when}")
+        return self
+
+
+class Recorded(Strict):
+    """What is recorded of any grains; everything is off unless asked for."""
+
+    wall_force_window_s: float | None = described(
+        "wall forces of every step, as mean, minimum and maximum over windows of this length; the last ends with the run",
+        "s",
+        gt=0,
+        default=None,
+    )
+    snapshots_s: tuple[Annotated[float, Field(ge=0)], ...] = described(
+        "times at which places and force chains are written; 0: the start", "s", default=()
+    )
+    snapshots_every_s: float | None = described("time between further snapshots, from the start on", "s", gt=0, default=None)
+    paraview: bool = described("whether the snapshots are also written for ParaView", "", default=False)
+    checkpoint_every_s: float | None = described("model time between checkpoints", "s", gt=0, default=None)
+
+
+class GrainScene(OwnMethods):
+    """A discrete-element scene."""
+
+    title: str = described("title of the scene", "")
+    march: MarchConfig = described("the march in time", "")
+    rest: RestConfig = described("what `when: rest` waits for", "", default=RestConfig())
+    seed: int = described("seed of the random numbers; beyond 2^53 numbers of a sweep coincide", ge=0, le=2**53, default=0)
+    if TYPE_CHECKING:
+        events: Any  # each kind of grains has its own
+        record: Any
+
+    @model_validator(mode="after")
+    def _recorded_in_time(self) -> Self:
+        limit, window = self.march.limit_s, self.record.wall_force_window_s
+        if window is not None and window > limit:
+            raise ValueError(f"record.wall_force_window_s = {window:g} must not be longer than march.limit_s = {limit:g}")
+        for time in self.record.snapshots_s:
+            if time > limit:
+                raise ValueError(f"record.snapshots_s = {time:g} lies beyond march.limit_s = {limit:g}")
+        if len(set(self.record.snapshots_s)) < len(self.record.snapshots_s):
+            raise ValueError("record.snapshots_s names a time twice")
+        return self
+
+    @model_validator(mode="after")
+    def _ends_with_a_stop(self) -> Self:
+        if self.events[-1].do != "stop":
+            raise ValueError("the last event must be a stop")
+        return self

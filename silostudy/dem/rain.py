@@ -1,0 +1,63 @@
+"""Rain: bodies that come in on a level plane, so many a second, each where it touches nothing."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from silostudy.dem.change import add_bodies
+from silostudy.dem.snapshot import length
+
+TRIES = 60  # spots that are looked at for a body before it waits for the next turn
+WAITS = 5.0  # times that a body needs to fall by its diameter: after so long without room the plane is buried
+
+
+@dataclass(frozen=True)
+class Rain:
+    """rate: bodies a second; velocity: m/s, of those that come; spots(random, radius, count) -> places (count, d) on the plane.
+
+    seed: with the step it gives the spots, so that they are the same wherever a run is cut.
+    """
+
+    rate: float
+    velocity: tuple[float, ...]
+    spots: Callable[[np.random.Generator, float, int], np.ndarray]
+    seed: int = 0
+
+    def due(self, time: float) -> float:
+        """How many bodies should have come at a time (s)."""
+        return 1.0 + self.rate * time
+
+    def patience(self, engine) -> float:
+        """Time (s) without room after which the plane counts as buried."""
+        fall = np.sqrt(4.0 * float(engine.model.radius.max()) / np.hypot.reduce(engine.gravity))
+        return WAITS * float(fall)
+
+
+def pour(engine, rain: Rain, first: int, last: int) -> int:
+    """Let the bodies with labels from first to before last in, in order, as far as there is room; gives how many came."""
+    random = np.random.default_rng([rain.seed, engine.step])
+    radius = engine.model.radius
+    taken, reach = engine.bodies.rows[: engine.n, engine.space.place], engine.radius
+    spots: list[np.ndarray] = []
+    for label in range(first, last):
+        found = _free(rain.spots(random, radius[label], TRIES), radius[label], taken, reach)
+        if found is None:
+            break
+        spots.append(found)
+        taken, reach = np.vstack([taken, found]), np.append(reach, radius[label])
+    if spots:
+        add_bodies(engine, np.arange(first, first + len(spots)), np.array(spots), rain.velocity)
+    return len(spots)
+
+
+def _free(spots: np.ndarray, radius: float, taken: np.ndarray, reach: np.ndarray) -> np.ndarray | None:
+    """The first spot at which a body touches no other; None where there is none."""
+    if not len(spots):
+        return None
+    near = np.abs(taken[:, -1] - spots[0, -1]) < radius + reach
+    taken, reach = taken[near], reach[near]
+    for spot in spots:
+        if (length(taken - spot) >= radius + reach).all():
+            return spot
+    return None

@@ -1,0 +1,134 @@
+"""Cells of surfaces of spheres: their middles (m), areas (m2), and how what they feel stands to the vertical."""
+
+from functools import singledispatch
+from itertools import pairwise
+from typing import Any
+
+import numpy as np
+
+from silostudy.dem.space.level import LevelPiece, Outline, Rim
+from silostudy.dem.space.surfaces import ACROSS, CIRCLE, NORMAL, UPWARD
+from silostudy.dem.space.walls import FlatPiece, TurnedLine
+
+CORNERS = 720  # of the polygon that stands for a circle
+
+
+@singledispatch
+def middles(surface: Any) -> np.ndarray:
+    """Middle (cells, 3; m) of each cell, along by along, in each around."""
+    raise TypeError(type(surface))
+
+
+@middles.register
+def _(surface: TurnedLine) -> np.ndarray:
+    along, around = (middle.ravel() for middle in np.meshgrid(*map(_parts, surface.cells), indexing="ij"))
+    (r0, z0), (r1, z1), turn = surface.start, surface.end, 2.0 * np.pi * around
+    r = r0 + along * (r1 - r0)
+    return np.column_stack([surface.axis[0] + r * np.cos(turn), surface.axis[1] + r * np.sin(turn), z0 + along * (z1 - z0)])
+
+
+@middles.register
+def _(surface: FlatPiece | LevelPiece | Rim) -> np.ndarray:
+    up, across, origin = _plane(surface)
+    along, around = (middle.ravel() for middle in np.meshgrid(*map(_parts, surface.cells), indexing="ij"))
+    return origin + np.outer(up[3] + along * up[4], up[:3]) + np.outer(across[3] + around * across[4], across[:3])
+
+
+@singledispatch
+def areas(surface: Any) -> np.ndarray:
+    """Area (m2) of each cell, as middles are counted; nan for a line, which has none."""
+    return np.full(int(np.prod(surface.cells)), np.nan)
+
+
+@areas.register
+def _(surface: TurnedLine) -> np.ndarray:
+    along, around = surface.cells
+    radius = np.linspace(surface.start[0], surface.end[0], along + 1)
+    length = float(np.hypot(*np.subtract(surface.end, surface.start))) / along
+    return np.repeat(np.pi * (radius[:-1] + radius[1:]) * length / around, around)
+
+
+@areas.register
+def _(surface: FlatPiece) -> np.ndarray:
+    up, across, _ = _plane(surface)
+    corners = np.array(surface.corners)
+    return _in_cells(
+        np.column_stack([corners @ up[:3] - up[3], corners @ across[:3] - across[3]]), up[4], across[4], surface.cells
+    )
+
+
+@areas.register
+def _(surface: LevelPiece) -> np.ndarray:
+    up, across, _ = _plane(surface)
+
+    def within(outline: Outline) -> np.ndarray:
+        corners = polygon(outline)[:, ::-1] - [up[3], across[3]]
+        return _in_cells(corners, up[4], across[4], surface.cells)
+
+    return within(surface.outline) - (within(surface.hole) if surface.hole else 0.0)
+
+
+def uprightness(surface: Any, roof: bool = False) -> tuple[float, float]:
+    """Vertical components (1) of the normal towards the solid, and of the upward direction along the surface; nan of a line."""
+    if isinstance(surface, TurnedLine):
+        (r0, z0), (r1, z1) = surface.start, surface.end
+        length = float(np.hypot(r1 - r0, z1 - z0))
+        return (-1.0 if roof else (r1 - r0) / length), abs(z1 - z0) / length
+    if isinstance(surface, LevelPiece):
+        return (-1.0 if roof else 1.0), 0.0
+    if isinstance(surface, FlatPiece):
+        row = surface.shape
+        return float(row[NORMAL + 2]), float(row[UPWARD + 2])
+    return np.nan, np.nan
+
+
+def polygon(outline: Outline) -> np.ndarray:
+    """Corners (n, 2; m) of an outline, counter-clockwise; of a circle those of a polygon of the same area."""
+    if outline.sides != CIRCLE:
+        return np.array(outline.corners)
+    turn = 2.0 * np.pi * np.arange(CORNERS) / CORNERS
+    wide = outline.half[0] * np.sqrt(2.0 * np.pi / (CORNERS * np.sin(2.0 * np.pi / CORNERS)))
+    return np.column_stack([outline.middle[0] + wide * np.cos(turn), outline.middle[1] + wide * np.sin(turn)])
+
+
+def _parts(count: int) -> np.ndarray:
+    """Middles of equal parts of one."""
+    return (np.arange(count) + 0.5) / count
+
+
+def _plane(surface: FlatPiece | LevelPiece | Rim) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Of a flat surface: unit vector, least coordinate and length (m) upward and across, and its point nearest the origin."""
+    row = surface.shape
+    up, across = row[UPWARD : UPWARD + 5], row[ACROSS : ACROSS + 5]
+    corner = np.array(surface.corners)[0]
+    normal = np.cross(across[:3], up[:3])
+    return up, across, normal * (normal @ corner)
+
+
+def _in_cells(corners: np.ndarray, high: float, wide: float, cells: tuple[int, int]) -> np.ndarray:
+    """Area (m2) of a polygon (n, 2; m) in each of the equal cells of the rectangle of these sides that it stands in."""
+    along, around = (np.linspace(0.0, side, count + 1) for side, count in zip((high, wide), cells, strict=True))
+    found = []
+    for low, top in pairwise(along):
+        strip = _clipped(_clipped(corners, 0, low, 1.0), 0, top, -1.0)
+        found += [_area(_clipped(_clipped(strip, 1, left, 1.0), 1, right, -1.0)) for left, right in pairwise(around)]
+    return np.array(found)
+
+
+def _clipped(corners: np.ndarray, way: int, at: float, sign: float) -> np.ndarray:
+    """What of a polygon lies beyond a line across one of its coordinates: sign 1 above it, -1 below it."""
+    kept = []
+    inside = sign * (corners[:, way] - at) if len(corners) else corners
+    for k in range(len(corners)):
+        here, then = inside[k - 1], inside[k]
+        if (here < 0.0) != (then < 0.0):
+            kept.append(corners[k - 1] + here / (here - then) * (corners[k] - corners[k - 1]))
+        if then >= 0.0:
+            kept.append(corners[k])
+    return np.array(kept).reshape(-1, 2)
+
+
+def _area(corners: np.ndarray) -> float:
+    """Area of a polygon (n, 2)."""
+    a, b = corners, np.roll(corners, -1, axis=0)
+    return 0.5 * abs(float((a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]).sum()))

@@ -1,0 +1,103 @@
+"""A bin of spheres as figures see it: its walls' cells, its phases, the column at rest and Janssen's curve for it."""
+
+from dataclasses import dataclass
+
+import numpy as np
+import pandas as pd
+import xarray as xr
+
+from silostudy.errors import BadInput
+
+WALLS = ("wall", "hopper")  # surfaces whose names begin so are walls
+
+
+def opened_at(cube: xr.Dataset) -> float:
+    """Time (s) at which the outlet opened; endless where it did not."""
+    opens = [
+        time for time, action in zip(cube["event_time"].values, cube["event_action"].values, strict=True) if "open" in action
+    ]
+    return float(min(opens, default=np.inf))
+
+
+def phases(cube: xr.Dataset) -> pd.DataFrame:
+    """A row a wall cell: surface, place, area, and pressure (Pa) at rest, in discharge on average and at most.
+
+    At rest: the last whole window before the outlet opened, or of the run; discharge: all windows that began after.
+    """
+    time, opened = cube["window_time"].values, opened_at(cube)
+    begun = np.append(0.0, time[:-1])
+    rest, flow = np.flatnonzero(time <= opened), np.flatnonzero(begun >= opened)
+    if not len(rest):
+        raise BadInput("record.wall_force_window_s", float(time[0]), "must be short enough for a window at rest")
+    names = cube["wall_name"].values.astype(str)
+    walls = np.flatnonzero([name.startswith(WALLS) for name in names])
+    mean, most, shear = (
+        cube[f"wall_{name}"].values[:, walls] for name in ("pressure_mean", "pressure_max", "shear_stress_mean")
+    )
+    nothing = np.full(len(walls), np.nan)
+    return pd.DataFrame({
+        "surface": names[walls],
+        "height_m": cube["wall_cell_z"].values[walls].round(9),
+        "angle_deg": np.degrees(cube["wall_cell_turn"].values[walls]),
+        "area_m2": cube["wall_cell_area"].values[walls],
+        "pressure_rest_Pa": mean[rest[-1]],
+        "shear_rest_Pa": shear[rest[-1]],
+        "pressure_discharge_Pa": mean[flow].mean(axis=0) if len(flow) else nothing,
+        "peak_discharge_Pa": most[flow].max(axis=0) if len(flow) else nothing,
+    })  # fmt: skip
+
+
+def profile(cells: pd.DataFrame) -> pd.DataFrame:
+    """Means over the angle, weighted by area: a row a height and kind of surface."""
+    kind = cells["surface"].str.split("_").str[0]
+    columns = [name for name in cells.columns if name.endswith("_Pa")]
+    weighted = cells[columns].multiply(cells["area_m2"], axis=0).assign(area=cells["area_m2"])
+    total = weighted.groupby([kind.rename("surface"), cells["height_m"]]).sum(min_count=1)
+    return total[columns].div(total["area"], axis=0).reset_index()
+
+
+@dataclass(frozen=True)
+class Column:
+    """The solid above the transition at rest: height of its level surface (m), unit weight (N/m3), and as they act there
+    wall friction and lateral pressure ratio (1)."""
+
+    surface: float
+    unit_weight: float
+    wall_friction: float
+    lateral_pressure_ratio: float
+
+
+def column(cube: xr.Dataset, cells: pd.DataFrame) -> Column | None:
+    """The column from the spheres of the last snapshot before the outlet opened; None where none stand above the transition.
+
+    Vertical pressure is the weight above a height less the wall's shear, over the plan.
+    """
+    shots = np.flatnonzero(cube["snapshot_time"].values <= opened_at(cube))
+    above = profile(cells[cells["surface"].str.startswith("wall")])
+    if not len(shots) or not len(above):
+        return None
+    low, area, radius = (float(cube.attrs[name]) for name in ("transition_height_m", "plan_area_m2", "hydraulic_radius_m"))
+    z, weight = cube["grain_z"].values[shots[-1]], cube["grain_mass"].values * float(cube.attrs["gravity_m_s2"])
+    there = np.isfinite(z) & (z > low)
+    z, weight = z[there], weight[there]
+    if len(z) < 2:
+        return None
+    inner = z < low + 0.8 * (z.max() - low)
+    unit_weight = weight[inner].sum() / (0.8 * (z.max() - low) * area)
+    surface = low + weight.sum() / (unit_weight * area)
+    touched = above[above["height_m"] < surface]
+    normal, shear = touched["pressure_rest_Pa"].to_numpy(), touched["shear_rest_Pa"].to_numpy()
+    if not len(touched) or not normal.sum() > 0.0:
+        return None
+    step = np.diff(touched["height_m"], append=surface)
+    carried = (shear * step)[::-1].cumsum()[::-1] / radius  # Pa, from the surface down to each cell
+    vertical = unit_weight * (surface - touched["height_m"].to_numpy()) - carried
+    return Column(surface, unit_weight, float(shear.sum() / normal.sum()), float(normal.sum() / vertical.sum()))
+
+
+def janssen(depth: np.ndarray, of: Column, hydraulic_radius: float) -> np.ndarray:
+    """Horizontal wall pressure (Pa) at a depth (m) below the surface of a column; silo_handbook, section 4.2.2 (a)."""
+    if not of.wall_friction > 0.0:
+        return of.lateral_pressure_ratio * of.unit_weight * depth
+    full = of.unit_weight * hydraulic_radius / of.wall_friction
+    return full * -np.expm1(-of.lateral_pressure_ratio * of.wall_friction * depth / hydraulic_radius)

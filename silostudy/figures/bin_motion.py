@@ -1,0 +1,72 @@
+"""A bin of spheres in motion: a slice through its axis, spheres coloured by speed."""
+
+from pathlib import Path
+
+import numpy as np
+import xarray as xr
+from matplotlib.animation import FuncAnimation, PillowWriter
+from matplotlib.axes import Axes
+from matplotlib.collections import EllipseCollection
+
+from silostudy.figures.bin import opened_at
+from silostudy.figures.style import AID, plt
+from silostudy.files import replacing
+
+FRAMES_A_SECOND = 8
+MOST = 60  # frames
+DPI = 80
+FASTEST = 1.0  # m/s: end of the colour scale
+CM = 100.0
+BELOW = 2.0  # cm that are shown below the outlet
+
+
+def draw(cube: xr.Dataset, stem: Path) -> None:
+    """Writes an animated WebP, which browsers play: as many snapshots as MOST, even in time."""
+    shots = np.unique(np.linspace(0, cube.sizes["snapshot"] - 1, min(MOST, cube.sizes["snapshot"])).round().astype(int))
+    half, top = (float(cube.attrs[name]) * CM for name in ("half_width_m", "top_height_m"))
+    figure, panel = plt.subplots(figsize=(3.4, min(7.0, 1.6 + 2.6 * (top + BELOW) / (2.0 * half))))
+    _outline(panel, cube)
+    panel.set(xlabel="across (cm)", ylabel="height above the outlet (cm)", aspect="equal")
+    panel.set(xlim=(-half - 0.5, half + 0.5), ylim=(-BELOW, top))
+    panel.grid(False)
+    shown = panel.add_collection(_slice(cube, shots[-1], panel))
+    figure.colorbar(shown, ax=panel, label="speed of the sphere (m/s)", shrink=0.6)
+    figure.suptitle(str(cube.attrs["title"]), fontsize=9)
+
+    def show(number: int) -> None:
+        nonlocal shown
+        shown.remove()
+        shown = panel.add_collection(_slice(cube, shots[number], panel))
+        time = float(cube["snapshot_time"][shots[number]])
+        panel.set_title(f"t = {time:.2f} s, {'outlet open' if time > opened_at(cube) else 'outlet shut'}", fontsize=8)
+
+    animation = FuncAnimation(figure, show, frames=len(shots), init_func=lambda: None)
+    with replacing(stem.with_suffix(".webp")) as temporary:
+        animation.save(temporary, writer=PillowWriter(fps=FRAMES_A_SECOND), dpi=DPI)
+    plt.close(figure)
+
+
+def _outline(panel: Axes, cube: xr.Dataset) -> None:
+    """Walls and hopper where the slice cuts them (cm)."""
+    half, outlet, aside, low, top = (
+        float(cube.attrs[name]) * CM
+        for name in ("half_width_m", "outlet_half_width_m", "outlet_middle_m", "transition_height_m", "top_height_m")
+    )
+    for side in (-1.0, 1.0):
+        panel.plot([aside + side * outlet, side * half, side * half], [0.0, low, top], color="black", linewidth=1, gid=AID)
+
+
+def _slice(cube: xr.Dataset, shot: int, panel: Axes) -> EllipseCollection:
+    """The spheres that the plane through the axis cuts, as the circles that it cuts them in, those behind first."""
+    one = cube.isel(snapshot=shot)
+    x, y, z, u, v, w = (one[f"grain_{name}"].values for name in "xyzuvw")
+    radius = cube["grain_radius"].values
+    cut = np.flatnonzero(np.abs(y) < radius)
+    size = 2.0 * np.sqrt(radius[cut] ** 2 - y[cut] ** 2) * CM
+    found = EllipseCollection(
+        size, size, np.zeros(len(cut)), units="xy", offsets=np.column_stack([x[cut], z[cut]]) * CM,
+        offset_transform=panel.transData, cmap="YlOrRd", edgecolors="#888888", linewidths=0.3,
+    )  # fmt: skip
+    found.set_array(np.sqrt(u[cut] ** 2 + v[cut] ** 2 + w[cut] ** 2))
+    found.set_clim(0.0, FASTEST)
+    return found

@@ -1,0 +1,130 @@
+"""From the user's units to a scene of spheres in SI: silo, materials, contacts, rain, and events."""
+
+from dataclasses import replace
+from math import isnan, nan
+from typing import Any
+
+import numpy as np
+
+from silostudy.config.spheres import MaterialConfig, SphereEventConfig, SphereScene, TouchConfig
+from silostudy.contact.family import Given
+from silostudy.contact.rolling import spring_slider
+from silostudy.dem.events import Event
+from silostudy.dem.model import Contact
+from silostudy.dem.pieces import Laws
+from silostudy.dem.rain import Rain
+from silostudy.errors import BadInput
+from silostudy.scene.silo_from import silo_of
+from silostudy.scene.space_silo import FLOOR, Outlet, SpaceSilo
+from silostudy.tables.materials import MATERIALS, PAIRS, Material
+
+BELOW_TOP = 1.05  # radii: the plane of the rain below the top of the walls, where a scene does not say
+MPA = 1e6  # Pa
+
+
+def space_silo_of(scene: SphereScene, where: str = "") -> SpaceSilo:
+    """The silo in space; BadInput for one that has no surfaces, or a heap that grains make of themselves."""
+    if scene.silo.heap_at_repose or scene.silo.top_cone_height_m:
+        raise BadInput("silo.top_cone_height_m", scene.silo.top_cone_height_m, "spheres make their heap themselves", where)
+    outlet = Outlet(width=scene.outlet.width_m, length=scene.outlet.length_m) if scene.outlet else None
+    try:
+        return SpaceSilo(silo=silo_of(scene.silo, nan, where, ""), outlet=outlet, wedge=scene.wedge, lid=scene.lid)
+    except BadInput as error:
+        raise BadInput(error.field, error.value, error.allowed, error.where or where) from None
+
+
+def material_of(config: MaterialConfig) -> Material:
+    """The material with the values that replace the table's."""
+    own: dict[str, Any] = {
+        "youngs_modulus": config.youngs_modulus_MPa and config.youngs_modulus_MPa * MPA,
+        "poissons_ratio": config.poissons_ratio,
+        "density": getattr(config, "density_kg_m3", None),
+    }
+    given = {name: value for name, value in own.items() if value is not None}
+    if config.material is None:
+        return Material(key="own", title="as given", source="the scene", locator="the scene", **given)
+    return replace(MATERIALS[config.material], **given)
+
+
+def grain_of(scene: SphereScene, where: str = "") -> Material:
+    """The material that spheres are computed with; BadInput without a density."""
+    grain, soft = material_of(scene.grain), scene.grain.softened_modulus_MPa
+    if isnan(grain.density):
+        raise BadInput("grain.density_kg_m3", None, f"must be given: {grain.title} has none", where)
+    if soft is not None and soft * MPA > grain.youngs_modulus:
+        raise BadInput(
+            "grain.softened_modulus_MPa", soft, f"must not be above the material's {grain.youngs_modulus / MPA:g}", where
+        )
+    return grain if soft is None else replace(grain, youngs_modulus=soft * MPA)
+
+
+def contacts_of(scene: SphereScene, where: str = "") -> tuple[Contact, Contact]:
+    """Contacts between spheres, and of spheres and walls: from the materials and what their pair says."""
+    grain, wall = grain_of(scene, where), material_of(scene.wall)
+    between = frozenset((scene.grain.material, scene.grain.material)), frozenset((scene.grain.material, scene.wall.material))
+    return (
+        _contact(scene.spheres, "spheres", grain, grain, between[0], where),
+        _contact(scene.walls, "walls", grain, wall, between[1], where),
+    )
+
+
+def _contact(config: TouchConfig, section: str, one: Material, other: Material, between: frozenset, where: str) -> Contact:
+    laws, fields, known = config.laws, config.model_dump(), PAIRS.get(between)
+    for name in ("restitution", "sliding_friction"):
+        if fields[name] is None:
+            if known is None:
+                told = f"must be given: no table holds the pair of {one.title} and {other.title}"
+                raise BadInput(f"{section}.{name}", None, told, where)
+            fields[name] = getattr(known, name)
+    rolling = spring_slider.FRICTION.field
+    if known is not None and not fields.get(rolling):
+        fields[rolling] = known.rolling_friction
+    fields["materials"] = tuple((body.youngs_modulus, body.poissons_ratio) for body in (one, other))
+    given = Given(fields, nan, one.density, laws["normal"], section == "walls", True)
+    coefficients: dict[str, float] = {}
+    for law in laws.values():
+        coefficients |= law.prepared(given)
+    return Contact(Laws(**laws), coefficients)
+
+
+def plane_of_rain(scene: SphereScene, space: SpaceSilo, largest: float) -> float:
+    """Height (m) above the outlet of the plane that spheres up to a radius (m) come in on."""
+    return space.top - BELOW_TOP * largest if scene.filling.height_m is None else scene.filling.height_m
+
+
+def rain_of(scene: SphereScene, space: SpaceSilo, radii: np.ndarray) -> Rain:
+    """How spheres of these radii (m) rain in: spots even over the plane, or over a round stream."""
+    filling, height = scene.filling, plane_of_rain(scene, space, float(radii.max()))
+    outline, aside, half = space.outline(height), scene.silo.filling_eccentricity_m, (filling.width_m or 0.0) / 2
+    low, high = outline.box
+
+    def spots(random: np.random.Generator, radius: float, count: int) -> np.ndarray:
+        if filling.width_m is None:
+            x, y = random.uniform(low, high, (count, 2)).T
+        else:
+            x, y = _disc(random, half - radius, count)
+            x = x + aside
+        free = outline.inset(x, y) >= radius
+        return np.column_stack([x, y, np.full(count, height)])[free]
+
+    return Rain(rate=filling.rate_1_s, velocity=(0.0, 0.0, -filling.speed_m_s), spots=spots, seed=scene.seed)
+
+
+def _disc(random: np.random.Generator, radius: float, count: int) -> np.ndarray:
+    """Places (2, count; m), even over a disc about the origin."""
+    turn, off = random.uniform(0.0, 2.0 * np.pi, count), radius * np.sqrt(random.uniform(0.0, 1.0, count))
+    return np.stack([off * np.cos(turn), off * np.sin(turn)])
+
+
+def sphere_events(scene: SphereScene, space: SpaceSilo) -> tuple[Event, ...]:
+    """Events in the engine's words."""
+    return tuple(Event(event.when, event.value, *_action(event, space)) for event in scene.events)
+
+
+def _action(event: SphereEventConfig, space: SpaceSilo) -> tuple[str, tuple]:
+    if event.do == "set_gravity":
+        assert event.gravity_m_s2 is not None  # the model asks for it
+        return "gravity", event.gravity_m_s2
+    if event.do == "set_friction":
+        return "friction", (event.sphere_friction, event.wall_friction)
+    return ("open", (FLOOR, *space.waiting)) if event.do == "open_outlet" else ("stop", ())

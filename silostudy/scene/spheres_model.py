@@ -1,0 +1,117 @@
+"""From a scene of spheres to the engine's model: where the spheres start, what pushes them, and the time step."""
+
+from dataclasses import replace
+
+import numpy as np
+from scipy.spatial import cKDTree
+
+from silostudy.config.spheres import SphereScene
+from silostudy.contact import spring
+from silostudy.dem.space.model import SphereModel
+from silostudy.errors import BadInput
+from silostudy.packing.filling import FILLINGS
+from silostudy.packing.sizes import SIZES
+from silostudy.scene.dem import DEEPEST
+from silostudy.scene.dem_model import step_of
+from silostudy.scene.space_silo import SpaceSilo
+from silostudy.scene.spheres import contacts_of, grain_of, plane_of_rain, space_silo_of
+
+DENSEST = 0.7  # solid fraction that no random packing of nearly equal spheres comes to
+APART = 3.0  # largest radii: between spheres that wait, one above the other over the silo
+FLOWS = 5.0  # largest diameters in an outlet's width: below it arches are to be expected
+
+
+def sphere_model(scene: SphereScene, given: tuple[np.ndarray, np.ndarray] | None, where: str = "") -> SphereModel:
+    """The engine's model; given: places (n, 3) and radii (m) from a file. BadInput for a start or a step that cannot be."""
+    assert scene.march.integrator is not None, "no accuracy is measured that could choose it"
+    space, grain, row = space_silo_of(scene, where), grain_of(scene, where), FILLINGS[scene.filling.kind]
+    check_frictions(scene, where)
+    random = np.random.default_rng(scene.seed)
+    try:
+        places, radii = given or _started(scene, space, random)
+    except BadInput as error:
+        raise BadInput(error.field, error.value, error.allowed, where) from None
+    check_outlet(space, radii, where)
+    if row.rains:
+        check_rain(scene, space, radii, where)
+    else:
+        check_start(space, places, radii, where)
+    contacts, (x, y, z) = contacts_of(scene, where), places.T
+    model = SphereModel(
+        x=x, y=y, z=z, radius=radii, density=grain.density, walls=space.walls(scene.record.pressure_cells),
+        pair_contact=contacts[0], wall_contact=contacts[1], dt=scene.march.step_s or 1.0, gravity=scene.gravity_m_s2,
+        integrator=scene.march.integrator, watched=scene.record.wall_force_window_s is not None,
+        waiting=len(radii) if row.rains else 0,
+    )  # fmt: skip
+    return replace(model, dt=step_of(scene, model, where))
+
+
+def _started(scene: SphereScene, space: SpaceSilo, random: np.random.Generator) -> tuple[np.ndarray, np.ndarray]:
+    """Places (n, 3) and radii (m) of spheres that no file gives; those that will rain wait one above the other."""
+    row = FILLINGS[scene.filling.kind]
+    radii = SIZES[scene.sizes.kind].radii(random, scene.filling.count, scene.sizes)
+    if row.place is not None:
+        return row.place(space, radii, random), radii
+    heights = space.top + APART * float(radii.max()) * (1.0 + np.arange(len(radii)))
+    return np.column_stack([np.zeros((len(radii), 2)), heights]), radii
+
+
+def check_frictions(scene: SphereScene, where: str) -> None:
+    """BadInput for a friction that no law of the scene takes."""
+    for number, event in enumerate(scene.events):
+        for field, config in (("sphere_friction", scene.spheres), ("wall_friction", scene.walls)):
+            law, value = config.laws["tangential"], getattr(event, field)
+            if value is not None and spring.FRICTION not in law.coefficients:
+                raise BadInput(f"events.{number}.{field}", value, f"the tangential law {law.key} takes no friction", where)
+
+
+def check_outlet(space: SpaceSilo, radii: np.ndarray, where: str) -> None:
+    """BadInput where the largest sphere does not pass an outlet, or does not fit the silo at all."""
+    largest, opening = float(radii.max()), space.opening
+    if min(space.plan.half) < largest:
+        raise BadInput("sizes", 2e3 * largest, f"mm: a sphere wider than the silo, {2e3 * min(space.plan.half):g} mm", where)
+    if opening is not None and 0.0 < min(opening.half) < largest:
+        raise BadInput("sizes", 2e3 * largest, f"mm: does not pass the outlet, {2e3 * min(opening.half):g} mm", where)
+
+
+def narrow(space: SpaceSilo, radii: np.ndarray) -> str:
+    """A warning where an outlet is so narrow that spheres arch over it; empty where it is not."""
+    opening = space.opening
+    if opening is None or not 0.0 < (across := min(opening.half) / float(radii.max())) < FLOWS:
+        return ""
+    return f"the outlet is {across:.2g} of the largest diameters wide: below {FLOWS:g} or so spheres arch over it and stay"
+
+
+def check_rain(scene: SphereScene, space: SpaceSilo, radii: np.ndarray, where: str) -> None:
+    """BadInput for a plane outside the silo, a stream that has no room, or more spheres than the silo holds."""
+    filling, largest = scene.filling, float(radii.max())
+    height = plane_of_rain(scene, space, largest)
+    if not largest < height <= space.top - largest:
+        allowed = f"must be from {largest:.4g} to {space.top - largest:.4g} m: the plane lies outside the silo"
+        raise BadInput("filling.height_m", height, allowed, where)
+    if filling.width_m is not None and filling.width_m < 2.0 * largest:
+        raise BadInput(
+            "filling.width_m", filling.width_m, f"must be {2.0 * largest:.4g} m or more, the largest diameter", where
+        )
+    outline, aside = space.outline(height), scene.silo.filling_eccentricity_m
+    if outline.inset(aside, 0.0) < largest:
+        raise BadInput("silo.filling_eccentricity_m", aside, "the stream lies outside the silo", where)
+    volume, room = float((4.0 / 3.0 * np.pi * radii**3).sum()), space.volume_below(height)
+    if volume > DENSEST * room:
+        most = int(DENSEST * room / volume * len(radii))
+        raise BadInput("filling.count", len(radii), f"no room below the plane for more than {most} of these spheres", where)
+
+
+def check_start(space: SpaceSilo, places: np.ndarray, radii: np.ndarray, where: str) -> None:
+    """BadInput where two spheres overlap by more than a tenth of a radius, or one starts in or beyond a wall."""
+    i, j = cKDTree(places).query_pairs(2.0 * radii.max(), output_type="ndarray").reshape(-1, 2).T
+    overlap = radii[i] + radii[j] - np.linalg.norm(places[i] - places[j], axis=1)
+    deep = np.flatnonzero(overlap > DEEPEST * np.minimum(radii[i], radii[j]))
+    if len(deep):
+        k = deep[np.argmax(overlap[deep])]
+        raise BadInput("filling", f"spheres {i[k]}, {j[k]}", f"overlap by {overlap[k]:.4g} m at the start", where)
+    free = space.room_at(places, (1.0 - DEEPEST) * radii)
+    if not free.all():
+        k = int(np.argmin(free))
+        x, y, z = places[k]
+        raise BadInput("filling", f"sphere {k}", f"starts in or beyond a wall, at x {x:.4g}, y {y:.4g}, z {z:.4g} m", where)

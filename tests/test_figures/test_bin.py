@@ -1,0 +1,56 @@
+"""What figures make of a bin of spheres: phases, means over the angle, and Janssen's curve of the column as it stands."""
+
+import numpy as np
+import pandas as pd
+import pytest
+import xarray as xr
+
+from silostudy.figures.bin import Column, column, janssen, opened_at, phases, profile
+from silostudy.pressure.janssen import normal_pressure
+from tests.test_figures.small_cubes import bin_cube
+
+COLUMN = Column(surface=1.0, unit_weight=8e3, wall_friction=0.3, lateral_pressure_ratio=0.5)
+
+
+def test_phases_lie_before_and_after_the_opening():
+    cube = bin_cube()
+    assert opened_at(cube) == 0.04
+    cells, walls = phases(cube), cube["wall_name"].isin(["wall", "hopper"]).values
+    mean, most = (cube[f"wall_pressure_{what}"].values[:, walls] for what in ("mean", "max"))
+    assert np.array_equal(cells["pressure_rest_Pa"], mean[1])
+    assert np.allclose(cells["pressure_discharge_Pa"], mean[2:].mean(axis=0))
+    assert np.array_equal(cells["peak_discharge_Pa"], most[2:].max(axis=0))
+
+
+def test_means_over_the_angle_are_weighted_by_area():
+    cells = pd.DataFrame({"surface": ["wall_1", "wall_2", "hopper"], "height_m": [0.5, 0.5, 0.1], "area_m2": [1.0, 3.0, 1.0],
+                          "pressure_rest_Pa": [2.0, 6.0, 1.0]})  # fmt: skip
+    found = profile(cells).set_index("surface")["pressure_rest_Pa"]
+    assert found.to_dict() == {"wall": 5.0, "hopper": 1.0}
+
+
+def test_janssen_is_the_package_s_own():
+    depth = np.linspace(0.0, 3.0, 7)
+    own = normal_pressure(depth, unit_weight=8e3, hydraulic_radius=0.25, wall_friction=0.3, lateral_pressure_ratio=0.5)
+    assert janssen(depth, COLUMN, 0.25) == pytest.approx(own)
+    smooth = Column(1.0, 8e3, 0.0, 0.5)
+    assert janssen(depth, smooth, 0.25) == pytest.approx(4e3 * depth)
+
+
+def test_a_column_after_janssen_is_found_again():
+    """Wall pressures and shears by Janssen's curve, spheres evenly spread: unit weight, friction and K come back."""
+    heights, radius, area = (np.arange(50) + 0.5) / 50, 0.25, np.pi * 0.25
+    pressure = janssen(1.0 - heights, COLUMN, radius)
+    count = 100_000
+    cube = xr.Dataset(
+        {"snapshot_time": ("snapshot", [0.0]), "event_time": ("event", [1.0]), "event_action": ("event", ["rest: open"]),
+         "grain_z": (("snapshot", "grain"), (np.arange(count) + 0.5)[None] / count),
+         "grain_mass": ("grain", np.full(count, 8e3 * area / 9.81 / count))},
+        attrs={"transition_height_m": 0.0, "plan_area_m2": area, "hydraulic_radius_m": radius, "gravity_m_s2": 9.81},
+    )  # fmt: skip
+    cells = pd.DataFrame({"surface": "wall", "height_m": heights, "area_m2": 1.0, "pressure_rest_Pa": pressure,
+                          "shear_rest_Pa": 0.3 * pressure})  # fmt: skip
+    found = column(cube, cells)
+    assert found is not None
+    assert (found.surface, found.unit_weight) == pytest.approx((1.0, 8e3), rel=1e-3)
+    assert (found.wall_friction, found.lateral_pressure_ratio) == pytest.approx((0.3, 0.5), rel=0.02)

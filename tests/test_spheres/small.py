@@ -1,0 +1,58 @@
+"""A small bin of spheres as a user writes it, and how tests carry it through."""
+
+import copy
+from pathlib import Path
+
+from silostudy.compute.dem import run_of, scene_model
+from silostudy.config.load import validated
+from silostudy.config.spheres import SphereScene
+
+SMALL = {
+    "kind": "dem",
+    "grains": "spheres",
+    "title": "a small bin",
+    "silo": {
+        "plan": "circular",
+        "diameter_m": 0.06,
+        "cylinder_depth_m": 0.1,
+        "hopper": {"half_angle_deg": 30, "outlet_width_m": 0.04},
+    },
+    "grain": {"youngs_modulus_MPa": 100, "poissons_ratio": 0.25, "density_kg_m3": 2500, "softened_modulus_MPa": 5},
+    "wall": {"youngs_modulus_MPa": 100, "poissons_ratio": 0.25},
+    "spheres": {"restitution": 0.3, "sliding_friction": 0.5},
+    "walls": {"restitution": 0.3, "sliding_friction": 0.3},
+    "sizes": {"kind": "equal", "diameter_mm": 8},
+    "filling": {"kind": "rain", "count": 150, "rate_1_s": 1500},
+    "march": {"limit_s": 1.0},
+    "rest": {"criterion": "unbalanced-force", "below": 2e-3},
+    "events": [{"when": "rest", "do": "open_outlet"}, {"when": "after", "value": 0.15, "do": "stop"}],
+    "record": {"wall_force_window_s": 0.02, "pressure_cells": [4, 6], "snapshots_s": [0.05, 0.2]},
+}
+
+
+def content(**changes) -> dict:
+    """The bin with some keys changed; two underscores lead into a section, None takes a key out."""
+    found = copy.deepcopy(SMALL)
+    for path, value in changes.items():
+        node = found
+        *parents, last = path.split("__")
+        for key in parents:
+            node = node[key]
+        node[last] = value
+        if value is None:
+            del node[last]
+    return found
+
+
+def scene_of(**changes) -> SphereScene:
+    return validated(SphereScene, content(**changes), "small.yaml")
+
+
+def run(scene, folder=Path(), threads=1):
+    return run_of(scene, scene_model(scene, folder, "small.yaml"), threads=threads)
+
+
+def carried(scene, **how):
+    one = run(scene, **how)
+    one.go()
+    return one
