@@ -67,19 +67,20 @@ def _of_discs(scene: DemScene, model: Model) -> dict[str, Any]:
             np.linspace(0.0, scene.silo.width_m, record.stress_cells[0] + 1),
             np.linspace(0.0, top, record.stress_cells[1] + 1),
         )
-    window = record.wall_force_window_s or (scene.march.limit_s / 100.0 if record.energy else None)
-    return {"events": events_of(scene), "window": _window(window, model), "stress_edges": edges}
+    return {"events": events_of(scene), "window": _window(scene, model), "stress_edges": edges}
 
 
 def _of_spheres(scene: SphereScene, model: Model) -> dict[str, Any]:
     """Events, window and rain of a scene of spheres."""
     space = space_silo_of(scene)
     rain = rain_of(scene, space, model.radius) if FILLINGS[scene.filling.kind].rains else None
-    return {"events": sphere_events(scene, space), "window": _window(scene.record.wall_force_window_s, model), "rain": rain}
+    return {"events": sphere_events(scene, space), "window": _window(scene, model), "rain": rain}
 
 
-def _window(length: float | None, model: Model) -> int:
-    """Steps of a window of wall forces; 0: none are kept."""
+def _window(scene: AnyScene, model: Model) -> int:
+    """Steps of a window of wall forces, or of the ledger where that alone is kept; 0: none are kept."""
+    record = scene.record
+    length = record.wall_force_window_s or (scene.march.limit_s / 100.0 if record.energy else None)
     return max(1, round(length / model.dt)) if length else 0
 
 

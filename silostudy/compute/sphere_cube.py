@@ -3,6 +3,7 @@
 import numpy as np
 
 from silostudy.config.spheres import SphereScene
+from silostudy.dem.ledger import ENTRIES
 from silostudy.dem.model import Model
 from silostudy.dem.run import Run
 from silostudy.dem.space.cells import areas, middles, uprightness
@@ -50,9 +51,17 @@ def _meter(run: Run) -> dict[str, np.ndarray]:
 def _windows(run: Run) -> dict[str, np.ndarray]:
     """Forces of the cells over windows, their pressures, and the totals of each surface."""
     record, model = run.recording, run.engine.model
-    if not record.window or not model.watched:
+    if not record.window:
         return {}
-    force, data = np.array(record.window), _cells(model)
+    data = {"window_time": np.array(record.window_time)}
+    if model.booked:
+        data |= {"ledger_energy": np.array(record.energy), "energy_entry": np.array(ENTRIES)}
+    return data | (_felt(np.array(record.window), model) if model.watched else {})
+
+
+def _felt(force: np.ndarray, model: Model) -> dict[str, np.ndarray]:
+    """Forces (N; windows, cells, ways, mean and least and largest), pressures and totals of surfaces."""
+    data = _cells(model)
     for way, (name, stress) in enumerate(FELT):
         for k, what in enumerate(("mean", "min", "max")):
             data[f"cell_{name}_force_{what}"] = force[:, :, way, k]
@@ -61,7 +70,7 @@ def _windows(run: Run) -> dict[str, np.ndarray]:
     lean = np.array([uprightness(wall, wall.name == LID) for wall in model.walls])
     data |= {f"surface_{name}_force": total[:, :, way] for way, (name, _) in enumerate(FELT)}
     data |= {"surface_load": (total[:, :, :2] * lean).sum(axis=2)}
-    return data | {"surface": np.array([wall.name for wall in model.walls]), "window_time": np.array(record.window_time)}
+    return data | {"surface": np.array([wall.name for wall in model.walls])}
 
 
 def _cells(model: Model) -> dict[str, np.ndarray]:

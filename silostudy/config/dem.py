@@ -68,7 +68,6 @@ class RecordConfig(Recorded):
     """What is recorded; everything is off unless asked for."""
 
     stress_cells: tuple[Cells, Cells] | None = described("cells across and up of the coarse-grained stress", default=None)
-    energy: bool = described("whether the energy ledger is kept", "", default=False)
 
 
 class QuakeConfig(Strict):

@@ -71,6 +71,7 @@ class Recorded(Strict):
         "times at which places and force chains are written; 0: the start", "s", default=()
     )
     snapshots_every_s: float | None = described("time between further snapshots, from the start on", "s", gt=0, default=None)
+    energy: bool = described("whether the energy ledger is kept", "", default=False)
     paraview: bool = described("whether the snapshots are also written for ParaView", "", default=False)
     checkpoint_every_s: float | None = described("model time between checkpoints", "s", gt=0, default=None)
 

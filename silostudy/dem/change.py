@@ -5,6 +5,7 @@ from dataclasses import replace
 import numpy as np
 
 from silostudy.dem.engine import Engine
+from silostudy.dem.ledger import carry_in
 from silostudy.dem.neighbours import LOW, SHIFT
 from silostudy.dem.snapshot import from_walls, length
 
@@ -43,6 +44,7 @@ def add_bodies(engine: Engine, labels: np.ndarray, places: np.ndarray, velocity:
         bodies.radius[new], bodies.mass[new], bodies.inverse_mass[new] = radius, mass, 1.0 / mass
         bodies.inverse_inertia[new] = space.inverse_inertia / (mass * radius**2)
     engine.n += len(labels)
+    carry_in(engine, np.arange(engine.n) >= new.start)
     engine.give_memories(pairs, near)
 
 

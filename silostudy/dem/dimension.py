@@ -42,6 +42,7 @@ class Dimension:
     )
     passed_for: Callable  # rows -> steps for which each body has been below the outlet
     nearest: Callable  # (walls, wall, *place) -> vector (m) from a wall's nearest point to a place, then what else it finds
+    bent: Callable  # (walls, wall, *place) -> curvature (1/m) of a wall at its point nearest to a place
     force_of: Callable  # (lanes of force, k) -> force on the first body
     facing: Callable  # (lanes, k) -> normal, distance (m)
     reduced: Callable  # flat -> (lanes, k, a, b) -> reduced radius (m)

@@ -2,7 +2,8 @@
 
 Kinetic + potential + elastic + dashpots + sliding + carried out
 = start + worked in by the base + by changes of gravity + created by the step.
-Sliding is the work of friction at contacts that slip, and what springs held when their contact opened; a dashpot of a
+Sliding is the work of friction at contacts that slip, what springs held when their contact opened, and what a spring gives or
+takes whose stiffness changes under its force (Mindlin's follows the overlap); a dashpot of a
 contact that slips is part of that friction, and only where the contact sticks is its loss the dashpots'.
 Carried out is what discs that are gone had, and the springs of contacts with a disc or a wall that was taken away.
 `created` is what the finite step itself adds or takes (work of the elastic forces over a step less the energy they
@@ -15,7 +16,6 @@ from numba.extending import register_jitable
 from silostudy.contact.vector import less, product
 from silostudy.dem import history
 from silostudy.dem.arrays import Ledger, aligned
-from silostudy.dem.lanes import U, V, W, X, Y
 
 ENTRIES = ("kinetic", "potential", "elastic", "dashpot", "sliding", "carried_out", "base", "gravity", "created")
 KINETIC, POTENTIAL, ELASTIC, DASHPOT, SLIDING, CARRIED_OUT, BASE, GRAVITY, CREATED = range(len(ENTRIES))
@@ -46,7 +46,12 @@ def balance(account: np.ndarray) -> float:
     return float(held - account[[BASE, GRAVITY, CREATED]].sum())
 
 
-def carry_out(engine, gone: np.ndarray) -> None:
+def carry_in(engine, come: np.ndarray) -> None:
+    """Book the kinetic and potential energy that bodies bring with them; `come` marks them among those that are there."""
+    carry_out(engine, come, -1.0)
+
+
+def carry_out(engine, gone: np.ndarray, sign: float = 1.0) -> None:
     """Book the kinetic and potential energy that bodies take with them; `gone` marks them among those left."""
     account, rows, mass, space = engine.ledger.account, engine.bodies.rows[: engine.n][gone], engine.mass[gone], engine.space
     lanes = (*space.velocity, *space.spin)
@@ -55,9 +60,9 @@ def carry_out(engine, gone: np.ndarray) -> None:
     inertia = mass * engine.radius[gone] ** 2 / space.inverse_inertia
     kinetic = float((0.5 * mass * moving + 0.5 * inertia * turning).sum())
     potential = -float((mass * (rows[:, space.place] @ np.asarray(engine.gravity))).sum())
-    account[CARRIED_OUT] += kinetic + potential
-    account[POTENTIAL] -= potential
-    account[KINETIC] -= kinetic
+    account[CARRIED_OUT] += sign * (kinetic + potential)
+    account[POTENTIAL] -= sign * potential
+    account[KINETIC] -= sign * kinetic
 
 
 def take_springs(engine, energy: float) -> None:

@@ -170,6 +170,11 @@ def pushed(gravity, quake, step):
     return gravity[0] - quake[step, 0], gravity[1] - quake[step, 1]
 
 
+def bent(shape: np.ndarray, wall: int, *place: float) -> float:
+    """Curvature (1/m) of a wall: none."""
+    return 0.0
+
+
 def passed_for(rows: np.ndarray) -> np.ndarray:
     """Steps for which discs have been below the slit: none are counted."""
     return np.zeros(len(rows))
@@ -205,6 +210,7 @@ PLANE = Dimension(
     tangents=tangents,
     passed_for=passed_for,
     nearest=nearest,
+    bent=bent,
     force_of=force_of,
     facing=facing,
     reduced=reduced,

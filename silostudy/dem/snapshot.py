@@ -11,6 +11,7 @@ from silostudy.dem.arrays import aligned
 from silostudy.dem.cache import OPTIONS, named
 from silostudy.dem.dimension import Dimension
 from silostudy.dem.force import force_pass
+from silostudy.dem.history import entry
 from silostudy.dem.ledger import of_spring
 from silostudy.dem.pieces import Laws
 
@@ -108,7 +109,7 @@ def held_energy(engine) -> float:
     total = _energy(engine.contacts[0], _touches(engine, i, j), overlaps, *histories)
     i, q, *histories = _listed(part.near, int(part.near.begin[0]), engine.n)
     away = length(from_walls(engine, q, place[i]))
-    return total + _energy(engine.contacts[1], _touches(engine, i), radius[i] - away, *histories)
+    return total + _energy(engine.contacts[1], _against_walls(engine, i, q), radius[i] - away, *histories)
 
 
 def length(vectors: np.ndarray) -> np.ndarray:
@@ -122,27 +123,34 @@ def _touches(engine, i, j=None) -> list[Touch]:
     return [Touch(*each, engine.model.dt) for each in zip(mass, radius, strict=True)]
 
 
+def _against_walls(engine, i, walls) -> list[Touch]:
+    """Reduced mass and radius of each contact of bodies i with walls, which may be bent."""
+    place, space = engine.bodies.rows[:, engine.space.place], engine.space
+    bent = [space.bent(engine.walls.shape, q, *at) for q, at in zip(walls, place[i], strict=True)]
+    radius = engine.radius[i]
+    return [Touch(*each, engine.model.dt) for each in zip(engine.mass[i], radius / (1.0 - radius * bent), strict=True)]
+
+
 def _listed(contacts, count: int, n: int):
-    """First, second, and both histories (zero where none is kept) of a list, without what pads it."""
-    first, second, *histories = (
-        column[:count] for column in (contacts.first, contacts.second, contacts.stored, contacts.rolled)
-    )
-    real = first < n
-    kept = (history if len(history) else np.zeros(count) for history in histories)
-    return [column[real] for column in (first, second, *kept)]
+    """First, second, and all histories (zero where none is kept) of a list, without what pads it."""
+    real = np.flatnonzero(contacts.first[:count] < n)
+    kept = contacts.stored, contacts.rolled, contacts.twisted, contacts.touched
+    return [contacts.first[real], contacts.second[real], *([entry(history, k) for k in real] for history in kept)]
 
 
-def _energy(contact, touches, overlaps, stored, rolled) -> float:
+def _energy(contact, touches, overlaps, *histories) -> float:
     """Energy (J/m) of the contacts of a list that touch."""
-    normal, tangential, rolling, cohesion, _ = zip(contact.rows, contact.ordered, strict=True)
+    normal, tangential, rolling, cohesion, twisting = zip(contact.rows, contact.ordered, strict=True)
+    attraction, c = cohesion
     total = 0.0
-    for touch, depth, held, turned in zip(touches, overlaps, stored, rolled, strict=True):
-        if depth <= 0.0:
+    for touch, overlap, held, turned, twisted, touched in zip(touches, overlaps, *histories, strict=True):
+        if overlap <= (-attraction.gap(touch.radius, c) if touched else 0.0):
             continue
-        attraction = cohesion[0].energy(touch._replace(overlap=depth), cohesion[1])
-        total += normal[0].energy(depth, touch, normal[1]) + attraction
-        for (law, c), force in ((tangential, held), (rolling, turned)):
-            total += of_spring(force, law.stiffness(depth, touch, c))
+        depth = attraction.pressed(overlap, touch.radius, c)
+        touch = touch._replace(overlap=depth)
+        total += normal[0].energy(depth, touch, normal[1]) + attraction.energy(touch, c)
+        for (law, values), force in ((tangential, held), (rolling, turned), (twisting, twisted)):
+            total += of_spring(force, law.stiffness(depth, touch, values))
     return float(total)
 
 

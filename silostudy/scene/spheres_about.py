@@ -111,6 +111,7 @@ def sphere_effects(scene: SphereScene) -> tuple[Effect, ...]:
         Effect("spheres of several sizes", scene.sizes is None or scene.sizes.kind != "equal", f"sizes: {sizes}"),
         Effect("rain", FILLINGS[scene.filling.kind].rains, f"filling.kind: {scene.filling.kind}"),
         Effect("wall pressures every step", record.wall_force_window_s is not None, "record.wall_force_window_s"),
+        Effect("energy ledger", record.energy, f"record.energy: {record.energy}"),
         Effect("hopper", scene.silo.hopper is not None, "silo.hopper"),
         Effect("events", len(scene.events) > 1, ", ".join(event.do for event in scene.events)),
         Effect("snapshots", bool(record.snapshots_s), f"record.snapshots_s: {len(record.snapshots_s)} times"),

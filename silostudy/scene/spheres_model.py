@@ -41,7 +41,7 @@ def sphere_model(scene: SphereScene, given: tuple[np.ndarray, np.ndarray] | None
         x=x, y=y, z=z, radius=radii, density=grain.density, walls=space.walls(scene.record.pressure_cells),
         pair_contact=contacts[0], wall_contact=contacts[1], dt=scene.march.step_s or 1.0, gravity=scene.gravity_m_s2,
         integrator=scene.march.integrator, watched=scene.record.wall_force_window_s is not None,
-        waiting=len(radii) if row.rains else 0,
+        booked=scene.record.energy,        waiting=len(radii) if row.rains else 0,
     )  # fmt: skip
     return replace(model, dt=step_of(scene, model, where))
 

@@ -32,7 +32,7 @@ from silostudy.dem.space.motion import (
     walk,
     where,
 )
-from silostudy.dem.space.network import all_from_wall, densest, tangents
+from silostudy.dem.space.network import all_from_wall, bent, densest, tangents
 from silostudy.dem.space.surfaces import nearest
 from silostudy.dem.space.walls import beside, cell_count, extents, walls_of
 
@@ -66,6 +66,7 @@ SPACE = Dimension(
     tangents=tangents,
     passed_for=passed_for,
     nearest=nearest,
+    bent=bent,
     force_of=force_of,
     facing=facing,
     reduced=reduced,

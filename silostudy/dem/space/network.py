@@ -28,3 +28,8 @@ def tangents(normals: np.ndarray) -> list[tuple[np.ndarray, np.ndarray]]:
 def all_from_wall(shape: np.ndarray, wall: SupportsIndex, places: np.ndarray) -> np.ndarray:
     """Vectors (n, 3; m) from a surface's nearest points to places."""
     return np.array([nearest(shape, wall, *place)[:3] for place in places]).reshape(-1, 3)
+
+
+def bent(shape: np.ndarray, wall: int, *place: float) -> float:
+    """Curvature (1/m) of a surface at its point nearest to a place."""
+    return float(nearest(shape, wall, *place)[3])
