@@ -142,8 +142,8 @@ def contact_book(space, laws, *, unequal, flat):
                     slid -= pressed
                 elastic_energy += held_by(held, rolled, wound, touch.overlap, touch, c)
                 slid += slid_by((stored, turned, twisted), (held, rolled, wound), (sliding, rolling, twisting), touch, dt, c)
-                slid += held_by(stored, turned, twisted, max(touch.before, 0.0), touch, c)  # a spring's stiffness follows the
-                slid -= held_by(stored, turned, twisted, touch.overlap, touch, c)  # overlap under the force that it holds
+                then = held_by(stored, turned, twisted, max(touch.before, 0.0), touch, c)
+                slid += then - held_by(stored, turned, twisted, touch.overlap, touch, c)  # stiffness changes under a force
                 nearing, along, turning = rates(ledger.lanes, k, normal, a, b, depth, flat)  # on average over the step
                 winding = twisting_of(ledger.lanes, k, normal) if twists else 0.0
                 elastic_power += (pull - elastic) * nearing + product(held, along)
