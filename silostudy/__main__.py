@@ -16,6 +16,7 @@ from silostudy.commands import (
     explain,
     fronts,
     listing,
+    note,
     stages,
     studies,
     sweeps,
@@ -25,7 +26,7 @@ from silostudy.files import check_output, check_writable
 
 OUTPUT, STEMS = "output", ("stem", "figure")  # arguments that name what a command writes: a file, files without their ending
 STOPPED = 130  # status of a command that the user stopped
-ROOMS = (listing, explain, compare, cite, studies, stages, drawing, sweeps, dem, fronts, bench)
+ROOMS = (listing, explain, compare, cite, studies, stages, drawing, note, sweeps, dem, fronts, bench)
 
 
 def parser() -> argparse.ArgumentParser:

@@ -15,7 +15,7 @@ CHECKED = {PACKAGE / "tables/outputs.py", PACKAGE / "stamp.py", *(PACKAGE / "sta
 
 
 def stamp(*places: str) -> str:
-    """Short hash over every source file (.py, .csv, .bib) that the named files or rooms hold or import."""
+    """Short hash over every source file (.py, .csv, .bib, .html) that the named files or rooms hold or import."""
     digest = hashlib.sha256()
     for path in sources(*places):
         digest.update(f"{path.relative_to(PACKAGE)}\0".encode() + path.read_bytes())
@@ -37,7 +37,7 @@ def _held(place: Path) -> list[Path]:
         return [place.with_suffix(".py")]
     if not place.is_dir():
         raise FileNotFoundError(f"no room {place.name!r} in {PACKAGE}")
-    return [file for file in place.rglob("*") if file.suffix in {".py", ".csv", ".bib"}]
+    return [file for file in place.rglob("*") if file.suffix in {".py", ".csv", ".bib", ".html"}]
 
 
 @cache
@@ -53,7 +53,7 @@ def _named(path: Path) -> set[Path]:
             found |= _modules(node.module).union(*(_modules(f"{node.module}.{alias.name}") for alias in node.names))
         elif isinstance(node, ast.Import):
             found = found.union(*(_modules(alias.name) for alias in node.names))
-        elif isinstance(node, ast.Constant) and isinstance(node.value, str) and node.value.endswith((".csv", ".bib")):
+        elif isinstance(node, ast.Constant) and isinstance(node.value, str) and node.value.endswith((".csv", ".bib", ".html")):
             found |= {folder / node.value for folder in (path.parent, PACKAGE / TABLES) if (folder / node.value).is_file()}
     return found
 

@@ -3,6 +3,8 @@
 Second-hand transcription, checked against two open programs; the printed standard was not seen.
 """
 
+from inspect import signature
+
 import numpy as np
 
 from silostudy.buckling.family import (
@@ -67,6 +69,17 @@ def capacity(slenderness, alpha, delta):
     return np.where(slenderness >= plastic_limit, alpha / slenderness**2, inelastic)
 
 
+def capacity_range(slenderness, alpha, delta):
+    """(beta, lambda_p, eta) (1) of the capacity curve; eta 1. Source: en1993_1_6_2007, section 8.5."""
+    return PLASTIC_RANGE, np.sqrt(alpha / (1 - PLASTIC_RANGE)), 1.0
+
+
+def with_range(found, alpha, capacity_range):
+    """Numbers of BEHIND with those of the capacity curve for an imperfection factor alpha."""
+    numbers = capacity_range(found["slenderness"], alpha, found["relative_imperfection"])
+    return {**found, **dict(zip(("plastic_range", "plastic_limit", "interaction_exponent"), numbers, strict=True))}
+
+
 def buckles(critical, alpha, chi, yield_stress, length=np.nan, factor=np.nan) -> Strength:
     """Strength (Pa) from the capacity chi; elastic where chi lambda^2 reaches alpha, yielding where chi reaches 1."""
     elastic = alpha * critical
@@ -74,10 +87,10 @@ def buckles(critical, alpha, chi, yield_stress, length=np.nan, factor=np.nan) ->
     return Strength(elastic, np.nan, elastic, chi * yield_stress, mode, length, factor)
 
 
-def strength_by(length_factor, imperfection_factor, capacity):
-    """Function that gives the strength (Pa) by an edition's length factor, imperfection factor and capacity curve."""
+def parts_by(length_factor, imperfection_factor, capacity):
+    """Function that gives the parts of the strength by an edition's length factor, imperfection factor and capacity curve."""
 
-    def strength(
+    def parts(
         *,
         youngs_modulus,
         yield_stress,
@@ -89,20 +102,58 @@ def strength_by(length_factor, imperfection_factor, capacity):
         fabrication_quality,
         end_factor,
     ):
-        """Strength (Pa) without internal pressure. Source: en1993_1_6_2007, annex D and section 8.5, second-hand."""
+        """The parts of the strength (Pa) without pressure. Source: en1993_1_6_2007, annex D and section 8.5, second-hand."""
         wall = {"shell_radius": shell_radius, "thickness": thickness}
         length = held_length(bay_length=bay_length, total_length=total_length, ring_area=ring_area, **wall)
-        factor = length_factor(length / np.sqrt(shell_radius * thickness), shell_radius / thickness, end_factor)
+        relative = length / np.sqrt(shell_radius * thickness)
+        factor = length_factor(relative, shell_radius / thickness, end_factor)
         factor = np.where(np.asarray(ring_area) > 0, np.minimum(factor, 1.0), factor)  # a ring does not stop the wall turning
         critical = critical_stress(youngs_modulus=youngs_modulus, factor=factor, **wall)
         delta = relative_imperfection(shell_radius, thickness, fabrication_quality)
         alpha = imperfection_factor(delta)
-        chi = capacity(np.sqrt(yield_stress / critical), alpha, delta)
-        return buckles(critical, alpha, chi, yield_stress, length, factor)
+        slenderness = np.sqrt(yield_stress / critical)
+        return {
+            "supported_length": length,
+            "relative_length": relative,
+            "length_factor": factor,
+            "critical_stress": critical,
+            "relative_imperfection": delta,
+            "imperfection_factor": alpha,
+            "slenderness": slenderness,
+            "reduction": capacity(slenderness, alpha, delta),
+        }
 
+    return parts
+
+
+def strength_by(parts):
+    """Function that gives the strength (Pa) by its parts."""
+
+    def strength(**given):
+        """Strength (Pa) without internal pressure. Source: en1993_1_6_2007, annex D and section 8.5, second-hand."""
+        found, yield_stress = parts(**given), given["yield_stress"]
+        return buckles(
+            found["critical_stress"], found["imperfection_factor"], found["reduction"], yield_stress,
+            found["supported_length"], found["length_factor"],
+        )  # fmt: skip
+
+    strength.__signature__ = signature(parts)  # type: ignore[attr-defined]
     return strength
 
 
+def behind_by(parts, capacity_range):
+    """Function that gives the numbers behind a strength by its parts and an edition's capacity curve."""
+
+    def behind(**given):
+        """The numbers of BEHIND, stresses (Pa). Source: en1993_1_6_2007, annex D and section 8.5, second-hand."""
+        found = parts(**given)
+        return with_range(found, found["imperfection_factor"], capacity_range)
+
+    behind.__signature__ = signature(parts)  # type: ignore[attr-defined]
+    return behind
+
+
+PARTS = parts_by(length_factor, imperfection_factor, capacity)
 RINGS_FORMULA = "a ring ends a bay where A_r >= (0.06 + 2/Z^2) l t, Z = l^2 sqrt(1 - nu^2)/(r t), and then C_x <= 1; "
 RINGS_TOLD = (
     "of what makes a ring count two sources back the 0.06, one the 2/Z^2; rings do not stop the wall turning, so they give no "
@@ -115,7 +166,8 @@ ROW = BucklingRule(
     title="EN 1993-1-6:2007",
     source="en1993_1_6_2007",
     locator="annex D and section 8.5, axial compression",
-    strength=strength_by(length_factor, imperfection_factor, capacity),
+    strength=strength_by(PARTS),
+    behind=behind_by(PARTS, capacity_range),
     limits=(THIN_SHELLS, RINGS_THAT_COUNT, NO_SUCTION),
     formula=f"{RINGS_FORMULA}sigma_Rcr = 0.605 E C_x t / r; C_x from omega = l / sqrt(r t): 1.36 - 1.83/omega + 2.07/omega^2 "
     "to 1.7, 1 to 0.5 r/t, then max(0.6, 1 + 0.2/C_xb (1 - 2 omega t/r)); "

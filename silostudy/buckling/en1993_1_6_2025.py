@@ -5,7 +5,16 @@ Second-hand transcription; the printed standard was not seen.
 
 import numpy as np
 
-from silostudy.buckling.en1993_1_6_2007 import RINGS_FORMULA, RINGS_TOLD, SHORT, held_length, short_factor, strength_by
+from silostudy.buckling.en1993_1_6_2007 import (
+    RINGS_FORMULA,
+    RINGS_TOLD,
+    SHORT,
+    behind_by,
+    held_length,
+    parts_by,
+    short_factor,
+    strength_by,
+)
 from silostudy.buckling.family import LONG, BucklingRule, ShellLimit
 from silostudy.buckling.limits import NO_SUCTION, RINGS_THAT_COUNT, THIN_SHELLS
 from silostudy.limits import Measure
@@ -53,24 +62,32 @@ def interaction_exponent(share, delta):
     return start + (stop - start) * share
 
 
-def capacity(slenderness, alpha, delta):
-    """chi (1), strength over yield stress; up to 1.10 for stocky shells. Source: en1993_1_6_2025, second-hand."""
+def capacity_range(slenderness, alpha, delta):
+    """(beta, lambda_p, eta) (1) of the capacity curve. Source: en1993_1_6_2025, second-hand."""
     beta = plastic_range(delta)
     plastic_limit = np.sqrt(alpha / (1 - beta))
     share = np.clip((slenderness - SQUASH_LIMIT) / (plastic_limit - SQUASH_LIMIT), 0, 1)
-    between = 1 - beta * share ** interaction_exponent(share, delta)
+    return beta, plastic_limit, interaction_exponent(share, delta)
+
+
+def capacity(slenderness, alpha, delta):
+    """chi (1), strength over yield stress; up to 1.10 for stocky shells. Source: en1993_1_6_2025, second-hand."""
+    beta, plastic_limit, eta = capacity_range(slenderness, alpha, delta)
+    between = 1 - beta * np.clip((slenderness - SQUASH_LIMIT) / (plastic_limit - SQUASH_LIMIT), 0, 1) ** eta
     hardened = HARDENING_LIMIT - slenderness / SQUASH_LIMIT * (HARDENING_LIMIT - 1)
     inelastic = np.where(slenderness <= SQUASH_LIMIT, hardened, between)
     return np.where(slenderness >= plastic_limit, alpha / slenderness**2, inelastic)
 
 
+PARTS = parts_by(length_factor, imperfection_factor, capacity)
 ROW = BucklingRule(
     key="en1993_1_6_2025",
     rank=50,
     title="EN 1993-1-6:2025",
     source="en1993_1_6_2025",
     locator="axial compression",
-    strength=strength_by(length_factor, imperfection_factor, capacity),
+    strength=strength_by(PARTS),
+    behind=behind_by(PARTS, capacity_range),
     limits=(THIN_SHELLS, RINGS_THAT_COUNT, NOT_LONG, NO_SUCTION),
     formula=f"{RINGS_FORMULA}sigma_Rcr and delta as in 2007, C_x = 1 beyond omega = 1.7; "
     "alpha = 0.83 / (1 + 2.2 delta^0.75), beta = 1 - 0.75 / (1 + 1.1 delta); "

@@ -5,6 +5,7 @@ The pressure first smooths the imperfections (smallest guaranteed pressure), the
 """
 
 from collections.abc import Callable
+from inspect import signature
 from types import ModuleType
 
 import numpy as np
@@ -16,6 +17,8 @@ from silostudy.buckling.family import (
     Strength,
 )
 from silostudy.buckling.limits import BELOW_HOOP_YIELD, NO_SUCTION, THIN_SHELLS
+
+FOOT_SHAPE = 400  # s = r / (400 t)
 
 
 def pressurised_elastic_factor(alpha, relative_pressure):
@@ -31,15 +34,15 @@ def elephants_foot_factor(slenderness, radius_over_thickness, relative_pressure)
 
     Source: en1993_4_1, second-hand transcription.
     """
-    s, squared = radius_over_thickness / 400, slenderness**2
+    s, squared = radius_over_thickness / FOOT_SHAPE, slenderness**2
     hoop = 1 - (relative_pressure / squared) ** 2
     return hoop * (1 - 1 / (1.12 + s**1.5)) * (s**2 + 1.21 * squared) / (s * (s + 1))
 
 
-def strength(edition: ModuleType) -> Callable[..., Strength]:
-    """The rule's function with one edition of EN 1993-1-6."""
+def parts(edition: ModuleType) -> Callable[..., dict]:
+    """Function that gives the parts of the strength with one edition of EN 1993-1-6."""
 
-    def pressurised(
+    def parts(
         *,
         youngs_modulus,
         yield_stress,
@@ -55,16 +58,54 @@ def strength(edition: ModuleType) -> Callable[..., Strength]:
             thickness=thickness,
         )
         slenderness, hoop = np.sqrt(yield_stress / critical), shell_radius / (thickness * critical)
+        lower, upper = lower_internal_pressure * hoop, upper_internal_pressure * hoop
         delta = en1993_1_6_2007.relative_imperfection(shell_radius, thickness, fabrication_quality)
-        helped = pressurised_elastic_factor(edition.imperfection_factor(delta), lower_internal_pressure * hoop)
-        foot = elephants_foot_factor(slenderness, shell_radius / thickness, upper_internal_pressure * hoop)
+        unpressed = edition.imperfection_factor(delta)
+        helped = pressurised_elastic_factor(unpressed, lower)
+        foot = elephants_foot_factor(slenderness, shell_radius / thickness, upper)
         alpha = np.minimum(helped, foot)
-        found = en1993_1_6_2007.buckles(critical, alpha, edition.capacity(slenderness, alpha, delta), yield_stress)
-        mode = np.where(foot < helped, ELEPHANTS_FOOT, found.mode)
+        return {
+            "critical_stress": critical,
+            "relative_imperfection": delta,
+            "imperfection_factor": unpressed,
+            "relative_lower_pressure": lower,
+            "relative_upper_pressure": upper,
+            "foot_shape": shell_radius / (FOOT_SHAPE * thickness),
+            "pressurised_factor": helped,
+            "foot_factor": foot,
+            "reduced_factor": alpha,
+            "slenderness": slenderness,
+            "reduction": edition.capacity(slenderness, alpha, delta),
+        }
+
+    return parts
+
+
+def strength(edition: ModuleType) -> Callable[..., Strength]:
+    """The rule's function with one edition of EN 1993-1-6."""
+    own = parts(edition)
+
+    def pressurised(**given):
+        one = own(**given)
+        found = en1993_1_6_2007.buckles(one["critical_stress"], one["reduced_factor"], one["reduction"], given["yield_stress"])
+        mode = np.where(one["foot_factor"] < one["pressurised_factor"], ELEPHANTS_FOOT, found.mode)
         return Strength(found.elastic_local, found.elastic_general, found.elastic, found.strength, mode)
 
     pressurised.__doc__ = f"Strength (Pa) with internal pressure. Source: en1993_4_1 on {edition.ROW.title}, second-hand."
+    pressurised.__signature__ = signature(own)  # type: ignore[attr-defined]
     return pressurised
+
+
+def behind(edition: ModuleType) -> Callable[..., dict]:
+    """Function that gives the numbers of BEHIND with one edition of EN 1993-1-6."""
+    own = parts(edition)
+
+    def numbers(**given):
+        found = own(**given)
+        return en1993_1_6_2007.with_range(found, found["reduced_factor"], edition.capacity_range)
+
+    numbers.__signature__ = signature(own)  # type: ignore[attr-defined]
+    return numbers
 
 
 def _row(edition: ModuleType, year: str, title: str, mixed: str = "", **looks) -> BucklingRule:
@@ -75,6 +116,7 @@ def _row(edition: ModuleType, year: str, title: str, mixed: str = "", **looks) -
         source="en1993_4_1",
         locator="axial compression with internal pressure",
         strength=strength(edition),
+        behind=behind(edition),
         limits=(THIN_SHELLS, NO_SUCTION, BELOW_HOOP_YIELD),
         formula=f"EN 1993-1-6:{year} with C_x = 1 and the smaller of "
         "alpha_pe = alpha + (1 - alpha) p_s / (p_s + 0.3 / sqrt(alpha)) and "

@@ -29,6 +29,33 @@ PARAMETERS = {
     "upper_internal_pressure": ("Pa", "p_g, largest, with which the foot of the wall yields", 40000.0),
 }
 POSITIVE = ("youngs_modulus", "yield_stress", "shell_radius", "thickness", "bay_length", "fabrication_quality", "end_factor")
+# The numbers behind a strength that a reader wants to follow: unit.  A rule or a check gives those that it has.
+BEHIND = {
+    "relative_length": "1",
+    "length_factor": "1",
+    "critical_stress": "Pa",
+    "relative_imperfection": "1",
+    "imperfection_factor": "1",
+    "relative_lower_pressure": "1",
+    "relative_upper_pressure": "1",
+    "foot_shape": "1",
+    "pressurised_factor": "1",
+    "foot_factor": "1",
+    "reduced_factor": "1",
+    "slenderness": "1",
+    "plastic_range": "1",
+    "plastic_limit": "1",
+    "interaction_exponent": "1",
+    "reduction": "1",
+    "wind_factor": "1",
+    "even_pressure": "Pa",
+    "axial_share": "1",
+    "hoop_share": "1",
+    "shear_share": "1",
+    "axial_reduction": "1",
+    "hoop_reduction": "1",
+    "shear_reduction": "1",
+}
 MODES = (
     "local_elastic",
     "local_inelastic",
@@ -95,6 +122,7 @@ class BucklingRule(Row):
     strength: function(*, parameters) -> Strength; limits: the rule's range as data; beyond it values are masked.
     excludes: actions that the source leaves out and no number of the shell tells of.
     rival_of: the rule whose source the row reads otherwise than it is meant; empty for a rule in its own right.
+    behind: function(*, parameters) -> numbers of BEHIND by name, for readers who follow the strength step by step.
     pressurised: the rule counts the internal pressure; the others leave out its help and do not see its harm.
     """
 
@@ -105,6 +133,7 @@ class BucklingRule(Row):
     colour: str
     marker: str
     line: str  # a name of matplotlib
+    behind: Callable[..., Mapping[str, np.ndarray]] | None = None
     pressurised: bool = False
     excludes: str = ""
     rival_of: str = ""

@@ -63,6 +63,27 @@ def strength(*, yield_stress, critical_external_pressure, inner_radius, thicknes
     return chi * yield_stress / partial_buckling
 
 
+def behind(
+    *, yield_stress, critical_external_pressure, wind_pressure, suction, inner_radius, thickness, thinnest, wall_height,
+    edge_factor,
+):  # fmt: skip
+    """omega and k_w of the thinnest course, even pressure (Pa), critical stress (Pa), lambda and chi behind the check.
+
+    Source: en1993_1_6_2007, as above.
+    """
+    edges = {"inner_radius": inner_radius, "thinnest": thinnest, "wall_height": wall_height, "edge_factor": edge_factor}
+    wall = {"critical_external_pressure": critical_external_pressure, "inner_radius": inner_radius, "thickness": thickness}
+    critical = critical_external_pressure * (inner_radius / thickness + 0.5)
+    return {
+        "relative_length": wall_height / np.sqrt((inner_radius + thinnest / 2) * thinnest),
+        "wind_factor": wind_factor(**edges),
+        "even_pressure": even_pressure(wind_pressure=wind_pressure, suction=suction, **edges),
+        "critical_stress": critical,
+        "slenderness": np.sqrt(yield_stress / critical),
+        "reduction": reduction(yield_stress=yield_stress, **wall),
+    }
+
+
 def _length(*, inner_radius, thickness, wall_height, edge_factor):
     """omega t / (C_theta r) (1)."""
     r = inner_radius + thickness / 2
@@ -83,6 +104,7 @@ ROW = SteelCheck(
     locator="annex D, circumferential compression, second-hand",
     effect=hoop_compression,
     resistance=strength,
+    behind=behind,
     limits=(MEDIUM, KNOWN_CLASSES),
     acts_in=frozenset({"wind", "suction"}),
     idle_with=frozenset({"solids"}),

@@ -94,6 +94,7 @@ class SteelCheck(Row):
 
     effect, resistance: function(*, parameters), both in `unit`; needed: the thickness (m) at which a wall just carries, None
     where it has to be sought.
+    behind: function(*, parameters) -> numbers of BEHIND by name, for readers who follow the check step by step.
     acts_in: actions of which a combination needs one to be checked here; idle_with: actions that, all together, make it idle.
     one_source: a single public source has it; such a check runs only where a study names it.
     """
@@ -103,6 +104,7 @@ class SteelCheck(Row):
     resistance: Callable
     unit: str = "Pa"
     needed: Callable | None = None
+    behind: Callable | None = None
     limits: tuple[Limit, ...] = ()
     acts_in: frozenset[str] = field(default_factory=frozenset)
     idle_with: frozenset[str] = field(default_factory=frozenset)

@@ -62,6 +62,17 @@ def _hoop(given) -> tuple:
         return np.where(acts, share, 0.0), np.where(acts, call(external_pressure.reduction, given), 1.0)
 
 
+def behind(edition: ModuleType, alpha: Callable, names: tuple[str, ...]) -> Callable:
+    """Function that gives the numbers behind the check: stress over design strength and chi of each kind of stress."""
+
+    def numbers(**given):
+        parts = {"axial": _axial(edition, given), "hoop": _hoop(given), "shear": _shear(alpha, given)}
+        return {f"{kind}_{what}": part[k] for kind, part in parts.items() for k, what in enumerate(("share", "reduction"))}
+
+    numbers.__signature__ = Signature([Parameter(name, Parameter.KEYWORD_ONLY) for name in names])  # type: ignore[attr-defined]
+    return numbers
+
+
 def interaction(edition: ModuleType, alpha: Callable, exponents: Callable, names: tuple[str, ...]) -> Callable:
     """The function of an edition, which asks for the parameters named."""
 
@@ -110,17 +121,19 @@ ROWS = (
         en1993_1_6_2007,
         "2007",
         interaction(en1993_1_6_2007, shear_buckling.alpha_2007, exponents_2007, (*ASKED, *OUTSIDE)),
-        "k_x = 1.25 + 0.75 chi_x, k_th likewise, k_tau = 1.75 + 0.25 chi_tau",
-        "two public programs (a third has 1.25 + 0.25 chi_tau for k_tau, which is safe)",
+        behind=behind(en1993_1_6_2007, shear_buckling.alpha_2007, (*ASKED, *OUTSIDE)),
+        formula="k_x = 1.25 + 0.75 chi_x, k_th likewise, k_tau = 1.75 + 0.25 chi_tau",
+        sources="two public programs (a third has 1.25 + 0.25 chi_tau for k_tau, which is safe)",
         limits=(BELOW_HOOP_YIELD, KNOWN_CLASSES, external_pressure.MEDIUM),
     ),
     _row(
         en1993_1_6_2025,
         "2025",
         interaction(en1993_1_6_2025, shear_buckling.alpha_2025, exponents_2025, ASKED),
-        "k_x = 1 + chi_x^2, k_tau = 1.5 + 0.5 chi_tau^2",
-        "one public program; hoop strengths of this edition are not known, so only where nothing presses from outside; a mix "
-        "of editions where the solid's pressure is counted",
+        behind=behind(en1993_1_6_2025, shear_buckling.alpha_2025, ASKED),
+        formula="k_x = 1 + chi_x^2, k_tau = 1.5 + 0.5 chi_tau^2",
+        sources="one public program; hoop strengths of this edition are not known, so only where nothing presses from outside; "
+        "a mix of editions where the solid's pressure is counted",
         limits=(BELOW_HOOP_YIELD,),
         idle_with=frozenset({"suction"}),
         one_source=True,

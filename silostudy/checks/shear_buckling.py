@@ -11,6 +11,12 @@ from silostudy.limits import Limit
 LONG = 8.7  # omega over r / t beyond which a cylinder is long
 
 
+def length_factor(relative_length, radius_over_thickness):
+    """C_tau (1): 1, of a long cylinder sqrt(omega t/r)/3. Source: en1993_1_6_2007, annex D, two public programs."""
+    long = relative_length > LONG * radius_over_thickness
+    return np.where(long, np.sqrt(relative_length / radius_over_thickness) / 3, 1.0)
+
+
 def critical_stress(*, youngs_modulus, inner_radius, thickness, wall_height):
     """Shear stress (Pa) at which a perfect cylinder buckles: 0.75 E C_tau sqrt(1/omega) t/r, omega = l/sqrt(r t).
 
@@ -18,8 +24,7 @@ def critical_stress(*, youngs_modulus, inner_radius, thickness, wall_height):
     """
     r = inner_radius + thickness / 2
     relative_length = wall_height / np.sqrt(r * thickness)
-    factor = np.where(relative_length > LONG * r / thickness, np.sqrt(relative_length * thickness / r) / 3, 1.0)
-    return 0.75 * youngs_modulus * factor * np.sqrt(1 / relative_length) * thickness / r
+    return 0.75 * youngs_modulus * length_factor(relative_length, r / thickness) * np.sqrt(1 / relative_length) * thickness / r
 
 
 def stress(*, shear_wall_force, thickness):
@@ -64,6 +69,31 @@ def strength(alpha: Callable) -> Callable:
     return strength
 
 
+def behind(alpha: Callable) -> Callable:
+    """The numbers behind the check by an edition's imperfection factor."""
+    chi = reduction(alpha)
+
+    def numbers(*, yield_stress, youngs_modulus, inner_radius, thickness, wall_height, fabrication_quality):
+        """omega, C_tau, tau_cr (Pa), delta, alpha, lambda, chi. Source: en1993_1_6_2007, as above."""
+        wall = {"inner_radius": inner_radius, "thickness": thickness, "wall_height": wall_height}
+        r = inner_radius + thickness / 2
+        critical = critical_stress(youngs_modulus=youngs_modulus, **wall)
+        relative, delta = wall_height / np.sqrt(r * thickness), np.sqrt(r / thickness) / fabrication_quality
+        return {
+            "relative_length": relative,
+            "length_factor": length_factor(relative, r / thickness),
+            "critical_stress": critical,
+            "relative_imperfection": delta,
+            "imperfection_factor": alpha(delta),
+            "slenderness": np.sqrt(yield_stress / np.sqrt(3) / critical),
+            "reduction": chi(
+                yield_stress=yield_stress, youngs_modulus=youngs_modulus, fabrication_quality=fabrication_quality, **wall
+            ),
+        }
+
+    return numbers
+
+
 def _row(edition: str, alpha: Callable, limits: tuple[Limit, ...], formula: str, sources: str, one: bool) -> SteelCheck:
     return SteelCheck(
         key=f"shear_buckling_{edition}",
@@ -73,6 +103,7 @@ def _row(edition: str, alpha: Callable, limits: tuple[Limit, ...], formula: str,
         locator="annex D, shear, second-hand",
         effect=stress,
         resistance=strength(alpha),
+        behind=behind(alpha),
         limits=limits,
         formula=f"V/(pi r t) <= chi f_y/(sqrt(3) gamma_M1), tau_cr = 0.75 E C_tau sqrt(1/omega) t/r, omega = l/sqrt(r t), "
         f"{formula}, lambda_0 0.4, beta 0.6, eta 1",

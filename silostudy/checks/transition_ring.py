@@ -21,6 +21,16 @@ def effective_lengths(radius, cylinder, hopper, half_angle):
     return of_cylinder, np.where(hopper <= cylinder, THIN_SHELL, thicker) * np.sqrt(radius / np.cos(half_angle) * hopper)
 
 
+def cylinder_length(*, inner_radius, thickness, hopper_thickness, hopper_half_angle):
+    """l_c (m), length of the cylinder that works with the ring. Source: derived, see above."""
+    return effective_lengths(inner_radius, thickness, hopper_thickness, hopper_half_angle)[0]
+
+
+def hopper_length(*, inner_radius, thickness, hopper_thickness, hopper_half_angle):
+    """l_h (m), length of the hopper that works with the ring. Source: derived, see above."""
+    return effective_lengths(inner_radius, thickness, hopper_thickness, hopper_half_angle)[1]
+
+
 def effective_area(*, ring_area, inner_radius, thickness, hopper_thickness, hopper_half_angle):
     """A_et (m2): the ring and the effective lengths of cylinder and hopper; a skirt is left out. Source: derived, see above."""
     lengths = effective_lengths(inner_radius, thickness, hopper_thickness, hopper_half_angle)

@@ -15,13 +15,11 @@ if TYPE_CHECKING:
 def shell(expansion) -> list[str]:
     """Required thickness and utilisation by method and rule, each with what governs."""
     from silostudy.compute.pressure import pressure_cube
-    from silostudy.compute.seismic import seismic_cube
     from silostudy.compute.shell import shell_cube
     from silostudy.cube.silence import silences
 
     pressure = pressure_cube(expansion)
-    shaken = expansion.cases[0].scene.earthquake
-    seismic = shaken and seismic_cube(_settled(shaken))
+    shaken, seismic = expansion.cases[0].scene.earthquake, shaken_cube(expansion)
     cube = shell_cube(expansion, pressure, seismic)
     head = f"{'method, rule':56}thickness   governed by     end  utilised   governed by     end"
     lines = [head]
@@ -42,6 +40,14 @@ def shell(expansion) -> list[str]:
         *rings(expansion),
         *cautions(expansion),
     ]
+
+
+def shaken_cube(expansion) -> "xr.Dataset | None":
+    """The cube of the seismic study that a study of shells names; None where it names none."""
+    from silostudy.compute.seismic import seismic_cube
+
+    shaken = expansion.cases[0].scene.earthquake
+    return shaken and seismic_cube(_settled(shaken))
 
 
 def _shaken_table(cube: "xr.Dataset") -> list[str]:

@@ -32,6 +32,7 @@ def run_redraw(chosen) -> None:
     from functools import cache
 
     from silostudy.cube.io import read
+    from silostudy.cube.silos import silos
     from silostudy.files import seal
     from silostudy.tables.outputs import OUTPUTS, files_of
 
@@ -41,7 +42,7 @@ def run_redraw(chosen) -> None:
         files = [chosen.cube] if chosen.cube else [chosen.folder / f"{stage}.nc" for stage in (row.stage, *row.also)]
         _draw(key, [once(file) for file in files[:1] + [file for file in files[1:] if file.exists()]],
               chosen.folder / f"{row.kind}s" / key)  # fmt: skip
-        for name in files_of(key, str(chosen.folder)):
+        for name in files_of(key, str(chosen.folder), silos(once(files[0])) if row.per_silo else ()):
             seal(Path(name))
 
 

@@ -12,6 +12,8 @@ from silostudy.choice.expand import Resolved
 from silostudy.compute.axes import sweep_of
 from silostudy.compute.buckling import rule_coordinates
 from silostudy.compute.checks_actions import given
+from silostudy.compute.checks_behind import strakes_behind
+from silostudy.compute.checks_numbers import given_numbers
 from silostudy.compute.checks_phases import contents_load_cases
 from silostudy.compute.checks_places import places
 from silostudy.compute.checks_scope import combined, rows_of
@@ -27,6 +29,7 @@ from silostudy.compute.checks_wall import (
     needed_by_rules,
 )
 from silostudy.compute.evaluate import methods_of
+from silostudy.compute.listed_cases import listed_variables
 from silostudy.compute.shell import excluded
 from silostudy.compute.shell_earthquake import earthquake_told, of_this_study
 from silostudy.cube.assemble import assemble
@@ -50,9 +53,10 @@ def checks_cube(expansion: Resolved, pressure: xr.Dataset, seismic: xr.Dataset |
     built = as_built(loads) if np.isfinite(loads.source.places.thickness).any() else {}
     rows = rows_of(study, WALL)
     data = rule_coordinates(rules) | actions(loads) | thicknesses(rules, rows, loads)
-    data |= below(pressure, loads, built) | contents_load_cases(loads.source, pressure)
+    data |= given_numbers(loads) | below(pressure, loads, built) | contents_load_cases(loads.source, pressure)
     if built:
         data |= utilisations(rules, rows, loads, built)
+    data |= listed_variables(expansion)
     sweep = sweep_of(expansion)
     data |= {str(name): pressure[name].values for name in pressure.coords.keys() - sweep.coordinates.keys()}
     silent = [row.key for row in CHECKS.values() if row.one_source and row.key not in study.checks.one_source]
@@ -94,6 +98,8 @@ def actions(loads: Load) -> dict:
         "place_depth": place.z,
         "place_strake": place.strake + 1,
         "place_thickness": place.thickness,
+        "place_radius": source.numbers["inner_radius"] + place.thickness / 2,
+        "thinnest_course": np.min(place.thickness, axis=-1),
         "design_axial_wall_force": loads.parameters["axial_wall_force"] + own,
         "design_shear_wall_force": loads.parameters["shear_wall_force"],
         "design_lower_pressure": loads.parameters["lower_internal_pressure"],
@@ -121,6 +127,7 @@ def utilisations(rules, rows, loads: Load, built) -> dict:
         "design_check_effect": by_check["effect"],
         "design_check_resistance": by_check["resistance"],
     }
+    found |= strakes_behind(rules, rows, loads, built, by_rule["utilisation"], by_check["utilisation"])
     return found | _by_strake(loads, "design_strake_utilisation", (used, check, combination), unjudged, told)
 
 

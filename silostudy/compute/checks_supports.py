@@ -85,8 +85,8 @@ def parameters_below(pressure: xr.Dataset, loads: Load, built: Mapping) -> dict[
     return found
 
 
-def anchor_tension(loads: Load) -> np.ndarray:
-    """Tension (N) of the anchor that is drawn most, (combination, 1, axes..., 1): the contents hold nothing down."""
+def anchor_lifts(loads: Load) -> dict[str, np.ndarray]:
+    """What lifts the foot of the wall and what holds it down (N/m), (combination, 1, axes..., 1): the contents hold nothing."""
     source, number, found = loads.source, loads.source.numbers, []
     asked = source.expansion.study.checks.earthquake
     for one in loads.combinations:
@@ -95,9 +95,16 @@ def anchor_tension(loads: Load) -> np.ndarray:
         silo = {"height": number["wall_height"], "radius": number["inner_radius"], "top_held": number["top_held"] > 0}
         shaken = of_earthquake(one, source)["force"][..., -1:] * (asked.overstrength if asked else 1.0)
         dead = one.permanent_favourable * (source.places.own_weight[..., -1:] + number["roof"])
-        lift = wind + tube.wind_lift(pressure=pressure, **silo) + shaken - dead
-        found.append(anchors.tension(lift, circle_diameter=number["circle_diameter"], anchor_count=number["anchor_count"]))
-    return np.array(found)[:, None]
+        each = {"bending": wind, "harmonics": tube.wind_lift(pressure=pressure, **silo), "earthquake": shaken, "weight": dead}
+        found.append({name: np.broadcast_to(value, wind.shape) for name, value in each.items()})
+    return {f"anchor_lift_{name}": np.array([one[name] for one in found])[:, None] for name in found[0]}
+
+
+def anchor_tension(loads: Load) -> np.ndarray:
+    """Tension (N) of the anchor that is drawn most, (combination, 1, axes..., 1)."""
+    number, lifts = loads.source.numbers, anchor_lifts(loads)
+    upward = sum(value for name, value in lifts.items() if not name.endswith("weight")) - lifts["anchor_lift_weight"]
+    return anchors.tension(upward, circle_diameter=number["circle_diameter"], anchor_count=number["anchor_count"])
 
 
 def below(pressure: xr.Dataset, loads: Load, built: Mapping) -> dict:
@@ -120,13 +127,18 @@ def below(pressure: xr.Dataset, loads: Load, built: Mapping) -> dict:
     inner: dict[str, Callable] = {
         "transition_ring_force": transition_ring.ring_force,
         "ring_effective_area": transition_ring.effective_area,
+        "ring_cylinder_length": transition_ring.cylinder_length,
+        "ring_hopper_length": transition_ring.hopper_length,
         "ring_beam_support_moment": ring_beam.support_moment,
         "ring_beam_midspan_moment": ring_beam.midspan_moment,
         "ring_beam_shear_force": ring_beam.shear_force,
         "ring_beam_torque": ring_beam.largest_torque,
     }
     behind = {name: np.broadcast_to(call(function, support), shape)[..., 0] for name, function in inner.items()}
-    tension = {"anchor_tension": parameters["anchor_tension"], "support_force": parameters["support_force"]}
+    tension = anchor_lifts(loads) | {
+        "anchor_tension": parameters["anchor_tension"],
+        "support_force": parameters["support_force"],
+    }
     return found | behind | {name: np.broadcast_to(value, shape)[..., 0] for name, value in tension.items()}
 
 

@@ -39,7 +39,9 @@ def hopper_variables(expansion: Expansion, methods: list[AskedMethod], given: Se
 
     wall = filled(expansion, given, methods, HOPPER_QUANTITIES, on_wall, places.size)
     balance = filled(expansion, given, methods, BALANCE, balanced)
-    return {**wall, **balance, **_shape(given[0]), "hopper_position": places}
+    top, bottom = heights(given[0])
+    shape = _shape(given[0]) | {"hopper_place_height": top - places * (top - bottom)}
+    return {**wall, **balance, **shape, "hopper_position": places}
 
 
 def heights(parameters: Mapping) -> tuple[np.ndarray, np.ndarray]:

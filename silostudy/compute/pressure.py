@@ -21,6 +21,7 @@ from silostudy.compute.evaluate import (
 )
 from silostudy.compute.floor import floor_variables
 from silostudy.compute.hopper import hopper_variables, total_variables
+from silostudy.compute.silo_numbers import contents_mass, silo_variables
 from silostudy.cube.assemble import assemble
 from silostudy.pressure.calls import call
 from silostudy.pressure.family import (
@@ -42,6 +43,7 @@ HANDED_IF_KNOWN = (
     "a_phi",
     "a_K",
     "a_mu",
+    "patch_factor",
 )
 
 
@@ -52,6 +54,7 @@ def pressure_cube(expansion: Resolved) -> xr.Dataset:
     data = _labels(expansion, methods) | _on_wall(expansion, methods, given, z) | _handed(given)
     for name in ("hydraulic_radius", "cylinder_depth", "contact_depth"):
         data[name] = np.array([getattr(case.scene.silo, name) for case in expansion.cases]).reshape(expansion.shape)
+    data |= silo_variables(expansion, methods) | {"contents_mass": contents_mass(expansion, given)}
     data |= depth_coordinates(study, z) | {"used_for": list(USED_FOR)}
     for variables in (total_variables, used_variables, limit_variables):
         data |= variables(expansion, methods, given)

@@ -58,6 +58,7 @@ TOTALS = {
     "hopper_effective_friction": "1",
     "hopper_pressure_ratio": "1",
     "hopper_exponent": "1",
+    "hopper_flow_angle": "rad",
     "far_side_increase": "1",
     "far_side_depth": "m",
     "far_side_pressure": "Pa",
@@ -90,6 +91,7 @@ USED = {
     "wall_friction": "1",
     "wall_friction_uncapped": "1",
     "lateral_pressure_ratio": "1",
+    "power_law_exponent": "1",
 }
 ON_HOPPER = "hopper"
 USED_FOR = (*QUANTITIES, ON_HOPPER)

@@ -2,7 +2,7 @@
 
 def shown(name, key):
     """Files of an output, the first of them with its caption in the report."""
-    return told(files_of(key, RESULTS / name), name, MODELS[name].title, key)
+    return told(files_of(key, RESULTS / name, silos(name)), name, MODELS[name].title, key)
 
 
 def told(files, name, title, key):

@@ -3,7 +3,10 @@
 import hashlib
 from functools import cache
 
+import numpy as np
+
 from silostudy.choice.expand import expand_file
+from silostudy.cube.silos import named
 from silostudy.scene.scenes import files_of_scene, outputs_of_scene, title_of_scene
 
 
@@ -16,6 +19,14 @@ def digest(content):
 def expansion(name):
     """A study with its cases."""
     return expand_file(STUDIES[name])
+
+
+def silos(name):
+    """The cases that name the silos of a study, where an output is of one silo; none else, since they have to be looked for."""
+    if not any(OUTPUTS[key].per_silo for key in MODELS[name].outputs):
+        return []
+    cases = np.array([case.id for case in expansion(name).cases]).reshape(expansion(name).shape)
+    return named(cases, [axis.axis for axis in MODELS[name].sweep])
 
 
 def borrowed(model):
@@ -61,6 +72,6 @@ def wanted(name):
     """Every file that a study asks for."""
     model, folder = MODELS[name], RESULTS / name
     cubes = [folder / f"{stage}.nc" for stage in model.stages]
-    drawn = [Path(file) for key in model.outputs for file in files_of(key, folder)]
+    drawn = [Path(file) for key in model.outputs for file in files_of(key, folder, silos(name))]
     swept = [folder / f"{model.kind}-failed.csv", folder / f"parts/{model.kind}-verdict"] if name in SWEEPS else []
     return [folder / "cases.csv", *cubes, *drawn, *swept]

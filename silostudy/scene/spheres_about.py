@@ -107,8 +107,8 @@ def sphere_effects(scene: SphereScene) -> tuple[Effect, ...]:
     return (
         law_effect("friction, rotation, history", "tangential", contacts),
         law_effect("rolling resistance", "rolling", contacts),
-        law_effect("cohesion", "cohesion", contacts),
         law_effect("twisting resistance", "twisting", contacts),
+        law_effect("cohesion", "cohesion", contacts),
         Effect("spheres of several sizes", scene.sizes is None or scene.sizes.kind != "equal", f"sizes: {sizes}"),
         Effect("rain", FILLINGS[scene.filling.kind].rains, f"filling.kind: {scene.filling.kind}"),
         Effect("wall pressures every step", record.wall_force_window_s is not None, "record.wall_force_window_s"),

@@ -1,5 +1,6 @@
 """Pictures and tables drawn from a cube: one file each, all of them listed in tables/outputs.csv."""
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 
 from silostudy.catalogue import Family, Row
@@ -7,7 +8,7 @@ from silostudy.tables.read import HERE, rows
 from silostudy.tables.references import cite
 
 LISTS = ("axes", "methods", "phases", "rules")
-ENDINGS = {"figure": ("png", "svg", "csv"), "table": ("csv",), "animation": ("webp",)}
+ENDINGS = {"figure": ("png", "svg", "csv"), "table": ("csv",), "animation": ("webp",), "note": ("html",)}
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -26,6 +27,11 @@ class Output(Row):
     phases: tuple[str, ...]
     rules: tuple[str, ...]
     demands: frozenset[str]
+
+    @property
+    def per_silo(self) -> bool:
+        """Whether every silo of the study gets files of its own."""
+        return self.kind == "note"
 
     @property
     def single_case(self) -> bool:
@@ -60,10 +66,14 @@ def output_of(module: str) -> Output:
     return OUTPUTS[module.rpartition(".")[2]]
 
 
-def files_of(key: str, folder: str) -> list[str]:
-    """Files of an output in the folder of a study's results: a figure as PNG, SVG and the numbers it shows, a table as CSV."""
-    kind = OUTPUTS[key].kind
-    return [f"{folder}/{kind}s/{key}.{ending}" for ending in ENDINGS[kind]]
+def files_of(key: str, folder: str, silos: Iterable[str] = ()) -> list[str]:
+    """Files of an output in the folder of a study's results: a figure as PNG, SVG and the numbers it shows, a table as CSV.
+
+    silos: the cases that name the silos of the study, each with a file of its own where the output is of one silo.
+    """
+    row = OUTPUTS[key]
+    stems = [f"{key}-{silo}" for silo in silos] if row.per_silo else [key]
+    return [f"{folder}/{row.kind}s/{stem}.{ending}" for stem in stems for ending in ENDINGS[row.kind]]
 
 
 def caption(key: str) -> str:

@@ -106,7 +106,7 @@ def test_every_output_has_its_file():
 
     for key, row in OUTPUTS.items():
         assert callable(import_module(f"silostudy.figures.{key}").draw)
-        assert row.kind in ("figure", "table", "animation")
+        assert row.kind in ("figure", "table", "animation", "note")
         assert row.demands <= {
             "single_case",
             "only_axes",

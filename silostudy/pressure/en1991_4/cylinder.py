@@ -18,6 +18,11 @@ def _over(y):
     return np.where(y == 0, 1.0, np.log1p(y) / np.where(y == 0, 1.0, y))
 
 
+def power_exponent(*, hydraulic_radius, mu, k, contact, repose_angle):
+    """n (1) of the power law: -(1 + tan phi_r)(1 - h_o/z_o), z_o = R/(K mu). Source: en1991_4_2006."""
+    return -(1 + np.tan(repose_angle)) * (hydraulic_radius - k * mu * contact) / hydraulic_radius
+
+
 def power_law(z, *, unit_weight, hydraulic_radius, mu, k, contact, repose_angle):
     """(p_h, p_v) (Pa) of intermediate and squat silos at depth z (m); NaN above the wall contact.
 
@@ -25,10 +30,10 @@ def power_law(z, *, unit_weight, hydraulic_radius, mu, k, contact, repose_angle)
     Written so that nothing cancels at n = -1 nor as mu goes to 0: y = (z - h_o)/(z_o - h_o), z_o = R/(K mu).
     """
     reserve = hydraulic_radius - k * mu * contact  # (z_o - h_o) K mu
+    n = power_exponent(hydraulic_radius=hydraulic_radius, mu=mu, k=k, contact=contact, repose_angle=repose_angle)
     covered = (reserve > 0) & (z >= contact)
     depth, reserve = np.where(covered, z - contact, 0.0), np.where(reserve > 0, reserve, 1.0)
     y = k * mu * depth / reserve
-    n = -(1 + np.tan(repose_angle)) * reserve / hydraulic_radius
     log = np.log1p(y)
     stretched = depth * _over(y)  # (z_o - h_o) log(1 + y)
     p_h = unit_weight * hydraulic_radius * -n * stretched * k / reserve * exprel(n * log)

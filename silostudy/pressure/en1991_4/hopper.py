@@ -34,13 +34,18 @@ def filling_ratio(half_angle, mu):
     return 1 - PRESSURE_LOSS * mu / (mu + np.tan(half_angle))
 
 
+def flow_angle(mu, phi):
+    """eps (rad), turn of the stresses at the wall in flow: phi_wh + asin(sin phi_wh/sin phi). Source: en1991_4_2006."""
+    wall = np.arctan(mu)
+    return wall + np.arcsin(np.minimum(np.sin(wall) / np.sin(phi), 1.0))
+
+
 def discharge_ratio(half_angle, mu, phi):
     """F_e (1): (1 + sin phi cos eps)/(1 - sin phi cos(2 beta + eps)), eps = phi_wh + asin(sin phi_wh/sin phi).
 
     Source: en1991_4_2006 (a public program has beta + eps in place of 2 beta + eps and is wrong).
     """
-    wall = np.arctan(mu)
-    turn = wall + np.arcsin(np.minimum(np.sin(wall) / np.sin(phi), 1.0))
+    turn = flow_angle(mu, phi)
     return (1 + np.sin(phi) * np.cos(turn)) / (1 - np.sin(phi) * np.cos(2 * half_angle + turn))
 
 

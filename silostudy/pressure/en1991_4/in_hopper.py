@@ -13,6 +13,7 @@ WALL = (*PROPERTIES, "hopper_half_angle", "hopper_wall_friction", "slot", "end_r
 HOPPER = (*CYLINDER, *SHAPE, "hopper_wall_friction", "end_ratio")
 # the end walls of a rectangle are flatter than its long ones, and its slices carry on both
 PLANS = {name: frozenset({"rectangular"}) for name in ("hopper_end_normal_pressure", "hopper_end_friction_traction")}
+FLOW_ANGLE = f"Turn of the stresses at the wall in flow (rad): eps of F_e. {SEEN}"
 NUMBERS = {
     "hopper_steep": "1 in a steep hopper, 0 in a shallow one (1), by its long walls.",
     "hopper_effective_friction": "Wall friction mobilised on the long walls (1): mu_h, or mu_heff of a shallow hopper.",
@@ -46,6 +47,13 @@ def exponent(phase, given):
     (_, mu, ratio), (_, end_mu, end_ratio) = (wall_state(phase, angle, given) for angle in half_angles(given))
     long, ends = half_angles(given)
     return hopper.exponent(ratio, long, mu) + (1 - given["slot"]) * hopper.exponent(end_ratio, ends, end_mu)
+
+
+def flow_angle(**given):
+    """eps (rad) of the steep hopper in discharge."""
+    properties = take(given, PROPERTIES) | {"wall_friction": given["hopper_wall_friction"], "contact_share": 1.0}
+    mu, _, phi = characteristic("hopper_discharge", **properties)
+    return hopper.flow_angle(mu, phi)
 
 
 def load(magnifier, given):
@@ -104,6 +112,7 @@ def totals(phase, magnifier=factors.bottom_magnifier):
         "transition_force": asking(transition, (*HOPPER, *own), f"Downward force p_vft A (N) on the hopper. {SEEN}", None),
         "outlet_force": asking(outlet, (*HOPPER, *own, "outlet_width"), f"Downward force (N) on the outlet. {SEEN}", None),
         **{name: _number(place, phase, doc) for place, (name, doc) in enumerate(NUMBERS.items())},
+        **({"hopper_flow_angle": asking(flow_angle, WALL, FLOW_ANGLE, None)} if phase == "discharge" else {}),
         "hopper_exponent": asking(power, WALL, f"Exponent n (1) of the pressure in the hopper. {SEEN}", None),
     }
 

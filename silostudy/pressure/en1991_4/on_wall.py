@@ -1,5 +1,7 @@
 """EN 1991-4:2006 on the cylinder's wall: each quantity with a set of characteristic values, as functions of a method."""
 
+import numpy as np
+
 from silostudy.pressure.calls import asking, call, parameters_of
 from silostudy.pressure.en1991_4 import classes, cylinder, factors
 from silostudy.pressure.en1991_4.characteristic import PROPERTIES, characteristic, used
@@ -76,8 +78,21 @@ def phases(sets, increases=factors.USUAL):
 
 def used_by(sets):
     """phase -> quantity -> parameter -> function: the characteristic values of each quantity's set."""
-    each = {quantity: used(name) for quantity, name in sets.items()}
+    each = {quantity: used(name) | {"power_law_exponent": power_exponent(name)} for quantity, name in sets.items()}
     return {"filling": each, "discharge": each}
+
+
+def power_exponent(set_name):
+    """Function that gives the exponent of the power law with a set's values; NaN for slender silos, which go without it."""
+
+    def function(**given):
+        mu, k, _ = characteristic(set_name, **take(given, PROPERTIES))
+        own = {"contact": given["contact_depth"], **take(given, ("hydraulic_radius", "repose_angle"))}
+        n = cylinder.power_exponent(mu=mu, k=k, **own)
+        return np.where(given["cylinder_depth"] / given["diameter"] >= cylinder.SLENDER, np.nan, n)
+
+    names = (*PROPERTIES, "hydraulic_radius", "contact_depth", "repose_angle", "cylinder_depth", "diameter")
+    return asking(function, names, f"Exponent n (1) of the power law with the set {set_name}. {SEEN}", None)
 
 
 def numbers(phase, increases=factors.USUAL):

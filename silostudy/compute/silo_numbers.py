@@ -1,0 +1,54 @@
+"""What a reader of a cube needs to follow its numbers: the silo's sizes, its contents, and where the properties come from."""
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from silostudy.compute.evaluate import AskedMethod
+from silostudy.cube.variables import flags
+from silostudy.pressure.en1991_4.classes import capacity
+from silostudy.scene.expand import Expansion
+from silostudy.scene.origin import ORIGINS, PROPERTIES, origins
+
+SIZES = {
+    "silo_diameter": "diameter",
+    "silo_wall_height": "wall_depth",
+    "silo_heap_height": "top_cone_height",
+    "silo_filling_eccentricity": "filling_eccentricity",
+    "silo_outlet_eccentricity": "outlet_eccentricity",
+    "silo_volume": "volume",
+    "declared_assessment_class": "assessment_class",
+    "silo_plan": "plan",
+}
+
+
+def silo_variables(expansion: Expansion, methods: Sequence[AskedMethod]) -> dict:
+    """Sizes and kinds of every case, and the origin of every property by method."""
+    scenes = [case.scene for case in expansion.cases]
+    found = {name: _of_cases(expansion, [getattr(one.silo, own) for one in scenes]) for name, own in SIZES.items()}
+    found["silo_slenderness"] = _of_cases(expansion, [one.silo.cylinder_depth / one.silo.diameter for one in scenes])
+    capped = [float(one.characteristic_friction == "capped") for one in scenes]
+    found["characteristic_friction_capped"] = _of_cases(expansion, capped)
+    found["dynamic_bottom_load"] = _of_cases(expansion, [float(one.silo.dynamic_bottom) for one in scenes])
+    found["wall_contact_share"] = _of_cases(expansion, [one.contact_share for one in scenes])
+    found["solid_key"] = _of_cases(expansion, [one.solid.key for one in scenes])
+    found["wall_key"] = _of_cases(expansion, [one.wall.key if one.wall else "" for one in scenes])
+    found["hopper_wall_key"] = _of_cases(expansion, [one.hopper_wall.key if one.hopper_wall else "" for one in scenes])
+    return found | _origins(expansion, methods, scenes)
+
+
+def contents_mass(expansion: Expansion, given: Sequence) -> np.ndarray:
+    """Mass (kg) of the contents with the unit weight handed to each method, (method, axes...)."""
+    volume = _of_cases(expansion, [case.scene.silo.volume for case in expansion.cases])
+    return np.array([capacity(volume=volume, unit_weight=one["unit_weight"][..., 0]) for one in given])
+
+
+def _origins(expansion: Expansion, methods: Sequence[AskedMethod], scenes) -> dict:
+    found = [[origins(one, method.row.table_key or method.row.key, method.row.varies) for one in scenes] for method in methods]
+    numbers = np.array(found, dtype=np.int8).reshape(len(methods), *expansion.shape, len(PROPERTIES))
+    told = flags("where the property handed to the method comes from", ORIGINS)
+    return {"solid_property": list(PROPERTIES), "property_origin": (numbers, told)}
+
+
+def _of_cases(expansion: Expansion, values: list) -> np.ndarray:
+    return np.array(values).reshape(expansion.shape)

@@ -1,0 +1,197 @@
+"""The chapters of the note on silo, solid and loads, from the cube of pressures."""
+
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+import xarray as xr
+
+from silostudy.cube.silence import silences
+from silostudy.note import drawing
+from silostudy.note.lines import Scope, Written, every_line, write
+from silostudy.note.mathml import rounded
+from silostudy.note.sources import short
+from silostudy.tables.solids import SOLIDS
+from silostudy.tables.walls import WALLS
+
+DEPTHS = ("depth", "relative_depth")
+OVER_DEPTH = (
+    ("wall_normal_pressure", "p_h", "kPa"),
+    ("wall_friction_traction", "p_w", "kPa"),
+    ("vertical_pressure", "p_v", "kPa"),
+    ("axial_wall_force", "n_z", "kN/m"),
+)
+LEVELS = 13  # rows of a table over depth
+
+
+@dataclass(frozen=True)
+class Block:
+    """A part of a chapter: lines, or a table, or a drawing (SVG), or a paragraph, each under a heading of its own."""
+
+    heading: str = ""
+    lines: tuple[Written, ...] = ()
+    head: tuple[str, ...] = ()
+    rows: tuple[tuple[str, ...], ...] = ()
+    drawing: str = ""
+    texts: tuple[str, ...] = ()
+    strong: tuple[int, ...] = ()  # rows that matter most
+    items: tuple[str, ...] = ()
+    wordy: bool = False  # a table of words rather than numbers
+
+
+@dataclass(frozen=True)
+class Chapter:
+    """A numbered chapter of the note."""
+
+    title: str
+    blocks: list[Block] = field(default_factory=list)
+
+
+def method_of(cube: xr.Dataset) -> str:
+    """The method that a note follows: the first of the study with lines of its own, else its first."""
+    owned = {owner for line in every_line() for owner in line.owner}
+    keys = [str(key) for key in cube["pressure_method"].values]
+    return next((key for key in keys if key in owned), keys[0])
+
+
+def phase(one: xr.Dataset, key: str) -> xr.Dataset | None:
+    """The part of a cube in a phase; None where the study has not asked for it."""
+    return one.sel(phase=key) if key in one["phase"].values else None
+
+
+def foot(one: xr.Dataset) -> xr.Dataset:
+    """The part of a cube at its lowest depth."""
+    return one.isel({dim: -1 for dim in DEPTHS if dim in one.dims})
+
+
+def flags(one: xr.Dataset) -> dict[str, float]:
+    """Numbers for the conditions of lines: kind of plan and of characteristic values."""
+    plan = str(one["silo_plan"].values)
+    deepest, transition = float(foot(one)["depth"]), float(one["cylinder_depth"])
+    return {
+        "circular": plan == "circular",
+        "cone": plan in ("circular", "square"),
+        "slot": plan == "slot",
+        "capped": float(one["characteristic_friction_capped"]),
+        "share": float(one["wall_contact_share"]),
+        "dynamic": float(one["dynamic_bottom_load"]),
+        "reaches": abs(deepest - transition) < 1e-9 * transition,
+    }
+
+
+def chapters(one: xr.Dataset, method: str, checks: xr.Dataset | None) -> tuple[list[Chapter], Scope]:
+    """(chapters on silo, solid and pressures, the scope that knows all their names); one: a silo by a method, all phases."""
+    first = one.isel(phase=0)
+    scope = Scope(()).at(foot(first), **flags(one))
+    sizes = tuple(write("silo", scope, method))
+    return [
+        Chapter("Silo", [Block(drawing=drawing.picture(one, checks)), Block("Sizes", sizes)]),
+        Chapter("Stored solid and walls", _solid(first, scope, method)),
+        Chapter("Pressures on the vertical wall", _wall(one, scope, method)),
+        Chapter("Bottom and hopper", _hopper(one, scope, method)),
+    ], scope
+
+
+def _solid(first: xr.Dataset, scope: Scope, method: str) -> list[Block]:
+    found = [replace(line, origin=_origin(first, line.line.variable)) for line in write("solid", scope, method)]
+    blocks = [Block("Properties as handed to the method", tuple(found))]
+    if classed := write("class", scope, method):
+        blocks.append(Block("Classes", tuple(classed)))
+    if sets := write("sets", scope, method):
+        blocks.append(Block("Characteristic values", tuple(sets)))
+    return blocks
+
+
+def _origin(first: xr.Dataset, name: str) -> str:
+    """Where a property comes from, in words, with the source of its row."""
+    if name not in first["solid_property"].values:
+        return ""
+    flags = first["property_origin"].sel(solid_property=name)
+    return ORIGINS.get(word := flags.attrs["flag_meanings"].split()[int(flags)], lambda _: word.replace("_", " "))(first)
+
+
+def _of_solid(first: xr.Dataset) -> str:
+    key = str(first["solid_key"].values)
+    return f"{key}: {_place(SOLIDS[key])}" if key in SOLIDS else f"{key}: the study's own table"
+
+
+def _of_wall(name: str):
+    def told(first: xr.Dataset) -> str:
+        row = WALLS[str(first[name].values)]
+        return f"{row.key}, {row.title}: {_place(row)}"
+
+    return told
+
+
+def _place(row) -> str:
+    return f"{short(row.source)}, {row.locator}"
+
+
+ORIGINS = {"solid_table": _of_solid, "kind_of_wall": _of_wall("wall_key"), "kind_of_hopper_wall": _of_wall("hopper_wall_key")}
+
+
+def _wall(one: xr.Dataset, scope: Scope, method: str) -> list[Block]:
+    blocks = []
+    for key in ("filling", "discharge"):
+        here = phase(one, key)
+        if here is None or here["wall_normal_pressure"].isnull().all():
+            continue
+        found = write(key, knowing(scope, foot(here)), method)
+        blocks.append(Block("After filling, at the foot of the wall" if key == "filling" else "In discharge", tuple(found)))
+        patch = write(f"patch {key}", knowing(scope, foot(here)), method)
+        if patch:
+            blocks.append(Block(f"Patch load, {key}", tuple(patch)))
+    blocks.append(_over_depth(one))
+    told = silences(one.expand_dims("pressure_method") if "pressure_method" not in one.dims else one)
+    return [*blocks, *([Block(texts=tuple(told))] if told else [])]
+
+
+def knowing(scope: Scope, *cubes: xr.Dataset) -> Scope:
+    """The same scope of names, read elsewhere: what is learnt there stays known."""
+    return Scope(cubes, scope.known)
+
+
+def _over_depth(one: xr.Dataset) -> Block:
+    dim = next(dim for dim in DEPTHS if dim in one["wall_normal_pressure"].dims)
+    places = np.unique(np.linspace(0, one.sizes[dim] - 1, LEVELS).round().astype(int))
+    columns = [
+        (f"{symbol}{'f' if key == 'filling' else 'e'} ({unit})", one[name].sel(phase=key))
+        for key in ("filling", "discharge")
+        if key in one["phase"].values
+        for name, symbol, unit in OVER_DEPTH
+        if not one[name].sel(phase=key).isnull().all()
+    ]
+    rows = [
+        (rounded(float(one["depth"][place])), *(rounded(float(values[place]) / 1e3) for _, values in columns))
+        for place in places
+    ]
+    head = ("z (m)", *(label for label, _ in columns))
+    return Block("Over depth: f after filling, e in discharge", head=head, rows=tuple(rows))
+
+
+def _hopper(one: xr.Dataset, scope: Scope, method: str) -> list[Block]:
+    blocks: list[Block] = []
+    first = phase(one, "filling")
+    if first is not None and (found := write("bottom", knowing(scope, foot(first)), method)):
+        blocks.append(Block("Load on hopper or bottom", tuple(found)))
+    if "hopper_position" not in one.dims:
+        return [*blocks, Block(texts=("No hopper, or the study gives no hopper_position: nothing is computed on its wall.",))]
+    middle = one.sizes["hopper_position"] // 2
+    for key in ("filling", "discharge"):
+        here = phase(one, key)
+        if here is None or here["hopper_normal_pressure"].isnull().all():
+            continue
+        found = write(f"hopper {key}", knowing(scope, foot(here).isel(hopper_position=middle)), method)
+        blocks.append(Block(f"Hopper, {key}", tuple(found)))
+        blocks.append(_over_hopper(here, key))
+    drawn = not one["hopper_normal_pressure"].isnull().all()
+    return [*blocks, *([Block("Over the hopper", drawing=drawing.hopper(one))] if drawn else [])]
+
+
+def _over_hopper(here: xr.Dataset, key: str) -> Block:
+    places = np.unique(np.linspace(0, here.sizes["hopper_position"] - 1, 9).round().astype(int))
+    names = ("hopper_place_height", "hopper_vertical_pressure", "hopper_normal_pressure", "hopper_friction_traction")
+    rows = []
+    for place in places:
+        at = here.isel(hopper_position=place)
+        rows.append(tuple(rounded(float(at[name]) / (1.0 if name == names[0] else 1e3)) for name in names))
+    return Block(f"Over the hopper, {key}", head=("x (m)", "p_v (kPa)", "p_n (kPa)", "p_t (kPa)"), rows=tuple(rows))
