@@ -11,14 +11,14 @@ from silostudy.scene.expand import Expansion
 from silostudy.scene.origin import ORIGINS, PROPERTIES, origins
 
 SIZES = {
-    "silo_diameter": "diameter",
-    "silo_wall_height": "wall_depth",
-    "silo_heap_height": "top_cone_height",
-    "silo_filling_eccentricity": "filling_eccentricity",
-    "silo_outlet_eccentricity": "outlet_eccentricity",
-    "silo_volume": "volume",
-    "declared_assessment_class": "assessment_class",
-    "silo_plan": "plan",
+    "given_diameter": "diameter",
+    "given_filled_height": "wall_depth",
+    "given_heap_height": "top_cone_height",
+    "given_filling_eccentricity": "filling_eccentricity",
+    "given_outlet_eccentricity": "outlet_eccentricity",
+    "given_volume": "volume",
+    "given_assessment_class": "assessment_class",
+    "given_plan": "plan",
 }
 
 
@@ -26,14 +26,14 @@ def silo_variables(expansion: Expansion, methods: Sequence[AskedMethod]) -> dict
     """Sizes and kinds of every case, and the origin of every property by method."""
     scenes = [case.scene for case in expansion.cases]
     found = {name: _of_cases(expansion, [getattr(one.silo, own) for one in scenes]) for name, own in SIZES.items()}
-    found["silo_slenderness"] = _of_cases(expansion, [one.silo.cylinder_depth / one.silo.diameter for one in scenes])
+    found["given_slenderness"] = _of_cases(expansion, [one.silo.cylinder_depth / one.silo.diameter for one in scenes])
     capped = [float(one.characteristic_friction == "capped") for one in scenes]
-    found["characteristic_friction_capped"] = _of_cases(expansion, capped)
-    found["dynamic_bottom_load"] = _of_cases(expansion, [float(one.silo.dynamic_bottom) for one in scenes])
-    found["wall_contact_share"] = _of_cases(expansion, [one.contact_share for one in scenes])
-    found["solid_key"] = _of_cases(expansion, [one.solid.key for one in scenes])
-    found["wall_key"] = _of_cases(expansion, [one.wall.key if one.wall else "" for one in scenes])
-    found["hopper_wall_key"] = _of_cases(expansion, [one.hopper_wall.key if one.hopper_wall else "" for one in scenes])
+    found["given_friction_capped"] = _of_cases(expansion, capped)
+    found["given_dynamic_bottom"] = _of_cases(expansion, [float(one.silo.dynamic_bottom) for one in scenes])
+    found["given_contact_share"] = _of_cases(expansion, [one.contact_share for one in scenes])
+    found["given_solid"] = _of_cases(expansion, [one.solid.key for one in scenes])
+    found["given_wall"] = _of_cases(expansion, [one.wall.key if one.wall else "" for one in scenes])
+    found["given_hopper_wall"] = _of_cases(expansion, [one.hopper_wall.key if one.hopper_wall else "" for one in scenes])
     return found | _origins(expansion, methods, scenes)
 
 

@@ -81,7 +81,7 @@ def _svg(width: float, height: float, parts: Sequence[str]) -> str:
 def _scale(first: xr.Dataset) -> Scale:
     depth, contact = float(first["cylinder_depth"]), float(first["contact_depth"])
     hopper = _value(first, "hopper_height") - _outlet_height(first) if _value(first, "hopper_height") else 0.0
-    return Scale(min(0.0, contact - _value(first, "silo_heap_height")), depth + hopper)
+    return Scale(min(0.0, contact - _value(first, "given_heap_height")), depth + hopper)
 
 
 def _value(first: xr.Dataset, name: str) -> float:
@@ -95,18 +95,18 @@ def _outlet_height(first: xr.Dataset) -> float:
 
 def _silo(first: xr.Dataset, checks: xr.Dataset | None, scale: Scale, middle: float) -> list[str]:
     depth, contact = float(first["cylinder_depth"]), float(first["contact_depth"])
-    half = min(float(first["silo_diameter"]) / 2 * scale.per_metre, 85.0)
+    half = min(float(first["given_diameter"]) / 2 * scale.per_metre, 85.0)
     left, right = middle - half, middle + half
     top, foot = scale.y(contact), scale.y(depth)
     parts = [line(x, top - 12, x, foot, stroke_width="2") for x in (left, right)]
     parts.append(line(middle, TOP - 8, middle, scale.y(scale.lowest) + 14, stroke="#888", stroke_dasharray="8 3 2 3"))
     parts.append(line(left, scale.y(0), right, scale.y(0), stroke="#2166AC", stroke_dasharray="4 3"))
     parts.append(_word(right + 4, scale.y(0) + 4, "z = 0", "start", 10))
-    if heap := _value(first, "silo_heap_height"):
+    if heap := _value(first, "given_heap_height"):
         parts.append(path([(left, top), (middle, scale.y(contact - heap)), (right, top)], stroke="#A6611A"))
     parts += _below(first, scale, left, right, middle)
     parts += _dimension(left - 18, scale.y(0), foot, f"h_c {rounded(depth)} m")
-    diameter = f"d_c {rounded(float(first['silo_diameter']))} m"
+    diameter = f"d_c {rounded(float(first['given_diameter']))} m"
     parts += [_word(middle, TOP - 18, diameter), line(left, TOP - 12, right, TOP - 12, stroke="#555", stroke_width="0.7")]
     return parts + (_strakes(checks, scale, left, right) if checks is not None else [])
 
@@ -117,7 +117,7 @@ def _below(first: xr.Dataset, scale: Scale, left: float, right: float, middle: f
     if not _value(first, "hopper_height"):
         return [line(left, foot, right, foot, stroke_width="2"), _word(middle, foot + 14, "flat bottom or hopper not given")]
     end = scale.lowest
-    share = float(first["outlet_width"]) / float(first["silo_diameter"])
+    share = float(first["outlet_width"]) / float(first["given_diameter"])
     out = (right - left) / 2 * share
     sides = [[(left, foot), (middle - out, scale.y(end))], [(right, foot), (middle + out, scale.y(end))]]
     angle = f"β {rounded(np.degrees(float(first['hopper_half_angle'])))}°"

@@ -97,8 +97,7 @@ def _written(node: ast.expr, name_of: Written, linear: bool = False) -> tuple[st
         case ast.Compare(left=left, ops=[op], comparators=[right]):
             return row(_written(left, name_of)[0], mo(COMPARED[type(op)][0]), _written(right, name_of)[0]), SUM
         case ast.Call(func=ast.Name(id=function), args=arguments):
-            inner = function == "exp"
-            return _called(function, [_written(one, name_of, inner)[0] for one in arguments]), WHOLE
+            return _called(function, [_written(one, name_of, function == "exp")[0] for one in arguments]), WHOLE
     raise ValueError(f"a formula cannot hold {ast.dump(node)}")
 
 

@@ -65,15 +65,15 @@ def foot(one: xr.Dataset) -> xr.Dataset:
 
 def flags(one: xr.Dataset) -> dict[str, float]:
     """Numbers for the conditions of lines: kind of plan and of characteristic values."""
-    plan = str(one["silo_plan"].values)
+    plan = str(one["given_plan"].values)
     deepest, transition = float(foot(one)["depth"]), float(one["cylinder_depth"])
     return {
         "circular": plan == "circular",
         "cone": plan in ("circular", "square"),
         "slot": plan == "slot",
-        "capped": float(one["characteristic_friction_capped"]),
-        "share": float(one["wall_contact_share"]),
-        "dynamic": float(one["dynamic_bottom_load"]),
+        "capped": float(one["given_friction_capped"]),
+        "share": float(one["given_contact_share"]),
+        "dynamic": float(one["given_dynamic_bottom"]),
         "reaches": abs(deepest - transition) < 1e-9 * transition,
     }
 
@@ -110,7 +110,7 @@ def _origin(first: xr.Dataset, name: str) -> str:
 
 
 def _of_solid(first: xr.Dataset) -> str:
-    key = str(first["solid_key"].values)
+    key = str(first["given_solid"].values)
     return f"{key}: {_place(SOLIDS[key])}" if key in SOLIDS else f"{key}: the study's own table"
 
 
@@ -126,7 +126,11 @@ def _place(row) -> str:
     return f"{short(row.source)}, {row.locator}"
 
 
-ORIGINS = {"solid_table": _of_solid, "kind_of_wall": _of_wall("wall_key"), "kind_of_hopper_wall": _of_wall("hopper_wall_key")}
+ORIGINS = {
+    "solid_table": _of_solid,
+    "kind_of_wall": _of_wall("given_wall"),
+    "kind_of_hopper_wall": _of_wall("given_hopper_wall"),
+}
 
 
 def _wall(one: xr.Dataset, scope: Scope, method: str) -> list[Block]:

@@ -7,6 +7,7 @@ import numpy as np
 import xarray as xr
 
 from silostudy.buckling import BUCKLING
+from silostudy.checks import BUCKLING as BY_RULE
 from silostudy.checks import CHECKS
 from silostudy.cube.contract import SCOPE
 from silostudy.cube.silos import END
@@ -91,7 +92,7 @@ def at_end(cube: xr.Dataset, number: int) -> xr.Dataset:
 def titled(cube: xr.Dataset, key: str) -> str:
     """A check or rule in words."""
     rules = [str(rule) for rule in cube["rule"].values]
-    if key == "buckling":
+    if key == BY_RULE:
         key = rules[0]
     if key in rules:
         return f"axial buckling, {cube['rule_title'].values[rules.index(key)]}"

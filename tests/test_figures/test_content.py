@@ -56,7 +56,7 @@ class Drawn:
     def faults(self) -> list[str]:
         """Everything that is wrong with it, in words."""
         if self.figure is None:
-            return [] if len(self.table) else ["the table is empty"]
+            return [] if self.table is None or len(self.table) else ["the table is empty"]  # a note is read in tests/test_note
         found = [*content.unlabelled(self.figure, {id(text) for text, _ in self.texts}), *content.rising_depths(self.figure)]
         found += [*content.bare(self.figure), *content.outside(self.words, self.figure), *content.overlapping(self.texts)]
         small = {text.get_text() for text, _ in self.texts if text.get_fontsize() < LEAST_TEXT}
