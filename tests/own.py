@@ -42,7 +42,8 @@ LAW = '''
 from numba.extending import register_jitable
 
 from silostudy.contact import spring
-from silostudy.contact.family import Coefficient, NormalLaw
+from silostudy.contact.coefficient import Coefficient
+from silostudy.contact.family import NormalLaw
 
 
 @register_jitable

@@ -6,7 +6,7 @@ from math import pi, sqrt, tan
 import numpy as np
 
 from silostudy.contact import elastic
-from silostudy.contact.family import Given
+from silostudy.contact.coefficient import Given
 from silostudy.contact.normal import hertz_tension
 from silostudy.contact.tangential import mindlin
 from silostudy.dem.model import Contact

@@ -19,8 +19,8 @@ from silostudy.catalogue import Family
 from silostudy.config.fields import Strict, described
 from silostudy.config.own import Families, families_of, key_of
 from silostudy.contact import DEFAULTS, LAWS
+from silostudy.contact.coefficient import Coefficient
 from silostudy.contact.curve import PRINTED_CONSTANTS
-from silostudy.contact.family import Coefficient
 
 NormalKey: TypeAlias = key_of(LAWS["normal"])  # type: ignore[valid-type]
 TangentialKey: TypeAlias = key_of(LAWS["tangential"])  # type: ignore[valid-type]

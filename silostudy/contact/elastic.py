@@ -6,7 +6,7 @@ import numpy as np
 from numba.extending import register_jitable
 from scipy.optimize import brentq
 
-from silostudy.contact.family import Coefficient, Given
+from silostudy.contact.coefficient import Coefficient, Given
 
 LEAST = 1e-3  # restitution below which no dashpot is sought
 

@@ -5,7 +5,6 @@ from abc import abstractmethod
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
-from math import isfinite
 from pathlib import Path
 from typing import Any, ClassVar, NamedTuple
 
@@ -14,7 +13,8 @@ from numba.core.registry import cpu_target
 from numba.extending import register_jitable
 
 from silostudy.catalogue import Row
-from silostudy.errors import BadInput, unknown
+from silostudy.contact.coefficient import Coefficient, Given
+from silostudy.errors import BadInput
 from silostudy.soundness import faults_of_function, faults_of_trial
 
 
@@ -31,69 +31,6 @@ class Touch(NamedTuple):
     overlap: float = 0.0
     closing: float = 0.0
     before: float = 0.0
-
-
-@dataclass(frozen=True)
-class Given:
-    """What a contact's coefficients are made from: the fields of its section in a scene, radius (m), density (kg/m3).
-
-    normal: the law of its normal force; wall: whether the other body is a wall; uneven: whether the discs differ in size, so
-    that dashpots have to follow the masses of each pair.
-    """
-
-    fields: Mapping[str, Any]
-    radius: float
-    density: float
-    normal: "NormalLaw"
-    wall: bool = False
-    uneven: bool = False
-
-    def __getitem__(self, field: str) -> Any:
-        if field not in self.fields:
-            raise unknown("contact field", field, self.fields)
-        return self.fields[field]
-
-
-@dataclass(frozen=True, kw_only=True)
-class Coefficient:
-    """A coefficient that a law takes: its name and unit there, its range, and the YAML fields it comes from.
-
-    One that is prepared comes from fields that laws share.  Any other is read from a field of its own, which the contact
-    section takes because of this row: `text` describes it, `default` None asks for it.
-    """
-
-    name: str
-    unit: str
-    fields: tuple[tuple[str, ...], ...] = ()  # of each group one
-    positive: bool = False  # else zero or more
-    prepare: Callable[[Given], float] | None = None
-    text: str = ""
-    default: float | None = None
-    stiffness_power: float = 0.0  # of the factor by which a contact's springs are made stiffer
-    damping_power: float = 0.0  # of the factor by which its dashpots are made stronger
-
-    @property
-    def own(self) -> bool:
-        """Whether the field it comes from is its own."""
-        return self.prepare is None
-
-    @property
-    def field(self) -> str:
-        """The field of its own."""
-        return self.fields[0][0]
-
-    @property
-    def range(self) -> str:
-        return "positive" if self.positive else "zero or more"
-
-    def check(self, value: float, law: "Law") -> None:
-        """BadInput for a value out of range."""
-        if not (isfinite(value) and (value > 0.0 or (value == 0.0 and not self.positive))):
-            raise BadInput(self.name, value, f"must be {self.range} ({self.unit}), for the law {law.key}")
-
-    def value(self, given: Given) -> float:
-        """The value in SI from what a scene gives."""
-        return float(given[self.field]) if self.prepare is None else self.prepare(given)
 
 
 USUAL = Touch(mass=1.0, radius=0.01, dt=1e-5)

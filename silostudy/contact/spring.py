@@ -8,8 +8,8 @@ from math import pi, sqrt
 import numpy as np
 from numba.extending import register_jitable
 
+from silostudy.contact.coefficient import Coefficient, Given
 from silostudy.contact.curve import PRINTED_CONSTANTS, secant
-from silostudy.contact.family import Coefficient, Given
 
 STIFFNESS = ("normal_stiffness_N_m2", "line_contact")  # fields of which one is given
 DAMPING = ("normal_damping_N_s_m2", "damping_ratio", "restitution")

@@ -9,7 +9,7 @@ from silostudy.config.contact import ContactConfig
 from silostudy.config.dem import BoxConfig, DemScene, EventConfig
 from silostudy.config.grain_scenes import AnyScene
 from silostudy.contact import NO_TANGENTIAL, TANGENTIAL, spring
-from silostudy.contact.family import Given
+from silostudy.contact.coefficient import Given
 from silostudy.dem.events import Event
 from silostudy.dem.model import Contact, Wall
 from silostudy.dem.pieces import Laws

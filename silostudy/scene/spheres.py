@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from silostudy.config.spheres import MaterialConfig, SphereEventConfig, SphereScene, TouchConfig
-from silostudy.contact.family import Given
+from silostudy.contact.coefficient import Given
 from silostudy.contact.rolling import spring_slider
 from silostudy.dem.events import Event
 from silostudy.dem.model import Contact

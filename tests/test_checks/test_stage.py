@@ -33,6 +33,7 @@ SLENDER = ROOT / "config/studies/steel-wheat-checks.yaml"
 def study(levels=7, **changes) -> dict:
     content = yaml.safe_load(SLENDER.read_text(encoding="utf-8"))
     content["outputs"], content["relative_depth"]["count"] = [], levels
+    del content["loads"]
     content["rules"], content["methods"] = ["en1993_4_1_2007", "en1993_1_6_2007"], ["en1991_4", "janssen"]
     for key, value in changes.items():
         place, *inner = key.split("__")

@@ -13,7 +13,8 @@ from silostudy.compute.dem_cube import cube_of
 from silostudy.config.dem import DemScene
 from silostudy.config.load import validated
 from silostudy.contact import LAWS, NORMAL, ROLLING, TANGENTIAL
-from silostudy.contact.family import Coefficient, NormalLaw, RollingLaw, TangentialLaw
+from silostudy.contact.coefficient import Coefficient
+from silostudy.contact.family import NormalLaw, RollingLaw, TangentialLaw
 from silostudy.dem.ledger import TURNOVER, balance
 from silostudy.dem.stability import longest_step
 from silostudy.errors import BadInput

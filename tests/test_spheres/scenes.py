@@ -4,7 +4,7 @@ from math import pi
 
 import numpy as np
 
-from silostudy.contact.family import Given
+from silostudy.contact.coefficient import Given
 from silostudy.dem.engine import Engine
 from silostudy.dem.model import Contact
 from silostudy.dem.pieces import Laws

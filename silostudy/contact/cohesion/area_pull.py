@@ -4,7 +4,8 @@ from math import pi
 
 from numba.extending import register_jitable
 
-from silostudy.contact.family import Coefficient, CohesionLaw
+from silostudy.contact.coefficient import Coefficient
+from silostudy.contact.family import CohesionLaw
 
 
 @register_jitable

@@ -2,7 +2,8 @@
 
 from numba.extending import register_jitable
 
-from silostudy.contact.family import Coefficient, CohesionLaw
+from silostudy.contact.coefficient import Coefficient
+from silostudy.contact.family import CohesionLaw
 
 
 @register_jitable

@@ -11,7 +11,8 @@ import numpy as np
 from numba.extending import register_jitable
 
 from silostudy.contact import elastic
-from silostudy.contact.family import Coefficient, CohesionLaw
+from silostudy.contact.coefficient import Coefficient
+from silostudy.contact.family import CohesionLaw
 
 STEPS = 8  # of Newton's method, from above: to rounding at all overlaps that a contact has
 LARGEST_PULL = 1.5 * pi  # of a contact, over work of adhesion and reduced radius

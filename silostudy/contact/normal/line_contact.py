@@ -6,7 +6,8 @@ import numpy as np
 from numba.extending import register_jitable
 
 from silostudy.contact import curve, spring
-from silostudy.contact.family import Coefficient, Given, NormalLaw
+from silostudy.contact.coefficient import Coefficient, Given
+from silostudy.contact.family import NormalLaw
 from silostudy.contact.sources import KIYAMA
 
 

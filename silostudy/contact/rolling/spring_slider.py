@@ -3,7 +3,8 @@
 from numba.extending import register_jitable
 
 from silostudy.contact import spring
-from silostudy.contact.family import Coefficient, RollingLaw
+from silostudy.contact.coefficient import Coefficient
+from silostudy.contact.family import RollingLaw
 from silostudy.contact.vector import less, limited
 
 

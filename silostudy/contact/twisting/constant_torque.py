@@ -1,6 +1,7 @@
 """Twisting resistance of one moment against any twisting, however slow: the law of rolling, about the normal."""
 
-from silostudy.contact.family import Coefficient, TwistingLaw
+from silostudy.contact.coefficient import Coefficient
+from silostudy.contact.family import TwistingLaw
 from silostudy.contact.rolling import constant_torque
 
 FRICTION = Coefficient(

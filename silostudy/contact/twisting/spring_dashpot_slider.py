@@ -1,6 +1,7 @@
 """Twisting resistance: a rotational spring and dashpot about the normal behind a slider: the law of rolling."""
 
-from silostudy.contact.family import Coefficient, TwistingLaw
+from silostudy.contact.coefficient import Coefficient
+from silostudy.contact.family import TwistingLaw
 from silostudy.contact.rolling import spring_dashpot_slider
 from silostudy.contact.twisting import constant_torque
 
