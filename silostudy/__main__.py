@@ -14,6 +14,7 @@ from silostudy.commands import (
     dem,
     drawing,
     explain,
+    export,
     fronts,
     listing,
     note,
@@ -26,7 +27,7 @@ from silostudy.files import check_output, check_writable
 
 OUTPUT, STEMS = "output", ("stem", "figure")  # arguments that name what a command writes: a file, files without their ending
 STOPPED = 130  # status of a command that the user stopped
-ROOMS = (listing, explain, compare, cite, studies, stages, drawing, note, sweeps, dem, fronts, bench)
+ROOMS = (listing, explain, compare, cite, studies, stages, export, drawing, note, sweeps, dem, fronts, bench)
 
 
 def parser() -> argparse.ArgumentParser:

@@ -6,12 +6,14 @@ from silostudy.checks.family import SUPPORT, SteelCheck
 from silostudy.limits import Limit, Measure
 
 
-def tension(lift, *, circle_diameter, anchor_count):
-    """Tension (N) of one anchor by a lift (N/m) round the wall: lift pi d / n, at least 0. Source: statics, two codes of tanks.
+def tension(bending, lift, *, inner_radius, circle_diameter, anchor_count):
+    """Tension (N) of one anchor: 4 M/(n d) + 2 pi r lift/n, at least 0. Source: statics, two codes of tanks.
 
-    With a moment and a weight this is 4 M/(n d) - W/n.
+    bending: M/(pi r^2) (N/m) in the wall; lift: what else pulls there (N/m), a weight negative; the anchors' circle d need not
+    be the wall's.
     """
-    return np.maximum(lift * np.pi * circle_diameter / anchor_count, 0.0)
+    round_wall = 2 * np.pi * inner_radius / anchor_count
+    return np.maximum((bending * 2 * inner_radius / circle_diameter + lift) * round_wall, 0.0)
 
 
 def acting(*, anchor_tension):

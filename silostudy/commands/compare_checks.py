@@ -9,6 +9,9 @@ if TYPE_CHECKING:
 SECTION = "not checked without the section checks: combinations of actions, and"
 
 
+MASKED = "   masked: beyond the rule, or no load"
+
+
 def lines_of(expansion, pressure: "xr.Dataset", seismic: "xr.Dataset | None") -> list[str]:
     """The lines on the checks, or which of them the study does not ask for."""
     from silostudy.checks import CHECKS, SOLID_CHECKS
@@ -19,7 +22,24 @@ def lines_of(expansion, pressure: "xr.Dataset", seismic: "xr.Dataset | None") ->
     from silostudy.cube.unchecked import unchecked
 
     cube = checks_cube(expansion, pressure, seismic)
-    return ["", *strakes(cube), *parts(cube), *(f"note: {line}" for line in unchecked(cube))]
+    return ["", *strakes(cube), *parts(cube), *(f"note: {line}" for line in [*unchecked(cube), *ranges(cube)])]
+
+
+def ranges(cube: "xr.Dataset") -> list[str]:
+    """A line for every check that is silent somewhere because the steel is out of its range: its limits."""
+    from silostudy.checks import CHECKS
+    from silostudy.checks.family import OUT_OF_RANGE
+    from silostudy.cube.contract import SCOPE
+    from silostudy.cube.unchecked import PARTS
+
+    silent = [
+        check
+        for axis, name in PARTS.items()
+        if name in cube
+        for check in map(str, cube[axis].values)
+        if (cube[name + SCOPE].sel({axis: check}) == OUT_OF_RANGE).any()
+    ]
+    return [f"{check}: out of range where not {'; '.join(one.words() for one in CHECKS[check].bounds)}" for check in silent]
 
 
 def strakes(cube: "xr.Dataset") -> list[str]:
@@ -33,8 +53,8 @@ def strakes(cube: "xr.Dataset") -> list[str]:
         built = cube["place_thickness"].values[cube["place_strake"].values == strake][0]
         name = f"{method}, {rule}, {strake}"
         needed, used = (_worst(one, f"design_strake_{what}") for what in ("thickness", "utilisation"))
-        text = f"{built * 1e3:7.2f} mm{needed[0] * 1e3:7.2f} mm   {needed[1]:33}{used[0]:8.3f}   {used[1]}"
-        lines.append(f"{name:56}{text if not isnan(needed[0]) else 'masked: beyond the rule, or without load'}")
+        text = MASKED if isnan(needed[0]) else f"{needed[0] * 1e3:7.2f} mm   {needed[1]}"
+        lines.append(f"{name:56}{built * 1e3:7.2f} mm{text:43} {MASKED if isnan(used[0]) else f'{used[0]:8.3f}   {used[1]}'}")
     return [*lines, "needed: if the whole wall were so thick; as built, thick courses steady thin ones against wind"]
 
 

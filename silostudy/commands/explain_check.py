@@ -21,6 +21,7 @@ def checks() -> list[str]:
     lines = ["checks of a silo's steel beside axial buckling (`silostudy list buckling`)"]
     lines += [f"  {row.key:26}{row.title:40}{_made(row, SOLID_CHECKS)}" for row in CHECKS.values()]
     lines.append("combinations of actions: `silostudy list combinations`; a study's own in checks.combinations")
+    lines.append("load cases of EN 1991-4 behind them: `silostudy list load-cases`; of one silo: `silostudy compare STUDY`")
     told = {
         "remembered alone, so not built": not_built.MEMORY,
         "sources disagree": not_built.CONFLICT,

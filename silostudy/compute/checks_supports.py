@@ -102,9 +102,10 @@ def anchor_lifts(loads: Load) -> dict[str, np.ndarray]:
 
 def anchor_tension(loads: Load) -> np.ndarray:
     """Tension (N) of the anchor that is drawn most, (combination, 1, axes..., 1)."""
-    number, lifts = loads.source.numbers, anchor_lifts(loads)
-    upward = sum(value for name, value in lifts.items() if not name.endswith("weight")) - lifts["anchor_lift_weight"]
-    return anchors.tension(upward, circle_diameter=number["circle_diameter"], anchor_count=number["anchor_count"])
+    number = loads.source.numbers
+    lifts = {name.removeprefix("anchor_lift_"): value for name, value in anchor_lifts(loads).items()}
+    ring = {name: number[name] for name in ("inner_radius", "circle_diameter", "anchor_count")}
+    return anchors.tension(lifts["bending"] + lifts["earthquake"], lifts["harmonics"] - lifts["weight"], **ring)
 
 
 def below(pressure: xr.Dataset, loads: Load, built: Mapping) -> dict:

@@ -4,7 +4,7 @@ import numpy as np
 import xarray as xr
 
 from silostudy.choice.promise import Choice, promises
-from silostudy.compute.sphere_cube import sphere_arrays, sphere_notes
+from silostudy.compute.sphere_cube import mean_outflow, sphere_arrays, sphere_notes
 from silostudy.config.dem import DemScene
 from silostudy.config.grain_scenes import AnyScene
 from silostudy.config.spheres import SphereScene
@@ -36,7 +36,7 @@ def cube_of(run: Run, scene: AnyScene, choice: Choice | None = None) -> xr.Datas
         **{f"{body}s_{way}": count for way, count in record.left.items()},
     }
     if isinstance(scene, SphereScene):
-        notes |= sphere_notes(scene)
+        notes |= sphere_notes(scene) | mean_outflow(run)
     if run.trouble:
         notes["stopped"] = run.trouble
     return assemble(scene, "dem", kept, sources=sources_of(model), notes=notes)

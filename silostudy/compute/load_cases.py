@@ -43,7 +43,7 @@ def _listed(row: LoadCase, study, scene: Scene, given: Mapping) -> Listed:
     absent = [key for key in row.needs if reduce(lambda held, name: getattr(held, name, None), key.split("."), study) is None]
     if absent:
         return Listed(row, NOT_ASKED, f"needs {' and '.join(absent)}")
-    if row.phase not in study.phases:
+    if row.phase and row.phase not in study.phases:
         return Listed(row, NOT_ASKED, f"needs the phase {row.phase}")
     return _by_methods(row, study, scene)
 

@@ -40,10 +40,22 @@ def sphere_notes(scene: SphereScene) -> dict[str, float]:
     }
 
 
-def _meter(run: Run) -> dict[str, np.ndarray]:
-    """When spheres came below the outlet, in order, and the mass up to each; those that have not left yet among them."""
+def passages(run: Run) -> tuple[np.ndarray, np.ndarray]:
+    """When (s) each sphere passed the level of the outlet, in order, and its mass (kg)."""
     passed = sorted([*run.recording.passed, *run.passing(np.ones(run.engine.n, bool))])
     time, mass = np.array(passed, float).reshape(-1, 2).T
+    return time, mass
+
+
+def mean_outflow(run: Run) -> dict[str, float]:
+    """Attribute: mass over time between the first sphere that passed the outlet and the last; none of fewer than two times."""
+    time, mass = passages(run)
+    return {"mean_outflow_kg_s": float(mass[1:].sum() / np.ptp(time))} if len(time) > 1 and np.ptp(time) > 0.0 else {}
+
+
+def _meter(run: Run) -> dict[str, np.ndarray]:
+    """When spheres came below the outlet, in order, and the mass up to each; those that have not left yet among them."""
+    time, mass = passages(run)
     last = np.flatnonzero(np.diff(time, append=np.inf))  # those that pass in one step count together
     return {"outflow_time": time[last], "outflow_mass": np.cumsum(mass)[last]}
 

@@ -113,6 +113,8 @@ def _holds(node: Any, part: Any) -> bool:
 def _allowed(item: Any) -> str:
     if item["type"] == "extra_forbidden":
         return "unknown key" + _unit_hint(str(item["loc"][-1]), None)
+    if item["type"] == "too_short":
+        return f"must hold {item['ctx']['min_length']} or more"
     return item["msg"].removeprefix("Value error, ").replace("Input should be", "must be")
 
 

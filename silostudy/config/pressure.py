@@ -1,6 +1,7 @@
 """A pressure study: which methods, phases and depths."""
 
 from itertools import pairwise
+from math import prod
 from typing import ClassVar, Literal, Self, TypeAlias
 
 from pydantic import Field, ValidationInfo, field_validator, model_validator
@@ -13,8 +14,11 @@ from silostudy.config.scene import SceneConfig
 from silostudy.config.study import BaseStudy, distinct
 from silostudy.pressure import PRESSURE
 from silostudy.pressure.family import PHASES, USUAL_PHASES, usual
+from silostudy.tables.load_cases import LOAD_CASES
 from silostudy.tables.outputs import OUTPUTS
 
+MOST_SILOS = 100  # whose loads one cube holds
+FIELD_METHODS = tuple(dict.fromkeys(key for row in LOAD_CASES.values() for key in row.methods))
 MethodKey: TypeAlias = key_of(PRESSURE)  # type: ignore[valid-type]
 MethodKeys: TypeAlias = keys_of(PRESSURE)  # type: ignore[valid-type]
 PhaseKey: TypeAlias = Literal[PHASES]  # type: ignore[valid-type]
@@ -25,6 +29,12 @@ class Uncertainty(Strict):
 
     log2_samples: int | None = described("sample size as a power of two; null: for the accuracy", ge=6, le=16, default=10)
     seed: int = described("seed of the quasi-random sequence: the same seed gives the same numbers", ge=0, default=1)
+
+
+class Loads(Strict):
+    """The load cases as fields for finite elements."""
+
+    levels: int = described("levels between which each part of a load runs straight", ge=11, le=2001, default=201)
 
 
 class PressureStudy(Asked, OwnMethods, BaseStudy):
@@ -53,6 +63,12 @@ class PressureStudy(Asked, OwnMethods, BaseStudy):
 
     floor_position: Range | Numbers | None = described(
         "places on a flat circular floor, 0 the middle ... 1 the wall; null: no results for the floor", default=None
+    )
+    loads: Loads | None = described(
+        "give every load case of EN 1991-4 as a field over depth and angle, for finite elements (a stage of its own); null: do "
+        "not",
+        "",
+        default=None,
     )
     uncertainty: Uncertainty | None = described(
         "sample the solid's scatter through every method (a stage of its own); null: do not", "", default=None
@@ -126,6 +142,20 @@ class PressureStudy(Asked, OwnMethods, BaseStudy):
         if self.uncertainty is not None and self.sweep:
             raise ValueError("uncertainty needs a study without sweep")
         return self
+
+    @model_validator(mode="after")
+    def _few_loads(self) -> Self:
+        silos = prod(len(axis.settings()) for axis in self.sweep)
+        if self.loads is not None and silos > MOST_SILOS:
+            raise ValueError(f"loads are for {MOST_SILOS} silos at most; this study has {silos}")
+        if self.loads is not None and not self.loaded_by:
+            raise ValueError(f"loads need one of the methods {', '.join(FIELD_METHODS)}")
+        return self
+
+    @property
+    def loaded_by(self) -> tuple[str, ...]:
+        """The methods asked for that give load cases."""
+        return tuple(key for key in self.method_keys if key in FIELD_METHODS)
 
     @property
     def method_keys(self) -> tuple[str, ...]:

@@ -17,6 +17,8 @@ from silostudy.tables.outputs import OUTPUTS
 BOTH = "both"
 END_KEY = "wall_friction_end"
 HOPPER_PLACES = 21
+OF_THE_HOPPER = ("hopper_shell", "transition_ring")
+ANCHOR_CIRCLE = 1.25  # of the wall's diameter, or its inverse: farther off it is a slip of the pen
 FOR_CHECKS = ("wind", "hopper_shell", "transition_ring", "columns", "anchors")
 
 
@@ -38,6 +40,30 @@ class SteelSilo(SceneConfig):
         "",
         default="mean",
     )
+
+    @model_validator(mode="after")
+    def _steel_for_a_hopper(self) -> Self:
+        given = [name for name in OF_THE_HOPPER if getattr(self, name) is not None]
+        if given and self.silo.hopper is None:
+            raise ValueError(f"{given[0]} needs silo.hopper: a silo with a flat bottom has none")
+        return self
+
+    @model_validator(mode="after")
+    def _joint_no_weaker_than_yield(self) -> Self:
+        ultimate = self.hopper_shell.ultimate_stress_MPa if self.hopper_shell else None
+        if ultimate is not None and ultimate < self.shell.yield_stress_MPa:
+            least = f"shell.yield_stress_MPa, {self.shell.yield_stress_MPa:g}"
+            raise ValueError(f"hopper_shell.ultimate_stress_MPa = {ultimate:g}: must not be below {least}")
+        return self
+
+    @model_validator(mode="after")
+    def _anchors_at_the_wall(self) -> Self:
+        wall = self.silo.diameter_m
+        circle = self.anchors.circle_diameter_m if self.anchors else wall
+        if not 1 / ANCHOR_CIRCLE <= circle / wall <= ANCHOR_CIRCLE:
+            allowed = f"must be {wall / ANCHOR_CIRCLE:g} to {wall * ANCHOR_CIRCLE:g}: anchors stand at the foot of the wall"
+            raise ValueError(f"anchors.circle_diameter_m = {circle:g}: {allowed}")
+        return self
 
 
 class Earthquake(Strict):

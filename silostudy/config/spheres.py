@@ -131,7 +131,10 @@ class SphereScene(GrainScene):
 
     kind: Literal["dem"] = described("dem: discrete elements", "")
     grains: Literal["spheres"] = described("discs in a plane silo, or spheres in a silo in space", "")
-    silo: Silo = described("the silo, as in a study of pressures; its height is that of the vertical walls", "")
+    silo: Silo = described(
+        "silo as in a study of pressures; its depth is the height of the vertical walls; what only codes read is passed over",
+        "",
+    )
     outlet: OutletConfig | None = described("outlet of a flat floor; null: closed, or the hopper's", "", default=None)
     wedge: bool = described("whether the hopper of a square or rectangle slopes on two sides only", "", default=False)
     lid: bool = described("whether a lid closes the top", "", default=False)

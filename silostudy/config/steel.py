@@ -113,5 +113,6 @@ class SiloWall(Steel):
     def _strakes_reach_the_foot(self) -> Self:
         edges = [strake.down_to for strake in self.strakes]
         if edges and (edges[-1] != 1 or any(b <= a for a, b in pairwise(edges))):
-            raise ValueError("the strakes' down_to must increase and end at 1, the foot of the cylinder")
+            given = ", ".join(f"{edge:g}" for edge in edges)
+            raise ValueError(f"the strakes' down_to must increase and end at 1, the foot of the cylinder: {given}")
         return self

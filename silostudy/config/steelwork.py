@@ -1,5 +1,6 @@
 """What a user writes for the checks of the steel: wind, hopper, ring, columns, anchors, and the section `checks`."""
 
+from re import fullmatch
 from typing import Literal, Self, TypeAlias
 
 from pydantic import Field, field_validator, model_validator
@@ -90,7 +91,7 @@ class CheckedEarthquake(Strict):
 class OwnCombination(Strict):
     """One combination of actions."""
 
-    combination: str = described("its name", "", pattern=r"^[A-Za-z0-9_-]{1,20}$")
+    combination: str = described("its name: letters, digits, _ and -, 20 at most", "")
     title: str = described("in words", "", default="")
     leading: Literal[ACTIONS] = described(  # type: ignore[valid-type]
         "the action that leads it: without it the combination is not checked", ""
@@ -107,14 +108,23 @@ class OwnCombination(Strict):
     suction: float = described("factor on the suction", ge=0, le=5, default=0.0)
     earthquake: float = described("factor on the earthquake", ge=0, le=5, default=0.0)
 
+    @field_validator("combination")
+    @classmethod
+    def _is_a_word(cls, name):
+        if not fullmatch("[A-Za-z0-9_-]{1,20}", name):
+            raise ValueError("must be of letters, digits, _ and -, 1 to 20 of them")
+        return name
+
     @model_validator(mode="after")
     def _agrees(self) -> Self:
         if getattr(self, self.leading) == 0:
             raise ValueError(f"the leading action {self.leading} needs a factor above 0")
         if (self.solids == 0) != (self.contents == "empty"):
-            raise ValueError("contents empty goes with solids 0, and with no other")
+            wanted = "solids 0" if self.solids else "a factor on solids above 0"
+            raise ValueError(f"contents {self.contents} with solids {self.solids:g}: {self.contents} needs {wanted}")
         if (self.earthquake == 0) != (self.side == "none"):
-            raise ValueError("an earthquake needs a side, pressed or lifted, and nothing else does")
+            wanted = "side pressed or lifted" if self.earthquake else "side none"
+            raise ValueError(f"side {self.side} with earthquake {self.earthquake:g}: such a combination needs {wanted}")
         if self.earthquake and self.contents == "empty":
             raise ValueError("an earthquake shakes the silo with its contents: a seismic study has no demand of the empty one")
         return self

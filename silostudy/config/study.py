@@ -123,7 +123,7 @@ class BaseStudy(Strict):
             row = OUTPUTS[key]
             missing = set(row.axes) - axes
             if row.stage not in self.stages:
-                raise ValueError(f"output {key} is drawn from a {row.stage} cube; this study computes {self.stages}")
+                raise ValueError(f"output {key} is drawn from a {row.stage} cube; this study computes {', '.join(self.stages)}")
             if missing or (row.single_case and axes):
                 wanted = f"the axes {', '.join(row.axes)}" if missing else "a study without sweep"
                 raise ValueError(f"output {key} needs {wanted}")
@@ -146,6 +146,7 @@ class SweepStudy(BaseStudy):
 
 def distinct(keys):
     """The keys themselves; ValueError where one stands twice."""
-    if isinstance(keys, tuple) and len(set(keys)) < len(keys):
-        raise ValueError("holds a key twice")
+    twins = sorted({key for key in keys if keys.count(key) > 1}) if isinstance(keys, tuple) else []
+    if twins:
+        raise ValueError(f"holds a key twice: {', '.join(twins)}")
     return keys

@@ -29,6 +29,16 @@ def limited(value, cap):
     return _limited_three(value, cap) if isinstance(value, tuple) else _limited_one(value, cap)
 
 
+def product(one, other):
+    """Product of two numbers, scalar product of two vectors."""
+    return _product_three(one, other) if isinstance(one, tuple) else one * other
+
+
+def same(one, other):
+    """Whether two are equal."""
+    return _same_three(one, other) if isinstance(one, tuple) else one == other
+
+
 def _less_one(value, factor, motion):
     return value - factor * motion
 
@@ -68,6 +78,22 @@ def _limited_three(value, cap):
     return (share * value[0], share * value[1], share * value[2]), 1.0 if sticks else 0.0
 
 
+def _product_one(one, other):
+    return one * other
+
+
+def _product_three(one, other):
+    return one[0] * other[0] + one[1] * other[1] + one[2] * other[2]
+
+
+def _same_one(one, other):
+    return one == other
+
+
+def _same_three(one, other):
+    return one[0] == other[0] and one[1] == other[1] and one[2] == other[2]
+
+
 @overload(less, jit_options={"forceinline": True})
 def _less(value, factor, motion):
     return _less_three if isinstance(value, types.BaseTuple) else _less_one
@@ -86,3 +112,13 @@ def _direction(motion):
 @overload(limited, jit_options={"forceinline": True})
 def _limited(value, cap):
     return _limited_three if isinstance(value, types.BaseTuple) else _limited_one
+
+
+@overload(product, jit_options={"forceinline": True})
+def _product(one, other):
+    return _product_three if isinstance(one, types.BaseTuple) else _product_one
+
+
+@overload(same, jit_options={"forceinline": True})
+def _same(one, other):
+    return _same_three if isinstance(one, types.BaseTuple) else _same_one

@@ -121,8 +121,12 @@ class Ledger(NamedTuple):
     lanes: np.ndarray
     pair_stored: np.ndarray
     pair_rolled: np.ndarray
+    pair_twisted: np.ndarray
+    pair_touched: np.ndarray
     wall_stored: np.ndarray
     wall_rolled: np.ndarray
+    wall_twisted: np.ndarray
+    wall_touched: np.ndarray
 
 
 class Shared(NamedTuple):

@@ -17,6 +17,8 @@ class Dimension:
     place: tuple[int, ...]  # numbers of a row
     velocity: tuple[int, ...]
     spin: tuple[int, ...]
+    force: tuple[int, ...]
+    torque: tuple[int, ...]
     row: int  # numbers in a row, whole cache lines
     inverse_inertia: float  # of a body, times mass and square of radius
     stretch: int  # contacts whose forces are computed together
@@ -52,7 +54,6 @@ class Dimension:
     where: Callable  # (touching, drag or moment) -> it, or nothing
     walk: Callable  # gathered, contact, unequal, laws, key -> function of a stretch of a list
     move: Callable  # advance, holds, turns -> function that moves one body and gives the square of its way (m2)
-    book_bodies: Callable  # holds, unequal, key -> function that books the energy of bodies and their mean motion
     pushed: Callable  # (gravity, quake, step) -> acceleration (m/s2) of bodies in an accelerated box
 
     def __repr__(self) -> str:

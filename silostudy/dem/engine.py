@@ -69,10 +69,10 @@ class Engine:
 
     def _ledger(self) -> Ledger:
         if not self.model.booked:
-            return empty(self.space, self.bodies.rows, 0, 0)
+            return empty(self.space, 0, 0, 0)
         if self.threads > 1:
             raise BadInput("threads", self.threads, "the energy ledger sums in one order: use 1 thread")
-        fresh = empty(self.space, self.bodies.rows, self.parts[0].room, self.parts[0].wall_room)
+        fresh = empty(self.space, len(self.bodies.rows), self.parts[0].room, self.parts[0].wall_room)
         return fresh._replace(account=self.ledger.account) if hasattr(self, "ledger") else fresh
 
     def _bodies(self, label: np.ndarray) -> Discs | Spheres:

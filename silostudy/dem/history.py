@@ -3,8 +3,6 @@
 In a kernel these are numba's overloads, in Python they look at what they are given.
 """
 
-from math import sqrt
-
 import numpy as np
 from numba import types
 from numba.extending import overload
@@ -93,57 +91,3 @@ def _forget(history, k):
 @overload(holds, jit_options={"forceinline": True})
 def _holds(value):
     return _holds_three if isinstance(value, types.BaseTuple) else _holds_one
-
-
-def dot(a, b):
-    """Product of two histories, forces or motions."""
-    return _dot_three(a, b) if isinstance(a, tuple) else a * b
-
-
-def size(value):
-    """Length of a history."""
-    return _size_three(value) if isinstance(value, tuple) else abs(value)
-
-
-def differs(a, b):
-    """Whether two histories are not the same."""
-    return _differs_three(a, b) if isinstance(a, tuple) else a != b
-
-
-def _dot_one(a, b):
-    return a * b
-
-
-def _dot_three(a, b):
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-
-
-def _size_one(value):
-    return abs(value)
-
-
-def _size_three(value):
-    return sqrt(value[0] * value[0] + value[1] * value[1] + value[2] * value[2])
-
-
-def _differs_one(a, b):
-    return a != b
-
-
-def _differs_three(a, b):
-    return a[0] != b[0] or a[1] != b[1] or a[2] != b[2]
-
-
-@overload(dot, jit_options={"forceinline": True})
-def _dot(a, b):
-    return _dot_three if isinstance(a, types.BaseTuple) else _dot_one
-
-
-@overload(size, jit_options={"forceinline": True})
-def _size(value):
-    return _size_three if isinstance(value, types.BaseTuple) else _size_one
-
-
-@overload(differs, jit_options={"forceinline": True})
-def _differs(a, b):
-    return _differs_three if isinstance(a, types.BaseTuple) else _differs_one

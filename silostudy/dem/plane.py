@@ -7,7 +7,6 @@ import numpy as np
 from numba.extending import register_jitable
 
 from silostudy.dem.arrays import Discs
-from silostudy.dem.booking import book_bodies
 from silostudy.dem.cache import piece
 from silostudy.dem.dimension import Dimension
 from silostudy.dem.lanes import (
@@ -188,6 +187,8 @@ PLANE = Dimension(
     place=(X, Y),
     velocity=(U, V),
     spin=(W,),
+    force=(FX, FY),
+    torque=(TORQUE,),
     row=8,
     inverse_inertia=2.0,
     stretch=STRETCH,
@@ -221,6 +222,5 @@ PLANE = Dimension(
     where=where,
     walk=walk,
     move=move,
-    book_bodies=book_bodies,
     pushed=pushed,
 )

@@ -132,23 +132,25 @@ def _against_walls(engine, i, walls) -> list[Touch]:
 
 
 def _listed(contacts, count: int, n: int):
-    """First, second, and both histories (zero where none is kept) of a list, without what pads it."""
+    """First, second, and all histories (zero where none is kept) of a list, without what pads it."""
     real = np.flatnonzero(contacts.first[:count] < n)
-    held = ([entry(history, k) for k in real] for history in (contacts.stored, contacts.rolled))
-    return [contacts.first[real], contacts.second[real], *held]
+    kept = contacts.stored, contacts.rolled, contacts.twisted, contacts.touched
+    return [contacts.first[real], contacts.second[real], *([entry(history, k) for k in real] for history in kept)]
 
 
-def _energy(contact, touches, overlaps, stored, rolled) -> float:
+def _energy(contact, touches, overlaps, *histories) -> float:
     """Energy (J/m) of the contacts of a list that touch."""
-    normal, tangential, rolling, cohesion, _ = zip(contact.rows, contact.ordered, strict=True)
+    normal, tangential, rolling, cohesion, twisting = zip(contact.rows, contact.ordered, strict=True)
+    attraction, c = cohesion
     total = 0.0
-    for touch, depth, held, turned in zip(touches, overlaps, stored, rolled, strict=True):
-        if depth <= 0.0:
+    for touch, overlap, held, turned, twisted, touched in zip(touches, overlaps, *histories, strict=True):
+        if overlap <= (-attraction.gap(touch.radius, c) if touched else 0.0):
             continue
+        depth = attraction.pressed(overlap, touch.radius, c)
         touch = touch._replace(overlap=depth)
-        total += normal[0].energy(depth, touch, normal[1]) + cohesion[0].energy(touch, cohesion[1])
-        for (law, c), force in ((tangential, held), (rolling, turned)):
-            total += of_spring(force, law.stiffness(depth, touch, c))
+        total += normal[0].energy(depth, touch, normal[1]) + attraction.energy(touch, c)
+        for (law, values), force in ((tangential, held), (rolling, turned), (twisting, twisted)):
+            total += of_spring(force, law.stiffness(depth, touch, values))
     return float(total)
 
 

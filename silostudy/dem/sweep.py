@@ -5,11 +5,11 @@ from math import sqrt
 import numpy as np
 
 from silostudy.dem.arrays import BLOCK
+from silostudy.dem.book import book_pass, keep_histories, of_pairs, of_walls
 from silostudy.dem.cache import piece
 from silostudy.dem.dimension import Dimension
 from silostudy.dem.force import force_pass
 from silostudy.dem.integrate import INTEGRATORS
-from silostudy.dem.ledger import book_pass, keep_histories
 from silostudy.dem.pieces import Laws, Pieces
 
 FRESH, STALE, REMEMBERED, SHORT_OF_ROOM, EXPLODED = range(5)  # what a thread says of its list after a step
@@ -96,8 +96,8 @@ def sweep_pass(pieces: Pieces):
         pairs, near = share.pairs, share.near
         last, stale = (share.hi - share.lo + BLOCK - 1) // BLOCK, FRESH
         if booked:
-            keep_histories(pairs, pairs.begin[last], shared.ledger.pair_stored, shared.ledger.pair_rolled)
-            keep_histories(near, near.begin[0], shared.ledger.wall_stored, shared.ledger.wall_rolled)
+            keep_histories(pairs, pairs.begin[last], of_pairs(shared.ledger))
+            keep_histories(near, near.begin[0], of_walls(shared.ledger))
         walls_between(shared, near, 0, near.begin[0], share.scratch, march.dt, march.wall_coefficients, share.number)
         block_forces(shared, share, last, march)
         if booked:

@@ -94,6 +94,9 @@ def check_rain(scene: SphereScene, space: SpaceSilo, radii: np.ndarray, where: s
             "filling.width_m", filling.width_m, f"must be {2.0 * largest:.4g} m or more, the largest diameter", where
         )
     outline, aside = space.outline(height), scene.silo.filling_eccentricity_m
+    if aside and filling.width_m is None:
+        allowed = "of a stream that is as wide as the silo: give filling.width_m, or leave it out"
+        raise BadInput("silo.filling_eccentricity_m", aside, allowed, where)
     if outline.inset(aside, 0.0) < largest:
         raise BadInput("silo.filling_eccentricity_m", aside, "the stream lies outside the silo", where)
     volume, room = float((4.0 / 3.0 * np.pi * radii**3).sum()), space.volume_below(height)

@@ -13,12 +13,18 @@ SCATTER = Stage(
     compute="silostudy.compute.uncertainty:uncertainty_cube",
     section="uncertainty",
 )
+LOADS = Stage(
+    key="loads",
+    title="the load cases as fields over depth and angle, for finite elements",
+    compute="silostudy.compute.loads:loads_cube",
+    section="loads",
+)
 KIND = Kind(
     key="pressure",
     title="wall pressures of silos by theories and design codes",
     model="silostudy.config.pressure:PressureStudy",
     builder="silostudy.scene.build:pressure_builder",
     traits="silostudy.choice.pressure:pressure_traits",
-    stages=(PRESSURES, SCATTER),
+    stages=(PRESSURES, SCATTER, LOADS),
     about=("silostudy.commands.about:pressures", "silostudy.commands.about:cautions"),
 )

@@ -15,6 +15,7 @@ class LoadCase(Entry):
 
     called_for: the question that tells whether a silo calls for it; state: one of STATES
     methods, phase: whose rows give it, the first that covers the silo; names: variables and keys that carry it
+    field: how its pressures stand on the wall; empty: it has none of its own
     sets: the characteristic values that its quantities take
     needs: dotted keys of a study without which it is not computed
     """
@@ -23,6 +24,7 @@ class LoadCase(Entry):
     state: str
     methods: tuple[str, ...]
     phase: str
+    field: str
     sets: tuple[str, ...]
     names: tuple[str, ...]
     needs: tuple[str, ...]

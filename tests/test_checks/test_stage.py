@@ -201,8 +201,7 @@ def test_anchors_by_hand(cube):
     weight = 7850 * STANDARD_GRAVITY * 18 * (0.33 * 4 + 0.33 * 5 + 0.34 * 7) * 1e-3 * 6 * np.pi + 30e3
     moment = 1.5 * 0.7 * 900 * 6 * 18**2 / 2
     higher = 1.5 * 900 * 18**2 / 6 / 4 * (4 * 0.8 + 9 * 0.3 - 16 * 0.1 - 25 * 0.05)
-    circle = 6.2 / 6.0  # of the anchors over the wall
-    by_hand = (moment * 4 / (24 * 6.0) - weight / 24 + higher * np.pi * 6.0 / 24) * circle
+    by_hand = moment * 4 / (24 * 6.2) - weight / 24 + higher * np.pi * 6.0 / 24  # 6.2 m, the circle of the anchors
     assert float(one["anchor_tension"]) == pytest.approx(by_hand, rel=1e-9)
 
 
@@ -323,6 +322,16 @@ def test_earthquake_by_its_factors(shaken):
     assert "not checked in EP" not in "\n".join(unchecked(cube))
 
 
+def test_a_check_out_of_its_range_names_the_limit(tmp_path, capsys):
+    path = tmp_path / "rough.yaml"
+    path.write_text(yaml.safe_dump(study(levels=3, shell__quality="C", methods=["janssen"]), sort_keys=False))
+    assert main(["compare", str(path)]) == 0
+    said = capsys.readouterr().out
+    assert "note: shear_buckling_2007: out of range where not t/r <= 0.05" in said
+    assert "Q >= 25 (alpha 0.65 of class B" in said
+    assert " nan" not in said
+
+
 MISTAKES = {
     "free on pinned": (
         {"wind__upper_edge": "free", "wind__lower_edge": "pinned"},
@@ -336,13 +345,37 @@ MISTAKES = {
     "empty and full": (
         {"checks": {"combinations": [{"combination": "A", "leading": "wind", "contents": "empty", "permanent": 1.0,
                                       "wind": 1.5, "solids": 1.0}]}},
-        "contents empty goes with solids 0",
+        "contents empty with solids 1: empty needs solids 0",
     ),
     "leads nothing": (
         {"checks": {"combinations": [{"combination": "A", "leading": "wind", "contents": "empty", "permanent": 1.0}]}},
         "the leading action wind needs a factor above 0",
     ),
     "half a hopper": ({"hopper_position": [0.0, 0.5]}, "hopper_position must run from 0 to 1 in 21 places"),
+    "no combination": ({"checks": {"combinations": []}}, "checks.combinations = []: must hold 1 or more"),
+    "a name of two words": (
+        {"checks": {"combinations": [{"combination": "A 1", "leading": "wind", "contents": "empty", "permanent": 1.0,
+                                      "wind": 1.5}]}},
+        "combination = 'A 1': must be of letters, digits, _ and -",
+    ),
+    "a quake without side": (
+        {"checks": {"combinations": [{"combination": "A", "leading": "earthquake", "contents": "full", "permanent": 1.0,
+                                      "solids": 1.0, "earthquake": 1.0}]}},
+        "side none with earthquake 1: such a combination needs side pressed or lifted",
+    ),
+    "hopper's steel without hopper": ({"silo__hopper": None, "hopper_position": None}, "hopper_shell needs silo.hopper"),
+    "joint below yield": (
+        {"hopper_shell__ultimate_stress_MPa": 100.0},
+        "hopper_shell.ultimate_stress_MPa = 100: must not be below shell.yield_stress_MPa, 235",
+    ),
+    "anchors elsewhere": (
+        {"anchors__circle_diameter_m": 62.0},
+        "anchors.circle_diameter_m = 62: must be 4.8 to 7.5",
+    ),
+    "strakes that end above": (
+        {"shell__strakes": [{"down_to": 0.5, "thickness_mm": 5.0}]},
+        "the strakes' down_to must increase and end at 1, the foot of the cylinder: 0.5",
+    ),
     "two columns": ({"columns__count": 2}, "scene.columns.count = 2: must be greater than or equal to 3"),
     "too strong a joint": ({"shell__joint_efficiency": 1.2}, "scene.shell.joint_efficiency = 1.2: must be less than or equal"),
 }  # fmt: skip

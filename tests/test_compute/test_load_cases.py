@@ -14,9 +14,9 @@ from tests.conftest import ROOT, expanded
 STUDIES = ROOT / "config/studies"
 
 
-def listed(study: str, **silo):
+def listed(study: str, phases=("filling", "discharge"), **silo):
     content = yaml.safe_load((STUDIES / f"{study}.yaml").read_text(encoding="utf-8"))
-    content = copy.deepcopy(content) | {"outputs": [], "sweep": []}
+    content = copy.deepcopy(content) | {"outputs": [], "sweep": [], "phases": list(phases)}
     content["scene"]["silo"] |= silo
     expansion = expanded(content)
     return {one.row.key: one for one in load_cases(expansion.study, expansion.cases[0].scene)}
@@ -31,6 +31,10 @@ def test_a_slender_silo_has_patches_and_no_channel():
     assert "class 3" in cases["channel_40"].why
     assert cases["earthquake_pressed"].why == "needs checks.earthquake"
     assert "memory only" in cases["temperature"].why
+
+
+def test_the_empty_silo_needs_no_phase():
+    assert listed("steel-wheat-checks", phases=["discharge"])["wind_empty"].state == "computed"
 
 
 def test_a_squat_silo_has_no_patch_and_a_flat_one_no_hopper():

@@ -70,7 +70,7 @@ MISTAKES = {
     "depth in the hopper": ({"depth_m": [1.0, 18.5]}, "depth_m = 18.5: the transition lies at 18 m"),
     "two depth axes": ({"relative_depth": [0.5]}, "give either depth_m or relative_depth"),
     "no method": ({"methods": []}, "methods = []: a study needs a method; known: janssen"),
-    "a method twice": ({"methods": ["janssen", "janssen"]}, "holds a key twice"),
+    "a method twice": ({"methods": ["janssen", "janssen"]}, "holds a key twice: janssen"),
     "no misprint": ({"as_printed": ["janssen"]}, "janssen has no misprint in the source; known: caquot"),
     "axes of one name": (sweep(DIAMETERS, {**DIAMETERS, "values": {"solid": ["wheat"]}}), "axis name diameter is swept twice"),
     "a key on two axes": (sweep(DIAMETERS, {**DIAMETERS, "axis": "width"}), "key silo.diameter_m is swept twice"),

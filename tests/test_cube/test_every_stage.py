@@ -18,6 +18,7 @@ from silostudy.choice.expand import expand_file
 from silostudy.compute.buckling import buckling_cube
 from silostudy.compute.dem_cube import cube_of
 from silostudy.compute.grains import grains_cube
+from silostudy.compute.loads import loads_cube
 from silostudy.compute.motion import motion_cube
 from silostudy.compute.packing import packing_cube
 from silostudy.compute.pressure import pressure_cube
@@ -66,6 +67,7 @@ def _energetic_scene(folder: Path) -> xr.Dataset:
 CUBES = {
     "pressure": lambda folder: pressure_cube(expanded(BIN | LEVELS | {"sweep": [SIZES]})),
     "uncertainty": lambda folder: uncertainty_cube(expanded(BIN | LEVELS | {"uncertainty": {"log2_samples": 6, "seed": 5}})),
+    "loads": lambda folder: loads_cube(expanded(BIN | LEVELS | {"sweep": [SIZES], "loads": {"levels": 11}})),
     "buckling": lambda folder: buckling_cube(expand_file(ROOT / "config/studies/miller-1977.yaml")),
     "shell": _shaken_shell,
     "checks": lambda folder: checks_of(checks_study()),

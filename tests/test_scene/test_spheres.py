@@ -179,6 +179,8 @@ def test_the_example_scene_is_valid(capsys):
         ({"filling__count": 2000}, "filling.count = 2000: no room below the plane for more than 797 of these spheres"),
         ({"filling": {"kind": "loose", "count": 900}}, "filling.count = 900: no room for sphere ..."),
         ({"filling__width_m": 0.005}, "filling.width_m = 0.005: must be 0.008 m or more"),
+        ({"silo__filling_eccentricity_m": 0.01}, "silo.filling_eccentricity_m = 0.01: of a stream that is as wide as the silo"),
+        ({"filling__width_m": 0.02, "silo__filling_eccentricity_m": 0.028}, "= 0.028: the stream lies outside the silo"),
         ({"grain__youngs_modulus_MPa": 0}, "grain.youngs_modulus_MPa = 0: must be greater than 0"),
         ({"grain__softened_modulus_MPa": 200}, "grain.softened_modulus_MPa = 200.0: must not be above the material's 100"),
         ({"grain__poissons_ratio": 0.5}, "grain.poissons_ratio = 0.5: must be less than 0.5"),

@@ -61,6 +61,8 @@ def test_the_meter_counts_spheres_at_the_outlet(cube, small):
     mass = float(cube.grain_mass[0])
     below = int((whole.engine.bodies.rows[: whole.engine.n, 2] < 0.0).sum())
     assert round(float(cube.outflow_mass[-1]) / mass) == whole.recording.left["discharged"] + below
+    span = float(cube.outflow_time[-1] - cube.outflow_time[0])
+    assert cube.attrs["mean_outflow_kg_s"] == pytest.approx(float(cube.outflow_mass[-1]) / span, rel=0.05)
     part, time = run(scene), float(cube.event_time[0]) + 0.07003
     part.go(until=round(time / part.engine.model.dt))
     below = int((part.engine.bodies.rows[: part.engine.n, 2] < 0.0).sum())

@@ -16,6 +16,7 @@ from tests.conftest import ROOT
 CALLED = {
     "pieper-flour": {"pressure"},
     "wheat-silo-today": {"pressure", "uncertainty"},
+    "eccentric-silo": {"pressure", "loads"},
     "steel-wheat-strakes": {"pressure", "shell"},
     "steel-wheat-shaken": {"pressure", "shell", "checks"},
     "steel-wheat-earthquake": {"seismic"},

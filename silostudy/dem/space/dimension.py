@@ -2,9 +2,9 @@
 
 from silostudy.dem.arrays import Spheres
 from silostudy.dem.dimension import Dimension
-from silostudy.dem.space.booking import book_bodies
 from silostudy.dem.space.felt import force_of, gather_walls, note_walls, scatter_walls
 from silostudy.dem.space.lanes import (
+    FORCE,
     HISTORIES,
     NEW,
     OLD,
@@ -12,6 +12,7 @@ from silostudy.dem.space.lanes import (
     PLACE,
     SPIN,
     STRETCH,
+    TORQUE,
     VELOCITY,
     gather,
     gather_rolling,
@@ -42,6 +43,8 @@ SPACE = Dimension(
     place=PLACE,
     velocity=VELOCITY,
     spin=SPIN,
+    force=FORCE,
+    torque=TORQUE,
     row=PASSED + 1,
     inverse_inertia=2.5,
     stretch=STRETCH,
@@ -75,6 +78,5 @@ SPACE = Dimension(
     where=where,
     walk=walk,
     move=move,
-    book_bodies=book_bodies,
     pushed=pushed,
 )

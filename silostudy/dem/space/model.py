@@ -33,10 +33,6 @@ class SphereModel(Model):
         super().__post_init__()
         if len(self.gravity) != 3:
             raise BadInput("gravity", self.gravity, "must have three components (m/s2)")
-        for laws in (self.pair_contact.laws, self.wall_contact.laws):
-            unbooked = [row.key for row, acts in ((laws.twisting, laws.twists), (laws.cohesion, laws.clings)) if acts]
-            if self.booked and unbooked:
-                raise BadInput("law", unbooked[0], "is not booked by the energy ledger: leave one of both out")
 
     @staticmethod
     def level_wall(half: float, height: float) -> TurnedLine:

@@ -1,0 +1,71 @@
+"""Every load case of the contents as a field: pressure and friction on wall and hopper over depth and angle."""
+
+from pathlib import Path
+
+import matplotlib.pyplot as plt
+import numpy as np
+import pandas as pd
+import xarray as xr
+
+from silostudy.cube.load import Load, given_cases, load_case, of_case
+from silostudy.figures.style import save
+
+STEP, LEVELS = np.radians(10.0), 51  # of the table: where a load waves round the wall, and on wall and hopper
+SHOWN = {"normal_kPa": "normal pressure (kPa)", "friction_kPa": "friction (kPa)"}
+
+
+def draw(cube: xr.Dataset, stem: Path) -> None:
+    """Writes the maps of the first silo, with the set of the wall pressure, and the table of all silos and sets."""
+    silos = [None] if not cube.attrs["sweep_axes"] else list(map(str, cube["case"].values.ravel()))
+    save(_figure(cube, silos[0]), pd.concat([table(cube, silo) for silo in silos], ignore_index=True), stem)
+
+
+def table(cube: xr.Dataset, silo: str | None) -> pd.DataFrame:
+    """Pressure and friction (kPa) over depth and angle of every load case and set of a silo; an edge stands on both sides."""
+    given = given_cases(of_case(cube, silo))
+    each = [
+        pd.DataFrame({"case": silo or "", "load_case": key, "values": values} | _numbers(load_case(cube, key, values, silo)))
+        for key, sets in given.items()
+        for values in sets
+    ]
+    return pd.concat(each, ignore_index=True)
+
+
+def _numbers(load: Load) -> dict[str, np.ndarray]:
+    return load.columns(levels=LEVELS, step=STEP)
+
+
+def _figure(cube: xr.Dataset, silo: str | None):
+    """A column for each load case: normal pressure above, friction below."""
+    one = of_case(cube, silo)
+    given = {key: sets[0] for key, sets in given_cases(one).items()}
+    figure, axes = plt.subplots(2, len(given), figsize=(1.5 + 2.1 * len(given), 10), sharex=True, sharey=True, squeeze=False)
+    for row, (name, label) in zip(axes, SHOWN.items(), strict=True):
+        fields = {key: _field(load_case(cube, key, values, silo), name) for key, values in given.items()}
+        largest = max(float(values.max()) for _, _, values in fields.values())
+        least = min(0.0, *(float(values.min()) for _, _, values in fields.values()))
+        for panel, (angles, depths, values) in zip(row, fields.values(), strict=True):
+            mesh = panel.pcolormesh(
+                angles, depths, values, shading="gouraud", cmap="viridis", vmin=least, vmax=largest, rasterized=True
+            )
+            panel.axhline(float(one["load_transition_depth"]), color="white", linewidth=0.8)
+        figure.colorbar(mesh, ax=row, label=label)
+        row[0].set_ylabel("depth z (m)")
+    for panel, key in zip(axes[0], given, strict=True):
+        panel.set_title(str(one["load_case_title"].sel(load_case=key).values).replace(", ", ",\n"), fontsize=9)
+    for panel in axes[1]:
+        panel.set(xlabel="angle (°)", xticks=(0, 90, 180))
+    axes[0, 0].set_ylim(float(one["load_depth"].max()), 0)
+    figure.suptitle(f"{cube.attrs['title']}\n{_said(given, silo)}")
+    return figure
+
+
+def _said(given: dict[str, str], silo: str | None) -> str:
+    told = f"characteristic values of the set {', '.join(dict.fromkeys(given.values()))}; white line: transition"
+    return told + (f"; case {silo}" if silo else "")
+
+
+def _field(load: Load, name: str) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """(angles (deg), depths (m), values) on the load's grid."""
+    depths, angles = load.grid(levels=LEVELS, step=STEP)
+    return np.degrees(angles), depths, _numbers(load)[name].reshape(depths.size, angles.size)
