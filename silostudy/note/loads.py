@@ -5,6 +5,7 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 import xarray as xr
 
+from silostudy.cube.contract import SCOPE
 from silostudy.cube.silence import silences
 from silostudy.note import drawing
 from silostudy.note.lines import Scope, Written, every_line, write
@@ -144,6 +145,10 @@ def _wall(one: xr.Dataset, scope: Scope, method: str) -> list[Block]:
         patch = write(f"patch {key}", knowing(scope, foot(here)), method)
         if patch:
             blocks.append(Block(f"Patch load, {key}", tuple(patch)))
+        elif "patch_pressure" in here:
+            flags = here["patch_pressure" + SCOPE]
+            why = flags.attrs["flag_meanings"].split()[int(flags)].replace("_", " ")
+            blocks.append(Block(f"Patch load, {key}", texts=(f"Not computed, and in no combination: {why}.",)))
     blocks.append(_over_depth(one))
     told = silences(one.expand_dims("pressure_method") if "pressure_method" not in one.dims else one)
     return [*blocks, *([Block(texts=tuple(told))] if told else [])]

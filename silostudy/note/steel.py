@@ -15,11 +15,10 @@ from silostudy.note.uses import Use, at_end, governing, owned, titled, told_of, 
 
 def chapters(cube: xr.Dataset, pressure: xr.Dataset, scope: Scope) -> list[Chapter]:
     """Chapters on the steel of one silo by one method; the ends of the wall friction still in the cubes."""
-    scope = knowing(scope, at_end(cube, 0))
-    given = Block("Steel, imposed actions, parts below the wall", tuple(write("steel", scope)))
-    scope = scope.at(windless="q_w" not in scope.known)
+    told, scope = given(cube, scope)
+    steel = Block("Steel, imposed actions, parts below the wall", tuple(told))
     combined = Chapter("Combinations of actions", [_combinations(cube), _by_combination(cube)])
-    found = [Chapter("Steel and imposed actions", [given]), combined]
+    found = [Chapter("Steel and imposed actions", [steel]), combined]
     if "followed_check" in cube.dims:
         found.append(Chapter("Wall: strakes", list(_strakes(cube, scope))))
     else:
@@ -27,6 +26,13 @@ def chapters(cube: xr.Dataset, pressure: xr.Dataset, scope: Scope) -> list[Chapt
     if "hopper_check" in cube.dims:
         found.append(Chapter("Hopper: wall", list(below.blocks(cube, pressure, scope, "hopper"))))
     return [*found, Chapter("Transition ring, ring beam, anchors", list(below.blocks(cube, pressure, scope, "support")))]
+
+
+def given(cube: xr.Dataset, scope: Scope) -> tuple[list[Written], Scope]:
+    """(lines of what the study gives of the steel, the scope that knows them, and whether there are wind and a patch load)."""
+    local = knowing(scope, at_end(cube, 0))
+    found = write("steel", local)
+    return found, local.at(windless="q_w" not in local.known, patched="z_p" in local.known)
 
 
 def results(cube: xr.Dataset) -> list[tuple[str, str, str, str]]:
