@@ -39,7 +39,8 @@ def _figure(cube: xr.Dataset, silo: str | None):
     """A column for each load case: normal pressure above, friction below."""
     one = of_case(cube, silo)
     given = {key: sets[0] for key, sets in given_cases(one).items()}
-    figure, axes = plt.subplots(2, len(given), figsize=(1.5 + 2.1 * len(given), 10), sharex=True, sharey=True, squeeze=False)
+    width = max(7.5, 1.5 + 2.1 * len(given))  # as wide as the title at least
+    figure, axes = plt.subplots(2, len(given), figsize=(width, 10), sharex=True, sharey=True, squeeze=False)
     for row, (name, label) in zip(axes, SHOWN.items(), strict=True):
         fields = {key: _field(load_case(cube, key, values, silo), name) for key, values in given.items()}
         largest = max(float(values.max()) for _, _, values in fields.values())
