@@ -9,7 +9,7 @@ if TYPE_CHECKING:
 SECTION = "not checked without the section checks: combinations of actions, and"
 
 
-MASKED = "   masked: beyond the rule, or no load"
+MASKED = "   masked: beyond the rule or a check, or no load"
 
 
 def lines_of(expansion, pressure: "xr.Dataset", seismic: "xr.Dataset | None") -> list[str]:

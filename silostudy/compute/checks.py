@@ -7,7 +7,7 @@ from silostudy.buckling import BUCKLING as RULES
 from silostudy.buckling.family import IN_SCOPE, NO_LOAD
 from silostudy.buckling.family import REASONS as RULE_REASONS
 from silostudy.checks import BUCKLING, CHECKS
-from silostudy.checks.family import PARTS, REASONS, WALL
+from silostudy.checks.family import OUT_OF_RANGE, PARTS, REASONS, WALL
 from silostudy.choice.expand import Resolved
 from silostudy.compute.axes import sweep_of
 from silostudy.compute.buckling import rule_coordinates
@@ -15,12 +15,13 @@ from silostudy.compute.checks_actions import given
 from silostudy.compute.checks_behind import strakes_behind
 from silostudy.compute.checks_numbers import given_numbers
 from silostudy.compute.checks_phases import contents_load_cases
-from silostudy.compute.checks_places import places
+from silostudy.compute.checks_places import places, uneven
 from silostudy.compute.checks_scope import combined, rows_of
 from silostudy.compute.checks_supports import below
 from silostudy.compute.checks_wall import (
     Load,
     as_built,
+    beyond,
     buckled,
     checked,
     courses_critical,
@@ -62,6 +63,7 @@ def checks_cube(expansion: Resolved, pressure: xr.Dataset, seismic: xr.Dataset |
     silent = [row.key for row in CHECKS.values() if row.one_source and row.key not in study.checks.one_source]
     notes: dict = {**expansion.promise, **study.own_methods}
     notes |= {"not_given": ", ".join(not_given(expansion)), "one_source_left_out": ", ".join(silent)}
+    notes["uneven_methods"] = ", ".join(np.array([method.label for method in methods_of(expansion)])[uneven(expansion)])
     notes |= {**earthquake_told(shaken), **excluded(rules)} if shaken is not None else {}
     sources = [rule.source for rule in rules] + [method.row.source for method in methods_of(expansion)]
     made = [row for part in PARTS for row in rows_of(study, part)]
@@ -113,6 +115,7 @@ def utilisations(rules, rows, loads: Load, built) -> dict:
     """How far the wall of strakes is used: by axial buckling, by each check, and the largest with what governs."""
     by_rule, by_check = buckled(rules, loads, built), checked(rows, loads, built)
     unjudged = ((by_rule["scope"] != IN_SCOPE) & (by_rule["scope"] != NO_LOAD)).any(axis=1) | loads.unloaded
+    unjudged |= (by_check["scope"] == OUT_OF_RANGE).any(axis=(0, 1))
     used, check, combination = combined(by_rule["utilisation"], by_check["utilisation"], unjudged)
     told = flags("check by which the wall is used most", _names(rows)), flags("in which combination", _keys(loads))
     found = {
@@ -136,6 +139,8 @@ def thicknesses(rules, rows, loads: Load) -> dict:
     (by_rule, scope), by_check = needed_by_rules(rules, loads), needed(rows, loads)
     unjudged = (np.isnan(by_rule) & (scope != NO_LOAD)).any(axis=1) | loads.unloaded
     most, check, combination = combined(by_rule, by_check, unjudged)
+    unjudged |= np.array([beyond(rows, loads, one) for one in most])
+    most = np.where(unjudged, np.nan, most)
     told = flags("check that asks for the most", _names(rows)), flags("in which combination", _keys(loads))
     found = {
         "design_thickness": most,

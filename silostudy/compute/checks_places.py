@@ -6,6 +6,7 @@ import numpy as np
 import xarray as xr
 
 from silostudy.choice.expand import Resolved
+from silostudy.compute.evaluate import methods_of
 from silostudy.compute.shell_load import axial_wall_force, depths, internal_pressures, rubbing
 from silostudy.compute.shell_places import of_cases
 from silostudy.compute.shell_strakes import (
@@ -52,7 +53,14 @@ def places(expansion: Resolved, pressure: xr.Dataset) -> WallPlaces:
     force = between_levels(levels, axial_wall_force(pressure)[0], z, rubbing(pressure))
     normal = between_levels(levels, pressure["wall_normal_pressure"].values, z)
     guaranteed = between_levels(levels, internal_pressures(pressure)[0], z)
+    for of_solid in (force, normal, guaranteed):
+        of_solid[uneven(expansion)] = np.nan
     return WallPlaces(z, share * whole, strake, thickness, own_weight, force, normal, guaranteed)
+
+
+def uneven(expansion: Resolved) -> np.ndarray:
+    """Which methods give pressures that differ round the wall: the checks take even ones, and theirs are no load to them."""
+    return np.array([bool(method.row.channel) for method in methods_of(expansion)])
 
 
 def _has_strakes(expansion: Resolved) -> bool:

@@ -9,7 +9,7 @@ import numpy as np
 from silostudy.buckling.family import IN_SCOPE, NO_LOAD
 from silostudy.buckling.thickness import SLENDEREST, STOCKIEST, required_thickness, with_thickness
 from silostudy.checks import external_pressure
-from silostudy.checks.family import SteelCheck, call
+from silostudy.checks.family import OUT_OF_RANGE, SteelCheck, call
 from silostudy.checks.stepped_wall import critical_pressure
 from silostudy.compute.checks_actions import Characteristic, acting, lacking
 from silostudy.compute.checks_scope import judged, scope
@@ -147,6 +147,15 @@ def needed(rows: Sequence[SteelCheck], loads: Load) -> np.ndarray:
     """Thickness (m) at which each check just holds in a wall of one thickness, (check, combination, method, axes..., place)."""
     at = of_one_thickness(loads)
     return np.array([_needed(row, loads, at) for row in rows]).reshape(len(rows), *loads.shape)
+
+
+def beyond(rows: Sequence[SteelCheck], loads: Load, thickness: np.ndarray) -> np.ndarray:
+    """Where some check is beyond its range on a wall of one thickness (m), both (method, axes..., place)."""
+    thinnest = np.broadcast_to(loads.source.numbers["inner_radius"], loads.shape) / SLENDEREST
+    wall = of_one_thickness(loads)(np.where(thickness > 0, thickness, thinnest))
+    with np.errstate(invalid="ignore", divide="ignore", over="ignore"):
+        each = [scope(row, wall, loads.combinations, loads.lacks, loads.shape) for row in rows]
+    return (np.array(each).reshape(len(rows), *loads.shape) == OUT_OF_RANGE).any(axis=(0, 1))
 
 
 def _needed(row: SteelCheck, loads: Load, at: Callable) -> np.ndarray:

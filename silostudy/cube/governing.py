@@ -8,7 +8,7 @@ import xarray as xr
 from silostudy.cube.contract import SCOPE
 
 BUCKLING = "buckling"
-NO_LOAD = "load_or_pressure_masked"
+NO_LOAD, OUT_OF_RANGE = "load_or_pressure_masked", "out_of_range"
 PATCHED = "_with_patch"
 WALL_CASES = {"axial force": "axial_wall_force_load_case", "pressure": "wall_pressure_load_case"}
 HOPPER_CASES = {"meridian": "hopper_meridional_force_load_case", "hoop": "hopper_hoop_force_load_case"}
@@ -39,7 +39,9 @@ def _strake(here: xr.Dataset, strake: int) -> dict:
     each = [here["design_buckling_utilisation"], *here["design_check_utilisation"]]
     flags = here["design_buckling_utilisation" + SCOPE]
     beyond = inside & (flags != 0) & (flags != flags.attrs["flag_meanings"].split().index(NO_LOAD))
-    return _worst(names, [one.where(inside) for one in each], here, WALL_CASES, bool(beyond.any()))
+    scopes = here["design_check_utilisation" + SCOPE]
+    unjudged = inside & (scopes == scopes.attrs["flag_meanings"].split().index(OUT_OF_RANGE))
+    return _worst(names, [one.where(inside) for one in each], here, WALL_CASES, bool(beyond.any() or unjudged.any()))
 
 
 def _hopper(here: xr.Dataset) -> dict:

@@ -29,6 +29,8 @@ def unchecked(cube: xr.Dataset) -> list[str]:
     absent = [] if "hopper_check" in cube else ["hopper's wall: not checked: no hopper, or no hopper_position"]
     left_out = cube.attrs["one_source_left_out"]
     told = [f"{left_out}: not checked: one source alone, and not named in checks.one_source"] if left_out else []
+    if uneven := cube.attrs["uneven_methods"]:
+        told.append(f"{uneven}: not checked: pressures differ round the wall; what they sum to stands in the pressure cube")
     if without := cube.attrs["not_given"]:
         told.append(f"not given, so in no combination: {without}")
     return [*lines, *absent, *told]

@@ -333,6 +333,23 @@ def test_a_check_out_of_its_range_names_the_limit(tmp_path, capsys):
     assert " nan" not in said
 
 
+def test_a_strake_that_a_check_cannot_judge_has_no_utilisation_and_no_thickness():
+    """Class C: wind and shear cannot be checked, and what the other checks ask for is no answer."""
+    cube = cube_of(study(levels=3, shell__quality="C", methods=["janssen"]))
+    for name in ("design_thickness", "design_utilisation", "design_strake_thickness", "design_strake_utilisation"):
+        assert cube[name].isnull().all()
+    assert cube["design_check_utilisation"].sel(steel_check="hoop_tension", combination="D").notnull().any()
+
+
+def test_pressures_that_differ_round_the_wall_are_not_checked_as_even_ones():
+    silo = {"silo__outlet_eccentricity_m": 2.0, "silo__action_assessment_class": 3}
+    cube = cube_of(study(levels=3, methods=["en1991_4", "en1991_4_eccentric"], **silo))
+    one = cube.sel(pressure_method="en1991_4_eccentric")
+    assert one["design_utilisation"].where(one["place_depth"] > 0).isnull().all()
+    assert cube["design_utilisation"].sel(pressure_method="en1991_4").notnull().any()
+    assert any(line.startswith("en1991_4_eccentric: not checked: pressures differ") for line in unchecked(cube))
+
+
 MISTAKES = {
     "free on pinned": (
         {"wind__upper_edge": "free", "wind__lower_edge": "pinned"},
