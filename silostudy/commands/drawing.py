@@ -23,7 +23,10 @@ def add(sub) -> None:
 
 def run_draw(chosen) -> None:
     from silostudy.cube.io import read
+    from silostudy.errors import BadInput
 
+    if chosen.stem.suffix:
+        raise BadInput("stem", str(chosen.stem), "must hold no dot in its name: each file gets an ending of its own")
     _check_stages(chosen.key, cubes := [read(path) for path in chosen.cube], chosen.cube)
     _draw(chosen.key, cubes, chosen.stem)
 

@@ -45,7 +45,8 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     wall = f"{title(cube, methods[0])}; buckling by {rules.name(cube, judges[0])}{_cases(cube)}"
     unseen = ", ".join(key for key in map(str, cube["combination"].values) if key not in keys)
     told = f"; not checked: {unseen}" if unseen else ""
-    figure.suptitle(f"{cube.attrs['title']}\n{wall}\nutilisation (1), the check behind it, load case of the contents{told}")
+    said = "utilisation (1), the check behind it, load case of the contents (filling: with its patch, if it has one)"
+    figure.suptitle(f"{cube.attrs['title']}\n{wall}\n{said}{told}")
     save(figure, table[["pressure_method", "rule", *table.columns.drop(["pressure_method", "rule"])]], stem)
 
 

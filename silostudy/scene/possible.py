@@ -39,7 +39,8 @@ def unusual(scene: Scene) -> list[str]:
     silo = scene.silo
     sizes = {"diameter": silo.diameter, "cylinder_depth": silo.cylinder_depth, "slenderness": silo.wall_depth / silo.diameter}
     sizes["half_angle"] = silo.hopper.half_angle if silo.hopper else nan
-    found = [text for name, value in {**sizes, **_properties(scene)}.items() if (text := _unusual(name, value))]
+    known = [*sizes.items(), *_properties(scene).items(), *(("thickness", each) for each in scene.plates)]
+    found = [text for name, value in known if (text := _unusual(name, value))]
     slope, repose = atan(silo.top_cone_height / (silo.diameter / 2)), solid_parameters(scene, "")["repose_angle"]
     if slope > repose * (1 + 1e-9):
         found.append(

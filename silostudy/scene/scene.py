@@ -34,6 +34,11 @@ class Scene:
     own: dict[str, float] = field(default_factory=dict)
 
     @property
+    def plates(self) -> tuple[float, ...]:
+        """Thicknesses (m) of a steel wall's strakes; none where the silo has no such wall."""
+        return ()
+
+    @property
     def on_roughness_group(self) -> bool:
         """Whether the wall friction follows from one of Pieper's roughness groups."""
         return self.wall is not None and self.wall.rule == "angle_ratio" and "wall_friction" not in self.own

@@ -135,6 +135,11 @@ class ShellScene(Scene):
     edges: tuple[str, str] | None = None
     earthquake: Expansion | None = None
 
+    @property
+    def plates(self) -> tuple[float, ...]:
+        """Thicknesses (m) of the wall's strakes."""
+        return self.shell.thicknesses
+
 
 def shell_builder(study: ShellStudy, folder: Path, where: str) -> Callable[..., ShellScene]:
     """Builds the scenes of a shell study: those of a pressure study, each with its wall."""

@@ -52,6 +52,7 @@ WRITTEN = {
     "slenderness": Range(0.0, 1000.0, (0.1, 10.0), open=True),
     "yield_stress_MPa": Range(10.0, 3000.0, (150.0, 1000.0)),
     "youngs_modulus_GPa": Range(1.0, 2000.0, (60.0, 220.0)),
+    "thickness_mm": Range(0.0, 1000.0, (0.5, 60.0), open=True),
     "half_angle_deg": Range(0.0, 90.0, (5.0, 75.0), open=True),
 }
 

@@ -341,6 +341,14 @@ def test_a_strake_that_a_check_cannot_judge_has_no_utilisation_and_no_thickness(
     assert cube["design_check_utilisation"].sel(steel_check="hoop_tension", combination="D").notnull().any()
 
 
+def test_a_strake_as_thin_as_paper_is_told(tmp_path, capsys):
+    path = tmp_path / "thin.yaml"
+    strakes = [{"down_to": 0.5, "thickness_mm": 0.004}, {"down_to": 1.0, "thickness_mm": 5.0}]
+    path.write_text(yaml.safe_dump(study(levels=3, shell__strakes=strakes), sort_keys=False))
+    assert main(["check", str(path)]) == 0
+    assert "thickness_mm = 0.004 is unusual: mostly 0.5 to 60" in capsys.readouterr().out
+
+
 def test_pressures_that_differ_round_the_wall_are_not_checked_as_even_ones():
     silo = {"silo__outlet_eccentricity_m": 2.0, "silo__action_assessment_class": 3}
     cube = cube_of(study(levels=3, methods=["en1991_4", "en1991_4_eccentric"], **silo))

@@ -163,6 +163,8 @@ def test_stages_by_hand(capsys, tmp_path, study):
     assert "pressure.nc': is of the stage pressure; seismic_demand is drawn from a seismic cube" in told
     two = ("draw", "fig_4_2_11", tmp_path / "pressure.nc", tmp_path / "pressure.nc", tmp_path / "f")
     assert "is of the stage pressure; fig_4_2_11 is drawn from" in said(capsys, *two, status=2)
+    told = said(capsys, "draw", "fig_4_2_11", tmp_path / "pressure.nc", tmp_path / "f.one", status=2)
+    assert "f.one': must hold no dot in its name" in told
     told = said(capsys, "draw", "governing_load_case", tmp_path / "pressure.nc", tmp_path / "f", status=2)
     assert "holds no " in told
     assert "governing_load_case shows" in told
