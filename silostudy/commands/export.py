@@ -96,6 +96,9 @@ def _wanted(cube, chosen) -> list[tuple[str, str]]:
         if key not in given:
             why = str(one["load_case_reason"].sel(load_case=key).values) or "it has no field of its own"
             raise BadInput("--load-case", key, f"is not given for this silo: {why}; given: {', '.join(given)}")
+    if not given:
+        why = str(one["load_case_reason"].values[0])
+        raise BadInput("--load-case", chosen.load_case, f"no load case has a field for this silo: {why}")
     found = [
         (key, values) for key in chosen.load_case or given for values in given[key] if values in (chosen.values or given[key])
     ]

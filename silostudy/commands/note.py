@@ -19,10 +19,11 @@ def add(sub) -> None:
 
 def run(chosen) -> None:
     from silostudy.choice.expand import expand_file
+    from silostudy.commands.studies import path_of
     from silostudy.files import replacing
     from silostudy.note.page import page
 
-    expansion = expand_file(chosen.study)
+    expansion = expand_file(path_of(chosen.study))
     _check_kind(expansion, str(chosen.study))
     case = case_of(expansion, chosen.case)
     pressure, checks = _cubes(expansion)

@@ -169,6 +169,8 @@ def _over_depth(one: xr.Dataset) -> Block:
         for name, symbol, unit in OVER_DEPTH
         if not one[name].sel(phase=key).isnull().all()
     ]
+    if not columns:
+        return Block("Over depth", texts=("Nothing is computed on this wall.",))
     rows = [
         (rounded(float(one["depth"][place])), *(rounded(float(values[place]) / 1e3) for _, values in columns))
         for place in places

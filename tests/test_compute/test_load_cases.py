@@ -66,6 +66,15 @@ def test_beyond_the_code_a_case_names_the_limit():
     assert found["retaining"].state == "not computed"
 
 
+def test_a_plan_without_a_patch_of_its_own_has_none():
+    study = yaml.safe_load((STUDIES / "mass-flow-slot.yaml").read_text(encoding="utf-8"))
+    expansion = expanded(study | {"methods": ["en1991_4"], "phases": ["filling", "discharge"], "outputs": []})
+    found = {one.row.key: one for one in load_cases(expansion.study, expansion.cases[0].scene)}
+    assert found["filling_patch"].state == found["discharge_patch"].state == "not computed"
+    assert "plan" in found["filling_patch"].why
+    assert found["filling"].state == "computed"
+
+
 def test_a_low_silo_asks_for_the_patch_of_one_source():
     low = {"cylinder_depth_m": 6.6}
     assert "one program only" in listed("steel-wheat-checks", **low)["discharge_patch"].why

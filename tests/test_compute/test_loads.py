@@ -246,6 +246,17 @@ def test_export(capsys, tmp_path):
     assert "a pressure or shell study has" in said(capsys, "export", STUDIES / "miller-1977.yaml", tmp_path, status=2)
 
 
+def test_a_retaining_silo_says_why_it_has_no_loads(capsys, tmp_path):
+    study = content("eccentric-silo") | {"methods": ["en1991_4"], "outputs": [], "floor_position": None}
+    study["scene"]["silo"] = {"plan": "circular", "diameter_m": 20.0, "cylinder_depth_m": 5.0}
+    (tmp_path / "low.yaml").write_text(yaml.safe_dump(study))
+    error = said(capsys, "export", tmp_path / "low.yaml", tmp_path / "out", status=2)
+    assert "no load case has a field for this silo: " in error
+    assert "retaining silos" in error
+    assert main(["note", str(tmp_path / "low.yaml"), "--output", str(tmp_path / "low.html")]) == 0
+    assert "Nothing is computed on this wall." in (tmp_path / "low.html").read_text()
+
+
 def test_too_many_silos_are_told_before_anything_is_computed(capsys, tmp_path):
     assert "100 silos at most" in said(capsys, "export", STUDIES / "hopper-load-cases.yaml", tmp_path, status=2)
     many = content("eccentric-silo") | {

@@ -58,25 +58,38 @@ def of_silo(name):
     return found
 
 
-def of_slot():
+def of_plan(plan, depth=14.0, half_angle=30.0):
     study = content("slender")
     for name in ("rules", "checks"):
         study.pop(name)
     study["kind"], scene = "pressure", study["scene"]
-    silo = {"plan": "slot", "width_m": 4.0, "cylinder_depth_m": 14.0, "hopper": {"half_angle_deg": 30.0, "outlet_width_m": 0.6}}
+    hopper = {"half_angle_deg": half_angle, "outlet_width_m": 0.6}
+    silo = {"plan": plan, "width_m": 4.0, "cylinder_depth_m": depth, "hopper": hopper}
     study["scene"] = {"silo": silo, "solid": scene["solid"], "wall": scene["wall"]}
-    return of_pressure(pressure_cube(expand(study, "slot", "slot.yaml", ROOT)).sel(pressure_method="en1991_4"))[0]
+    return of_pressure(pressure_cube(expand(study, plan, f"{plan}.yaml", ROOT)).sel(pressure_method="en1991_4"))[0]
 
 
 @pytest.fixture(scope="module")
 def written():
-    return {**{name: of_silo(name) for name in SILOS}, "slot": of_slot()}
+    plans = {"slot": of_plan("slot"), "square": of_plan("square"), "low square": of_plan("square", depth=6.0)}
+    return {**{name: of_silo(name) for name in SILOS}, **plans}
 
 
 def test_every_formula_of_the_shipped_silo_gives_what_the_cube_holds():
     found = of_silo("slender")
     assert not [(one.line.name, one.value, one.result) for one in found if not one.agrees]
     assert len(found) > 500
+
+
+@pytest.mark.parametrize("depth", [14.0, 6.0])
+def test_the_band_of_a_square_silo_has_its_lines(depth):
+    found = {one.line.name: one for one in of_plan("square", depth)}
+    assert {"p_ncf", "p_nce"} <= set(found)
+    assert all(one.agrees for one in found.values())
+
+
+def test_the_declared_class_is_told():
+    assert {one.line.name: one.shown for one in of_silo("slender")}["AAC_d"] == "none"
 
 
 def test_the_numbers_as_shown_give_the_result_as_shown(monkeypatch):

@@ -142,6 +142,11 @@ def test_a_study_of_pressures_gives_a_note_of_loads_and_says_so(tmp_path, capsys
     assert "utilisation" not in text.lower()
 
 
+def test_a_shipped_study_is_found_by_its_name(tmp_path, monkeypatch):
+    monkeypatch.chdir(ROOT)
+    assert main(["note", "pieper-flour", "--output", str(tmp_path / "loads.html")]) == 0
+
+
 def test_bad_input_names_what_there_is(tmp_path, capsys):
     out = str(tmp_path / "n.html")
     assert main(["note", str(STUDY), "--case", "nonsense", "--output", out]) == 2

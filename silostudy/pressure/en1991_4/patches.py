@@ -15,7 +15,7 @@ SIZES = ("diameter", "cylinder_depth")
 PLANS = {
     **dict.fromkeys(("patch_depth", "patch_pressure", "patch_resultant"), CIRCULAR),
     "band_pressure": frozenset({"square", "rectangular"}),
-    "patch_height": CIRCULAR | {"square", "rectangular"},
+    **dict.fromkeys(("patch_height", "patch_load_factor"), CIRCULAR | {"square", "rectangular"}),
 }
 ECCENTRICITIES = {"filling": ("filling_eccentricity",), "discharge": ("filling_eccentricity", "outlet_eccentricity")}
 
