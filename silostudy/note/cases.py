@@ -14,9 +14,20 @@ def chapter(checks: xr.Dataset | None) -> Chapter:
     rows = []
     for key in map(str, checks["load_case"].values):
         one, row = checks.sel(load_case=key), LOAD_CASES[key]
-        state = one["load_case_state"].attrs["flag_meanings"].split()[int(one["load_case_state"])].replace("_", " ")
+        state = _state(one)
         why = str(one["load_case_reason"].values)
         sets = ", ".join(text.replace("_", " ") for text in row.sets)
         rows.append((row.title, row.clause, sets, row.evidence, f"{state}: {why}" if why else state))
     head = ("load case", "clause", "sets of characteristic values", "evidence", "in this study")
     return Chapter("Load cases", [Block("Of EN 1991-4:2006, Table 3.1", head=head, rows=tuple(rows), wordy=True)])
+
+
+def not_asked_for(checks: xr.Dataset) -> list[str]:
+    """Load cases that the silo calls for and the study does not ask for, each with what it needs."""
+    each = (checks.sel(load_case=key) for key in map(str, checks["load_case"].values)) if "load_case" in checks.dims else ()
+    return [f"{LOAD_CASES[str(one['load_case'].values)].title}: {one['load_case_reason'].values}"
+            for one in each if _state(one) == "not asked for"]  # fmt: skip
+
+
+def _state(one: xr.Dataset) -> str:
+    return one["load_case_state"].attrs["flag_meanings"].split()[int(one["load_case_state"])].replace("_", " ")

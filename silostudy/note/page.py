@@ -36,6 +36,7 @@ def page(pressure: xr.Dataset, checks: xr.Dataset | None, case: str) -> str:
         title=pressure.attrs["title"], running=_running(pressure.attrs["title"]), case=case,
         about=_about(pressure, checks, one, method), caveat=CAVEAT, recomputed=recomputed(lines),
         chapters=found, result_of=result_of, source_of=source_of,
+        missing=cases.not_asked_for(at_end(steel_cube, 0)) if steel_cube is not None else [],
         results=steel.results(steel_cube) if steel_cube is not None else [], prose=lambda text: Markup(prose(text)),
     )  # fmt: skip
 

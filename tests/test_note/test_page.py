@@ -142,6 +142,11 @@ def test_a_study_of_pressures_gives_a_note_of_loads_and_says_so(tmp_path, capsys
     assert "utilisation" not in text.lower()
 
 
+def test_the_first_page_tells_what_load_cases_are_left_out(html):
+    first = html.split("<h2>")[0]
+    assert "full, earthquake, pressed side: needs checks.earthquake" in first
+
+
 def test_a_shipped_study_is_found_by_its_name(tmp_path, monkeypatch):
     monkeypatch.chdir(ROOT)
     assert main(["note", "pieper-flour", "--output", str(tmp_path / "loads.html")]) == 0
