@@ -15,7 +15,7 @@ from silostudy.note import formula
 from silostudy.note.mathml import UNITS, math, mo, number, row, shown, symbol, tag
 from silostudy.tables.read import rows
 
-LONG, LONGER = 56, 84  # letters of a formula that fill its column in the usual and in the smaller size
+LONG, LONGER = 46, 84  # letters of a formula that fill its column in the usual and in the smaller size
 AGREES = 1e-6  # relative: how far the value of a formula may lie from what the cube holds
 TEXT = ("section", "owner", "name", "what", "unit", "read", "formula", "when", "words", "source", "locator", "remark")
 

@@ -154,3 +154,9 @@ def test_a_number_that_still_has_a_dimension_is_refused():
     line = next(one for one in every_line() if one.name == "p_hf")
     with pytest.raises(BadInput, match="still has pressure_method"):
         lines.read(line, (pressure,))
+
+
+def test_a_formula_with_tall_brackets_is_set_smaller():
+    found = {one.line.name: one.size for one in of_silo("slender")}
+    assert found["C_pf"] == found["C_pe"] == "long"
+    assert found["p_he"] == ""
