@@ -29,6 +29,7 @@ def run(chosen) -> None:
     from silostudy.compute.loads import loads_cube, with_loads
     from silostudy.cube.io import write
     from silostudy.cube.load import load_case
+    from silostudy.errors import BadInput
     from silostudy.figures.style import save_table
     from silostudy.files import check_writable, replacing
 
@@ -40,6 +41,8 @@ def run(chosen) -> None:
     wanted = _wanted(cube, chosen)
     loads = {f"{key}-{values}": load_case(cube, key, values, chosen.case) for key, values in wanted}
     decks = {name: deck(load, scene, size=chosen.element_size) for name, load in loads.items()} if chosen.deck else {}
+    if (chosen.folder / "loads.nc").exists():  # its files would stand beside the new ones as if they belonged together
+        raise BadInput("folder", str(chosen.folder), "must be a new one: it holds an earlier export")
     write(cube, chosen.folder / "loads.nc")
     for name, load in loads.items():
         save_table(_table(load), chosen.folder / f"{name}.csv")

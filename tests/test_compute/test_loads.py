@@ -239,6 +239,7 @@ def test_export(capsys, tmp_path):
         ("--case", "x"): "must be one of the study's cases",
         ("--deck",): "a deck is for a shell study",
         ("--element-size", "0"): "must be from 0.01 to 10 m",
+        ("--load-case", "filling"): "must be a new one: it holds an earlier export",
     }.items():
         error = said(capsys, "export", study, tmp_path, *flags, status=2)
         assert words in error
