@@ -24,7 +24,10 @@ SILOS: dict[str, dict] = {
         "": {"rules": ["en1993_4_1_2025", "en1993_1_6_2025"], "checks": {"one_source": ONE_SOURCE}},
     },
     "squat": {"silo.cylinder_depth_m": 5.5, "characteristic_friction": "uncapped", "silo.patch_of_low_silo": True},
-    "stocky": {"silo.diameter_m": 2.0, "silo.cylinder_depth_m": 12.0, "shell.strakes": THICK, "silo.heap_at_repose": True},
+    "stocky": {
+        **{"silo.diameter_m": 2.0, "silo.cylinder_depth_m": 12.0, "silo.heap_at_repose": True},
+        **{"shell.strakes": THICK, "anchors.circle_diameter_m": 2.1},
+    },
     "no wind": {"wind": None},
     "corrugated": {"wall_contact_share": 0.8},
 }
