@@ -33,6 +33,7 @@ def small(monkeypatch):
     return content
 
 
+@pytest.mark.long
 def test_errors_come_from_fillings_and_fall_with_the_step(small):
     found = fronts_dem.measured(small, fronts_dem.COARSE, 1 / 16, range(4))
     assert set(found.error) == {("17-18", 1.0), ("17-18", 0.5), ("17-18", 0.25), ("velocity-verlet", 1.0)}

@@ -130,7 +130,11 @@ def saved(tmp_path, request):
     return path
 
 
-@pytest.mark.parametrize(("saved", "run"), RUN.items(), ids=RUN, indirect=["saved"])
+@pytest.mark.parametrize(
+    ("saved", "run"),
+    [pytest.param(key, run, marks=pytest.mark.long if key == "scenes" else (), id=key) for key, run in RUN.items()],
+    indirect=["saved"],
+)
 def test_check_says_what_runs_and_the_cube_says_the_same(saved, run, tmp_path, capsys):
     assert main(["check", str(saved)]) == 0
     told = dict(line.strip().split(": ", 1) for line in capsys.readouterr().out.splitlines() if "accuracy " in line)

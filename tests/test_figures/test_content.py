@@ -79,7 +79,10 @@ def drawn(key: str, cubes: list[xr.Dataset], folder: Path, monkeypatch: pytest.M
     return Drawn(kept[0] if kept else None, table, cubes)
 
 
-@pytest.mark.parametrize("key", OUTPUTS)
+COSTLY = ("accuracy_grains", "grains_effective_mass", "stability_map")  # cubes of kernels
+
+
+@pytest.mark.parametrize("key", [pytest.param(key, marks=pytest.mark.long if key in COSTLY else ()) for key in OUTPUTS])
 def test_output_shows_what_its_table_holds(key, tmp_path, monkeypatch):
     assert drawn(key, cubes_of(key), tmp_path, monkeypatch).faults() == []
     plt.close("all")
