@@ -75,7 +75,8 @@ def _forces(panel: Axes, one: xr.Dataset) -> None:
     z, lines = one["place_depth"].isel(wall_friction_end=0), ("-", "--", "-.", ":")
     for number, combination in enumerate(_made(one)):
         line, width = lines[number % 4], 1 + number // 4
-        panel.plot(_force(one, combination), z, color="black", label=combination, linestyle=line, linewidth=width)
+        label = f"{combination}  {one['combination_title'].sel(combination=combination).values}"
+        panel.plot(_force(one, combination), z, color="black", label=label, linestyle=line, linewidth=width)
     panel.axvline(0, color="black", linewidth=0.5)
 
 

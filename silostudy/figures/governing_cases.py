@@ -67,7 +67,7 @@ def _fields(axes, shown: pd.DataFrame, names: list[str], keys: list[str]) -> Non
     axes.imshow(used, cmap=ListedColormap(COLOURS), norm=BoundaryNorm(STEPS, len(COLOURS)), aspect="auto")
     for record in shown.itertuples():
         row, column = names.index(record.part), keys.index(record.combination)
-        governs = np.isfinite(record.utilisation) and record.utilisation == np.nanmax(used[row])
+        governs = record.utilisation > 0 and record.utilisation == np.nanmax(used[row])
         axes.text(column, row, _words(record), ha="center", va="center", fontsize=7.5, weight="bold" if governs else "normal")
         if governs:
             axes.add_patch(Rectangle((column - 0.48, row - 0.46), 0.96, 0.92, fill=False, edgecolor="black", linewidth=2))

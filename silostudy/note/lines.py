@@ -1,6 +1,5 @@
 """The lines of a calculation note: what each reads from the cubes, and its formula with those numbers put in."""
 
-import re
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from functools import cache
@@ -12,10 +11,10 @@ import xarray as xr
 
 from silostudy.errors import BadInput
 from silostudy.note import formula
-from silostudy.note.mathml import UNITS, math, mo, number, row, shown, symbol, tag
+from silostudy.note.mathml import UNITS, math, mo, number, row, shown, symbol, tag, width
 from silostudy.tables.read import rows
 
-LONG, LONGER = 46, 84  # letters of a formula that fill its column in the usual and in the smaller size
+LONG, LONGER = 36, 51  # width of a formula that fills its column in the usual and in the smaller size
 AGREES = 1e-6  # relative: how far the value of a formula may lie from what the cube holds
 TEXT = ("section", "owner", "name", "what", "unit", "read", "formula", "when", "words", "source", "locator", "remark")
 
@@ -77,8 +76,8 @@ class Written:
     @property
     def size(self) -> str:
         """How small the formula has to be set to stand beside its name and source: `long`, `longer`, or as it is."""
-        width = max(len(re.sub(r"<[^>]*>", "", text)) for text in (self.symbols, self.numbers))
-        return "longer" if width > LONGER else "long" if width > LONG else ""
+        widest = max(width(text) for text in (self.symbols, self.numbers))
+        return "longer" if widest > LONGER else "long" if widest > LONG else ""
 
     @property
     def constant(self) -> bool:

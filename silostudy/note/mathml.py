@@ -3,6 +3,7 @@
 import re
 from html import escape
 from math import floor, isfinite, isinf, log10, pi
+from xml.etree import ElementTree
 
 GREEK = {
     "alpha": "α", "beta": "β", "gamma": "γ", "delta": "δ", "epsilon": "ε", "eta": "η", "theta": "θ", "lambda": "λ", "mu": "μ",
@@ -28,6 +29,8 @@ UNITS = {
     "t": ("kg", 1e3),
 }
 DIGITS = 4
+SCRIPTS = ("msub", "msup", "msubsup")
+SCRIPT = 0.7  # size of an index or exponent
 
 
 def tag(name: str, content: str, **attributes: str) -> str:
@@ -61,6 +64,20 @@ def math(content: str) -> str:
     return f'<math xmlns="http://www.w3.org/1998/Math/MathML" displaystyle="true">{content}</math>'
 
 
+def width(content: str) -> float:
+    """About how many letters wide MathML is set: a fraction is as wide as its wider part."""
+
+    def wide(node: ElementTree.Element) -> float:
+        parts, kind = [wide(part) for part in node], node.tag.rpartition("}")[2]
+        if kind == "mfrac":
+            return max(parts)
+        if kind in SCRIPTS:
+            return parts[0] + SCRIPT * sum(parts[1:])
+        return len(node.text or "") + sum(parts)
+
+    return wide(ElementTree.fromstring(row(content)))
+
+
 def symbol(name: str) -> str:
     """MathML of a quantity's name: base and subscript apart by `_`, parts of the subscript by `__`, Greek letters by name."""
     base, _, below = name.partition("_")
@@ -72,12 +89,14 @@ def symbol(name: str) -> str:
 
 
 def prose(text: str) -> str:
-    """HTML of words that name quantities: `gamma_Q times z_o` in letters with subscripts."""
-    return re.sub(r"\b([A-Za-z]+)(?:_(\w+))?\b", _letter, escape(text, quote=False))
+    """HTML of words that name quantities: gamma_Q times z_o in letters with subscripts; what stands in backticks is code."""
+    return re.sub(r"`([^`]*)`|\b([A-Za-z]+)(?:_(\w+))?\b", _letter, escape(text, quote=False))
 
 
 def _letter(found: re.Match) -> str:
-    base, below = found[1], found[2]
+    code, base, below = found.groups()
+    if code is not None:
+        return tag("code", code)
     if base not in GREEK and not (below and len(base) == 1):
         return found[0]
     letter = GREEK.get(base, base)

@@ -41,7 +41,8 @@ def _in_words(source: str) -> bool:
 
 def _told(entry: Entry) -> str:
     people = [str(person) for person in entry.persons.get("author", [])]
-    text = ". ".join([" and ".join(people), *(entry.fields[name] for name in ORDER if name in entry.fields)]) + "."
+    parts = [" and ".join(people), *(entry.fields[name] for name in ORDER if name in entry.fields)]
+    text = ". ".join(part for part in parts if part) + "."
     return _without_latex(text)
 
 

@@ -158,5 +158,5 @@ def test_a_number_that_still_has_a_dimension_is_refused():
 
 def test_a_formula_with_tall_brackets_is_set_smaller():
     found = {one.line.name: one.size for one in of_silo("slender")}
-    assert found["C_pf"] == found["C_pe"] == "long"
+    assert (found["C_pf"], found["C_pe"]) == ("long", "longer")
     assert found["p_he"] == ""
