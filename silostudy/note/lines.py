@@ -75,7 +75,7 @@ class Written:
 
     @property
     def size(self) -> str:
-        """How small the formula has to be set to stand beside its name and source: `long`, `longer`, or as it is."""
+        """How small the formula has to be set to stand beside its name: `long`, `longer` (its source below it), or as it is."""
         widest = max(width(text) for text in (self.symbols, self.numbers))
         return "longer" if widest > LONGER else "long" if widest > LONG else ""
 
