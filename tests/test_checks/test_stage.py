@@ -6,7 +6,6 @@ import numpy as np
 import pytest
 import yaml
 
-from silostudy.__main__ import main
 from silostudy.buckling import BUCKLING
 from silostudy.buckling.thickness import with_thickness
 from silostudy.checks import CHECKS, SOLID_CHECKS
@@ -17,53 +16,12 @@ from silostudy.compute.pressure import pressure_cube
 from silostudy.compute.seismic import seismic_cube
 from silostudy.compute.shell import shell_cube
 from silostudy.config.shell import FOR_CHECKS
-from silostudy.cube.governing import parts as parts_of
 from silostudy.cube.unchecked import unchecked
-from silostudy.errors import BadInput
-from silostudy.figures import checks_over_depth, checks_summary, governing_cases
-from silostudy.tables.combinations import COMBINATIONS
 from silostudy.tables.constants import STANDARD_GRAVITY
-from tests.conftest import ROOT, expanded
+from tests.conftest import expanded
 from tests.test_buckling.test_shell import STUDY
 from tests.test_buckling.test_shell_earthquake import SHAKEN
-
-SLENDER = ROOT / "config/studies/steel-wheat-checks.yaml"
-
-
-def study(levels=7, **changes) -> dict:
-    content = yaml.safe_load(SLENDER.read_text(encoding="utf-8"))
-    content["outputs"], content["relative_depth"]["count"] = [], levels
-    del content["loads"]
-    content["rules"], content["methods"] = ["en1993_4_1_2007", "en1993_1_6_2007"], ["en1991_4", "janssen"]
-    for key, value in changes.items():
-        place, *inner = key.split("__")
-        held = content["scene"] if place in content["scene"] or place not in content else content
-        if inner:
-            held[place][inner[0]] = value
-        else:
-            held[place] = value
-    return content
-
-
-def cube_of(content):
-    expansion = expanded(content)
-    return checks_cube(expansion, pressure_cube(expansion))
-
-
-@pytest.fixture(scope="module")
-def parts():
-    expansion = expanded(study())
-    pressure = pressure_cube(expansion)
-    return expansion, pressure, checks_cube(expansion, pressure)
-
-
-@pytest.fixture(scope="module")
-def cube(parts):
-    return parts[2]
-
-
-def words(one, name):
-    return one[name].attrs["flag_meanings"].split()[int(one[name])]
+from tests.test_checks.studies import cube_of, study, words
 
 
 def test_both_sides_of_every_edge_are_looked_at(cube):
@@ -162,56 +120,6 @@ def test_axial_buckling_by_the_rule(parts):
     assert float(one["design_buckling_utilisation"]) == pytest.approx(float(expected), rel=1e-12)
 
 
-def test_hopper_hangs_in_equilibrium_in_the_cube(parts):
-    """EN 1991-4 after filling: the meridional force at the transition carries load and contents, less what the outlet bears."""
-    _, pressure, cube = parts
-    here = {"pressure_method": "en1991_4", "wall_friction_end": "upper"}
-    forces, solid = cube.sel(here | {"combination": "F"}), pressure.sel(here | {"phase": "filling"})
-    hanging = float(solid["hopper_weight"] + solid["transition_force"] - solid["outlet_force"])
-    plate = 7850 * STANDARD_GRAVITY * 0.007 * np.pi * (3.0**2 - 0.3**2) / np.sin(np.pi / 6)
-    found = float(forces["hopper_meridional_force"][0]) * 2 * np.pi * 3.0 * np.cos(np.pi / 6)
-    assert found == pytest.approx(1.5 * hanging + 1.35 * plate, rel=2e-3)
-    thin = study(hopper_shell__thickness_mm=float(cube["hopper_required_thickness"].max()) * 1e3, methods=["en1991_4"])
-    assert float(cube_of(thin)["hopper_check_utilisation"].max()) == pytest.approx(1, rel=0.02)
-    ring = float(forces["transition_ring_force"])
-    assert ring == pytest.approx(float(forces["hopper_meridional_force"][0]) * 3.0 * 0.5, rel=1e-12)
-
-
-@pytest.mark.parametrize("phase", ["filling", "discharge"])
-def test_every_method_s_hopper_hangs_in_equilibrium(phase):
-    """Contents and load less the outlet's force, the ring force of Jenike's switch included, for every method in balance."""
-    own = [{"combination": "A", "leading": "solids", "contents": "full", "permanent": 0.0, "solids": 1.0}]
-    content = study(checks={"combinations": own}, methods=["jenike_mass_flow", "en1991_4", "jenike_1969"])
-    content["scene"] |= {"wall_friction_end": "mean", "properties": {"effective_friction_angle_deg": 45.0}}
-    content["scene"]["silo"]["hopper"]["half_angle_deg"] = 15.0
-    content["hopper_position"]["count"], content["phases"] = 201, [phase]
-    expansion = expanded(content)
-    pressure = pressure_cube(expansion)
-    solid = pressure.isel(phase=0)
-    hanging = (solid["hopper_weight"] + solid["transition_force"] - solid["outlet_force"]).values
-    top = checks_cube(expansion, pressure)["hopper_meridional_force"].isel(combination=0, hopper_position=0).values
-    found = top * 2 * np.pi * 3.0 * np.cos(np.radians(15.0))
-    balanced = np.isfinite(hanging) & (np.abs(solid["hopper_balance"].values) < 1e-6)
-    assert balanced.sum() >= 2
-    np.testing.assert_allclose(found[balanced], hanging[balanced], rtol=2e-3)
-
-
-def test_anchors_by_hand(cube):
-    """4 M/(n d) - W/n with the roof and the steel alone, and the wind's higher harmonics with a held top."""
-    one = cube.sel(combination="WE", pressure_method="janssen", wall_friction_end="upper")
-    weight = 7850 * STANDARD_GRAVITY * 18 * (0.33 * 4 + 0.33 * 5 + 0.34 * 7) * 1e-3 * 6 * np.pi + 30e3
-    moment = 1.5 * 0.7 * 900 * 6 * 18**2 / 2
-    higher = 1.5 * 900 * 18**2 / 6 / 4 * (4 * 0.8 + 9 * 0.3 - 16 * 0.1 - 25 * 0.05)
-    by_hand = moment * 4 / (24 * 6.2) - weight / 24 + higher * np.pi * 6.0 / 24  # 6.2 m, the circle of the anchors
-    assert float(one["anchor_tension"]) == pytest.approx(by_hand, rel=1e-9)
-
-
-def test_few_anchors_are_no_elastic_ring():
-    content = study(anchors__count=7, methods=["janssen"])
-    scope = cube_of(content)["support_check_utilisation_scope"].sel(support_check="anchors", combination="WE")
-    assert {scope.attrs["flag_meanings"].split()[flag] for flag in np.unique(scope)} == {"out_of_range"}
-
-
 def test_what_is_not_given_is_not_checked_and_never_passed():
     bare = study()
     for key in FOR_CHECKS:
@@ -249,19 +157,6 @@ def test_class_c_is_masked_where_its_factor_is_only_remembered():
     cube = cube_of(study(shell__quality="C"))
     scope = cube["design_check_utilisation_scope"].sel(steel_check="external_pressure", combination="WE")
     assert {scope.attrs["flag_meanings"].split()[flag] for flag in np.unique(scope)} == {"out_of_range"}
-
-
-def test_a_study_s_own_combinations_replace_the_package_s():
-    """Twice the factor, twice the force; an empty one that wind leads; nothing else is left."""
-    own = [
-        {"combination": "A", "leading": "solids", "contents": "filling", "permanent": 0.0, "solids": 1.0},
-        {"combination": "B", "leading": "solids", "contents": "filling", "permanent": 0.0, "solids": 2.0},
-    ]
-    cube = cube_of(study(checks={"combinations": own}))
-    assert cube["combination"].values.tolist() == ["A", "B"]
-    single, double = (cube["design_axial_wall_force"].sel(combination=key) for key in "AB")
-    np.testing.assert_allclose(double, 2 * single, rtol=1e-12)
-    np.testing.assert_allclose(*(cube["design_lower_pressure"].sel(combination=key) for key in "AB"), rtol=1e-12)
 
 
 def test_one_source_checks_run_only_where_they_are_named():
@@ -323,30 +218,12 @@ def test_earthquake_by_its_factors(shaken):
     assert "not checked in EP" not in "\n".join(unchecked(cube))
 
 
-def test_a_check_out_of_its_range_names_the_limit(tmp_path, capsys):
-    path = tmp_path / "rough.yaml"
-    path.write_text(yaml.safe_dump(study(levels=3, shell__quality="C", methods=["janssen"]), sort_keys=False))
-    assert main(["compare", str(path)]) == 0
-    said = capsys.readouterr().out
-    assert "note: shear_buckling_2007: out of range where not t/r <= 0.05" in said
-    assert "Q >= 25 (alpha 0.65 of class B" in said
-    assert " nan" not in said
-
-
 def test_a_strake_that_a_check_cannot_judge_has_no_utilisation_and_no_thickness():
     """Class C: wind and shear cannot be checked, and what the other checks ask for is no answer."""
     cube = cube_of(study(levels=3, shell__quality="C", methods=["janssen"]))
     for name in ("design_thickness", "design_utilisation", "design_strake_thickness", "design_strake_utilisation"):
         assert cube[name].isnull().all()
     assert cube["design_check_utilisation"].sel(steel_check="hoop_tension", combination="D").notnull().any()
-
-
-def test_a_strake_as_thin_as_paper_is_told(tmp_path, capsys):
-    path = tmp_path / "thin.yaml"
-    strakes = [{"down_to": 0.5, "thickness_mm": 0.004}, {"down_to": 1.0, "thickness_mm": 5.0}]
-    path.write_text(yaml.safe_dump(study(levels=3, shell__strakes=strakes), sort_keys=False))
-    assert main(["check", str(path)]) == 0
-    assert "thickness_mm = 0.004 is unusual: mostly 0.5 to 60" in capsys.readouterr().out
 
 
 def test_pressures_that_differ_round_the_wall_are_not_checked_as_even_ones():
@@ -356,155 +233,3 @@ def test_pressures_that_differ_round_the_wall_are_not_checked_as_even_ones():
     assert one["design_utilisation"].where(one["place_depth"] > 0).isnull().all()
     assert cube["design_utilisation"].sel(pressure_method="en1991_4").notnull().any()
     assert any(line.startswith("en1991_4_eccentric: not checked: pressures differ") for line in unchecked(cube))
-
-
-MISTAKES = {
-    "free on pinned": (
-        {"wind__upper_edge": "free", "wind__lower_edge": "pinned"},
-        "a free upper_edge needs a clamped lower_edge",
-    ),
-    "no earthquake": (
-        {"checks": {"earthquake": {"behaviour_factor": 1.5, "solids_factor": 0.8, "overstrength": 1.2}}},
-        "checks.earthquake needs the section earthquake",
-    ),
-    "not of one source": ({"checks": {"one_source": ["hoop_tension"]}}, "shear_buckling_2025"),
-    "empty and full": (
-        {"checks": {"combinations": [{"combination": "A", "leading": "wind", "contents": "empty", "permanent": 1.0,
-                                      "wind": 1.5, "solids": 1.0}]}},
-        "contents empty with solids 1: empty needs solids 0",
-    ),
-    "leads nothing": (
-        {"checks": {"combinations": [{"combination": "A", "leading": "wind", "contents": "empty", "permanent": 1.0}]}},
-        "the leading action wind needs a factor above 0",
-    ),
-    "half a hopper": ({"hopper_position": [0.0, 0.5]}, "hopper_position must run from 0 to 1 in 21 places"),
-    "no combination": ({"checks": {"combinations": []}}, "checks.combinations = []: must hold 1 or more"),
-    "a name of two words": (
-        {"checks": {"combinations": [{"combination": "A 1", "leading": "wind", "contents": "empty", "permanent": 1.0,
-                                      "wind": 1.5}]}},
-        "combination = 'A 1': must be of letters, digits, _ and -",
-    ),
-    "a quake without side": (
-        {"checks": {"combinations": [{"combination": "A", "leading": "earthquake", "contents": "full", "permanent": 1.0,
-                                      "solids": 1.0, "earthquake": 1.0}]}},
-        "side none with earthquake 1: such a combination needs side pressed or lifted",
-    ),
-    "hopper's steel without hopper": ({"silo__hopper": None, "hopper_position": None}, "hopper_shell needs silo.hopper"),
-    "joint below yield": (
-        {"hopper_shell__ultimate_stress_MPa": 100.0},
-        "hopper_shell.ultimate_stress_MPa = 100: must not be below shell.yield_stress_MPa, 235",
-    ),
-    "anchors elsewhere": (
-        {"anchors__circle_diameter_m": 62.0},
-        "anchors.circle_diameter_m = 62: must be 4.8 to 7.5",
-    ),
-    "strakes that end above": (
-        {"shell__strakes": [{"down_to": 0.5, "thickness_mm": 5.0}]},
-        "the strakes' down_to must increase and end at 1, the foot of the cylinder: 0.5",
-    ),
-    "two columns": ({"columns__count": 2}, "scene.columns.count = 2: must be greater than or equal to 3"),
-    "too strong a joint": ({"shell__joint_efficiency": 1.2}, "scene.shell.joint_efficiency = 1.2: must be less than or equal"),
-}  # fmt: skip
-
-
-@pytest.mark.parametrize("name", MISTAKES)
-def test_mistakes_are_told_in_one_line(name):
-    changes, expected = MISTAKES[name]
-    with pytest.raises(BadInput) as caught:
-        expanded(study(**changes))
-    assert expected in str(caught.value)
-    assert "\n" not in str(caught.value)
-
-
-def test_commands(tmp_path, capsys):
-    path = tmp_path / "slender.yaml"
-    path.write_text(yaml.safe_dump(study(), sort_keys=False))
-    assert main(["compare", str(path)]) == 0
-    said = capsys.readouterr().out
-    assert "en1991_4, en1993_1_6_2007, 2" in said
-    assert "buckling in WF" in said
-    assert "janssen, transition_ring" in said
-    assert "no load of this method in D, F, WF, S" in said
-    plain = study(methods=["janssen"])
-    plain.pop("checks")
-    path.write_text(yaml.safe_dump(plain, sort_keys=False))
-    assert main(["compare", str(path)]) == 2
-    assert "scene.wind is for checks of the steel: ask for them by `checks: {}`" in capsys.readouterr().err
-    for part in FOR_CHECKS:
-        plain["scene"].pop(part)
-    path.write_text(yaml.safe_dump(plain, sort_keys=False))
-    assert main(["compare", str(path)]) == 0
-    assert "not checked without the section checks" in capsys.readouterr().out
-    assert main(["explain", "checks"]) == 0
-    assert "remembered alone, so not built" in capsys.readouterr().out
-    assert main(["list", "combinations"]) == 0
-    assert [line.split()[0] for line in capsys.readouterr().out.splitlines()] == list(COMBINATIONS)
-
-
-def test_figure_and_table(cube, tmp_path):
-    checks_over_depth.draw(cube, tmp_path / "figure")
-    head, *rows = (tmp_path / "figure.csv").read_text().splitlines()
-    assert head.startswith("rule,place,depth_m,built_mm,force_D_kN_m,force_F_kN_m,")
-    assert len(rows) == 2 * cube.sizes["place"]
-    checks_summary.draw(cube, tmp_path / "table")
-    table = (tmp_path / "table.csv").read_text()
-    assert table.count("\nstrake,") == 2 * 2 * 3 * 2
-    assert "not checked" in table
-    assert "hopper_hoop" in table
-
-
-def test_what_governs_each_part(cube, tmp_path):
-    """The worst over combinations of each strake is the cube's own, with the same check; each names its load case."""
-    found = [one for one in parts_of(cube, "en1991_4", "en1993_1_6_2007") if one["state"] == "checked"]
-    of_part = {
-        one["part"]: max((x for x in found if x["part"] == one["part"]), key=lambda x: x["utilisation"]) for one in found
-    }
-    wall = cube.sel({"pressure_method": "en1991_4", "rule": "en1993_1_6_2007"})
-    for strake in (1, 2, 3):
-        worst = wall.sel(strake=strake)["design_strake_utilisation"]
-        assert of_part[f"strake {strake}"]["utilisation"] == float(worst.max())
-        here = wall.sel(strake=strake).isel(wall_friction_end=int(worst.values.argmax()))
-        assert of_part[f"strake {strake}"]["governed_by"] == words(here, "design_strake_utilisation_check")
-        assert of_part[f"strake {strake}"]["combination"] == words(here, "design_strake_utilisation_combination")
-    assert (of_part["strake 2"]["combination"], of_part["strake 2"]["load_case"]) == ("WF", "discharge with patch")
-    assert of_part["hopper"]["load_case"] == "discharge"
-    assert of_part["anchors"]["load_case"] == "empty"
-    assert not any(one["combination"] in ("EP", "EL") for one in found)
-    governing_cases.draw(cube, tmp_path / "figure")
-    rows = (tmp_path / "figure.csv").read_text().splitlines()
-    assert len(rows) == 1 + 2 * 2 * len(COMBINATIONS) * len(set(of_part))
-
-
-def test_the_load_case_is_of_the_phase_with_the_largest_force(parts):
-    """Janssen's filling and discharge are alike, EN's discharge presses more; the patch pulls below its own depth alone."""
-    _, pressure, cube = parts
-    one = cube.sel(pressure_method="en1991_4", wall_friction_end="upper")
-    meanings = np.array(cube["axial_wall_force_load_case"].attrs["flag_meanings"].split())
-    told = meanings[one["axial_wall_force_load_case"].values]
-    begins = float((pressure["patch_depth"] - pressure["patch_height"] / 2).min())
-    z = one["place_depth"].values
-    assert set(told[(z > 0) & (z < begins)]) == {"discharge"}
-    assert set(told[z > begins + 2.0]) == {"discharge_with_patch"}
-    assert set(meanings[one["wall_pressure_load_case"].values][z > 0]) == {"discharge"}
-
-
-def test_in_a_squat_silo_every_phase_is_alike():
-    content = yaml.safe_load((ROOT / "config/studies/steel-wheat-squat.yaml").read_text(encoding="utf-8"))
-    content["outputs"], content["methods"], content["relative_depth"]["count"] = [], ["en1991_4"], 7
-    checked = [one for one in parts_of(cube_of(content), "en1991_4", "en1993_4_1_2007") if one["state"] == "checked"]
-    governing = {one["part"]: one for one in sorted(checked, key=lambda one: one["utilisation"])}
-    assert governing["strake 3"]["governed_by"] == "hoop_tension"
-    assert governing["strake 3"]["load_case"] == "every phase alike"
-    assert governing["strake 1"]["load_case"] == "empty"
-
-
-def test_own_partial_factors_move_what_governs():
-    """From the study's file to the table: twice the factor on the solid is twice its share, and the combination's own name."""
-    own = {"combination": "HEAVY", "title": "only the solid", "leading": "solids", "contents": "full", "permanent": 0}
-    used = {}
-    for factor in (1.0, 2.0):
-        cube = cube_of(study(checks={"combinations": [own | {"solids": factor}]}, methods=["en1991_4"]))
-        used[factor] = {one["part"]: one for one in parts_of(cube, "en1991_4", "en1993_1_6_2007")}
-    for part in ("hopper", "transition ring"):
-        assert used[1.0][part]["combination"] == "HEAVY"
-        assert used[2.0][part]["utilisation"] == pytest.approx(2 * used[1.0][part]["utilisation"], rel=1e-9)
