@@ -32,8 +32,8 @@ from tests.conftest import ROOT, expanded
 from tests.test_accuracy.test_silo_step import SILO
 from tests.test_accuracy.test_stability_map import RESTING
 from tests.test_buckling.test_shell_earthquake import SHAKEN, STUDY, shell_cube, together
-from tests.test_checks.test_stage import cube_of as checks_of
-from tests.test_checks.test_stage import study as checks_study
+from tests.test_checks.studies import cube_of as checks_of
+from tests.test_checks.studies import study as checks_study
 from tests.test_dem.small import carried, scene_of
 from tests.test_figures.test_hopper_figures import BIN
 from tests.test_packing.test_study import CONTENT as PACKING

@@ -1,4 +1,4 @@
-"""EN 1991-4: classes, characteristic sets, power law and hopper in 50-digit arithmetic, patches, eccentric discharge."""
+"""EN 1991-4: characteristic sets, power law and hopper in 50-digit arithmetic, patches."""
 
 import mpmath
 import numpy as np
@@ -7,23 +7,13 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.integrate import quad
 
-from silostudy.compute.pressure import pressure_cube
-from silostudy.errors import BadInput
 from silostudy.pressure import PRESSURE, hopper_shape
 from silostudy.pressure.calls import call
-from silostudy.pressure.en1991_4 import classes, cylinder, eccentric, factors, hopper, patch
+from silostudy.pressure.en1991_4 import cylinder, hopper, patch
 from silostudy.pressure.en1991_4.characteristic import characteristic
-from silostudy.pressure.family import CHANNEL_SIZES
 from silostudy.tables.solids import SOLIDS
-from tests.conftest import expanded
 from tests.test_pressure.bins import BIN
-
-SLENDER = BIN | {"cylinder_depth": 12.0}
-PROPERTIES = ("internal_friction_angle", "wall_friction", "lateral_pressure_ratio", "a_phi", "a_K", "a_mu")
-
-
-def value(quantity, phase="filling", method="en1991_4", z=6.0, **changed):
-    return float(call(PRESSURE[method].phases[phase][quantity], np.float64(z), SLENDER | changed))
+from tests.test_pressure.slender import PROPERTIES, SLENDER, value
 
 
 def exact_power_law(z, gamma, radius, mu, k, contact, repose):
@@ -191,170 +181,9 @@ def test_hopper_pressure_starts_from_the_largest_vertical_load():
     assert float(p_v[0]) == pytest.approx(value("vertical_pressure", z=12.0), rel=1e-12)
 
 
-@pytest.mark.parametrize("size", CHANNEL_SIZES)
-def test_eccentric_channel_by_geometry(size):
-    """Area and contact lengths of the channel against counting points and against the two circles' crossing."""
-    radius, mu, phi = 2.5, 0.3, np.radians(35)
-    theta, psi, offset = eccentric.channel(radius, size, mu, phi)
-    crossing = radius * np.array([np.cos(theta), np.sin(theta)])
-    assert np.hypot(crossing[0] - offset, crossing[1]) == pytest.approx(size * radius, rel=1e-9)
-    side = np.linspace(-radius, radius, 1501)
-    x, y = np.meshgrid(side, side)
-    inside = (np.hypot(x, y) <= radius) & (np.hypot(x - offset, y) <= size * radius)
-    counted = inside.sum() * (side[1] - side[0]) ** 2
-    inner = size * radius
-    area = (np.pi - psi) * inner**2 + theta * radius**2 - radius * inner * np.sin(psi - theta)
-    assert area == pytest.approx(counted, rel=2e-3)
-    k, z = 0.5, 9.0
-    z_oc = area / (k * (2 * theta * radius * mu + 2 * inner * (np.pi - psi) * np.tan(phi)))
-    expected = 8e3 * k * z_oc * (1 - np.exp(-z / z_oc))
-    found = eccentric.channel_pressure(z, unit_weight=8e3, radius=radius, size=size, mu=mu, k=k, phi=phi)
-    assert float(found) == pytest.approx(expected, rel=1e-12)
-
-
-def test_no_real_channel_is_an_error():
-    with pytest.raises(BadInput, match="no real flow channel"):
-        eccentric.channel(2.5, 0.25, 0.9, np.radians(30))
-
-
-def test_eccentric_discharge_adds_to_the_resting_pressure():
-    edge = call(PRESSURE["en1991_4_eccentric"].phases["discharge"]["wall_normal_pressure"], 9.0, SLENDER)
-    static = value("wall_normal_pressure", z=9.0)
-    assert static < edge < 2 * static
-
-
 def test_table_e1():
     wheat = SOLIDS["wheat_e1"]
     assert (wheat.unit_weight_lower, wheat.unit_weight) == (7500, 9000)
     assert (wheat.a_phi, wheat.lateral_pressure_ratio, wheat.a_K, wheat.a_mu) == (1.12, 0.54, 1.11, 1.16)
     assert (wheat.d1, wheat.d2, wheat.d3, wheat.patch_factor) == (0.24, 0.38, 0.57, 0.5)
     assert len([row for row in SOLIDS.values() if row.source == "en1991_4_2006"]) == 25
-
-
-ECCENTRIC = [key for key, row in PRESSURE.items() if row.channel]
-
-
-def round_the_ring(method, size, z, scene=SLENDER):
-    """(angles, pressures) round the wall at depth z (m), the zones of wall put together from what the method gives."""
-    channel = PRESSURE[method].channel["discharge"]
-    here = scene | {"channel_size": size}
-    p_c, p_s, p_a = (
-        float(call(channel[f"{zone}_normal_pressure"], np.float64(z), here)) for zone in ("channel", "static", "adjacent")
-    )
-    theta = float(call(channel["channel_half_width"], None, here))
-    angles = np.linspace(-np.pi, np.pi, 400_001)
-    return angles, np.select([abs(angles) < theta, abs(angles) < 2 * theta], [p_c, p_a], p_s), p_s
-
-
-@pytest.mark.parametrize("method", ECCENTRIC)
-@pytest.mark.parametrize("size", CHANNEL_SIZES)
-def test_zones_of_a_channel_in_equilibrium_round_the_ring(method, size):
-    """The mean round the ring is the static pressure; what is left is the horizontal resultant that the method gives."""
-    angles, pressure, static = round_the_ring(method, size, 9.0)
-    assert np.trapezoid(pressure, angles) / (2 * np.pi) == pytest.approx(static, rel=1e-4)
-    push = -np.trapezoid(pressure * np.cos(angles), angles) * 2.5
-    found = call(PRESSURE[method].channel["discharge"]["channel_resultant"], np.float64(9.0), SLENDER | {"channel_size": size})
-    assert float(found) == pytest.approx(push, rel=1e-3)
-    assert push > 0
-
-
-@pytest.mark.parametrize("method", ECCENTRIC)
-@pytest.mark.parametrize(("depth", "contact"), [(12.0, 0.0), (6.0, 0.5)])
-def test_shear_and_moment_of_a_channel_are_the_integrals_of_its_resultant(method, depth, contact):
-    channel = PRESSURE[method].channel["discharge"]
-    scene = SLENDER | {"channel_size": 0.4, "cylinder_depth": depth, "contact_depth": contact}
-    level = lambda z: float(call(channel["channel_resultant"], np.float64(z), scene))  # noqa: E731
-    shear, moment = (float(call(channel[f"channel_{name}"], None, scene).squeeze()) for name in ("shear", "moment"))
-    assert shear == pytest.approx(quad(level, contact, depth)[0], rel=1e-8)
-    assert moment == pytest.approx(quad(lambda z: level(z) * (depth - z), contact, depth)[0], rel=1e-8)
-
-
-def test_the_friction_set_has_the_larger_axial_force_and_the_normal_set_the_larger_pressure():
-    normal, friction = (
-        {
-            name: float(call(PRESSURE[method].channel["discharge"][name], np.float64(11.0), SLENDER | {"channel_size": 0.6}))
-            for name in ("static_normal_pressure", "static_friction_traction")
-        }
-        for method in ("en1991_4_eccentric", "en1991_4_eccentric_friction")
-    )
-    assert normal["static_normal_pressure"] > friction["static_normal_pressure"]
-    assert normal["static_friction_traction"] < friction["static_friction_traction"]
-
-
-@pytest.mark.parametrize(
-    ("tonnes", "eccentricity", "expected"),
-    [(99, 0.0, 1), (101, 0.4, 2), (999, 0.26, 2), (1001, 0.25, 2), (1001, 0.26, 3), (9999, 0.2, 2), (10_001, 0.0, 3)],
-)
-def test_least_assessment_class(tonnes, eccentricity, expected):
-    given_ = {"volume": tonnes * 1e3 * 9.80665 / 8e3, "unit_weight": 8e3, "diameter": 5.0}
-    assert classes.least_class(**given_, outlet_eccentricity=5 * eccentricity) == expected
-    for declared in (1.0, 2.0, 3.0):
-        taken = classes.class_taken(assessment_class=declared, **given_, outlet_eccentricity=5 * eccentricity)
-        assert taken == declared
-
-
-def test_simplified_factors_of_class_1():
-    """Slender, e = 0.1 d_c: C_h = 1.15 + 1.5 * 1.04 * C_op; between squat and slender nothing is given."""
-    off_axis = {"filling_eccentricity": 0.5, "outlet_eccentricity": 0.2, "diameter": 5.0}
-    assert factors.simplified_normal_factor(patch_factor=0.5, **off_axis, cylinder_depth=10.0) == pytest.approx(1.93)
-    assert factors.simplified_friction_factor(**off_axis, cylinder_depth=10.0) == pytest.approx(1.456)
-    assert factors.simplified_normal_factor(patch_factor=0.5, **off_axis, cylinder_depth=5.0) == 1.0
-    assert np.isnan(factors.simplified_friction_factor(**off_axis, cylinder_depth=9.9))
-
-
-def test_class_1_takes_mean_values_on_the_wall_and_magnifies_the_load_on_the_hopper():
-    own = {"method": "en1991_4_class_1", "z": 9.0}
-    assert value("wall_normal_pressure", **own) == value("wall_normal_pressure", method="en1991_4_mean", z=9.0)
-    assert value("wall_friction_traction", "discharge", **own) == pytest.approx(
-        1.4 * (1 + 0.4 * 0.1) * value("wall_friction_traction", method="en1991_4_mean", z=9.0)
-    )
-    load = {
-        key: float(call(PRESSURE[key].totals["filling"]["transition_force"], None, SLENDER))
-        for key in ("en1991_4", "en1991_4_class_1")
-    }
-    assert load["en1991_4_class_1"] == pytest.approx(1.3 * load["en1991_4"])
-    assert "patch_pressure" not in PRESSURE["en1991_4_class_1"].totals["filling"]
-
-
-def test_the_bottom_is_loaded_by_the_pressure_at_the_transition_times_its_magnifier():
-    totals = PRESSURE["en1991_4"].totals["filling"]
-    p_v = value("vertical_pressure", z=12.0)
-    for dynamic, magnifier in ((0.0, 1.0), (1.0, 1.2)):
-        scene = SLENDER | {"dynamic_bottom": dynamic}
-        assert float(call(totals["bottom_load_magnifier"], None, scene)) == magnifier
-        assert float(call(totals["bottom_pressure"], None, scene)) == pytest.approx(magnifier * p_v)
-        assert float(call(totals["transition_force"], None, scene)) == pytest.approx(magnifier * p_v * np.pi * 25 / 4)
-
-
-@pytest.mark.parametrize("name", ["wall_normal", "wall_friction"])
-def test_friction_of_a_corrugated_wall_is_made_of_like_values(name):
-    scene = {one: BIN[one] for one in PROPERTIES}
-    sign = {"wall_normal": -1, "wall_friction": 1}[name]
-    inside, flat = np.tan(scene["internal_friction_angle"] * 1.1**sign), 0.3 * 1.15**sign
-    assert characteristic(name, **scene, contact_share=0.2)[0] == pytest.approx(0.8 * inside + 0.2 * flat)
-    assert characteristic(name, **scene, contact_share=1.0)[0] == pytest.approx(flat)
-    rough = characteristic(name, **(scene | {"wall_friction": 5.0}), contact_share=0.2)[0]
-    assert rough == pytest.approx(inside)  # never more than the solid on itself
-    hopper_filling = PRESSURE["en1991_4"].used["filling"]["hopper"]["wall_friction"]
-    assert call(hopper_filling, None, BIN | {"contact_share": 0.2}) == call(hopper_filling, None, BIN)  # of flat sheet
-
-
-def silent(cube, method):
-    return bool(cube["wall_normal_pressure"].sel(pressure_method=method).isnull().all())
-
-
-def test_the_declared_class_decides_which_load_cases_are_given(study):
-    silo = {"plan": "circular", "diameter_m": 3.0, "cylinder_depth_m": 9.0, "outlet_eccentricity_m": 1.0}
-    study["scene"] |= {"silo": silo, "solid": "wheat_e1", "wall": "d2"}
-    study |= {"methods": ["en1991_4", "en1991_4_class_1", "en1991_4_eccentric"], "depth_m": [9.0]}
-    # silent methods by the class declared: eccentric discharge is given unless a lower class than 3 is declared
-    for declared, expected in ((None, set()), (1, {"en1991_4_eccentric"}), (2, {"en1991_4_class_1", "en1991_4_eccentric"}),
-                               (3, {"en1991_4_class_1"})):  # fmt: skip
-        study["scene"]["silo"] = silo | {"action_assessment_class": declared}
-        cube = pressure_cube(expanded(study))
-        assert {method for method in study["methods"] if silent(cube, method)} == expected
-        assert (cube["least_assessment_class"].sel(pressure_method="en1991_4") == 1).all()
-    study["scene"]["silo"] = silo | {"cylinder_depth_m": 29.0, "diameter_m": 5.0, "action_assessment_class": 1}
-    cube = pressure_cube(expanded(study))
-    assert silent(cube, "en1991_4_class_1")  # more than 100 t
-    assert (cube["least_assessment_class"].sel(pressure_method="en1991_4") == 2).all()
