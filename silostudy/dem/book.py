@@ -88,6 +88,25 @@ def springs_pass(laws):
     return held_by, slid_by
 
 
+def parting_pass(laws):
+    """Functions of a contact: energy that it presses with, and what it still held when it opened, which is lost."""
+    (held_by, _), clings = springs_pass(laws), laws.clings
+    energy, attraction, gap_of, pressed_of = laws.normal.energy, laws.cohesion.energy, laws.cohesion.gap, laws.cohesion.pressed
+
+    @piece(laws)
+    def pressed_energy(overlap, touch, c):
+        deep = Touch(touch.mass, touch.radius, touch.dt, overlap)
+        return energy(overlap, deep, c[0]) + attraction(deep, c[3])
+
+    @piece(laws)
+    def parted(raw, closing, stored, turned, twisted, was, touch, c):
+        then = pressed_of(max(raw - closing * touch.dt, -gap_of(touch.radius, c[3])), touch.radius, c[3])
+        lost = held_by(stored, turned, twisted, then, touch, c)
+        return lost + pressed_energy(then, touch, c) if clings and was > 0.0 else lost
+
+    return pressed_energy, parted
+
+
 def contact_book(space, laws, *, unequal, flat):
     """Function that gives, of the contacts of a list: elastic energy, loss of springs that slid, power of the elastic
     forces, and power that dashpots take where contacts stick and where they slip.
@@ -97,19 +116,8 @@ def contact_book(space, laws, *, unequal, flat):
     gathered = gather_pass(space, laws, unequal=unequal, flat=flat)
     (seen, touch_of), (held_by, slid_by) = touch_pass(space, laws, flat=flat), springs_pass(laws)
     facing, carry, rates, twisting_of, answer = space.facing, space.carry, space.rates(unequal), space.twisting, response(laws)
-    energy, attraction, gap_of, pressed_of = laws.normal.energy, laws.cohesion.energy, laws.cohesion.gap, laws.cohesion.pressed
-    twists, clings, tangential_law, stretch = laws.twists, laws.clings, laws.tangential.law, space.stretch
-
-    @piece(space, laws, unequal, flat)
-    def pressed_energy(overlap, touch, c):
-        deep = Touch(touch.mass, touch.radius, touch.dt, overlap)
-        return energy(overlap, deep, c[0]) + attraction(deep, c[3])
-
-    @piece(space, laws, unequal, flat)
-    def parted(raw, closing, stored, turned, twisted, was, touch, c):
-        then = pressed_of(max(raw - closing * touch.dt, -gap_of(touch.radius, c[3])), touch.radius, c[3])
-        lost = held_by(stored, turned, twisted, then, touch, c)
-        return lost + pressed_energy(then, touch, c) if clings and was > 0.0 else lost
+    (pressed_energy, parted), stretch = parting_pass(laws), space.stretch
+    twists, clings, tangential_law = laws.twists, laws.clings, laws.tangential.law
 
     @piece(space, laws, unequal, flat)
     def book(rows, ledger, old, contacts, shape, count, dt, c, lanes):
