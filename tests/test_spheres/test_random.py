@@ -73,7 +73,7 @@ def test_a_cloud(cloud):
     other, *_ = after(keys, integrator, turned(place), turned(velocity), turned(spin), radius)
     there = np.hstack([turned(found[:, :3] - CENTRE) + CENTRE, turned(found[:, 3:6]), turned(found[:, 6:9])])
     speed = max(np.abs(found[:, 3:6]).max(), np.abs(found[:, 6:9]).max() * RADIUS, 1e-6)
-    if "constant-torque" in (keys["rolling"], keys["twisting"]):  # from rest its sign hangs on rounding: a step's worth of moves
+    if "constant-torque" in (keys["rolling"], keys["twisting"]):  # from rest its sign hangs on rounding, for a step
         assert other[:, :3] == pytest.approx(there[:, :3], abs=1e-6 * RADIUS)
         return
     assert other[:, :3] == pytest.approx(there[:, :3], abs=1e-9 * RADIUS + 1e-9 * speed * 1.2e-4)
