@@ -4,6 +4,7 @@ import numpy as np
 import xarray as xr
 
 from silostudy.choice.promise import Choice, promises
+from silostudy.compute.expected import notes_of, verdicts
 from silostudy.compute.sphere_cube import mean_outflow, sphere_arrays, sphere_notes
 from silostudy.config.dem import DemScene
 from silostudy.config.grain_scenes import AnyScene
@@ -34,6 +35,7 @@ def cube_of(run: Run, scene: AnyScene, choice: Choice | None = None) -> xr.Datas
         "steps": run.engine.step,
         f"{body}s_left": run.engine.n,
         **{f"{body}s_{way}": count for way, count in record.left.items()},
+        **notes_of(verdicts(run, scene)),
     }
     if isinstance(scene, SphereScene):
         notes |= sphere_notes(scene) | mean_outflow(run)

@@ -4,15 +4,20 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal, Self, TypeAlias
 
 from pydantic import Field, model_validator
 
-from silostudy.config.fields import Strict, described
+from silostudy.config.fields import Strict, described, one_of
 from silostudy.config.own import OwnMethods
 from silostudy.dem.events import TRIGGERS
 from silostudy.dem.integrate import INTEGRATORS, PLAIN
+from silostudy.dem.outcomes import OUTCOMES
 from silostudy.dem.rest import REST
 
 CriterionKey: TypeAlias = Literal[tuple(REST)]  # type: ignore[valid-type]
 TriggerKey: TypeAlias = Literal[tuple(TRIGGERS)]  # type: ignore[valid-type]
 IntegratorKey: TypeAlias = Literal[tuple(INTEGRATORS)]  # type: ignore[valid-type]
+if TYPE_CHECKING:
+    ExpectedConfig = Any
+else:
+    ExpectedConfig = one_of(OUTCOMES, "Expected")
 
 
 class MarchConfig(Strict):
@@ -83,6 +88,9 @@ class GrainScene(OwnMethods):
     march: MarchConfig = described("the march in time", "")
     rest: RestConfig = described("what `when: rest` waits for", "", default=RestConfig())
     seed: int = described("seed of the random numbers; beyond 2^53 numbers of a sweep coincide", ge=0, le=2**53, default=0)
+    expected: tuple[ExpectedConfig, ...] = described(
+        "published numbers that the run is held against at its end", "", default=()
+    )
     if TYPE_CHECKING:
         events: Any  # each kind of grains has its own
         record: Any
@@ -97,6 +105,14 @@ class GrainScene(OwnMethods):
                 raise ValueError(f"record.snapshots_s = {time:g} lies beyond march.limit_s = {limit:g}")
         if len(set(self.record.snapshots_s)) < len(self.record.snapshots_s):
             raise ValueError("record.snapshots_s names a time twice")
+        return self
+
+    @model_validator(mode="after")
+    def _shows_what_is_expected(self) -> Self:
+        looked = self.record.snapshots_s or self.record.snapshots_every_s
+        unseen = [one.kind for one in self.expected if OUTCOMES[one.kind].of_snapshots and not looked]
+        if unseen:
+            raise ValueError(f"expected: {', '.join(unseen)} needs record.snapshots_s or record.snapshots_every_s")
         return self
 
     @model_validator(mode="after")

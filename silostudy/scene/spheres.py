@@ -107,7 +107,7 @@ def rain_of(scene: SphereScene, space: SpaceSilo, radii: np.ndarray) -> Rain:
         free = outline.inset(x, y) >= radius
         return np.column_stack([x, y, np.full(count, height)])[free]
 
-    return Rain(rate=filling.rate_1_s, velocity=(0.0, 0.0, -filling.speed_m_s), spots=spots, seed=scene.seed)
+    return Rain(rate=filling.rate_1_s, velocity=(0.0, 0.0, -filling.speed_m_s), level=height, spots=spots, seed=scene.seed)
 
 
 def _disc(random: np.random.Generator, radius: float, count: int) -> np.ndarray:
