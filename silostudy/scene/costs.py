@@ -75,15 +75,14 @@ def _spheres(scene: SphereScene, folder: Path) -> float:
 
 
 def _sphere_step(scene: SphereScene) -> float:
-    """Of the smallest sphere's mass and the stiffest contact, at the overlap at which the engine takes that."""
-    radii = (
-        np.array([1e-3]) if scene.sizes is None else SIZES[scene.sizes.kind].radii(np.random.default_rng(0), DRAWN, scene.sizes)
-    )
+    """From the smallest sphere's mass and the stiffness of two of them at the overlap at which the engine takes it."""
+    radii, sizes = UNKNOWN, scene.sizes
+    if sizes is not None:
+        radii = SIZES[sizes.kind].radii(np.random.default_rng(0), DRAWN, sizes)
     least, most = float(radii.min()), float(radii.max())
-    mass = grain_of(scene).density * 4.0 / 3.0 * pi * least**3
-    touch, deep = Touch(mass, least, 1.0), DEEP * most
-    stiffness = max(float(one.laws.normal.stiffness(deep, touch, one.ordered[0])) for one in contacts_of(scene))
-    return 0.16 * sqrt(mass / stiffness)
+    mass, (between, _) = grain_of(scene).density * 4.0 / 3.0 * pi * least**3, contacts_of(scene)
+    stiffness = float(between.laws.normal.stiffness(DEEP * most, Touch(mass / 2.0, least / 2.0, 1.0), between.ordered[0]))
+    return 0.09 * sqrt(mass / stiffness)
 
 
 def _in_file(path: Path) -> float:

@@ -36,7 +36,9 @@ def save(folder, outlets=(0.03, 0.05), seeds=(1, 2), **changes):
 def test_mistakes_are_told_by_the_keys_of_the_scene(tmp_path):
     """The kinds of scene have names of their own: `spheres` is a section too."""
     with pytest.raises(BadInput) as caught:
-        expand_file(save(tmp_path, sizes={"kind": "equal", "diameter": 8}, filling={"kind": "rain", "count": "x", "rate_1_s": 1}))
+        expand_file(
+            save(tmp_path, sizes={"kind": "equal", "diameter": 8}, filling={"kind": "rain", "count": "x", "rate_1_s": 1})
+        )
     told = str(caught.value)
     assert "scene.sizes.diameter_mm: is missing" in told
     assert "scene.filling.count = 'x': must be a valid integer" in told
@@ -55,7 +57,7 @@ def test_the_step_that_a_cost_is_guessed_from_is_about_the_engine_s(tmp_path):
     for path in (OUTLETS, save(tmp_path)):
         (case, *_) = expand_file(path).cases
         scene = case.scene.config
-        assert COSTS["spheres"].step(scene) == pytest.approx(scene_model(scene, tmp_path).dt, rel=0.3)
+        assert COSTS["spheres"].step(scene) == pytest.approx(scene_model(scene, tmp_path).dt, rel=0.4)
         assert 0.05 < cost(case.scene) < 10.0
 
 
@@ -76,7 +78,7 @@ def test_a_sweep_of_spheres_tells_flow_and_loads(tmp_path, capsys):
     assert (cube["body_normal_force_at_rest"].sel(body="hopper") == 0.0).all()
     assert (cube["largest_body_load"].sel(body="floor") < cube["body_load_at_rest"].sel(body="floor")).all()
 
-    alone = expand_file(path).cases[3].scene.config
+    alone = expand_file(path).cases[-1].scene.config
     (tmp_path / "one.yaml").write_text(yaml.safe_dump(yaml.safe_load(alone.model_dump_json(exclude_unset=True))))
     assert main(["dem", str(tmp_path / "one.yaml"), str(tmp_path / "one.nc")]) == 0
     one = read(tmp_path / "one.nc")
