@@ -100,6 +100,11 @@ class DemScene(Asked, GrainScene):
     record: RecordConfig = described("what is recorded", "", default=RecordConfig())
 
     @property
+    def touches(self) -> tuple[ContactConfig, ContactConfig]:
+        """How two discs push each other, and walls push them."""
+        return self.discs, self.walls or self.discs
+
+    @property
     def named_files(self) -> tuple[str, ...]:
         """Files that the scene is made from."""
         packed = (self.packing.file,) if PACKINGS[self.packing.kind].from_file else ()

@@ -1,9 +1,11 @@
 """What every discrete-element scene says, whatever its grains are: the march, rest, what events wait for, what is recorded."""
 
+from abc import abstractmethod
 from typing import TYPE_CHECKING, Annotated, Any, Literal, Self, TypeAlias
 
 from pydantic import Field, model_validator
 
+from silostudy.config.contact import LawsConfig
 from silostudy.config.fields import Strict, described, one_of
 from silostudy.config.own import OwnMethods
 from silostudy.dem.events import TRIGGERS
@@ -94,6 +96,11 @@ class GrainScene(OwnMethods):
     if TYPE_CHECKING:
         events: Any  # each kind of grains has its own
         record: Any
+
+    @property
+    @abstractmethod
+    def touches(self) -> tuple[LawsConfig, LawsConfig]:
+        """How two grains push each other, and walls push them."""
 
     @model_validator(mode="after")
     def _recorded_in_time(self) -> Self:

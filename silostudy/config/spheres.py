@@ -154,6 +154,11 @@ class SphereScene(GrainScene):
     )
 
     @property
+    def touches(self) -> tuple[TouchConfig, TouchConfig]:
+        """How two spheres push each other, and walls push them."""
+        return self.spheres, self.walls
+
+    @property
     def named_files(self) -> tuple[str, ...]:
         """Files that the scene is made from."""
         return (self.filling.file,) if FILLINGS[self.filling.kind].from_file else ()

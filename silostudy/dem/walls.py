@@ -126,7 +126,7 @@ def wall_cells(model, name: str) -> np.ndarray:
 
 def sums_by_wall(model, cells: np.ndarray, axis: int = 0) -> dict[str, np.ndarray]:
     """Sums over each wall of what its cells hold, by the walls' names; `axis`: that of the cells."""
-    sums = np.add.reduceat(cells, cells_of(model.walls)[:, 0], axis=axis)
+    sums = np.add.reduceat(cells, model.space.walls_of(model.walls).cells[:, 0], axis=axis)
     return {wall.name: sums.take(number, axis=axis) for number, wall in enumerate(model.walls)}
 
 

@@ -61,10 +61,9 @@ def contacts_of(scene: DemScene, radii: np.ndarray) -> tuple[Contact, Contact]:
     radius = scene.radius_m if uneven else float(radii[0])
     changed = [event for event in scene.events if event.do == "set_friction"]
     rubs = any(event.disc_friction is not None for event in changed), any(event.wall_friction is not None for event in changed)
-    configs = scene.discs, scene.walls or scene.discs
     between, wall = (
         contact_of(config, radius, scene.density_kg_m3, wall=at_wall, uneven=uneven, slippery=not rubs[at_wall])
-        for at_wall, config in zip((False, True), configs, strict=True)
+        for at_wall, config in zip((False, True), scene.touches, strict=True)
     )
     return between, wall
 
@@ -82,9 +81,7 @@ def events_of(scene: DemScene, where: str = "") -> tuple[Event, ...]:
 
 
 def _check_friction(scene: DemScene, what: tuple, key: str, where: str) -> None:
-    for field, value, config in zip(
-        ("disc_friction", "wall_friction"), what, (scene.discs, scene.walls or scene.discs), strict=True
-    ):
+    for field, value, config in zip(("disc_friction", "wall_friction"), what, scene.touches, strict=True):
         law = config.laws["tangential"]
         if value is not None and spring.FRICTION not in law.coefficients:
             raise BadInput(f"{key}.{field}", value, f"the tangential law {law.key} takes no friction", where)
