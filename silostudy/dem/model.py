@@ -112,6 +112,7 @@ class Model:
     quake: np.ndarray | None = None
     watched: bool = False
     booked: bool = False
+    moving: bool = False
     u: np.ndarray | None = None
     v: np.ndarray | None = None
     w: np.ndarray | None = None
@@ -209,6 +210,7 @@ class Model:
             integrator=self.integrator,
             unequal=self.unequal,
             shaken=self.quake is not None,
-            watched=self.watched,
+            watched=self.watched or self.moving,
             booked=self.booked,
+            moving=self.moving,
         )
