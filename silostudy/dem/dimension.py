@@ -34,6 +34,7 @@ class Dimension:
     wall_power: Callable  # (rows, shape, i, wall, force, moment) -> power of a wall that moves
     rise: int  # column of a wall's shape: its speed upward
     height_of: Callable  # (shape, wall) -> height of a level wall (m)
+    motion_of: Callable  # shape -> of every wall its height where it is level (m), speed upward (m/s), and spin (rad/s)
     lift: Callable  # (shape, wall, way): moves a level wall up
     walls_of: Callable  # the walls of a model as arrays
     cell_count: Callable  # how many cells the walls of a model have

@@ -106,6 +106,12 @@ class Engine:
         return self.space.felt[self.model.moving]
 
     @property
+    def lid(self) -> int:
+        """Number of the lid among the walls."""
+        assert self.model.lid is not None
+        return self.model.wall_number(self.model.lid.name)
+
+    @property
     def step(self) -> int:
         """Steps made since the start of the model."""
         return int(self.clock[0])

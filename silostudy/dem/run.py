@@ -8,9 +8,10 @@ import numpy as np
 from silostudy.dem.change import keep_discs, set_friction, swap_walls
 from silostudy.dem.checkpoint import checkpoint, restore
 from silostudy.dem.engine import Engine, Explosion
-from silostudy.dem.events import Event
+from silostudy.dem.events import TRIGGERS, Event
 from silostudy.dem.leaving import DISCHARGED, REMOVED, SPILT, WAYS, below, lowest, spilt
 from silostudy.dem.ledger import ENTRIES, carry_out, change_gravity, take_springs
+from silostudy.dem.moves import MOVES, lid_height, lid_rests, lid_stress
 from silostudy.dem.rain import Rain, pour
 from silostudy.dem.rest import PAPER, Rest
 from silostudy.dem.snapshot import held_energy, length, pair_contacts, stress, wall_contacts
@@ -25,6 +26,7 @@ class Recording:
 
     window_time: list[float] = field(default_factory=list)  # s, end of each window; the last may be shorter
     window: list[np.ndarray] = field(default_factory=list)  # (cells, 2, 3): mean, least, largest
+    motion: list[np.ndarray] = field(default_factory=list)  # (walls, 3) height (m), rise (m/s), turn (rad/s), with each window
     energy: list[np.ndarray] = field(default_factory=list)  # J/m, entries of the ledger, with each window
     discharge_time: list[float] = field(default_factory=list)
     discharged: list[float] = field(default_factory=list)  # kg/m
@@ -115,6 +117,8 @@ class Run:
         """How far an event is from its trigger."""
         if event.trigger == "rest":
             return f"{self.rest.criterion.measure(self.engine):.3g}, to be at rest: {self.rest}"
+        if TRIGGERS[event.trigger].of_lid:
+            return f"the lid stands {lid_height(self.engine):.4g} m high under {1e-3 * lid_stress(self.engine):.4g} kPa"
         if event.trigger == "discharged":
             return f"a share of {self.dropped / self.full:.3g} has left"
         return f"due at {self._due() * self.engine.model.dt:.6g} s"
@@ -163,6 +167,10 @@ class Run:
             return False
         if event.trigger == "rest":
             return self.come == self.engine.most and self.rest.holds(self.engine)
+        if event.trigger == "lid_rests":
+            return lid_rests(self.engine)
+        if event.trigger == "lid_stress":
+            return lid_stress(self.engine) >= event.value
         return self.dropped >= event.value * self.full
 
     def _pour(self) -> None:
@@ -191,6 +199,8 @@ class Run:
             engine.gravity = gravity
         elif action == "friction":
             set_friction(engine, pair=event.what[0], wall=event.what[1])
+        elif action in MOVES:
+            MOVES[action](engine, *event.what)
         self.recording.happened.append((engine.time, event.trigger, action))
         self.since = engine.step
         self.next_event += 1
@@ -257,6 +267,8 @@ class Run:
         window[:, :, 0] /= steps
         self.recording.window_time.append(self.engine.time)
         self.recording.window.append(window)
+        if self.engine.model.moving:
+            self.recording.motion.append(self.engine.space.motion_of(self.engine.walls.shape))
         self.recording.energy.append(self.engine.ledger.account[: len(ENTRIES)].copy())
         self.engine.clear_window()
         self.opened = self.engine.step

@@ -81,6 +81,11 @@ def height_of(shape, wall):
     return shape[wall, LOW]
 
 
+def motion_of(shape: np.ndarray) -> np.ndarray:
+    """Of every wall (n, 2): height (m) of its start, speed upward (m/s)."""
+    return shape[:, [LOW, RISE]].copy()
+
+
 @register_jitable
 def lift(shape, wall, way):
     """Move a wall up by a way (m)."""

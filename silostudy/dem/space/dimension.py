@@ -42,7 +42,7 @@ from silostudy.dem.space.motion import (
     whole,
 )
 from silostudy.dem.space.network import all_from_wall, bent, densest, tangents
-from silostudy.dem.space.surfaces import RISE, height_of, lift, nearest
+from silostudy.dem.space.surfaces import RISE, height_of, lift, motion_of, nearest
 from silostudy.dem.space.walls import beside, cell_count, extents, walls_of
 
 SPACE = Dimension(
@@ -69,6 +69,7 @@ SPACE = Dimension(
     wall_power=wall_power,
     rise=RISE,
     height_of=height_of,
+    motion_of=motion_of,
     lift=lift,
     walls_of=walls_of,
     cell_count=cell_count,

@@ -159,3 +159,8 @@ def height_of(shape, wall):
 def lift(shape, wall, way):
     """Move a level surface up by a way (m)."""
     shape[wall, START_Z if shape[wall, 0] == TURNED else HEIGHT] += way
+
+
+def motion_of(shape: np.ndarray) -> np.ndarray:
+    """Of every surface (n, 3): height (m) where it is level, speed upward (m/s), spin about the upright axis (rad/s)."""
+    return np.array([(height_of(shape, wall), *shape[wall, [RISE, TURN]]) for wall in range(len(shape))])
