@@ -1,5 +1,7 @@
 """What sets walls in motion, between two steps: a lid put down, pressed or moved, surfaces that turn."""
 
+from collections.abc import Callable
+
 import numpy as np
 
 from silostudy.dem.drive import DRAG, HELD, LOAD, MASS, STOP_FORCE, STOP_HEIGHT, pressing
@@ -38,7 +40,8 @@ def turn_walls(engine: Engine, spin: float, *names: str) -> None:
     engine.walls.shape[[engine.model.wall_number(name) for name in names], TURN] = spin
 
 
-MOVES = {"lower": lower_lid, "press": press_lid, "move": move_lid, "turn": turn_walls}
+MOVES: dict[str, Callable[..., None]] = {"lower": lower_lid, "press": press_lid, "move": move_lid, "turn": turn_walls}
+OF_LID = ("lower", "press", "move")
 
 
 def force_on_lid(engine: Engine) -> float:
@@ -48,7 +51,9 @@ def force_on_lid(engine: Engine) -> float:
 
 def lid_stress(engine: Engine) -> float:
     """Mean pressure (Pa; in the plane N/m a metre) on the lid in the last step."""
-    return force_on_lid(engine) / engine.model.lid.area
+    lid = engine.model.lid
+    assert lid is not None
+    return force_on_lid(engine) / lid.area
 
 
 def lid_height(engine: Engine) -> float:

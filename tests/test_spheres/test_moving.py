@@ -110,8 +110,15 @@ def drum(angle, spin, turning, friction=FRICTION, pressed_in=0.0):
     place = (-away * np.cos(angle), -away * np.sin(angle), 0.01)  # at a positive angle the wall below it moves towards -y
     cylinder = TurnedLine(name="cylinder", start=(wide, -0.1), end=(wide, 0.1))
     engine = Engine(
-        spheres([place], spin=(0.0, 0.0, spin), walls=(cylinder,), moving=True, gravity=(-GRAVITY, 0.0, 0.0), dt=2e-6,
-                wall_contact=contact(0.3, friction))  # fmt: skip
+        spheres(
+            [place],
+            spin=(0.0, 0.0, spin),
+            walls=(cylinder,),
+            moving=True,
+            gravity=(-GRAVITY, 0.0, 0.0),
+            dt=2e-6,
+            wall_contact=contact(0.3, friction),
+        )
     )
     turn_walls(engine, turning, "cylinder")
     return engine, wide
