@@ -5,6 +5,7 @@ import xarray as xr
 
 from silostudy.choice.promise import Choice, promises
 from silostudy.compute.expected import notes_of, verdicts
+from silostudy.compute.lid_cube import lid_arrays
 from silostudy.compute.sphere_cube import mean_outflow, sphere_arrays, sphere_notes
 from silostudy.config.dem import DemScene
 from silostudy.config.grain_scenes import AnyScene
@@ -77,7 +78,7 @@ def _windows(run: Run) -> dict[str, np.ndarray]:
         data |= cells
     if model.booked:
         data |= {"energy": np.array(record.energy), "energy_entry": np.array(ENTRIES)}
-    return data
+    return data | lid_arrays(run)
 
 
 def _cells(model: Model) -> dict[str, np.ndarray]:

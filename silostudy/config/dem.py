@@ -1,5 +1,6 @@
 """What a user writes to describe one discrete-element scene, in the user's units."""
 
+from collections.abc import Mapping
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, Self, TypeAlias
 
 from pydantic import Field, model_validator
@@ -8,7 +9,8 @@ from silostudy.catalogue import Family
 from silostudy.config.asked import Asked
 from silostudy.config.contact import ContactConfig
 from silostudy.config.fields import Strict, described, one_of
-from silostudy.config.run import GrainScene, Recorded, Waiting
+from silostudy.config.moves import MovingEvent, Takes
+from silostudy.config.run import GrainScene, Recorded
 from silostudy.contact import LAWS
 from silostudy.packing import PACKINGS
 from silostudy.tables.constants import ROUNDED_GRAVITY
@@ -43,10 +45,20 @@ else:
     PackingConfig = one_of(PACKINGS)
 
 
-class EventConfig(Waiting):
+class EventConfig(MovingEvent):
     """One event: it waits for the event before it, then for its trigger, then acts."""
 
-    do: Literal["open_slit", "remove_disc", "set_gravity", "set_friction", "stop"] = described("what happens", "")
+    takes: ClassVar[Mapping[str, Takes]] = {
+        **MovingEvent.takes,
+        "open_slit": Takes(),
+        "remove_disc": Takes(may=("disc", "near_m")),
+        "set_gravity": Takes(("gravity_m_s2",)),
+        "set_friction": Takes(may=("disc_friction", "wall_friction")),
+    }
+
+    do: Literal[
+        "open_slit", "remove_disc", "set_gravity", "set_friction", "lower_lid", "press_lid", "move_lid", "feed", "stop"
+    ] = described("what happens", "")
     disc: int | None = described("number of the disc to remove", "", ge=0, default=None)
     near_m: tuple[float, float] | None = described("x, y of the place whose nearest disc to remove", "m", default=None)
     gravity_m_s2: tuple[float, float] | None = described("new gravity, x and y", "m s-2", default=None)
@@ -57,8 +69,6 @@ class EventConfig(Waiting):
     def _has_what_it_needs(self) -> Self:
         if self.do == "remove_disc" and (self.disc is None) == (self.near_m is None):
             raise ValueError("remove_disc needs either disc or near_m")
-        if self.do == "set_gravity" and self.gravity_m_s2 is None:
-            raise ValueError("set_gravity needs gravity_m_s2")
         if self.do == "set_friction" and self.disc_friction is None and self.wall_friction is None:
             raise ValueError("set_friction needs disc_friction or wall_friction")
         return self
@@ -118,8 +128,11 @@ class DemScene(Asked, GrainScene):
 
     @model_validator(mode="after")
     def _events_fit(self) -> Self:
-        if any(event.do == "open_slit" for event in self.events) and self.silo.slit_width_m == 0:
-            raise ValueError("open_slit needs a silo.slit_width_m above 0")
+        for event in self.events:
+            if event.do in ("open_slit", "feed") and self.silo.slit_width_m == 0:
+                raise ValueError(f"{event.do} needs a silo.slit_width_m above 0")
+            if event.of_lid and not self.silo.lid:
+                raise ValueError(f"{event.do} when {event.when} needs silo.lid: true")
         removed = [event.disc for event in self.events if event.disc is not None]
         if len(set(removed)) < len(removed):
             raise ValueError("events remove a disc twice")

@@ -53,7 +53,7 @@ class Waiting(Strict):
     """What an event waits for."""
 
     when: TriggerKey = described("; ".join(f"{row.key}: {row.title}" for row in TRIGGERS.values()), "")
-    value: float = described("seconds or share that the trigger takes", "", ge=0, default=0.0)
+    value: float = described("seconds, share or kPa that the trigger takes", "", ge=0, default=0.0)
 
     @model_validator(mode="after")
     def _as_the_trigger_takes(self) -> Self:

@@ -14,6 +14,7 @@ from silostudy.dem.ledger import (
     BRAKING,
     CREATED,
     DASHPOT,
+    DRIVING,
     ELASTIC,
     KINETIC,
     POTENTIAL,
@@ -21,6 +22,7 @@ from silostudy.dem.ledger import (
     SHAKING,
     SLIDING,
     TURNOVER,
+    WALLS,
     WORK,
     of_slip,
     of_spring,
@@ -107,21 +109,22 @@ def parting_pass(laws):
     return pressed_energy, parted
 
 
-def contact_book(space, laws, *, unequal, flat):
+def contact_book(space, laws, *, unequal, flat, moving=False):
     """Function that gives, of the contacts of a list: elastic energy, loss of springs that slid, power of the elastic
-    forces, and power that dashpots take where contacts stick and where they slip.
+    forces, power that dashpots take where contacts stick and where they slip, and power of walls that move.
 
     What an attraction gives as bodies come in touch, and what it holds as they are torn off, is lost too.
     """
-    gathered = gather_pass(space, laws, unequal=unequal, flat=flat)
+    gathered = gather_pass(space, laws, unequal=unequal, flat=flat, moving=moving)
     (seen, touch_of), (held_by, slid_by) = touch_pass(space, laws, flat=flat), springs_pass(laws)
     facing, carry, rates, twisting_of, answer = space.facing, space.carry, space.rates(unequal), space.twisting, response(laws)
     (pressed_energy, parted), stretch = parting_pass(laws), space.stretch
-    twists, clings, tangential_law = laws.twists, laws.clings, laws.tangential.law
+    twists, clings, tangential_law, wall_power = laws.twists, laws.clings, laws.tangential.law, space.wall_power
+    about, whole = space.about, space.whole
 
-    @piece(space, laws, unequal, flat)
+    @piece(space, laws, unequal, flat, moving)
     def book(rows, ledger, old, contacts, shape, count, dt, c, lanes):
-        elastic_energy = slid = elastic_power = braking = rubbing = 0.0
+        elastic_energy = slid = elastic_power = braking = rubbing = driving = 0.0
         a, b, m = contacts.arm[0], contacts.other[0], contacts.mass[0]
         for start in range(0, count, stretch):
             many = min(stretch, count - start)
@@ -158,13 +161,16 @@ def contact_book(space, laws, *, unequal, flat):
                 elastic_power += product(rolled, turning) + wound * winding
                 braking += (push - elastic) * nearing
                 braking -= product(less(moment, 1.0, rolled), turning) + (twist - wound) * winding
+                if moving:
+                    force, couple = whole(push - pull, drag, normal), about(moment, twist, normal)
+                    driving += wall_power(rows, shape, contacts.first[at], contacts.second[at], force, couple)
                 lost = product(less(held, 1.0, drag), along)
                 _, unlimited = tangential_law(stored, sliding, touch, NO_LIMIT, NO_LIMIT, c[1])
                 if not same(drag, unlimited) or (history.holds(held) and not history.holds(drag)):
                     rubbing += lost  # a coefficient of zero slips at any force
                 else:
                     braking += lost
-        return elastic_energy, slid, elastic_power, braking, rubbing
+        return elastic_energy, slid, elastic_power, braking, rubbing, driving
 
     return book
 
@@ -211,7 +217,7 @@ def bodies_pass(pieces):
 def book_pass(pieces):
     """Function that books a step, after its forces and before its moves."""
     pairs_book = contact_book(pieces.space, pieces.pair_laws, unequal=pieces.unequal, flat=False)
-    walls_book = contact_book(pieces.space, pieces.wall_laws, unequal=pieces.unequal, flat=True)
+    walls_book = contact_book(pieces.space, pieces.wall_laws, unequal=pieces.unequal, flat=True, moving=pieces.moving)
     bodies_book = bodies_pass(pieces)
 
     @piece(pieces)
@@ -228,12 +234,14 @@ def book_pass(pieces):
             account[DASHPOT] += account[BRAKING]
             account[SLIDING] += account[RUBBING]
             account[BASE] += account[SHAKING]
+            account[WALLS] += account[DRIVING]
             account[TURNOVER] += abs(kinetic - account[KINETIC]) + abs(potential - account[POTENTIAL])
         account[KINETIC], account[POTENTIAL], account[ELASTIC] = kinetic, potential, elastic
         account[WORK] = falling + (pair[2] + wall[2]) * kick  # what the forces will do while the discs move
         account[BRAKING] = (pair[3] + wall[3]) * kick
         account[RUBBING] = (pair[4] + wall[4]) * kick
         account[SHAKING] = shaking
+        account[DRIVING] = wall[5] * kick
         account[BEGUN] = 1.0
 
     return book

@@ -6,11 +6,11 @@ from silostudy.dem.dimension import Dimension
 from silostudy.dem.pieces import Laws
 
 
-def gather_pass(space: Dimension, laws: Laws, *, unequal: bool, flat: bool):
+def gather_pass(space: Dimension, laws: Laws, *, unequal: bool, flat: bool, moving: bool):
     """Function that turns a stretch of a list into lanes of relative motion, of pairs or of bodies near walls."""
-    gather, gather_walls = space.gather(unequal or laws.brakes), space.gather_walls
+    gather, gather_walls = space.gather(unequal or laws.brakes), space.gather_walls(moving)
 
-    @piece(space, laws.brakes, unequal, flat)
+    @piece(space, laws.brakes, unequal, flat, moving)
     def gathered(rows, contacts, shape, start, count, lanes):
         if flat:
             gather_walls(rows, shape, contacts.first, contacts.second, start, count, lanes)
@@ -90,11 +90,11 @@ def contact_pass(space: Dimension, laws: Laws, *, unequal: bool, flat: bool):
     return contact
 
 
-def force_pass(space: Dimension, laws: Laws, *, unequal: bool, flat: bool):
+def force_pass(space: Dimension, laws: Laws, *, unequal: bool, flat: bool, moving: bool = False):
     """Function that computes a stretch of a list into lanes of force, of bodies of one size or of many, or at a wall.
 
     A contact's force depends on nothing but its own numbers: the same bits wherever it stands in the list.
     """
-    gathered = gather_pass(space, laws, unequal=unequal, flat=flat)
+    gathered = gather_pass(space, laws, unequal=unequal, flat=flat, moving=moving)
     contact = contact_pass(space, laws, unequal=unequal, flat=flat)
-    return space.walk(gathered, contact, unequal, laws, (laws, flat))
+    return space.walk(gathered, contact, unequal, laws, (laws, flat, moving))

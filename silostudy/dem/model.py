@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
-from math import isfinite, pi
+from math import inf, isfinite, pi
 from typing import Any, ClassVar
 
 import numpy as np
@@ -89,11 +89,22 @@ class Contact:
         return replace(self, coefficients=changed)
 
 
+@dataclass(frozen=True, kw_only=True)
+class Lid:
+    """A wall that may be pressed or moved: its name, area (m2; in the plane m), mass (kg, kg/m) and the most bodies it may
+    touch at once; the mass is the least that it is given, infinite where it moves at a speed alone."""
+
+    area: float
+    touching: float
+    mass: float = inf
+    name: str = "lid"
+
+
 @dataclass(frozen=True, eq=False)
 class Model:
     """Discs (m, m/s, kg/m3), walls, contacts, gravity (m/s2), base acceleration a step (m/s2), integrator and step (s).
 
-    waiting: so many of the last are not there at the start; they come in while the model runs.
+    waiting: so many of the last are not there at the start; they come in while the model runs.  moving: whether walls move.
     """
 
     space: ClassVar[Dimension] = PLANE
@@ -112,6 +123,8 @@ class Model:
     quake: np.ndarray | None = None
     watched: bool = False
     booked: bool = False
+    moving: bool = False
+    lid: Lid | None = None
     u: np.ndarray | None = None
     v: np.ndarray | None = None
     w: np.ndarray | None = None
@@ -209,6 +222,7 @@ class Model:
             integrator=self.integrator,
             unequal=self.unequal,
             shaken=self.quake is not None,
-            watched=self.watched,
+            watched=self.watched or self.moving,
             booked=self.booked,
+            moving=self.moving,
         )

@@ -32,9 +32,10 @@ class Contacts:
 
 
 @cache
-def reader(space: Dimension, laws: Laws, unequal: bool, flat: bool):
+def reader(space: Dimension, laws: Laws, unequal: bool, flat: bool, moving: bool):
     """Compiled function that computes the forces of a list without changing its histories."""
-    forces, force_of, stretch = force_pass(space, laws, unequal=unequal, flat=flat), space.force_of, space.stretch
+    forces = force_pass(space, laws, unequal=unequal, flat=flat, moving=moving)
+    force_of, stretch = space.force_of, space.stretch
 
     def read(rows, contacts, shape, count, lanes, out, found, stored, rolled, dt, c):
         for start in range(0, count, stretch):
@@ -45,7 +46,7 @@ def reader(space: Dimension, laws: Laws, unequal: bool, flat: bool):
                 for way in range(len(force)):
                     found[start + k, way] = force[way]
 
-    return njit(**OPTIONS)(named(read, repr((space, laws, unequal, flat))))
+    return njit(**OPTIONS)(named(read, repr((space, laws, unequal, flat, moving))))
 
 
 def _forces(engine, laws, contacts, count, flat, c):
@@ -53,7 +54,7 @@ def _forces(engine, laws, contacts, count, flat, c):
     space, pieces = engine.space, engine.model.pieces
     found = np.zeros((count, space.ways))
     lanes, out = aligned(*space.lanes), aligned(*space.forces)
-    read = reader(pieces.space, laws, pieces.unequal, flat)
+    read = reader(pieces.space, laws, pieces.unequal, flat, flat and pieces.moving)
     stored, rolled = contacts.stored[..., :count].copy(), contacts.rolled[..., :count].copy()
     contacts = contacts._replace(twisted=contacts.twisted.copy(), touched=contacts.touched.copy())
     read(engine.bodies.rows, contacts, engine.walls.shape, count, lanes, out, found, stored, rolled, engine.model.dt, c)

@@ -8,14 +8,16 @@ import numpy as np
 from silostudy.config.contact import ContactConfig
 from silostudy.config.dem import BoxConfig, DemScene, EventConfig
 from silostudy.config.grain_scenes import AnyScene
+from silostudy.config.moves import OF_LID
 from silostudy.contact import NO_TANGENTIAL, TANGENTIAL, spring
 from silostudy.contact.coefficient import Given
-from silostudy.dem.events import Event
+from silostudy.dem.events import TRIGGERS, Event
 from silostudy.dem.model import Contact, Wall
 from silostudy.dem.pieces import Laws
 from silostudy.dem.rest import REST, Rest
 from silostudy.errors import BadInput
 from silostudy.packing import PACKINGS
+from silostudy.scene.lid import lid_action, moves
 from silostudy.scene.plane_silo import FLOOR, HALVES, PlaneSilo
 
 DEEPEST = 0.1  # of a radius: overlap that a start may have (a packing at rest has some)
@@ -68,15 +70,15 @@ def contacts_of(scene: DemScene, radii: np.ndarray) -> tuple[Contact, Contact]:
     return between, wall
 
 
-def events_of(scene: DemScene, where: str = "") -> tuple[Event, ...]:
-    """Events in the engine's words; BadInput for a friction that no law of the scene takes."""
+def events_of(scene: DemScene, mass: float, where: str = "") -> tuple[Event, ...]:
+    """Events in the engine's words; mass: of all discs, kg/m. BadInput for a friction that no law of the scene takes."""
     beside = HALVES if scene.silo.hopper_half_angle_deg is None else ()
     found = []
     for number, event in enumerate(scene.events):
-        action, what = _action(event, beside)
+        action, what = _action(event, scene.silo, beside, mass)
         if action == "friction":
             _check_friction(scene, what, f"events.{number}", where)
-        found.append(Event(event.when, event.value, action, what))
+        found.append(Event(event.when, event.value * TRIGGERS[event.when].scale, action, what))
     return tuple(found)
 
 
@@ -100,7 +102,7 @@ def check_events(scene: DemScene, count: int, where: str = "") -> None:
             raise BadInput(f"events.{number}.disc", event.disc, f"must be below {count}, the number of discs", where)
 
 
-def _action(event: EventConfig, beside: tuple[str, ...]) -> tuple[str, tuple]:
+def _action(event: EventConfig, box: BoxConfig, beside: tuple[str, ...], mass: float) -> tuple[str, tuple]:
     if event.do == "remove_disc":
         return "remove", (event.disc,) if event.near_m is None else event.near_m
     if event.do == "set_gravity":
@@ -108,6 +110,11 @@ def _action(event: EventConfig, beside: tuple[str, ...]) -> tuple[str, tuple]:
         return "gravity", event.gravity_m_s2
     if event.do == "set_friction":
         return "friction", (event.disc_friction, event.wall_friction)
+    if event.do == "feed":
+        return "feed", (event.rate_kg_s,)
+    if event.do in OF_LID:
+        low = plane_silo_of(box).bottom
+        return lid_action(event, box.width_m, mass, low, low + box.height_m)
     return ("open", (FLOOR, *beside)) if event.do == "open_slit" else ("stop", ())
 
 
@@ -163,6 +170,7 @@ def effects(scene: DemScene) -> tuple[Effect, ...]:
         Effect("energy ledger", record.energy, f"record.energy: {record.energy}"),
         Effect("slit", scene.silo.slit_width_m > 0, f"silo.slit_width_m: {scene.silo.slit_width_m:g}"),
         Effect("hopper", scene.silo.hopper_half_angle_deg is not None, "silo.hopper_half_angle_deg"),
+        Effect("walls that move", moves(scene.events), "events: lower_lid, press_lid, move_lid"),
         Effect("events", len(scene.events) > 1, ", ".join(event.do for event in scene.events)),
         Effect("snapshots", bool(record.snapshots_s), f"record.snapshots_s: {len(record.snapshots_s)} times"),
     )
