@@ -3,6 +3,8 @@
 Both start from the same fillings, at rest; which sphere goes when differs soon, so the scatter over fillings is beside it.
 """
 
+from typing import Any
+
 import numpy as np
 
 from silostudy.accuracy.bin_of_spheres import DIAMETER, STEP, bin_of_spheres
@@ -28,7 +30,7 @@ def filling(seed: int, with_peer: bool) -> dict[str, list[int]]:
     model = bin_of_spheres(COUNT, WIDE, seed)
     ours = Ours(model)
     ours.step(SETTLE)
-    codes = {"silostudy": ours}
+    codes: dict[str, Any] = {"silostudy": ours}
     if with_peer:
         from silostudy.accuracy.peer_of_spheres import LammpsSpheres
 
