@@ -32,16 +32,15 @@ class Price:
 
 def without(model: Model) -> dict[str, tuple[Model, Model]]:
     """Pairs of models with and without one effect, for the effects that a model has; both of the same places."""
-    found = {}
+    found, (pair, wall) = {}, (model.between(0, 0), model.at_wall(0, 0))
     if model.pieces.turns:
         found["friction, rotation, history"] = (
             model,
-            replace(model, pair_contact=_bare(model.pair_contact), wall_contact=_bare(model.wall_contact)),
+            replace(model, pair_contact=_bare(pair), wall_contact=_bare(wall)),
         )
     for family, name in (("rolling", "rolling resistance"), ("cohesion", "cohesion")):
         if getattr(model.pair_contact.laws, family).acts:
-            pair, wall = (_less(contact, family) for contact in (model.pair_contact, model.wall_contact))
-            found[name] = (model, replace(model, pair_contact=pair, wall_contact=wall))
+            found[name] = (model, replace(model, pair_contact=_less(pair, family), wall_contact=_less(wall, family)))
     if model.unequal:
         equal = np.full(len(model.x), model.radius.mean())
         hardly = equal * (1.0 + APART * (np.arange(len(equal)) % 2))
