@@ -13,6 +13,7 @@ import numpy as np
 from silostudy.dem.engine import Engine
 from silostudy.dem.model import Contact, Model
 from silostudy.dem.pieces import Laws
+from silostudy.dem.varied import Varied
 
 TURNS, READING = 15, 0.02  # readings of each variant, and the CPU seconds that one lasts about
 SETTLING = 1e7  # particle-steps that are spent on coming near rest
@@ -41,6 +42,8 @@ def without(model: Model) -> dict[str, tuple[Model, Model]]:
     for family, name in (("rolling", "rolling resistance"), ("cohesion", "cohesion")):
         if getattr(model.pair_contact.laws, family).acts:
             found[name] = (model, replace(model, pair_contact=_less(pair, family), wall_contact=_less(wall, family)))
+    if isinstance(model.wall_contact, Varied):
+        found["walls of several coefficients"] = (model, replace(model, wall_contact=wall))
     if model.unequal:
         equal = np.full(len(model.x), model.radius.mean())
         hardly = equal * (1.0 + APART * (np.arange(len(equal)) % 2))

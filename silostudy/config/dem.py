@@ -9,6 +9,7 @@ from silostudy.config.asked import Asked
 from silostudy.config.contact import ContactConfig
 from silostudy.config.fields import Strict, described, one_of
 from silostudy.config.run import GrainScene, Recorded, Waiting
+from silostudy.config.surfaces import apart_from, in_place
 from silostudy.contact import LAWS
 from silostudy.packing import PACKINGS
 from silostudy.tables.constants import ROUNDED_GRAVITY
@@ -51,7 +52,8 @@ class EventConfig(Waiting):
     near_m: tuple[float, float] | None = described("x, y of the place whose nearest disc to remove", "m", default=None)
     gravity_m_s2: tuple[float, float] | None = described("new gravity, x and y", "m s-2", default=None)
     disc_friction: float | None = described("new friction between discs", ge=0, default=None)
-    wall_friction: float | None = described("new friction at the walls", ge=0, default=None)
+    wall_friction: float | None = described("new friction at all walls, or at a surface", ge=0, default=None)
+    surface: str | None = described("the surface that wall_friction is for, as in surfaces; null: all walls", "", default=None)
 
     @model_validator(mode="after")
     def _has_what_it_needs(self) -> Self:
@@ -61,7 +63,15 @@ class EventConfig(Waiting):
             raise ValueError("set_gravity needs gravity_m_s2")
         if self.do == "set_friction" and self.disc_friction is None and self.wall_friction is None:
             raise ValueError("set_friction needs disc_friction or wall_friction")
+        if self.surface is not None and self.wall_friction is None:
+            raise ValueError("surface is where a wall_friction changes: give that too")
         return self
+
+
+if TYPE_CHECKING:
+    SurfaceConfig = Any
+else:
+    SurfaceConfig = apart_from("SurfaceConfig", "How a surface that is not like the other walls pushes discs.", ContactConfig)
 
 
 class RecordConfig(Recorded):
@@ -94,6 +104,12 @@ class DemScene(Asked, GrainScene):
     density_kg_m3: float = described("density of the discs", "kg m-3", gt=0)
     discs: ContactConfig = described("contact between discs", "")
     walls: ContactConfig | None = described("contact of discs and walls; null: as between discs", "", default=None)
+    surfaces: dict[str, SurfaceConfig] = described(
+        "walls that are not like the others, by their names (`silostudy explain SCENE` lists them); a name stands for its "
+        "parts too, hopper for hopper_left and hopper_right; what they do not say is as for walls",
+        "",
+        default={},
+    )
     gravity_m_s2: tuple[float, float] = described("gravity, x and y (up)", "m s-2", default=(0.0, -ROUNDED_GRAVITY))
     quake: QuakeConfig | None = described("acceleration of the box", "", default=None)
     events: tuple[EventConfig, ...] = described("what happens, in order; the last is a stop", "", min_length=1)
@@ -104,6 +120,17 @@ class DemScene(Asked, GrainScene):
         """Files that the scene is made from."""
         packed = (self.packing.file,) if PACKINGS[self.packing.kind].from_file else ()
         return (*packed, *([self.quake.file] if self.quake else []))
+
+    @property
+    def surface_contacts(self) -> dict[str, ContactConfig]:
+        """Contacts of the surfaces that are not like the other walls."""
+        walls = self.walls or self.discs
+        return {name: in_place(walls, surface.given, f"surfaces.{name}") for name, surface in self.surfaces.items()}
+
+    @model_validator(mode="after")
+    def _surfaces_are_sound(self) -> Self:
+        self.surface_contacts  # noqa: B018  (each is made)
+        return self
 
     @model_validator(mode="after")
     def _one_step(self) -> Self:

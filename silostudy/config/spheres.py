@@ -11,6 +11,7 @@ from silostudy.config.fields import Strict, described, one_of
 from silostudy.config.own import key_of
 from silostudy.config.run import GrainScene, Recorded, Waiting
 from silostudy.config.scene import Silo
+from silostudy.config.surfaces import apart_from, in_place
 from silostudy.contact import NO_COHESION, NO_ROLLING, NO_TWISTING, SPHERE_LAWS
 from silostudy.contact.normal import hertz
 from silostudy.contact.tangential import mindlin
@@ -91,6 +92,13 @@ class TouchConfig(LawsConfig):
     sliding_friction: float | None = described("friction coefficient; null: of the pair of materials", ge=0, default=None)
 
 
+if TYPE_CHECKING:
+    SphereSurfaceConfig = Any
+else:
+    told = "Material and contact of a surface that is not like the other walls."
+    SphereSurfaceConfig = apart_from("SphereSurfaceConfig", told, MaterialConfig, TouchConfig)
+
+
 class OutletConfig(Strict):
     """The outlet of a flat floor, silo.outlet_eccentricity_m off the axis."""
 
@@ -104,7 +112,8 @@ class SphereEventConfig(Waiting):
     do: Literal["open_outlet", "set_gravity", "set_friction", "stop"] = described("what happens", "")
     gravity_m_s2: tuple[float, float, float] | None = described("new gravity, x, y and z", "m s-2", default=None)
     sphere_friction: float | None = described("new friction between spheres", ge=0, default=None)
-    wall_friction: float | None = described("new friction at the walls", ge=0, default=None)
+    wall_friction: float | None = described("new friction at all walls, or at a surface", ge=0, default=None)
+    surface: str | None = described("the surface that wall_friction is for, as in surfaces; null: all walls", "", default=None)
 
     @model_validator(mode="after")
     def _has_what_it_needs(self) -> Self:
@@ -112,6 +121,8 @@ class SphereEventConfig(Waiting):
             raise ValueError("set_gravity needs gravity_m_s2")
         if self.do == "set_friction" and self.sphere_friction is None and self.wall_friction is None:
             raise ValueError("set_friction needs sphere_friction or wall_friction")
+        if self.surface is not None and self.wall_friction is None:
+            raise ValueError("surface is where a wall_friction changes: give that too")
         return self
 
 
@@ -142,6 +153,12 @@ class SphereScene(GrainScene):
     wall: MaterialConfig = described("material of the walls", "")
     spheres: TouchConfig = described("contact between spheres", "", default=TouchConfig())
     walls: TouchConfig = described("contact of spheres and walls", "", default=TouchConfig())
+    surfaces: dict[str, SphereSurfaceConfig] = described(
+        "surfaces that are not like the other walls, by their names (`silostudy explain SCENE` lists them); a name stands for "
+        "its parts too, hopper for hopper_1, hopper_2, ...; what they do not say is as for wall and walls",
+        "",
+        default={},
+    )
     sizes: SizesConfig = described("sizes of the spheres; a file gives its own", "", default=None)
     filling: FillingConfig = described("how the spheres come in", "")
     gravity_m_s2: tuple[float, float, float] = described(
@@ -152,6 +169,22 @@ class SphereScene(GrainScene):
     outputs: tuple[OutputKey, ...] = described(
         "figures that the pipeline makes beside the cube; they need record.wall_force_window_s and snapshots", "", default=()
     )
+
+    @property
+    def surface_contacts(self) -> dict[str, tuple[MaterialConfig, TouchConfig]]:
+        """Materials and contacts of the surfaces that are not like the other walls."""
+        found = {}
+        for name, surface in self.surfaces.items():
+            values, key = surface.given, f"surfaces.{name}"
+            of_material = {field: values.pop(field) for field in MaterialConfig.model_fields if field in values}
+            wall = {} if "material" in of_material else self.wall.model_dump()
+            found[name] = MaterialConfig(**(wall | of_material)), in_place(self.walls, values, key)
+        return found
+
+    @model_validator(mode="after")
+    def _surfaces_are_sound(self) -> Self:
+        self.surface_contacts  # noqa: B018  (each is made)
+        return self
 
     @property
     def named_files(self) -> tuple[str, ...]:

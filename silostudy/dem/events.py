@@ -32,7 +32,8 @@ class Event:
     """One event: it waits for its turn, then for its trigger, then acts.
 
     trigger: a key of TRIGGERS; value: its seconds or share.
-    action: open (wall, walls that replace it), remove (label or x, y), gravity (x, y), friction (pair, wall), stop.
+    action: open (wall, walls that replace it), remove (label or x, y), gravity (x, y),
+    friction (pair, wall, names of walls; none: all), stop.
     """
 
     trigger: str

@@ -190,7 +190,7 @@ class Run:
             change_gravity(engine, gravity)
             engine.gravity = gravity
         elif action == "friction":
-            set_friction(engine, pair=event.what[0], wall=event.what[1])
+            set_friction(engine, pair=event.what[0], wall=event.what[1], walls=event.what[2])
         self.recording.happened.append((engine.time, event.trigger, action))
         self.since = engine.step
         self.next_event += 1

@@ -14,7 +14,7 @@ from silostudy.packing.sizes import SIZES
 from silostudy.scene.dem import DEEPEST
 from silostudy.scene.dem_model import step_of
 from silostudy.scene.space_silo import SpaceSilo
-from silostudy.scene.spheres import contacts_of, grain_of, plane_of_rain, space_silo_of
+from silostudy.scene.spheres import contacts_of, grain_of, plane_of_rain, space_silo_of, sphere_events
 
 DENSEST = 0.7  # solid fraction that no random packing of nearly equal spheres comes to
 APART = 3.0  # largest radii: between spheres that wait, one above the other over the silo
@@ -26,6 +26,7 @@ def sphere_model(scene: SphereScene, given: tuple[np.ndarray, np.ndarray] | None
     assert scene.march.integrator is not None, "no accuracy is measured that could choose it"
     space, grain, row = space_silo_of(scene, where), grain_of(scene, where), FILLINGS[scene.filling.kind]
     check_frictions(scene, where)
+    sphere_events(scene, space, where)
     random = np.random.default_rng(scene.seed)
     try:
         places, radii = given or _started(scene, space, random)
