@@ -6,6 +6,7 @@ from pathlib import Path
 
 import matplotlib.pyplot as plt
 import pytest
+from hypothesis import settings
 
 from silostudy.choice.expand import expand, expand_file
 from silostudy.compute.pressure import pressure_cube
@@ -25,6 +26,8 @@ SMALL = {
 }
 
 save_memory()
+settings.register_profile("same", derandomize=True)  # the same examples each time; others: --hypothesis-profile=default
+settings.load_profile("same")
 
 
 @pytest.fixture

@@ -48,20 +48,20 @@ def bin_silo(wide: float, high: float) -> SpaceSilo:
     return SpaceSilo(silo=replace(silo, wall_depth=high - silo.hopper_height))
 
 
-def lattice(count: int, wide: float) -> np.ndarray:
-    """Places (count, 3) of spheres on a cubic lattice in the bin, from below, each a little off."""
+def lattice(count: int, wide: float, seed: int) -> np.ndarray:
+    """Places (count, 3) of spheres on a cubic lattice in the bin, from below, each a little off by the seed."""
     pitch, outlet, gap = LOOSE * DIAMETER, 0.5 * OUTLET * DIAMETER, 0.6 * DIAMETER
     across = np.arange(-wide, wide, pitch)
     layers = np.arange(gap, 2.5 * count * pitch**3 / (pi * wide**2) + 2.0 * wide / STEEPNESS, pitch)
     z, x, y = (axis.ravel() for axis in np.meshgrid(layers, across, across, indexing="ij"))
     room = np.minimum(wide, outlet + STEEPNESS * z) - gap * sqrt(1.0 + STEEPNESS**2)
     place = np.c_[x, y, z][np.hypot(x, y) < room][:count]
-    return place + np.random.default_rng(1).uniform(-0.02, 0.02, place.shape) * DIAMETER
+    return place + np.random.default_rng(seed).uniform(-0.02, 0.02, place.shape) * DIAMETER
 
 
-def bin_of_spheres(count: int, wide: float) -> SphereModel:
+def bin_of_spheres(count: int, wide: float, seed: int = 1) -> SphereModel:
     """The model of so many spheres in a bin of this radius (m)."""
-    place = lattice(count, wide)
+    place = lattice(count, wide, seed)
     high = float(place[:, 2].max()) + 5.0 * DIAMETER
     return SphereModel(
         x=place[:, 0], y=place[:, 1], z=place[:, 2], radius=np.full(count, 0.5 * DIAMETER), density=DENSITY,

@@ -21,6 +21,9 @@ def add(sub) -> None:
     spheres.add_argument("--most", action="store_true", help="half a million spheres too")
     spheres.add_argument("--output", type=Path, default=Path("results/bench/spheres.csv"))
     spheres.set_defaults(run=run_spheres)
+    discharge = what.add_parser("discharge", help="spheres left in a bin that flows out, beside LAMMPS from the same fillings")
+    discharge.add_argument("--output", type=Path, default=Path("results/bench/discharge.csv"))
+    discharge.set_defaults(run=run_discharge)
     accuracy = what.add_parser(
         "accuracy", help="CPU time to an error of static wall forces, beside LAMMPS where it is installed"
     )
@@ -42,6 +45,12 @@ def run_dem(chosen) -> None:
 
 def run_spheres(chosen) -> None:
     from silostudy.commands.bench_spheres import run
+
+    run(chosen)
+
+
+def run_discharge(chosen) -> None:
+    from silostudy.commands.bench_discharge import run
 
     run(chosen)
 

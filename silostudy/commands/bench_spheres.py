@@ -38,6 +38,11 @@ class Ours:
         return self.engine.n
 
     @property
+    def places(self):
+        """x, y, z (m) of the spheres."""
+        return self.engine.places
+
+    @property
     def contacts(self) -> float:
         """Listed pairs a sphere."""
         return sum(part.pairs.begin[self.engine.blocks_of(part)] for part in self.engine.parts) / self.engine.n

@@ -85,6 +85,7 @@ def run_ensemble(chosen, scene, choice, outputs: list[Path]) -> None:
 def run_one(chosen, scene, choice, output: Path) -> None:
     from silostudy.commands.studies import told_before
     from silostudy.compute.dem import carry_through, run_of
+    from silostudy.compute.expected import verdicts
     from silostudy.errors import BadInput
 
     model = _model(chosen, scene)
@@ -95,6 +96,8 @@ def run_one(chosen, scene, choice, output: Path) -> None:
         carry_through(task, scene, checkpoint_of(scene, output), tell)
     keep(task, scene, choice, output)
     print(f"{scene.title}: {task.engine.step} steps of {model.dt:.3g} s, {where_discs_are(task)} -> {output}")
+    for verdict in verdicts(task, scene):
+        print(f"  {verdict}")
     if task.trouble:
         key, value = ("march.limit_s", scene.march.limit_s) if task.recording.waiting else ("march.step_s", model.dt)
         if task.recording.buried:

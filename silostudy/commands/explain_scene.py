@@ -6,6 +6,7 @@ from typing import Any
 from silostudy.catalogue import Family, Row
 from silostudy.dem.events import TRIGGERS
 from silostudy.dem.integrate import INTEGRATORS
+from silostudy.dem.outcomes import OUTCOMES
 from silostudy.dem.rest import REST
 from silostudy.packing import PACKINGS
 from silostudy.packing.filling import FILLINGS
@@ -18,16 +19,17 @@ PARTS: dict[str, Family] = {
     "integrators": INTEGRATORS,
     "triggers": TRIGGERS,
     "rest": REST,
+    "quantities": OUTCOMES,
 }
 
 
 def explanation(row) -> list[str]:
-    """The lines that explain a packing, an integrator, a trigger or a criterion of rest."""
+    """The lines that explain a packing, an integrator, a trigger, a criterion of rest or a quantity."""
     from silostudy.tables.references import with_locator
 
     part = next(name for name, family in PARTS.items() if row in family.values())
     lines = [f"{row.title} ({row.key}, of {part})"]
-    for function in ("advance", "measure", "place", "draw"):
+    for function in ("advance", "measure", "place", "draw", "find"):
         if (told := getattr(row, function, None)) is not None:
             lines.append(f"  gives     {told.__doc__.splitlines()[0]}")
     for asked in getattr(row, "asks", ()):

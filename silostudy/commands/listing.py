@@ -199,7 +199,10 @@ LISTS = {
     "combinations": _combinations,
     "load-cases": _load_cases,
     "laws": _laws,
-    **{name: _parts_of_scenes(name) for name in ("packings", "fillings", "sizes", "integrators", "triggers", "rest")},
+    **{
+        name: _parts_of_scenes(name)
+        for name in ("packings", "fillings", "sizes", "integrators", "triggers", "rest", "quantities")
+    },
     "mass-rules": _mass_rules,
     "solids": _solids,
     "walls": _walls,

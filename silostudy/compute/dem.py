@@ -14,14 +14,17 @@ from silostudy.config.dem import DemScene
 from silostudy.config.grain_scenes import AnyScene
 from silostudy.config.spheres import SphereScene
 from silostudy.dem.engine import Engine
+from silostudy.dem.feeder import Feeder
 from silostudy.dem.model import Model
 from silostudy.dem.run import Run
 from silostudy.errors import BadInput
 from silostudy.packing import PACKINGS
 from silostudy.packing.filling import FILLINGS
-from silostudy.scene.dem import events_of, rest_of
+from silostudy.scene.dem import events_of, plane_silo_of, rest_of
 from silostudy.scene.dem_model import placed, unshaken_scene_model
-from silostudy.scene.spheres import rain_of, space_silo_of, sphere_events
+from silostudy.scene.lid import feeds
+from silostudy.scene.sphere_events import sphere_events
+from silostudy.scene.spheres import rain_of, space_silo_of
 from silostudy.scene.spheres_model import sphere_model
 
 
@@ -59,7 +62,7 @@ def run_of(scene: AnyScene, model: Model, *, threads: int = 1) -> Run:
 
 
 def _of_discs(scene: DemScene, model: Model) -> dict[str, Any]:
-    """Events, window and cells of the stress of a scene of discs."""
+    """Events, window, feeder and cells of the stress of a scene of discs."""
     record, edges = scene.record, None
     if record.stress_cells is not None:
         top = float(max(max(wall.start[1], wall.end[1]) for wall in model.walls))
@@ -67,14 +70,24 @@ def _of_discs(scene: DemScene, model: Model) -> dict[str, Any]:
             np.linspace(0.0, scene.silo.width_m, record.stress_cells[0] + 1),
             np.linspace(0.0, top, record.stress_cells[1] + 1),
         )
-    return {"events": events_of(scene), "window": _window(scene, model), "stress_edges": edges}
+    return {
+        "events": events_of(scene, float(model.mass.sum())),
+        "window": _window(scene, model),
+        "stress_edges": edges,
+        "feeder": Feeder(plane_silo_of(scene.silo).over_slit) if feeds(scene.events) else None,
+    }
 
 
 def _of_spheres(scene: SphereScene, model: Model) -> dict[str, Any]:
-    """Events, window and rain of a scene of spheres."""
+    """Events, window, rain and feeder of a scene of spheres."""
     space = space_silo_of(scene)
     rain = rain_of(scene, space, model.radius) if FILLINGS[scene.filling.kind].rains else None
-    return {"events": sphere_events(scene, space), "window": _window(scene, model), "rain": rain}
+    return {
+        "events": sphere_events(scene, space, float(model.mass.sum())),
+        "window": _window(scene, model),
+        "rain": rain,
+        "feeder": Feeder(space.over_outlet) if feeds(scene.events) else None,
+    }
 
 
 def _window(scene: AnyScene, model: Model) -> int:

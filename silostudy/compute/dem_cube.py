@@ -4,6 +4,8 @@ import numpy as np
 import xarray as xr
 
 from silostudy.choice.promise import Choice, promises
+from silostudy.compute.expected import notes_of, verdicts
+from silostudy.compute.lid_cube import lid_arrays
 from silostudy.compute.sphere_cube import mean_outflow, sphere_arrays, sphere_notes
 from silostudy.config.dem import DemScene
 from silostudy.config.grain_scenes import AnyScene
@@ -34,6 +36,7 @@ def cube_of(run: Run, scene: AnyScene, choice: Choice | None = None) -> xr.Datas
         "steps": run.engine.step,
         f"{body}s_left": run.engine.n,
         **{f"{body}s_{way}": count for way, count in record.left.items()},
+        **notes_of(verdicts(run, scene)),
     }
     if isinstance(scene, SphereScene):
         notes |= sphere_notes(scene) | mean_outflow(run)
@@ -75,7 +78,7 @@ def _windows(run: Run) -> dict[str, np.ndarray]:
         data |= cells
     if model.booked:
         data |= {"energy": np.array(record.energy), "energy_entry": np.array(ENTRIES)}
-    return data
+    return data | lid_arrays(run)
 
 
 def _cells(model: Model) -> dict[str, np.ndarray]:

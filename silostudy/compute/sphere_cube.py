@@ -2,11 +2,13 @@
 
 import numpy as np
 
+from silostudy.compute.lid_cube import lid_arrays
 from silostudy.config.spheres import SphereScene
 from silostudy.dem.ledger import ENTRIES
 from silostudy.dem.model import Model
 from silostudy.dem.run import Run
 from silostudy.dem.space.cells import areas, middles, uprightness
+from silostudy.dem.space.felt import TORQUE
 from silostudy.scene.space_silo import LID
 from silostudy.scene.spheres import space_silo_of
 
@@ -15,6 +17,7 @@ FELT = (
     ("shear", "shear_stress"),
     ("cross", "cross_shear_stress"),
 )  # what a cell feels, and over its area
+SPIN = 2  # of what is recorded of a surface that moves
 MOTION = ("x", "y", "z", "u", "v", "w", "spin_x", "spin_y", "spin_z")
 
 
@@ -68,7 +71,10 @@ def _windows(run: Run) -> dict[str, np.ndarray]:
     data = {"window_time": np.array(record.window_time)}
     if model.booked:
         data |= {"ledger_energy": np.array(record.energy), "energy_entry": np.array(ENTRIES)}
-    return data | (_felt(np.array(record.window), model) if model.watched else {})
+    data |= _felt(np.array(record.window), model) if model.watched else {}
+    if model.moving and model.watched:
+        data |= {"surface_spin": np.array(record.motion)[:, :, SPIN]}
+    return data | lid_arrays(run)
 
 
 def _felt(force: np.ndarray, model: Model) -> dict[str, np.ndarray]:
@@ -82,6 +88,7 @@ def _felt(force: np.ndarray, model: Model) -> dict[str, np.ndarray]:
     lean = np.array([uprightness(wall, wall.name == LID) for wall in model.walls])
     data |= {f"surface_{name}_force": total[:, :, way] for way, (name, _) in enumerate(FELT)}
     data |= {"surface_load": (total[:, :, :2] * lean).sum(axis=2)}
+    data |= {"surface_torque": total[:, :, TORQUE]} if model.moving else {}
     return data | {"surface": np.array([wall.name for wall in model.walls])}
 
 

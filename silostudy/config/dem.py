@@ -1,5 +1,6 @@
 """What a user writes to describe one discrete-element scene, in the user's units."""
 
+from collections.abc import Mapping
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, Self, TypeAlias
 
 from pydantic import Field, model_validator
@@ -8,7 +9,8 @@ from silostudy.catalogue import Family
 from silostudy.config.asked import Asked
 from silostudy.config.contact import ContactConfig
 from silostudy.config.fields import Strict, described, one_of
-from silostudy.config.run import GrainScene, Recorded, Waiting
+from silostudy.config.moves import MovingEvent, Takes
+from silostudy.config.run import GrainScene, Recorded
 from silostudy.config.surfaces import apart_from, in_place
 from silostudy.contact import LAWS
 from silostudy.packing import PACKINGS
@@ -44,27 +46,37 @@ else:
     PackingConfig = one_of(PACKINGS)
 
 
-class EventConfig(Waiting):
+class EventConfig(MovingEvent):
     """One event: it waits for the event before it, then for its trigger, then acts."""
 
-    do: Literal["open_slit", "remove_disc", "set_gravity", "set_friction", "stop"] = described("what happens", "")
+    takes: ClassVar[Mapping[str, Takes]] = {
+        **MovingEvent.takes,
+        "open_slit": Takes(),
+        "remove_disc": Takes(may=("disc", "near_m")),
+        "set_gravity": Takes(("gravity_m_s2",)),
+        "set_friction": Takes(may=("disc_friction", "wall_friction", "surfaces")),
+    }
+
+    do: Literal[
+        "open_slit", "remove_disc", "set_gravity", "set_friction", "lower_lid", "press_lid", "move_lid", "feed", "stop"
+    ] = described("what happens", "")
     disc: int | None = described("number of the disc to remove", "", ge=0, default=None)
     near_m: tuple[float, float] | None = described("x, y of the place whose nearest disc to remove", "m", default=None)
     gravity_m_s2: tuple[float, float] | None = described("new gravity, x and y", "m s-2", default=None)
     disc_friction: float | None = described("new friction between discs", ge=0, default=None)
-    wall_friction: float | None = described("new friction at all walls, or at a surface", ge=0, default=None)
-    surface: str | None = described("the surface that wall_friction is for, as in surfaces; null: all walls", "", default=None)
+    wall_friction: float | None = described("new friction at all walls, or at surfaces", ge=0, default=None)
+    surfaces: tuple[str, ...] = described(
+        "set_friction: where wall_friction changes, by names as in the scene's surfaces; none: all walls", "", default=()
+    )
 
     @model_validator(mode="after")
     def _has_what_it_needs(self) -> Self:
         if self.do == "remove_disc" and (self.disc is None) == (self.near_m is None):
             raise ValueError("remove_disc needs either disc or near_m")
-        if self.do == "set_gravity" and self.gravity_m_s2 is None:
-            raise ValueError("set_gravity needs gravity_m_s2")
         if self.do == "set_friction" and self.disc_friction is None and self.wall_friction is None:
             raise ValueError("set_friction needs disc_friction or wall_friction")
-        if self.surface is not None and self.wall_friction is None:
-            raise ValueError("surface is where a wall_friction changes: give that too")
+        if self.surfaces and self.wall_friction is None:
+            raise ValueError("surfaces are where a wall_friction changes: give that too")
         return self
 
 
@@ -116,6 +128,11 @@ class DemScene(Asked, GrainScene):
     record: RecordConfig = described("what is recorded", "", default=RecordConfig())
 
     @property
+    def touches(self) -> tuple[ContactConfig, ContactConfig]:
+        """How two discs push each other, and walls push them."""
+        return self.discs, self.walls or self.discs
+
+    @property
     def named_files(self) -> tuple[str, ...]:
         """Files that the scene is made from."""
         packed = (self.packing.file,) if PACKINGS[self.packing.kind].from_file else ()
@@ -140,8 +157,11 @@ class DemScene(Asked, GrainScene):
 
     @model_validator(mode="after")
     def _events_fit(self) -> Self:
-        if any(event.do == "open_slit" for event in self.events) and self.silo.slit_width_m == 0:
-            raise ValueError("open_slit needs a silo.slit_width_m above 0")
+        for event in self.events:
+            if event.do in ("open_slit", "feed") and self.silo.slit_width_m == 0:
+                raise ValueError(f"{event.do} needs a silo.slit_width_m above 0")
+            if event.of_lid and not self.silo.lid:
+                raise ValueError(f"{event.do} when {event.when} needs silo.lid: true")
         removed = [event.disc for event in self.events if event.disc is not None]
         if len(set(removed)) < len(removed):
             raise ValueError("events remove a disc twice")

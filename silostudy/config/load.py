@@ -137,9 +137,9 @@ def study_of(content: dict[str, Any], where: str, folder: Path = Path()) -> Base
 def own_validated(model: type[M], content: Any, where: str, folder: Path) -> M:
     """The content as a model, with the rows of the files of the user's own that it and its scene name."""
     families = own_families(model, content, where, folder)
-    scene: Any = model.model_fields["scene"].annotation if "scene" in model.model_fields else None
-    if isinstance(scene, type) and isinstance(content.get("scene"), dict):
-        families = families | own_families(scene, content["scene"], f"{where} (scene)", folder)
+    if issubclass(model, BaseStudy) and isinstance(scene := content.get("scene"), dict):
+        within = f"{where} (scene)"
+        families = families | own_families(model.scene_model(scene, within), scene, within, folder)
     return validated(model, content, where, families)
 
 

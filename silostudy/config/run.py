@@ -1,18 +1,25 @@
 """What every discrete-element scene says, whatever its grains are: the march, rest, what events wait for, what is recorded."""
 
+from abc import abstractmethod
 from typing import TYPE_CHECKING, Annotated, Any, Literal, Self, TypeAlias
 
 from pydantic import Field, model_validator
 
-from silostudy.config.fields import Strict, described
+from silostudy.config.contact import LawsConfig
+from silostudy.config.fields import Strict, described, one_of
 from silostudy.config.own import OwnMethods
 from silostudy.dem.events import TRIGGERS
 from silostudy.dem.integrate import INTEGRATORS, PLAIN
+from silostudy.dem.outcomes import OUTCOMES
 from silostudy.dem.rest import REST
 
 CriterionKey: TypeAlias = Literal[tuple(REST)]  # type: ignore[valid-type]
 TriggerKey: TypeAlias = Literal[tuple(TRIGGERS)]  # type: ignore[valid-type]
 IntegratorKey: TypeAlias = Literal[tuple(INTEGRATORS)]  # type: ignore[valid-type]
+if TYPE_CHECKING:
+    ExpectedConfig = Any
+else:
+    ExpectedConfig = one_of(OUTCOMES, "Expected")
 
 
 class MarchConfig(Strict):
@@ -46,7 +53,7 @@ class Waiting(Strict):
     """What an event waits for."""
 
     when: TriggerKey = described("; ".join(f"{row.key}: {row.title}" for row in TRIGGERS.values()), "")
-    value: float = described("seconds or share that the trigger takes", "", ge=0, default=0.0)
+    value: float = described("seconds, share or kPa that the trigger takes", "", ge=0, default=0.0)
 
     @model_validator(mode="after")
     def _as_the_trigger_takes(self) -> Self:
@@ -83,9 +90,17 @@ class GrainScene(OwnMethods):
     march: MarchConfig = described("the march in time", "")
     rest: RestConfig = described("what `when: rest` waits for", "", default=RestConfig())
     seed: int = described("seed of the random numbers; beyond 2^53 numbers of a sweep coincide", ge=0, le=2**53, default=0)
+    expected: tuple[ExpectedConfig, ...] = described(
+        "published numbers that the run is held against at its end", "", default=()
+    )
     if TYPE_CHECKING:
         events: Any  # each kind of grains has its own
         record: Any
+
+    @property
+    @abstractmethod
+    def touches(self) -> tuple[LawsConfig, LawsConfig]:
+        """How two grains push each other, and walls push them."""
 
     @model_validator(mode="after")
     def _recorded_in_time(self) -> Self:
@@ -97,6 +112,14 @@ class GrainScene(OwnMethods):
                 raise ValueError(f"record.snapshots_s = {time:g} lies beyond march.limit_s = {limit:g}")
         if len(set(self.record.snapshots_s)) < len(self.record.snapshots_s):
             raise ValueError("record.snapshots_s names a time twice")
+        return self
+
+    @model_validator(mode="after")
+    def _shows_what_is_expected(self) -> Self:
+        looked = self.record.snapshots_s or self.record.snapshots_every_s
+        unseen = [one.kind for one in self.expected if OUTCOMES[one.kind].of_snapshots and not looked]
+        if unseen:
+            raise ValueError(f"expected: {', '.join(unseen)} needs record.snapshots_s or record.snapshots_every_s")
         return self
 
     @model_validator(mode="after")

@@ -1,16 +1,38 @@
 """A sweep of discrete-element scenes: the content of a scene file, and axes over its keys."""
 
-from typing import ClassVar, Literal
+from functools import reduce
+from operator import or_
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, TypeAlias
 
-from silostudy.config.dem import DemScene
+from pydantic import Discriminator, Tag
+
 from silostudy.config.fields import described
+from silostudy.config.grain_scenes import SCENES, AnyScene, scene_class
 from silostudy.config.study import SweepStudy
 
 
+def _model_of(scene: Any) -> str:
+    """Name of the model that a scene, or its content, is of: no key of a scene, so that mistakes are told by their keys."""
+    return (scene_class(scene, "") if isinstance(scene, dict) else type(scene)).__name__
+
+
+_NO_SECTION = {"custom_error_type": "no_section", "custom_error_message": "must hold `key: value` lines"}
+if TYPE_CHECKING:
+    BaseScene: TypeAlias = AnyScene
+else:
+    _either = reduce(or_, (Annotated[model, Tag(model.__name__)] for model in SCENES.values()))
+    BaseScene = Annotated[_either, Discriminator(_model_of, **_NO_SECTION)]
+
+
 class ScenesStudy(SweepStudy):
-    """What walls and floor carry in each of many discrete-element scenes, and what leaves through the slit."""
+    """What walls and floor carry in each of many discrete-element scenes, and what leaves through the outlet."""
 
     unasked: ClassVar[str] = "its scenes do: write scene.accuracy"
 
     kind: Literal["scenes"] = described("scenes: a sweep of discrete-element scenes", "")
-    scene: DemScene = described("the base scene: what a file of config/scenes holds", "")
+    scene: BaseScene = described("the base scene: what a file of config/scenes holds", "")
+
+    @classmethod
+    def scene_model(cls, scene: dict[str, Any], where: str) -> type:
+        """The model of the content of its scene."""
+        return scene_class(scene, where)

@@ -9,8 +9,9 @@ from silostudy.catalogue import Family
 from silostudy.config.contact import LawsConfig
 from silostudy.config.fields import Strict, described, one_of
 from silostudy.config.own import key_of
-from silostudy.config.run import GrainScene, Recorded, Waiting
+from silostudy.config.run import GrainScene, Recorded
 from silostudy.config.scene import Silo
+from silostudy.config.sphere_events import SphereEventConfig
 from silostudy.config.surfaces import apart_from, in_place
 from silostudy.contact import NO_COHESION, NO_ROLLING, NO_TWISTING, SPHERE_LAWS
 from silostudy.contact.normal import hertz
@@ -106,26 +107,6 @@ class OutletConfig(Strict):
     length_m: float | None = described("length along y; null: a round outlet", "m", gt=0, default=None)
 
 
-class SphereEventConfig(Waiting):
-    """One event: it waits for the event before it, then for its trigger, then acts."""
-
-    do: Literal["open_outlet", "set_gravity", "set_friction", "stop"] = described("what happens", "")
-    gravity_m_s2: tuple[float, float, float] | None = described("new gravity, x, y and z", "m s-2", default=None)
-    sphere_friction: float | None = described("new friction between spheres", ge=0, default=None)
-    wall_friction: float | None = described("new friction at all walls, or at a surface", ge=0, default=None)
-    surface: str | None = described("the surface that wall_friction is for, as in surfaces; null: all walls", "", default=None)
-
-    @model_validator(mode="after")
-    def _has_what_it_needs(self) -> Self:
-        if self.do == "set_gravity" and self.gravity_m_s2 is None:
-            raise ValueError("set_gravity needs gravity_m_s2")
-        if self.do == "set_friction" and self.sphere_friction is None and self.wall_friction is None:
-            raise ValueError("set_friction needs sphere_friction or wall_friction")
-        if self.surface is not None and self.wall_friction is None:
-            raise ValueError("surface is where a wall_friction changes: give that too")
-        return self
-
-
 class SphereRecordConfig(Recorded):
     """What is recorded; everything is off unless asked for."""
 
@@ -171,6 +152,11 @@ class SphereScene(GrainScene):
     )
 
     @property
+    def touches(self) -> tuple[TouchConfig, TouchConfig]:
+        """How two spheres push each other, and walls push them."""
+        return self.spheres, self.walls
+
+    @property
     def surface_contacts(self) -> dict[str, tuple[MaterialConfig, TouchConfig]]:
         """Materials and contacts of the surfaces that are not like the other walls."""
         found = {}
@@ -207,8 +193,12 @@ class SphereScene(GrainScene):
 
     @model_validator(mode="after")
     def _opens(self) -> Self:
-        opens = any(event.do == "open_outlet" for event in self.events)
         width = self.silo.hopper.outlet_width_m if self.silo.hopper else self.outlet.width_m if self.outlet else 0.0
-        if opens and not width:
-            raise ValueError("open_outlet needs an outlet: silo.hopper.outlet_width_m above 0, or an outlet of a flat floor")
+        for event in self.events:
+            if event.do in ("open_outlet", "feed") and not width:
+                raise ValueError(
+                    f"{event.do} needs an outlet: silo.hopper.outlet_width_m above 0, or an outlet of a flat floor"
+                )
+            if (event.of_lid or "lid" in event.surfaces) and not self.lid:
+                raise ValueError(f"{event.do} when {event.when} needs lid: true")
         return self

@@ -91,6 +91,12 @@ class BaseStudy(Strict):
             raise ValueError(f"a study of kind {content.get('kind')} cannot ask for an accuracy: {cls.unasked}")
         return content
 
+    @classmethod
+    def scene_model(cls, scene: dict[str, Any], where: str) -> type:
+        """The model of the content of its scene."""
+        model: Any = cls.model_fields["scene"].annotation
+        return model
+
     @property
     def stages(self) -> tuple[str, ...]:
         """The cubes that the study asks for, in order: results/<study>/<stage>.nc, each by a sub-command of that name."""

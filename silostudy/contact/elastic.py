@@ -1,5 +1,6 @@
 """Elastic spheres: the moduli of a contact from those of its two bodies, and what the laws of Hertz and Mindlin share."""
 
+from functools import cache
 from math import log, pi, sqrt
 
 import numpy as np
@@ -52,6 +53,7 @@ def restitution_of_cut(damping: float) -> float:
     return float(-found.y[1, -1])
 
 
+@cache  # takes a tenth of a second, and a scene asks for both contacts, a sweep in every case
 def damping_where_cut(restitution: float) -> float:
     """Damping number (1) with which a Hertz contact that never pulls has this restitution at every speed."""
     if restitution >= 1.0:

@@ -79,11 +79,15 @@ class Memory(NamedTuple):
 
 
 class Walls(NamedTuple):
-    """shape (n, 7): start x, y (m), unit direction, length (m), kinds of the ends; the solid lies left of the direction."""
+    """shape (n, 8): start x, y (m), unit direction, length (m), kinds of the ends, speed of rise (m/s).
+
+    The solid lies left of the direction.
+    """
 
     shape: np.ndarray
     live: np.ndarray
     cells: np.ndarray  # (n, 2): first cell and number of cells between the cells of the two ends
+    drive: np.ndarray  # (n, 6) what moves each wall: columns of `drive`
 
 
 class Blocks(NamedTuple):

@@ -14,6 +14,7 @@ from silostudy.dem.ledger import (
     BRAKING,
     CREATED,
     DASHPOT,
+    DRIVING,
     ELASTIC,
     KINETIC,
     POTENTIAL,
@@ -21,6 +22,7 @@ from silostudy.dem.ledger import (
     SHAKING,
     SLIDING,
     TURNOVER,
+    WALLS,
     WORK,
     of_slip,
     of_spring,
@@ -108,22 +110,22 @@ def parting_pass(laws):
     return pressed_energy, parted
 
 
-def contact_book(space, laws, *, unequal, flat, varied):
+def contact_book(space, laws, *, unequal, flat, varied, moving=False):
     """Function that gives, of the contacts of a list: elastic energy, loss of springs that slid, power of the elastic
-    forces, and power that dashpots take where contacts stick and where they slip.
+    forces, power that dashpots take where contacts stick and where they slip, and power of walls that move.
 
     What an attraction gives as bodies come in touch, and what it holds as they are torn off, is lost too.
     """
-    gathered = gather_pass(space, laws, unequal=unequal, flat=flat)
+    gathered = gather_pass(space, laws, unequal=unequal, flat=flat, moving=moving)
     (seen, touch_of), (held_by, slid_by) = touch_pass(space, laws, flat=flat), springs_pass(laws)
     facing, carry, rates, twisting_of, answer = space.facing, space.carry, space.rates(unequal), space.twisting, response(laws)
     (pressed_energy, parted), stretch = parting_pass(laws), space.stretch
-    twists, clings, tangential_law = laws.twists, laws.clings, laws.tangential.law
-    bring, own = coefficients_pass(space, laws, varied=varied)
+    twists, clings, tangential_law, wall_power = laws.twists, laws.clings, laws.tangential.law, space.wall_power
+    (bring, own), about, whole = coefficients_pass(space, laws, varied=varied), space.about, space.whole
 
-    @piece(space, laws, unequal, flat, varied)
+    @piece(space, laws, unequal, flat, varied, moving)
     def book(rows, ledger, old, contacts, shape, count, dt, table, lanes):
-        elastic_energy = slid = elastic_power = braking = rubbing = 0.0
+        elastic_energy = slid = elastic_power = braking = rubbing = driving = 0.0
         a, b, m = contacts.arm[0], contacts.other[0], contacts.mass[0]
         for start in range(0, count, stretch):
             many = min(stretch, count - start)
@@ -161,13 +163,16 @@ def contact_book(space, laws, *, unequal, flat, varied):
                 elastic_power += product(rolled, turning) + wound * winding
                 braking += (push - elastic) * nearing
                 braking -= product(less(moment, 1.0, rolled), turning) + (twist - wound) * winding
+                if moving:
+                    force, couple = whole(push - pull, drag, normal), about(moment, twist, normal)
+                    driving += wall_power(rows, shape, contacts.first[at], contacts.second[at], force, couple)
                 lost = product(less(held, 1.0, drag), along)
                 _, unlimited = tangential_law(stored, sliding, touch, NO_LIMIT, NO_LIMIT, c[1])
                 if not same(drag, unlimited) or (history.holds(held) and not history.holds(drag)):
                     rubbing += lost  # a coefficient of zero slips at any force
                 else:
                     braking += lost
-        return elastic_energy, slid, elastic_power, braking, rubbing
+        return elastic_energy, slid, elastic_power, braking, rubbing, driving
 
     return book
 
@@ -213,10 +218,9 @@ def bodies_pass(pieces):
 
 def book_pass(pieces):
     """Function that books a step, after its forces and before its moves."""
-    pairs_book, walls_book = (
-        contact_book(pieces.space, laws, unequal=pieces.unequal, flat=flat, varied=varied)
-        for laws, flat, varied in zip((pieces.pair_laws, pieces.wall_laws), (False, True), pieces.varied, strict=True)
-    )
+    space, unequal, (pairs_vary, walls_vary) = pieces.space, pieces.unequal, pieces.varied
+    pairs_book = contact_book(space, pieces.pair_laws, unequal=unequal, flat=False, varied=pairs_vary)
+    walls_book = contact_book(space, pieces.wall_laws, unequal=unequal, flat=True, varied=walls_vary, moving=pieces.moving)
     bodies_book = bodies_pass(pieces)
 
     @piece(pieces)
@@ -233,12 +237,14 @@ def book_pass(pieces):
             account[DASHPOT] += account[BRAKING]
             account[SLIDING] += account[RUBBING]
             account[BASE] += account[SHAKING]
+            account[WALLS] += account[DRIVING]
             account[TURNOVER] += abs(kinetic - account[KINETIC]) + abs(potential - account[POTENTIAL])
         account[KINETIC], account[POTENTIAL], account[ELASTIC] = kinetic, potential, elastic
         account[WORK] = falling + (pair[2] + wall[2]) * kick  # what the forces will do while the discs move
         account[BRAKING] = (pair[3] + wall[3]) * kick
         account[RUBBING] = (pair[4] + wall[4]) * kick
         account[SHAKING] = shaking
+        account[DRIVING] = wall[5] * kick
         account[BEGUN] = 1.0
 
     return book

@@ -19,6 +19,8 @@ def checkpoint(engine: Engine) -> dict[str, np.ndarray]:
         "held": engine.bodies.held[: engine.n].copy(),
         "label": engine.labels.copy(),
         "live": engine.walls.live.copy(),
+        "shape": engine.walls.shape.copy(),
+        "drive": engine.walls.drive.copy(),
         "gravity": np.array(engine.gravity),
         "window": engine.record.window.copy(),
         "account": engine.ledger.account.copy(),
@@ -36,7 +38,8 @@ def restore(engine: Engine, saved: dict[str, np.ndarray]) -> None:
     engine.clock[0] = int(saved["step"])
     engine.bodies.rows[: engine.n] = saved["rows"]
     engine.bodies.held[: engine.n] = saved["held"]
-    engine.walls.live[:] = saved["live"]
+    for name in ("live", "shape", "drive"):
+        getattr(engine.walls, name)[:] = saved[name]
     engine.record.window[:] = saved["window"]
     engine.ledger.account[:] = saved["account"]
     engine.gravity = tuple(float(part) for part in saved["gravity"])

@@ -25,12 +25,17 @@ class Dimension:
     lanes: tuple[int, int]  # of relative motion
     forces: tuple[int, int]  # lanes of force
     components: int  # of a history
-    felt: int  # components of what a wall feels
+    felt: tuple[int, int]  # components of what a wall feels, and where walls move
     gather: Callable  # apart -> lanes of the relative motion of pairs, with the difference of their spins or without
-    gather_walls: Callable  # the same of bodies near walls
+    gather_walls: Callable  # moving -> the same of bodies near walls
     scatter: Callable
     scatter_walls: Callable
     note_walls: Callable  # what walls feel
+    wall_power: Callable  # (rows, shape, i, wall, force, moment) -> power of a wall that moves
+    rise: int  # column of a wall's shape: its speed upward
+    height_of: Callable  # (shape, wall) -> height of a level wall (m)
+    motion_of: Callable  # shape -> of every wall its height where it is level (m), speed upward (m/s), and spin (rad/s)
+    lift: Callable  # (shape, wall, way): moves a level wall up
     walls_of: Callable  # the walls of a model as arrays
     cell_count: Callable  # how many cells the walls of a model have
     extents: Callable  # walls -> of each the corners (n, d) of a box around it, m
@@ -50,6 +55,7 @@ class Dimension:
     carry: Callable  # (history, normal) -> the history as the contact stands now
     twisting: Callable  # (lanes, k, normal) -> difference of spins about the normal (1/s)
     about: Callable  # (moment, twist, normal) -> the moment with another about the normal
+    whole: Callable  # (push, drag, normal) -> force on the first body
     put: Callable  # drags, brakes -> (out, k, normal, push, drag, moment, a, b, depth, flat): lanes of force
     where: Callable  # (touching, drag or moment) -> it, or nothing
     walk: Callable  # gathered, contact, unequal, laws, key -> function of a stretch of a list

@@ -107,7 +107,8 @@ class Engine:
 
     def _record(self) -> Record:
         room = max(part.wall_room for part in self.parts)
-        cells, felt = self.space.cell_count(self.model.walls) if self.model.watched else 0, self.space.felt
+        watched = self.model.pieces.watched
+        cells, felt = self.space.cell_count(self.model.walls) if watched else 0, self._felt
         return Record(
             force=np.zeros((self.threads, room, felt)),
             cell=np.zeros((self.threads, room), np.int32),
@@ -115,6 +116,16 @@ class Engine:
             now=np.zeros((cells, felt)),
             window=np.zeros((cells, felt, 3)) + np.array([0.0, np.inf, -np.inf]),
         )
+
+    @property
+    def _felt(self) -> int:
+        return self.space.felt[self.model.moving]
+
+    @property
+    def lid(self) -> int:
+        """Number of the lid among the walls."""
+        assert self.model.lid is not None
+        return self.model.wall_number(self.model.lid.name)
 
     @property
     def step(self) -> int:
@@ -213,7 +224,7 @@ class Engine:
         room = max(part.wall_room for part in self.parts)
         if room > self.record.force.shape[1]:
             self.record = self.record._replace(
-                force=np.zeros((self.threads, room, self.space.felt)), cell=np.zeros((self.threads, room), np.int32)
+                force=np.zeros((self.threads, room, self._felt)), cell=np.zeros((self.threads, room), np.int32)
             )
 
     def _run(self, stop: int) -> None:

@@ -5,14 +5,19 @@ from dataclasses import dataclass
 from silostudy.catalogue import Entry, Family
 from silostudy.errors import BadInput
 
-ACTIONS = ("open", "remove", "gravity", "friction", "stop")
+ACTIONS = ("open", "remove", "gravity", "friction", "lower", "press", "move", "turn", "feed", "stop")
 
 
 @dataclass(frozen=True, kw_only=True)
 class Trigger(Entry):
-    """takes_value: whether it waits for a value; most: the largest one, where there is one."""
+    """takes_value: whether it waits for a value; most: the largest one, where there is one.
+
+    scale: SI units in one of the value's; of_lid: whether it is a lid's.
+    """
 
     takes_value: bool = True
+    scale: float = 1.0
+    of_lid: bool = False
     most: float | None = None
 
 
@@ -23,6 +28,8 @@ TRIGGERS: Family[Trigger] = Family(
         Trigger(key="after", title="s from the event before"),
         Trigger(key="rest", title="at rest, by the scene's criterion", takes_value=False),
         Trigger(key="discharged", title="share of the mass that has left through the slit", most=1.0),
+        Trigger(key="lid_stress", title="kPa of mean pressure on the lid, or more", scale=1e3, of_lid=True),
+        Trigger(key="lid_rests", title="the lid has stopped, or bears its load", takes_value=False, of_lid=True),
     ],
 )
 
@@ -31,9 +38,10 @@ TRIGGERS: Family[Trigger] = Family(
 class Event:
     """One event: it waits for its turn, then for its trigger, then acts.
 
-    trigger: a key of TRIGGERS; value: its seconds or share.
-    action: open (wall, walls that replace it), remove (label or x, y), gravity (x, y),
-    friction (pair, wall, names of walls; none: all), stop.
+    trigger: a key of TRIGGERS; value: its seconds, share or Pa.
+    action: open (wall, walls that replace it), remove (label or x, y), gravity (x, y), friction (pair, wall, names of walls;
+    none: all), stop; of walls that move lower (), press (load, mass, speed, lowest), move (speed, force, height),
+    turn (spin, walls); feed (rate).
     """
 
     trigger: str

@@ -7,11 +7,11 @@ from silostudy.dem.pieces import Laws
 from silostudy.dem.varied import coefficients_pass
 
 
-def gather_pass(space: Dimension, laws: Laws, *, unequal: bool, flat: bool):
+def gather_pass(space: Dimension, laws: Laws, *, unequal: bool, flat: bool, moving: bool):
     """Function that turns a stretch of a list into lanes of relative motion, of pairs or of bodies near walls."""
-    gather, gather_walls = space.gather(unequal or laws.brakes), space.gather_walls
+    gather, gather_walls = space.gather(unequal or laws.brakes), space.gather_walls(moving)
 
-    @piece(space, laws.brakes, unequal, flat)
+    @piece(space, laws.brakes, unequal, flat, moving)
     def gathered(rows, contacts, shape, start, count, lanes):
         if flat:
             gather_walls(rows, shape, contacts.first, contacts.second, start, count, lanes)
@@ -93,17 +93,17 @@ def contact_pass(space: Dimension, laws: Laws, *, unequal: bool, flat: bool, var
     return contact
 
 
-def force_pass(space: Dimension, laws: Laws, *, unequal: bool, flat: bool, varied: bool = False):
+def force_pass(space: Dimension, laws: Laws, *, unequal: bool, flat: bool, varied: bool = False, moving: bool = False):
     """Function that computes a stretch of a list into lanes of force, of bodies of one size or of many, or at a wall.
 
     A contact's force depends on nothing but its own numbers: the same bits wherever it stands in the list.
     """
-    gathered = gather_pass(space, laws, unequal=unequal, flat=flat)
+    gathered = gather_pass(space, laws, unequal=unequal, flat=flat, moving=moving)
     contact = contact_pass(space, laws, unequal=unequal, flat=flat, varied=varied)
-    walked = space.walk(gathered, contact, unequal, laws, (laws, flat, varied))
+    walked = space.walk(gathered, contact, unequal, laws, (laws, flat, varied, moving))
     bring, _ = coefficients_pass(space, laws, varied=varied)
 
-    @piece(space, laws, unequal, flat, varied)
+    @piece(space, laws, unequal, flat, varied, moving)
     def forces(rows, contacts, shape, start, count, lanes, out, stored, rolled, dt, c):
         bring(c, contacts.which, start, count)
         walked(rows, contacts, shape, start, count, lanes, out, stored, rolled, dt, c)

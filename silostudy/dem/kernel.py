@@ -12,6 +12,7 @@ from numba import njit
 from silostudy.dem.arrays import BLOCK
 from silostudy.dem.body import motion, spin, square_speed
 from silostudy.dem.cache import OPTIONS, named
+from silostudy.dem.drive import drive_pass
 from silostudy.dem.integrate import INTEGRATORS
 from silostudy.dem.neighbours import harvest, list_pairs, list_walls
 from silostudy.dem.pieces import Pieces
@@ -78,6 +79,17 @@ def copy_ghosts(bodies, scratch, base):
             bodies.rows[base + k, lane] = bodies.rows[scratch.ghost[k], lane]
 
 
+@njit(**OPTIONS)
+def pass_way_on(blocks, count, way):
+    """Let a way (m) of a wall count as one of every block's bodies; says whether the lists still hold."""
+    word = FRESH
+    for b in range(count):
+        blocks.travel[b] += way
+        blocks.peak[b] += way
+        word = FRESH if blocks.travel[b] <= blocks.skin[b] and word == FRESH else STALE
+    return word
+
+
 @cache
 def kernel(pieces: Pieces):
     """The compiled stepper of a scene made of these pieces: run(shared, share, march).
@@ -86,7 +98,8 @@ def kernel(pieces: Pieces):
     said[number], when a list needs room or a disc runs away (its number then is in clock[2 + number]).
     """
     sweep = sweep_pass(pieces)
-    shaken, watched, pushed = pieces.shaken, pieces.watched, pieces.space.pushed
+    shaken, watched, pushed, moving = pieces.shaken, pieces.watched, pieces.space.pushed, pieces.moving
+    drive_walls = drive_pass(pieces)
     half_start = INTEGRATORS[pieces.integrator].half_start
 
     def run(shared, share, march):
@@ -119,6 +132,11 @@ def kernel(pieces: Pieces):
             meet(gate, parties)
             if watched and number == 0:
                 add_to_window(shared.record)
+            if moving:
+                if number == 0:
+                    way = drive_walls(shared.walls, shared.record.now, march.dt)
+                    said[0] = max(said[0], pass_way_on(shared.blocks, (march.bodies + BLOCK - 1) // BLOCK, way))
+                meet(gate, parties)
             if worst(said) == EXPLODED:
                 break
         meet(gate, parties)

@@ -1,7 +1,7 @@
 """The energy ledger: where the energy of a scene is, and where it went, booked contact by contact at every step.
 
 Kinetic + potential + elastic + dashpots + sliding + carried out
-= start + worked in by the base + by changes of gravity + created by the step.
+= start + worked in by the base + by changes of gravity + by walls that move + created by the step.
 Sliding is the work of friction at contacts that slip, what springs held when their contact opened, and what a spring gives or
 takes whose stiffness changes under its force (Mindlin's follows the overlap); a dashpot of a
 contact that slips is part of that friction, and only where the contact sticks is its loss the dashpots'.
@@ -17,9 +17,9 @@ from silostudy.contact.vector import less, product
 from silostudy.dem import history
 from silostudy.dem.arrays import Ledger, aligned
 
-ENTRIES = ("kinetic", "potential", "elastic", "dashpot", "sliding", "carried_out", "base", "gravity", "created")
-KINETIC, POTENTIAL, ELASTIC, DASHPOT, SLIDING, CARRIED_OUT, BASE, GRAVITY, CREATED = range(len(ENTRIES))
-WORK, BRAKING, RUBBING, SHAKING, BEGUN, TURNOVER = range(len(ENTRIES), len(ENTRIES) + 6)
+ENTRIES = ("kinetic", "potential", "elastic", "dashpot", "sliding", "carried_out", "base", "gravity", "created", "walls")
+KINETIC, POTENTIAL, ELASTIC, DASHPOT, SLIDING, CARRIED_OUT, BASE, GRAVITY, CREATED, WALLS = range(len(ENTRIES))
+WORK, BRAKING, RUBBING, SHAKING, DRIVING, BEGUN, TURNOVER = range(len(ENTRIES), len(ENTRIES) + 7)
 
 
 def empty(space, rows: int, room: int, wall_room: int) -> Ledger:
@@ -43,7 +43,7 @@ def empty(space, rows: int, room: int, wall_room: int) -> Ledger:
 def balance(account: np.ndarray) -> float:
     """Sum (J/m) that stays what it was at the start."""
     held = account[[KINETIC, POTENTIAL, ELASTIC, DASHPOT, SLIDING, CARRIED_OUT]].sum()
-    return float(held - account[[BASE, GRAVITY, CREATED]].sum())
+    return float(held - account[[BASE, GRAVITY, CREATED, WALLS]].sum())
 
 
 def carry_in(engine, come: np.ndarray) -> None:

@@ -1,7 +1,7 @@
 """What the engine is asked to step: discs, walls, laws with their coefficients, and the march. Checked when it is made."""
 
 from dataclasses import dataclass
-from math import isfinite, pi
+from math import inf, isfinite, pi
 from typing import Any, ClassVar
 
 import numpy as np
@@ -40,11 +40,22 @@ class Wall:
             raise BadInput(f"{self.name}.cells", self.cells, "must be 1 or more")
 
 
+@dataclass(frozen=True, kw_only=True)
+class Lid:
+    """A wall that may be pressed or moved: its name, area (m2; in the plane m), mass (kg, kg/m) and the most bodies it may
+    touch at once; the mass is the least that it is given, infinite where it moves at a speed alone."""
+
+    area: float
+    touching: float
+    mass: float = inf
+    name: str = "lid"
+
+
 @dataclass(frozen=True, eq=False)
 class Model:
     """Discs (m, m/s, kg/m3), walls, contacts, gravity (m/s2), base acceleration a step (m/s2), integrator and step (s).
 
-    waiting: so many of the last are not there at the start; they come in while the model runs.
+    waiting: so many of the last are not there at the start; they come in while the model runs.  moving: whether walls move.
     kind: of each disc, counted from 0, by which contacts differ that are varied; None: all are of one.
     """
 
@@ -64,6 +75,8 @@ class Model:
     quake: np.ndarray | None = None
     watched: bool = False
     booked: bool = False
+    moving: bool = False
+    lid: Lid | None = None
     u: np.ndarray | None = None
     v: np.ndarray | None = None
     w: np.ndarray | None = None
@@ -187,7 +200,8 @@ class Model:
             integrator=self.integrator,
             unequal=self.unequal,
             shaken=self.quake is not None,
-            watched=self.watched,
+            watched=self.watched or self.moving,
             booked=self.booked,
             varied=(isinstance(self.pair_contact, Varied), isinstance(self.wall_contact, Varied)),
+            moving=self.moving,
         )

@@ -34,7 +34,22 @@ from silostudy.dem.lanes import (
 )  # fmt: skip
 from silostudy.dem.network import all_from_wall, densest, tangents
 from silostudy.dem.pieces import Laws
-from silostudy.dem.walls import beside, cell_count, extents, gather_walls, nearest, note_walls, scatter_walls, walls_of
+from silostudy.dem.walls import (
+    RISE,
+    beside,
+    cell_count,
+    extents,
+    gather_moving_walls,
+    gather_walls,
+    height_of,
+    lift,
+    motion_of,
+    nearest,
+    note_walls,
+    scatter_walls,
+    wall_power,
+    walls_of,
+)
 
 
 @register_jitable
@@ -92,6 +107,12 @@ def rates(unequal: bool):
         return -(du * nx + dv * ny), dv * nx - du * ny - spin, apart
 
     return speeds
+
+
+@register_jitable
+def whole(push, drag, normal):
+    """Force (N/m) of a contact on its first body."""
+    return push * normal[0] - drag * normal[1], push * normal[1] + drag * normal[0]
 
 
 def put(drags: bool, brakes: bool):
@@ -195,12 +216,17 @@ PLANE = Dimension(
     lanes=(6, STRETCH),
     forces=(4, STRETCH),
     components=1,
-    felt=2,
+    felt=(2, 2),
     gather=lambda apart: gather,
-    gather_walls=gather_walls,
+    gather_walls=lambda moving: gather_moving_walls if moving else gather_walls,
     scatter=scatter,
     scatter_walls=scatter_walls,
     note_walls=note_walls,
+    wall_power=wall_power,
+    rise=RISE,
+    height_of=height_of,
+    motion_of=motion_of,
+    lift=lift,
     walls_of=walls_of,
     cell_count=cell_count,
     extents=extents,
@@ -218,6 +244,7 @@ PLANE = Dimension(
     carry=carry,
     twisting=twisting,
     about=about,
+    whole=whole,
     put=put,
     where=where,
     walk=walk,

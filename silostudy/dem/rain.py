@@ -14,13 +14,15 @@ WAITS = 5.0  # times that a body needs to fall by its diameter: after so long wi
 
 @dataclass(frozen=True)
 class Rain:
-    """rate: bodies a second; velocity: m/s, of those that come; spots(random, radius, count) -> places (count, d) on the plane.
+    """rate: bodies a second; velocity: m/s, of those that come; level: of the plane, m; spots(random, radius, count) -> places
+    (count, d) on it.
 
     seed: with the step it gives the spots, so that they are the same wherever a run is cut.
     """
 
     rate: float
     velocity: tuple[float, ...]
+    level: float
     spots: Callable[[np.random.Generator, float, int], np.ndarray]
     seed: int = 0
 
@@ -38,7 +40,9 @@ def pour(engine, rain: Rain, first: int, last: int) -> int:
     """Let the bodies with labels from first to before last in, in order, as far as there is room; gives how many came."""
     random = np.random.default_rng([rain.seed, engine.step])
     radius = engine.model.radius
-    taken, reach = engine.bodies.rows[: engine.n, engine.space.place], engine.radius
+    place = engine.bodies.rows[: engine.n, engine.space.place]
+    near = np.abs(place[:, -1] - rain.level) < engine.radius + radius[first:last].max(initial=0.0)
+    taken, reach = place[near], engine.radius[near]
     spots: list[np.ndarray] = []
     for label in range(first, last):
         found = _free(rain.spots(random, radius[label], TRIES), radius[label], taken, reach)
@@ -53,10 +57,6 @@ def pour(engine, rain: Rain, first: int, last: int) -> int:
 
 def _free(spots: np.ndarray, radius: float, taken: np.ndarray, reach: np.ndarray) -> np.ndarray | None:
     """The first spot at which a body touches no other; None where there is none."""
-    if not len(spots):
-        return None
-    near = np.abs(taken[:, -1] - spots[0, -1]) < radius + reach
-    taken, reach = taken[near], reach[near]
     for spot in spots:
         if (length(taken - spot) >= radius + reach).all():
             return spot

@@ -1,17 +1,19 @@
 """A run: the engine carried through a list of events, with what is to be recorded on the way."""
 
 from collections.abc import Callable
-from dataclasses import dataclass, field
 
 import numpy as np
 
 from silostudy.dem.change import keep_discs, set_friction, swap_walls
 from silostudy.dem.checkpoint import checkpoint, restore
 from silostudy.dem.engine import Engine, Explosion
-from silostudy.dem.events import Event
-from silostudy.dem.leaving import DISCHARGED, REMOVED, SPILT, WAYS, below, lowest, spilt
+from silostudy.dem.events import TRIGGERS, Event
+from silostudy.dem.feeder import Feeder
+from silostudy.dem.leaving import DISCHARGED, REMOVED, SPILT, below, lowest, spilt
 from silostudy.dem.ledger import ENTRIES, carry_out, change_gravity, take_springs
+from silostudy.dem.moves import MOVES, OF_LID, lid_height, lid_rests, lid_stress
 from silostudy.dem.rain import Rain, pour
+from silostudy.dem.recording import Recording
 from silostudy.dem.rest import PAPER, Rest
 from silostudy.dem.snapshot import held_energy, length, pair_contacts, stress, wall_contacts
 from silostudy.errors import BadInput
@@ -19,30 +21,12 @@ from silostudy.errors import BadInput
 CHECK_EVERY = 200  # steps between looks at rest, discharge and drop-outs: counted from the start, so chunks do not matter
 
 
-@dataclass
-class Recording:
-    """What a run has recorded: windows of wall forces, discharge, snapshots, the events that happened."""
-
-    window_time: list[float] = field(default_factory=list)  # s, end of each window; the last may be shorter
-    window: list[np.ndarray] = field(default_factory=list)  # (cells, 2, 3): mean, least, largest
-    energy: list[np.ndarray] = field(default_factory=list)  # J/m, entries of the ledger, with each window
-    discharge_time: list[float] = field(default_factory=list)
-    discharged: list[float] = field(default_factory=list)  # kg/m
-    left: dict[str, int] = field(default_factory=lambda: dict.fromkeys(WAYS, 0))  # discs that are gone, by their way
-    lost: dict[str, float] = field(default_factory=lambda: dict.fromkeys(WAYS, 0.0))  # their mass, kg/m
-    passed: list[tuple[float, float]] = field(default_factory=list)  # s at which a body came below the outlet, and its mass
-    snapshots: list[dict[str, np.ndarray]] = field(default_factory=list)
-    happened: list[tuple[float, str, str]] = field(default_factory=list)  # time, trigger, action
-    explosion: Explosion | None = None
-    waiting: Event | None = None  # what the time limit came before
-    buried: str = ""  # what had no room to come in
-
-
 class Run:
     """Carries an engine through events until a stop, or at most to a time limit (s).
 
     window: steps over which wall forces are gathered, snapshots: steps at which contacts are read; both off by default.
-    rest: what the trigger `rest` waits for, once all bodies are there; rain: how those come in that wait at the start.
+    rest: what the trigger `rest` waits for, once all bodies are there; rain: how those come in that wait at the start;
+    feeder: what draws bodies from a closed outlet, once an event sets its rate.
     """
 
     def __init__(
@@ -56,11 +40,12 @@ class Run:
         stress_edges: tuple[np.ndarray, np.ndarray] | None = None,
         rest: Rest = PAPER,
         rain: Rain | None = None,
+        feeder: Feeder | None = None,
     ):
         if not events or events[-1].action != "stop":
             raise BadInput("events", [event.action for event in events], "the last event must be a stop")
         self.engine, self.events, self.window, self.snapshots = engine, events, window, snapshots
-        self.stress_edges, self.rest, self.rain = stress_edges, rest, rain
+        self.stress_edges, self.rest, self.rain, self.feeder = stress_edges, rest, rain, feeder
         self.recording, self.last = Recording(), round(limit / engine.model.dt)
         self.next_event, self.since, self.opened = 0, 0, engine.step
         self.full = float(engine.model.mass.sum())
@@ -115,6 +100,8 @@ class Run:
         """How far an event is from its trigger."""
         if event.trigger == "rest":
             return f"{self.rest.criterion.measure(self.engine):.3g}, to be at rest: {self.rest}"
+        if TRIGGERS[event.trigger].of_lid:
+            return f"the lid stands {lid_height(self.engine):.4g} m high under {1e-3 * lid_stress(self.engine):.4g} kPa"
         if event.trigger == "discharged":
             return f"a share of {self.dropped / self.full:.3g} has left"
         return f"due at {self._due() * self.engine.model.dt:.6g} s"
@@ -146,6 +133,7 @@ class Run:
             self.recording.snapshots.append(self.snapshot())
         if step % CHECK_EVERY == 0:
             self._drop()
+            self._feed()
             self._pour()
         self._act_where_due()
         if step >= self.last and not self.done:
@@ -157,12 +145,18 @@ class Run:
             self._act(self.events[self.next_event])
 
     def _triggered(self, event: Event) -> bool:
+        if event.action in OF_LID and self.come < self.engine.most:  # the lid waits for those that come in below it
+            return False
         if event.trigger in ("time", "after"):
             return self.engine.step >= self._due()
         if self.engine.step % CHECK_EVERY or not self.engine.step:  # discs that have not moved yet are not at rest
             return False
         if event.trigger == "rest":
             return self.come == self.engine.most and self.rest.holds(self.engine)
+        if event.trigger == "lid_rests":
+            return lid_rests(self.engine)
+        if event.trigger == "lid_stress":
+            return lid_stress(self.engine) >= event.value
         return self.dropped >= event.value * self.full
 
     def _pour(self) -> None:
@@ -191,6 +185,11 @@ class Run:
             engine.gravity = gravity
         elif action == "friction":
             set_friction(engine, pair=event.what[0], wall=event.what[1], walls=event.what[2])
+        elif action == "feed":
+            assert self.feeder is not None
+            self.feeder.rate, self.feeder.owed = event.what[0], 0.0
+        elif action in MOVES:
+            MOVES[action](engine, *event.what)
         self.recording.happened.append((engine.time, event.trigger, action))
         self.since = engine.step
         self.next_event += 1
@@ -230,6 +229,16 @@ class Run:
             if len(which):
                 self._take_out(np.isin(self.engine.labels, which), way)
 
+    def _feed(self) -> None:
+        """Let the feeder take what is due."""
+        engine, feeder = self.engine, self.feeder
+        if feeder is None or not feeder.rate > 0.0:
+            return
+        gone = feeder.take(engine, CHECK_EVERY * engine.model.dt)
+        if gone.any():
+            self.recording.passed += [(engine.time, float(mass)) for mass in engine.mass[gone]]
+            self._take_away(lambda: self._take_out(gone, DISCHARGED))
+
     def _take_out(self, gone: np.ndarray, way: str) -> None:
         record = self.recording
         record.left[way] += int(gone.sum())
@@ -257,6 +266,8 @@ class Run:
         window[:, :, 0] /= steps
         self.recording.window_time.append(self.engine.time)
         self.recording.window.append(window)
+        if self.engine.model.moving:
+            self.recording.motion.append(self.engine.space.motion_of(self.engine.walls.shape))
         self.recording.energy.append(self.engine.ledger.account[: len(ENTRIES)].copy())
         self.engine.clear_window()
         self.opened = self.engine.step
@@ -264,13 +275,16 @@ class Run:
     def checkpoint(self) -> dict:
         """Everything that going on depends on: the engine's arrays, where the events stand, and what was recorded."""
         stand = {name: getattr(self, name) for name in ("next_event", "since", "opened", "come", "came")}
-        return {"engine": checkpoint(self.engine), "stand": stand, "recording": self.recording}
+        fed = (self.feeder.rate, self.feeder.owed) if self.feeder else None
+        return {"engine": checkpoint(self.engine), "stand": stand, "recording": self.recording, "fed": fed}
 
     def restore(self, saved: dict) -> None:
         """Go on from a checkpoint of the same scene."""
         restore(self.engine, saved["engine"])
         vars(self).update(saved["stand"])
         self.recording = saved["recording"]
+        if self.feeder:
+            self.feeder.rate, self.feeder.owed = saved["fed"]
 
     def snapshot(self) -> dict[str, np.ndarray]:
         """Places, velocities and force chains now."""

@@ -33,9 +33,9 @@ class Contacts:
 
 
 @cache
-def reader(space: Dimension, laws: Laws, unequal: bool, flat: bool, varied: bool):
+def reader(space: Dimension, laws: Laws, unequal: bool, flat: bool, varied: bool, moving: bool):
     """Compiled function that computes the forces of a list without changing its histories."""
-    forces = force_pass(space, laws, unequal=unequal, flat=flat, varied=varied)
+    forces = force_pass(space, laws, unequal=unequal, flat=flat, varied=varied, moving=moving)
     force_of, stretch = space.force_of, space.stretch
 
     def read(rows, contacts, shape, count, lanes, out, found, stored, rolled, dt, c):
@@ -47,7 +47,7 @@ def reader(space: Dimension, laws: Laws, unequal: bool, flat: bool, varied: bool
                 for way in range(len(force)):
                     found[start + k, way] = force[way]
 
-    return njit(**OPTIONS)(named(read, repr((space, laws, unequal, flat, varied))))
+    return njit(**OPTIONS)(named(read, repr((space, laws, unequal, flat, varied, moving))))
 
 
 def _forces(engine, part, contacts, count, flat):
@@ -55,7 +55,7 @@ def _forces(engine, part, contacts, count, flat):
     space, unequal, contact = engine.space, engine.model.unequal, engine.contacts[flat]
     found = np.zeros((count, space.ways))
     lanes, out = aligned(*space.lanes), aligned(*space.forces)
-    read = reader(space, contact.laws, unequal, flat, part.varied[flat])
+    read = reader(space, contact.laws, unequal, flat, part.varied[flat], flat and engine.model.moving)
     stored, rolled = contacts.stored[..., :count].copy(), contacts.rolled[..., :count].copy()
     contacts, c = contacts._replace(twisted=contacts.twisted.copy(), touched=contacts.touched.copy()), engine.coefficients(part)
     read(engine.bodies.rows, contacts, engine.walls.shape, count, lanes, out, found, stored, rolled, engine.model.dt, c[flat])

@@ -230,11 +230,19 @@ def _extremes(model: Model, network: list[tuple], dt: float) -> Extremes:
         if k.any()
     ]
     return Extremes(
-        stiffness=_largest(model, network, lone, stiff),
+        stiffness=_largest(model, network, lone, stiff) + _on_lid(model, stiff),
         incremental=_largest(model, network, lone, lambda *which: [0.0 * (k := stiff(*which))[0], *k[1:]]),
-        damping=_largest(model, network, lone, damp),
+        damping=_largest(model, network, lone, damp) + _on_lid(model, damp),
         least_damped=float(min(ratios)),
     )
+
+
+def _on_lid(model: Model, strengths) -> float:
+    """What a lid of a mass adds at most (1/s2 or 1/s) when it touches as many bodies as it can: rows of one more motion."""
+    if model.lid is None:
+        return 0.0
+    lightest = np.array([int(np.argmin(model.mass))])
+    return float(model.lid.touching * strengths(model.wall_contact, model, lightest, None)[0][0] / model.lid.mass)
 
 
 def _largest(model: Model, network: list[tuple], lone: list[tuple], strengths) -> float:

@@ -11,6 +11,7 @@ from numba.extending import register_jitable
 
 from silostudy.dem.arrays import Walls
 from silostudy.dem.cache import OPTIONS
+from silostudy.dem.drive import standing
 from silostudy.dem.lanes import (
     DU,
     DV,
@@ -32,6 +33,7 @@ from silostudy.dem.lanes import (
 )
 
 JOINED, OUT_OF_REACH = 1.0, 1e30
+LOW, RISE = 1, 7  # columns of a shape: height of its start, speed of rise
 
 
 @njit(**OPTIONS)
@@ -57,6 +59,37 @@ def gather_walls(rows, shape, disc, wall, start, count, lanes):
         lanes[DX, k], lanes[DY, k] = dx, dy
         lanes[DU, k], lanes[DV, k] = rows[i, U], rows[i, V]
         lanes[SPIN_SUM, k] = lanes[SPIN_DIFFERENCE, k] = rows[i, W]
+
+
+@register_jitable
+def gather_moving_walls(rows, shape, disc, wall, start, count, lanes):
+    """Lanes of discs near walls, of which some rise."""
+    gather_walls(rows, shape, disc, wall, start, count, lanes)
+    for k in range(count):
+        lanes[DV, k] -= shape[wall[start + k], RISE]
+
+
+@register_jitable
+def wall_power(rows, shape, i, wall, force, moment):
+    """Power (W/m) that a wall which moves gives a disc that it pushes with a force (N/m)."""
+    return force[1] * shape[wall, RISE]
+
+
+@register_jitable
+def height_of(shape, wall):
+    """Height (m) of a level wall."""
+    return shape[wall, LOW]
+
+
+def motion_of(shape: np.ndarray) -> np.ndarray:
+    """Of every wall (n, 2): height (m) of its start, speed upward (m/s)."""
+    return shape[:, [LOW, RISE]].copy()
+
+
+@register_jitable
+def lift(shape, wall, way):
+    """Move a wall up by a way (m)."""
+    shape[wall, LOW] += way
 
 
 @register_jitable
@@ -104,18 +137,18 @@ def add_to_window(record):
 
 def walls_of(walls) -> Walls:
     """The walls as arrays."""
-    return Walls(shape_of(walls), np.array([wall.live for wall in walls], bool), cells_of(walls))
+    return Walls(shape_of(walls), np.array([wall.live for wall in walls], bool), cells_of(walls), standing(len(walls)))
 
 
 def shape_of(walls) -> np.ndarray:
-    """Start, unit direction, length (m) and the kinds of both ends, a row a wall."""
+    """Start, unit direction, length (m), the kinds of both ends and a speed of none, a row a wall."""
     rows = []
     for wall in walls:
         (x0, y0), (x1, y1) = wall.start, wall.end
         length = hypot(x1 - x0, y1 - y0)
         ends = [JOINED if joined else 0.0 for joined in wall.joined]
-        rows.append([x0, y0, (x1 - x0) / length, (y1 - y0) / length, length, *ends])
-    return np.array(rows, float).reshape(-1, 7)
+        rows.append([x0, y0, (x1 - x0) / length, (y1 - y0) / length, length, *ends, 0.0])
+    return np.array(rows, float).reshape(-1, RISE + 1)
 
 
 def wall_cells(model, name: str) -> np.ndarray:
@@ -126,7 +159,7 @@ def wall_cells(model, name: str) -> np.ndarray:
 
 def sums_by_wall(model, cells: np.ndarray, axis: int = 0) -> dict[str, np.ndarray]:
     """Sums over each wall of what its cells hold, by the walls' names; `axis`: that of the cells."""
-    sums = np.add.reduceat(cells, cells_of(model.walls)[:, 0], axis=axis)
+    sums = np.add.reduceat(cells, model.space.walls_of(model.walls).cells[:, 0], axis=axis)
     return {wall.name: sums.take(number, axis=axis) for number, wall in enumerate(model.walls)}
 
 

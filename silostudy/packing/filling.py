@@ -50,6 +50,17 @@ def loose(silo, radii, random):
     raise BadInput("filling.count", len(radii), f"no room for sphere {len(found)}: the silo holds so many on a loose lattice")
 
 
+def spread(silo, radii, random):
+    """Places (m) of a loose lattice that is drawn out over the whole height, as for a drum that lies on its side.
+
+    silo: as for `loose`; it must not be narrower above.
+    """
+    place, least = loose(silo, radii, random), ROOM / 2.0 * float(radii.max())
+    low, high = place[:, 2].min(), place[:, 2].max()
+    place[:, 2] = low + (place[:, 2] - low) * (max(silo.top - least, high) - low) / max(high - low, least)
+    return place
+
+
 COUNT = PackingField(name="count", argument="count", text="number of spheres", kind=int, bounds={"ge": 1, "le": 10_000_000})
 FILLINGS: Family[Filling] = Family(
     "filling",
@@ -90,6 +101,7 @@ FILLINGS: Family[Filling] = Family(
             rains=True,
         ),
         Filling(key="loose", title="A loose lattice from the bottom upward, to fall", asks=(COUNT,), place=loose),
+        Filling(key="spread", title="A loose lattice drawn out over the whole height, to fall", asks=(COUNT,), place=spread),
         Filling(
             key="given",
             title="Positions from a file",

@@ -10,15 +10,17 @@ import numpy as np
 from silostudy.config.contact import ContactConfig
 from silostudy.config.dem import BoxConfig, DemScene, EventConfig
 from silostudy.config.grain_scenes import AnyScene
+from silostudy.config.moves import OF_LID
 from silostudy.contact import NO_TANGENTIAL, TANGENTIAL, spring
 from silostudy.contact.coefficient import Given
-from silostudy.dem.events import Event
+from silostudy.dem.events import TRIGGERS, Event
 from silostudy.dem.model import Contact, Wall
 from silostudy.dem.pieces import Laws
 from silostudy.dem.rest import REST, Rest
 from silostudy.dem.varied import Varied
 from silostudy.errors import BadInput
 from silostudy.packing import PACKINGS
+from silostudy.scene.lid import lid_action, moves
 from silostudy.scene.plane_silo import FLOOR, HALVES, PlaneSilo
 from silostudy.scene.surfaces import by_surface, parts_of
 
@@ -67,7 +69,7 @@ def contacts_of(scene: DemScene, radii: np.ndarray, where: str = "") -> tuple[Co
     uneven = bool(np.ptp(radii) > 0.0)
     about: dict[str, Any] = {"radius": scene.radius_m if uneven else float(radii[0]), "uneven": uneven}
     changed = [event for event in scene.events if event.do == "set_friction"]
-    configs = {"": scene.walls or scene.discs, **scene.surface_contacts}
+    configs = {"": scene.touches[1], **scene.surface_contacts}
     smooth = not any(config.sliding_friction for config in configs.values())
     smooth = smooth and all(event.wall_friction is None for event in changed)
     between = contact_of(
@@ -83,7 +85,7 @@ def contacts_of(scene: DemScene, radii: np.ndarray, where: str = "") -> tuple[Co
 def walls_contact(scene: AnyScene, contacts: dict[str, Contact], names: Sequence[str], where: str) -> Contact | Varied:
     """Contact with walls of these names, from those of surfaces that differ, by their names in the scene; "": of the others."""
     others = contacts.pop("")
-    differ = bool(contacts) or any(event.surface is not None for event in scene.events)
+    differ = bool(contacts) or any(event.do == "set_friction" and event.surfaces for event in scene.events)
     return Varied(tuple(by_surface(contacts, names, others, where))) if differ else others
 
 
@@ -92,28 +94,27 @@ def wall_names(scene: DemScene) -> list[str]:
     return [wall.name for wall in plane_silo_of(scene.silo).walls()]
 
 
-def events_of(scene: DemScene, where: str = "") -> tuple[Event, ...]:
-    """Events in the engine's words; BadInput for a friction that no law of the scene takes, or at a wall that there is none."""
+def events_of(scene: DemScene, mass: float, where: str = "") -> tuple[Event, ...]:
+    """Events in the engine's words; mass: of all discs, kg/m. BadInput for a friction that no law of the scene takes, or at a
+    wall that there is none."""
     beside = HALVES if scene.silo.hopper_half_angle_deg is None else ()
     found = []
     for number, event in enumerate(scene.events):
-        action, what = _action(event, beside)
+        action, what = _action(event, scene.silo, beside, mass)
         if action == "friction":
             _check_friction(scene, what, f"events.{number}", where)
-            what = (*what, walls_of_event(event.surface, wall_names(scene), number, where))
-        found.append(Event(event.when, event.value, action, what))
+            what = (*what, walls_of_event(event.surfaces, wall_names(scene), number, where))
+        found.append(Event(event.when, event.value * TRIGGERS[event.when].scale, action, what))
     return tuple(found)
 
 
-def walls_of_event(surface: str | None, names: Sequence[str], number: int, where: str) -> tuple[str, ...]:
+def walls_of_event(surfaces: tuple[str, ...], names: Sequence[str], number: int, where: str) -> tuple[str, ...]:
     """Names of the walls whose friction an event changes; none stands for all."""
-    return () if surface is None else parts_of(surface, names, f"events.{number}.surface", where)
+    return tuple(wall for surface in surfaces for wall in parts_of(surface, names, f"events.{number}.surfaces", where))
 
 
 def _check_friction(scene: DemScene, what: tuple, key: str, where: str) -> None:
-    for field, value, config in zip(
-        ("disc_friction", "wall_friction"), what, (scene.discs, scene.walls or scene.discs), strict=True
-    ):
+    for field, value, config in zip(("disc_friction", "wall_friction"), what, scene.touches, strict=True):
         law = config.laws["tangential"]
         if value is not None and spring.FRICTION not in law.coefficients:
             raise BadInput(f"{key}.{field}", value, f"the tangential law {law.key} takes no friction", where)
@@ -132,7 +133,7 @@ def check_events(scene: DemScene, count: int, where: str = "") -> None:
             raise BadInput(f"events.{number}.disc", event.disc, f"must be below {count}, the number of discs", where)
 
 
-def _action(event: EventConfig, beside: tuple[str, ...]) -> tuple[str, tuple]:
+def _action(event: EventConfig, box: BoxConfig, beside: tuple[str, ...], mass: float) -> tuple[str, tuple]:
     if event.do == "remove_disc":
         return "remove", (event.disc,) if event.near_m is None else event.near_m
     if event.do == "set_gravity":
@@ -140,6 +141,11 @@ def _action(event: EventConfig, beside: tuple[str, ...]) -> tuple[str, tuple]:
         return "gravity", event.gravity_m_s2
     if event.do == "set_friction":
         return "friction", (event.disc_friction, event.wall_friction)
+    if event.do == "feed":
+        return "feed", (event.rate_kg_s,)
+    if event.do in OF_LID:
+        low = plane_silo_of(box).bottom
+        return lid_action(event, box.width_m, mass, low, low + box.height_m)
     return ("open", (FLOOR, *beside)) if event.do == "open_slit" else ("stop", ())
 
 
@@ -201,6 +207,7 @@ def effects(scene: DemScene) -> tuple[Effect, ...]:
         Effect("energy ledger", record.energy, f"record.energy: {record.energy}"),
         Effect("slit", scene.silo.slit_width_m > 0, f"silo.slit_width_m: {scene.silo.slit_width_m:g}"),
         Effect("hopper", scene.silo.hopper_half_angle_deg is not None, "silo.hopper_half_angle_deg"),
+        Effect("walls that move", moves(scene.events), "events: lower_lid, press_lid, move_lid"),
         Effect("events", len(scene.events) > 1, ", ".join(event.do for event in scene.events)),
         Effect("snapshots", bool(record.snapshots_s), f"record.snapshots_s: {len(record.snapshots_s)} times"),
     )

@@ -9,6 +9,7 @@ from silostudy.dem.stability import chosen_step, packed_bound
 from silostudy.errors import BadInput
 from silostudy.packing import PACKINGS
 from silostudy.scene.dem import check_events, check_start, contacts_of, plane_silo_of
+from silostudy.scene.lid import check_lid, lid_of, moves
 
 
 def placed(scene: DemScene):
@@ -23,15 +24,20 @@ def unshaken_scene_model(scene: DemScene, discs, where: str = "") -> Model:
     """The engine's model of a scene without shaking; BadInput for a start or a step that cannot be."""
     integrator = scene.march.integrator
     assert integrator is not None, "march.integrator is not chosen yet"
-    walls, (x, y, radius) = plane_silo_of(scene.silo).walls(scene.silo.wall_cells), discs
+    silo, (x, y, radius) = plane_silo_of(scene.silo), discs
+    walls = silo.walls(scene.silo.wall_cells)
     check_start(walls, x, y, radius, where)
     check_events(scene, len(x), where)
+    check_lid(scene.events, silo.bottom, silo.bottom + silo.height, where)
     contacts = contacts_of(scene, radius, where)
     model = Model(
         x=x, y=y, radius=radius, density=scene.density_kg_m3, walls=walls, pair_contact=contacts[0], wall_contact=contacts[1],
         dt=scene.march.step_s or 1.0, gravity=scene.gravity_m_s2, integrator=integrator,
         watched=scene.record.wall_force_window_s is not None, booked=scene.record.energy,
+        moving=moves(scene.events),
     )  # fmt: skip
+    touching = silo.width / (2.0 * float(radius.min()))
+    model = replace(model, lid=lid_of(scene.events, silo.width, touching, float(model.mass.sum())))
     return replace(model, dt=step_of(scene, model, where))
 
 

@@ -6,6 +6,8 @@ Every wall has a name, and whoever wants one asks the model for it by that name,
 from dataclasses import dataclass
 from math import tan
 
+import numpy as np
+
 from silostudy.dem.model import Model, Wall
 
 FLOOR, LID = "floor", "lid"
@@ -69,6 +71,10 @@ class PlaneSilo:
         )
         lid = Wall(LID, (self.width, top), (0.0, top), cells, joined=(True, True))
         return (*sides, lid) if self.lid else sides
+
+    def over_slit(self, places: np.ndarray) -> np.ndarray:
+        """Which places (n, 2; m) stand over the slit."""
+        return np.abs(places[:, 0] - self.width / 2.0) < self.slit / 2.0
 
     @property
     def _edges(self) -> tuple[float, float]:

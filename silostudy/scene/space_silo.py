@@ -107,6 +107,11 @@ class SpaceSilo:
         halves = (width / 2, (width if length is None else length) / 2)
         return Outline(sides=int(CIRCLE if length is None else RECTANGLE), half=halves, middle=middle)
 
+    def over_outlet(self, places: np.ndarray) -> np.ndarray:
+        """Which places (n, 3; m) stand over the outlet."""
+        opening = self.opening
+        return np.zeros(len(places), bool) if opening is None else opening.inset(places[:, 0], places[:, 1]) > 0.0
+
     def walls(self, cells: tuple[int, int] = (1, 1)) -> tuple[Surface, ...]:
         """Its surfaces: the bottom, closed, then the walls and the lid.
 

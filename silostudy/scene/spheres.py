@@ -6,18 +6,17 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from silostudy.config.spheres import MaterialConfig, SphereEventConfig, SphereScene, TouchConfig
+from silostudy.config.spheres import MaterialConfig, SphereScene, TouchConfig
 from silostudy.contact.coefficient import Given
 from silostudy.contact.rolling import spring_slider
 from silostudy.dem.contacts import Contact
-from silostudy.dem.events import Event
 from silostudy.dem.pieces import Laws
 from silostudy.dem.rain import Rain
 from silostudy.dem.varied import Varied
 from silostudy.errors import BadInput
-from silostudy.scene.dem import walls_contact, walls_of_event
+from silostudy.scene.dem import walls_contact
 from silostudy.scene.silo_from import silo_of
-from silostudy.scene.space_silo import FLOOR, Outlet, SpaceSilo
+from silostudy.scene.space_silo import Outlet, SpaceSilo
 from silostudy.tables.materials import MATERIALS, PAIRS, Material
 
 BELOW_TOP = 1.05  # radii: the plane of the rain below the top of the walls, where a scene does not say
@@ -125,30 +124,10 @@ def rain_of(scene: SphereScene, space: SpaceSilo, radii: np.ndarray) -> Rain:
         free = outline.inset(x, y) >= radius
         return np.column_stack([x, y, np.full(count, height)])[free]
 
-    return Rain(rate=filling.rate_1_s, velocity=(0.0, 0.0, -filling.speed_m_s), spots=spots, seed=scene.seed)
+    return Rain(rate=filling.rate_1_s, velocity=(0.0, 0.0, -filling.speed_m_s), level=height, spots=spots, seed=scene.seed)
 
 
 def _disc(random: np.random.Generator, radius: float, count: int) -> np.ndarray:
     """Places (2, count; m), even over a disc about the origin."""
     turn, off = random.uniform(0.0, 2.0 * np.pi, count), radius * np.sqrt(random.uniform(0.0, 1.0, count))
     return np.stack([off * np.cos(turn), off * np.sin(turn)])
-
-
-def sphere_events(scene: SphereScene, space: SpaceSilo, where: str = "") -> tuple[Event, ...]:
-    """Events in the engine's words; BadInput for a surface that there is none."""
-    found = []
-    for number, event in enumerate(scene.events):
-        action, what = _action(event, space)
-        if action == "friction":
-            what = (*what, walls_of_event(event.surface, [wall.name for wall in space.walls()], number, where))
-        found.append(Event(event.when, event.value, action, what))
-    return tuple(found)
-
-
-def _action(event: SphereEventConfig, space: SpaceSilo) -> tuple[str, tuple]:
-    if event.do == "set_gravity":
-        assert event.gravity_m_s2 is not None  # the model asks for it
-        return "gravity", event.gravity_m_s2
-    if event.do == "set_friction":
-        return "friction", (event.sphere_friction, event.wall_friction)
-    return ("open", (FLOOR, *space.waiting)) if event.do == "open_outlet" else ("stop", ())

@@ -1,6 +1,7 @@
 """From a scene of spheres to the engine's model: where the spheres start, what pushes them, and the time step."""
 
 from dataclasses import replace
+from math import sqrt
 
 import numpy as np
 from scipy.spatial import cKDTree
@@ -13,8 +14,10 @@ from silostudy.packing.filling import FILLINGS
 from silostudy.packing.sizes import SIZES
 from silostudy.scene.dem import DEEPEST
 from silostudy.scene.dem_model import step_of
+from silostudy.scene.lid import check_lid, lid_of, moves
 from silostudy.scene.space_silo import SpaceSilo
-from silostudy.scene.spheres import contacts_of, grain_of, plane_of_rain, space_silo_of, sphere_events
+from silostudy.scene.sphere_events import check_turning, sphere_events
+from silostudy.scene.spheres import contacts_of, grain_of, plane_of_rain, space_silo_of
 
 DENSEST = 0.7  # solid fraction that no random packing of nearly equal spheres comes to
 APART = 3.0  # largest radii: between spheres that wait, one above the other over the silo
@@ -26,7 +29,9 @@ def sphere_model(scene: SphereScene, given: tuple[np.ndarray, np.ndarray] | None
     assert scene.march.integrator is not None, "no accuracy is measured that could choose it"
     space, grain, row = space_silo_of(scene, where), grain_of(scene, where), FILLINGS[scene.filling.kind]
     check_frictions(scene, where)
-    sphere_events(scene, space, where)
+    check_lid(scene.events, space.bottom, space.top, where)
+    check_turning(scene, space, where)
+    sphere_events(scene, space, 0.0, where)
     random = np.random.default_rng(scene.seed)
     try:
         places, radii = given or _started(scene, space, random)
@@ -42,8 +47,10 @@ def sphere_model(scene: SphereScene, given: tuple[np.ndarray, np.ndarray] | None
         x=x, y=y, z=z, radius=radii, density=grain.density, walls=space.walls(scene.record.pressure_cells),
         pair_contact=contacts[0], wall_contact=contacts[1], dt=scene.march.step_s or 1.0, gravity=scene.gravity_m_s2,
         integrator=scene.march.integrator, watched=scene.record.wall_force_window_s is not None,
-        booked=scene.record.energy,        waiting=len(radii) if row.rains else 0,
+        booked=scene.record.energy, waiting=len(radii) if row.rains else 0, moving=moves(scene.events),
     )  # fmt: skip
+    touching = space.plan.area / (2.0 * sqrt(3.0) * float(radii.min()) ** 2)  # in rows, each sphere in the gap of two
+    model = replace(model, lid=lid_of(scene.events, space.plan.area, touching, float(model.mass.sum())))
     return replace(model, dt=step_of(scene, model, where))
 
 

@@ -16,7 +16,7 @@ KIND = Kind(
                 measure="silostudy.compute.scenes:measure",
                 coordinates="silostudy.compute.scenes:coordinates",
                 sources="silostudy.compute.scenes:sources",
-                cost="silostudy.scene.scenes:cost",
+                cost="silostudy.scene.costs:cost",
             ),
         ),
     ),

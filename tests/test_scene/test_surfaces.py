@@ -14,7 +14,8 @@ from silostudy.scene.coefficients import coefficient_lines
 from silostudy.scene.dem import contacts_of as contacts_of_discs
 from silostudy.scene.dem import events_of, wall_names
 from silostudy.scene.dem_model import placed, unshaken_scene_model
-from silostudy.scene.spheres import contacts_of, space_silo_of, sphere_events
+from silostudy.scene.sphere_events import sphere_events
+from silostudy.scene.spheres import contacts_of, space_silo_of
 from silostudy.scene.surfaces import by_surface
 from tests.test_spheres.small import scene_of
 
@@ -125,21 +126,21 @@ def test_surfaces_that_are_none(surfaces, message):
 
 
 def test_an_event_may_name_a_surface():
-    event = {"when": "time", "value": 0.1, "do": "set_friction", "wall_friction": 0.7, "surface": "floor"}
+    event = {"when": "time", "value": 0.1, "do": "set_friction", "wall_friction": 0.7, "surfaces": ["floor"]}
     scene = discs(events=[event, STOP])
     assert isinstance(at_discs_walls(scene)[""], Varied)
-    assert events_of(scene)[0].what == (None, 0.7, ("floor", "floor_left", "floor_right"))
-    spheres = scene_of(events=[event | {"surface": "hopper"}, STOP])
-    assert sphere_events(spheres, space_silo_of(spheres))[0].what == (None, 0.7, ("hopper",))
+    assert events_of(scene, 1.0)[0].what == (None, 0.7, ("floor", "floor_left", "floor_right"))
+    spheres = scene_of(events=[event | {"surfaces": ["hopper"]}, STOP])
+    assert sphere_events(spheres, space_silo_of(spheres), 1.0)[0].what == (None, 0.7, ("hopper",))
 
 
 @pytest.mark.parametrize(
     ("changes", "message"),
     [
-        ({"surface": "roof", "wall_friction": 0.7}, "events.0.surface = 'roof': unknown; known: floor, "),
-        ({"surface": "floor", "disc_friction": 0.7}, "surface is where a wall_friction changes"),
+        ({"surfaces": ["roof"], "wall_friction": 0.7}, "events.0.surfaces = 'roof': unknown; known: floor, "),
+        ({"surfaces": ["floor"], "disc_friction": 0.7}, "surfaces are where a wall_friction changes"),
     ],
 )
 def test_events_at_surfaces_that_are_none(changes, message):
     with pytest.raises(BadInput, match=message):
-        events_of(discs(events=[{"when": "time", "value": 0.1, "do": "set_friction"} | changes, STOP]))
+        events_of(discs(events=[{"when": "time", "value": 0.1, "do": "set_friction"} | changes, STOP]), 1.0)

@@ -24,6 +24,7 @@ CALLED = {
     "sasaki-1991": {"seismic"},
     "grains-record": {"grains"},
     "discharge-slit": {"part", "merge", "verdict"},
+    "wheat-bin-outlets": {"part", "merge", "verdict"},
     "kiyama-1983": {"packing", "motion"},
     "kiyama-1983-slit": {"packing"},
     "stability-map": {"stability", "profile"},

@@ -2,7 +2,15 @@
 
 from silostudy.dem.arrays import Spheres
 from silostudy.dem.dimension import Dimension
-from silostudy.dem.space.felt import force_of, gather_walls, note_walls, scatter_walls
+from silostudy.dem.space.felt import TORQUE as FELT_TORQUE
+from silostudy.dem.space.felt import (
+    force_of,
+    gather_moving_walls,
+    gather_walls,
+    note_walls,
+    scatter_walls,
+    wall_power,
+)
 from silostudy.dem.space.lanes import (
     FORCE,
     HISTORIES,
@@ -31,9 +39,10 @@ from silostudy.dem.space.motion import (
     twisting,
     walk,
     where,
+    whole,
 )
 from silostudy.dem.space.network import all_from_wall, bent, densest, tangents
-from silostudy.dem.space.surfaces import nearest
+from silostudy.dem.space.surfaces import RISE, height_of, lift, motion_of, nearest
 from silostudy.dem.space.walls import beside, cell_count, extents, walls_of
 
 SPACE = Dimension(
@@ -51,12 +60,17 @@ SPACE = Dimension(
     lanes=(1, (OLD + HISTORIES) * STRETCH),
     forces=(1, (NEW + HISTORIES) * STRETCH),
     components=3,
-    felt=3,
+    felt=(FELT_TORQUE, FELT_TORQUE + 1),
     gather=lambda apart: gather if apart else gather_rolling,
-    gather_walls=gather_walls,
+    gather_walls=lambda moving: gather_moving_walls if moving else gather_walls,
     scatter=scatter,
     scatter_walls=scatter_walls,
     note_walls=note_walls,
+    wall_power=wall_power,
+    rise=RISE,
+    height_of=height_of,
+    motion_of=motion_of,
+    lift=lift,
     walls_of=walls_of,
     cell_count=cell_count,
     extents=extents,
@@ -74,6 +88,7 @@ SPACE = Dimension(
     carry=carry,
     twisting=twisting,
     about=about,
+    whole=whole,
     put=put,
     where=where,
     walk=walk,

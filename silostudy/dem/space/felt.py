@@ -31,14 +31,17 @@ from silostudy.dem.space.surfaces import (
     AXIS_X,
     AXIS_Y,
     LENGTH,
+    RISE,
     START_R,
     START_Z,
+    TURN,
     TURNED,
     UPWARD,
     nearest,
 )
 
 force_of = three(FORCE_X)  # N, on the sphere
+TORQUE = 3  # of what a wall feels where walls move: about the axis x = y = 0 (N m)
 
 
 @register_jitable
@@ -53,6 +56,28 @@ def gather_walls(rows, shape, sphere, wall, start, count, lanes):
             lanes[0, (DU + n) * STRETCH + k] = rows[i, U + n]
             lanes[0, (SUM_P + n) * STRETCH + k] = lanes[0, (APART_P + n) * STRETCH + k] = rows[i, P + n]
         lanes[0, CURVED * STRETCH + k] = curved
+
+
+@register_jitable
+def gather_moving_walls(rows, shape, sphere, wall, start, count, lanes):
+    """Lanes of spheres near walls, of which some rise or turn: velocities are those against the nearest point."""
+    gather_walls(rows, shape, sphere, wall, start, count, lanes)
+    for k in range(count):
+        i, q = sphere[start + k], wall[start + k]
+        x, y = rows[i, X] - lanes[0, DX * STRETCH + k], rows[i, Y] - lanes[0, (DX + 1) * STRETCH + k]
+        lanes[0, DU * STRETCH + k] += shape[q, TURN] * y
+        lanes[0, (DU + 1) * STRETCH + k] -= shape[q, TURN] * x
+        lanes[0, (DU + 2) * STRETCH + k] -= shape[q, RISE]
+        lanes[0, (APART_P + 2) * STRETCH + k] -= shape[q, TURN]
+
+
+@register_jitable
+def wall_power(rows, shape, i, wall, force, moment):
+    """Power (W) that a wall which moves gives a sphere that it pushes with a force (N) and turns with a moment (N m)."""
+    x, y, z = rows[i, X], rows[i, Y], rows[i, Z]
+    dx, dy, _, _ = nearest(shape, wall, x, y, z)
+    turning = (x - dx) * force[1] - (y - dy) * force[0] + moment[2]
+    return shape[wall, RISE] * force[2] + shape[wall, TURN] * turning
 
 
 @register_jitable
@@ -99,7 +124,10 @@ def cell_of_share(share, count):
 
 @register_jitable
 def note_walls(rows, walls, near, start, count, force, record, part):
-    """Note each wall contact's force: pressing, along the wall upward (carrying positive), and across both."""
+    """Note each wall contact's force: pressing, along the wall upward (carrying positive), and across both.
+
+    Where walls move, also its torque about the axis on the wall.
+    """
     for k in range(count):
         i, q, at = near.first[start + k], near.second[start + k], start + k
         x, y, z = rows[i, X], rows[i, Y], rows[i, Z]
@@ -120,5 +148,9 @@ def note_walls(rows, walls, near, start, count, force, record, part):
         record.force[part, at, 0] = fx * nx + fy * ny + fz * nz
         record.force[part, at, 1] = fx * ux + fy * uy + fz * uz
         record.force[part, at, 2] = fx * cx + fy * cy + fz * cz
+        if record.force.shape[2] > TORQUE:
+            lever = near.arm[at if near.arm.size > 1 else 0]
+            spin = force[0, (FIRST_X + 2) * STRETCH + k] - lever * (fx * ny - fy * nx)
+            record.force[part, at, TORQUE] = py * fx - px * fy - spin
         along, around = walls.cells[q, 1], walls.cells[q, 2]
         record.cell[part, at] = walls.cells[q, 0] + cell_of_share(share, along) * around + cell_of_share(turn, around)

@@ -161,6 +161,12 @@ def about(moment, twist, normal):
     return moment[0] + twist * normal[0], moment[1] + twist * normal[1], moment[2] + twist * normal[2]
 
 
+@register_jitable(forceinline=True)
+def whole(push, drag, normal):
+    """Force (N) of a contact on its first body."""
+    return push * normal[0] + drag[0], push * normal[1] + drag[1], push * normal[2] + drag[2]
+
+
 def put(drags: bool, brakes: bool):
     """Function that writes a contact's force (N) and its moments (N m) on both bodies into lanes."""
 

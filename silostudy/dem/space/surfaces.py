@@ -24,7 +24,8 @@ COUNT, NORMAL, CORNERS, SIDES = 1, 2, 5, 17  # columns of a flat piece: corners,
 ACROSS, UPWARD = 21, 26  # of a flat piece: unit vectors in its plane, each followed by its least coordinate and its length
 HEIGHT, OUTLINE, HOLE = 1, 4, 9  # of a level piece: its height, then outlines of five numbers; of a rim: height, hole
 WAY = 14  # of a rim: unit vector (x, y) from the hole's middle across it, and its distance from there
-COLUMNS = 31
+RISE, TURN = 31, 32  # of any surface: its speed upward (m/s), and its spin about the upright axis x = y = 0 (rad/s)
+COLUMNS = 33
 CIRCLE, RECTANGLE, NO_HOLE = 0.0, 4.0, -1.0  # numbers of sides of an outline; others are regular polygons, one side facing x
 
 
@@ -146,3 +147,20 @@ def nearest_rim(shape, wall, x, y, z):
     across, along = shape[wall, WAY], shape[wall, WAY + 1]
     off = (x - shape[wall, HOLE + 1]) * across + (y - shape[wall, HOLE + 2]) * along - shape[wall, WAY + 2]
     return off * across, off * along, z - shape[wall, HEIGHT]
+
+
+@njit(**OPTIONS)
+def height_of(shape, wall):
+    """Height (m) of a level surface."""
+    return shape[wall, START_Z if shape[wall, 0] == TURNED else HEIGHT]
+
+
+@njit(**OPTIONS)
+def lift(shape, wall, way):
+    """Move a level surface up by a way (m)."""
+    shape[wall, START_Z if shape[wall, 0] == TURNED else HEIGHT] += way
+
+
+def motion_of(shape: np.ndarray) -> np.ndarray:
+    """Of every surface (n, 3): height (m) where it is level, speed upward (m/s), spin about the upright axis (rad/s)."""
+    return np.array([(height_of(shape, wall), *shape[wall, [RISE, TURN]]) for wall in range(len(shape))])

@@ -6,6 +6,7 @@ from math import hypot
 import numpy as np
 
 from silostudy.dem.arrays import Walls
+from silostudy.dem.drive import standing
 from silostudy.dem.space.surfaces import (
     ACROSS,
     COLUMNS,
@@ -132,6 +133,7 @@ def walls_of(surfaces) -> Walls:
         np.array([surface.shape for surface in surfaces], float).reshape(-1, COLUMNS),
         np.array([surface.live for surface in surfaces], bool),
         np.column_stack([np.cumsum(total) - total, counts]).reshape(-1, 3),
+        standing(len(counts)),
     )
 
 

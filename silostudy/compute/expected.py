@@ -1,0 +1,69 @@
+"""What a scene expects of its run, beside what the run came to."""
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from silostudy.config.grain_scenes import AnyScene
+from silostudy.dem.outcomes import OUTCOMES, Looks, Outcome
+from silostudy.dem.run import Run
+
+
+@dataclass(frozen=True)
+class Verdict:
+    """A published number of a quantity, how far a run may be off, and what the run came to; all in the quantity's unit."""
+
+    quantity: Outcome
+    value: float
+    tolerance: float
+    found: float
+    source: str
+
+    @property
+    def met(self) -> bool:
+        """Whether the run came as near as it must."""
+        return abs(self.found - self.value) <= self.tolerance
+
+    def __str__(self) -> str:
+        told = f"{self.quantity.key} {self.found:.4g} {self.quantity.unit}"
+        if np.isnan(self.found):
+            told = f"{self.quantity.key} not seen in this run"
+        met = "met" if self.met else "not met"
+        return f"{told}; published {self.value:g} +- {self.tolerance:.3g} ({self.source}): {met}"
+
+
+def verdicts(run: Run, scene: AnyScene) -> list[Verdict]:
+    """What each number that the scene expects came to."""
+    return [_verdict(_looks(run), asked) for asked in scene.expected]
+
+
+def notes_of(found: list[Verdict]) -> dict[str, Any]:
+    """Attributes of a cube: each quantity found, published, and its tolerance."""
+    parts = {"found": "found", "published": "value", "tolerance": "tolerance"}
+    return {
+        f"{name}_{verdict.quantity.key.replace('-', '_')}_{verdict.quantity.suffix}": float(getattr(verdict, part))
+        for verdict in found
+        for name, part in parts.items()
+    }
+
+
+def _verdict(looks: Looks, asked: Any) -> Verdict:
+    row = OUTCOMES[asked.kind]
+    arguments = {one.argument: getattr(asked, one.name) for one in row.asks if one.argument}
+    value, tolerance = (getattr(asked, f"{name}_{row.suffix}") for name in ("value", "tolerance"))
+    return Verdict(row, value, tolerance, row.find(looks, **arguments), f"{asked.source}, {asked.locator}")
+
+
+def _looks(run: Run) -> Looks:
+    """What the run recorded, as quantities are found from it."""
+    record, engine = run.recording, run.engine
+    weight = np.asarray(engine.gravity, float)
+    return Looks(
+        places=tuple(snapshot["motion"][:, : engine.space.ways] for snapshot in record.snapshots),
+        radii=tuple(np.asarray(engine.model.radius)[snapshot["label"]] for snapshot in record.snapshots),
+        times=tuple(float(snapshot["time"]) for snapshot in record.snapshots),
+        left_time=np.array(record.discharge_time),
+        left_mass=np.array(record.discharged),
+        up=-weight / np.linalg.norm(weight) if weight.any() else weight,
+    )

@@ -1,0 +1,45 @@
+"""What sweeps tell of a scene of spheres."""
+
+import numpy as np
+
+from silostudy.compute.scenes_windows import Numbers, Swept, at_rest_and_largest, by_body
+from silostudy.compute.sphere_cube import mean_outflow, passages
+from silostudy.dem.leaving import SPILT
+from silostudy.dem.run import Run
+from silostudy.dem.space.cells import uprightness
+from silostudy.scene.space_silo import FLOOR, HOPPER, LID, RIM, WALL
+
+BODIES = {"walls": (WALL,), "hopper": (HOPPER,), "floor": (FLOOR, RIM)}
+
+
+def numbers(run: Run, opening: float) -> Numbers:
+    """The numbers of a run whose first event came at a time (s), by the names of the contract."""
+    _, passed = passages(run)
+    found = {
+        "grains_at_start": np.array(len(run.engine.model.x)),
+        "grains_left": np.array(run.engine.n),
+        "passed_mass": np.array(passed.sum()),
+        "spilt_mass": np.array(run.recording.lost[SPILT]),
+        "mean_mass_flow": np.array(mean_outflow(run).get("mean_outflow_kg_s", np.nan)),
+    }
+    for name, sums in felt(run).items():
+        found[f"{name}_at_rest"], found[f"largest_{name}"] = at_rest_and_largest(run, opening, sums)
+    return found
+
+
+def felt(run: Run) -> dict[str, np.ndarray]:
+    """Normal force and downward force (N) on each body, mean of every window; missing where none were recorded."""
+    model, record = run.engine.model, run.recording
+    if not (model.watched and record.window):
+        missing = np.full((len(record.window), len(BODIES)), np.nan)
+        return {"body_normal_force": missing, "body_load": missing}
+    force = np.array(record.window)[:, :, :2, 0]
+    lean = np.repeat([uprightness(wall, wall.name == LID) for wall in model.walls],
+                     [int(np.prod(wall.cells)) for wall in model.walls], axis=0)  # fmt: skip
+    return {
+        "body_normal_force": by_body(run, force[:, :, 0], BODIES),
+        "body_load": by_body(run, (force * lean).sum(axis=2), BODIES),
+    }
+
+
+SPHERES = Swept(BODIES, numbers)

@@ -1,0 +1,57 @@
+"""Forces of whole windows before a run's first event and after it, and what sweeps tell of one sort of grains."""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+
+import numpy as np
+
+from silostudy.dem.run import Run
+from silostudy.dem.walls import sums_by_wall
+
+Numbers = dict[str, np.ndarray]
+
+
+@dataclass(frozen=True)
+class Swept:
+    """What sweeps tell of scenes of one sort of grains.
+
+    bodies: what bears on the grains -> the names that its walls have, or begin with; numbers(run, time of its first event) ->
+    those of a case.
+    """
+
+    bodies: Mapping[str, tuple[str, ...]]
+    numbers: Callable[[Run, float], Numbers]
+
+
+def at_rest_and_largest(run: Run, opening: float, sums: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """(value of the last window before `opening` (s), largest value of a window after) of each column of sums (window, ...).
+
+    Of whole windows: a mean over less is no match for them.  NaN where none is recorded before or after, or no event came.
+    """
+    time, whole = np.array(run.recording.window_time), whole_windows(run)
+    missing = np.full(sums.shape[1:], np.nan)
+    if not whole.any() or np.isnan(opening):
+        return missing, missing
+    time, sums = time[whole], sums[whole]
+    before = np.searchsorted(time, opening + 1e-9)
+    return (sums[before - 1] if before else missing), (sums[before:].max(axis=0) if before < len(sums) else missing)
+
+
+def whole_windows(run: Run) -> np.ndarray:
+    """Which windows are of full length."""
+    ends = np.array(run.recording.window_time)
+    return np.isclose(np.diff(ends, prepend=0.0), run.window * run.engine.model.dt)
+
+
+def by_body(run: Run, cells: np.ndarray, bodies: Mapping[str, tuple[str, ...]]) -> np.ndarray:
+    """Sums (window, body) of what cells (window, cell) hold over the walls of each body; a silo need not have all of them.
+
+    What is missing in a cell, as the load on a line is, adds nothing.
+    """
+    each = sums_by_wall(run.engine.model, np.nan_to_num(cells), axis=1)
+    found = {body: np.zeros(len(cells)) for body in bodies}
+    for body, stems in bodies.items():
+        for name, held in each.items():
+            if any(f"{name}_".startswith(f"{stem}_") for stem in stems):
+                found[body] += held
+    return np.column_stack(list(found.values()))

@@ -1,0 +1,84 @@
+"""What events of any grains say of a lid that is put down, pressed or moved, and of a feeder under the outlet."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, ClassVar, Self
+
+from pydantic import model_validator
+
+from silostudy.config.fields import described
+from silostudy.config.run import Waiting
+from silostudy.dem.events import TRIGGERS
+
+OF_LID = ("lower_lid", "press_lid", "move_lid")
+
+
+@dataclass(frozen=True)
+class Takes:
+    """Fields that something to do needs, and those that it may have beside them."""
+
+    needs: tuple[str, ...] = ()
+    may: tuple[str, ...] = ()
+
+
+class MovingEvent(Waiting):
+    """One event: it waits for the event before it, then for its trigger, then acts."""
+
+    takes: ClassVar[Mapping[str, Takes]] = {
+        "lower_lid": Takes(),
+        "press_lid": Takes(("stress_kPa",), ("speed_m_s", "lid_mass_kg")),
+        "move_lid": Takes(("speed_m_s",), ("until_stress_kPa", "until_height_m")),
+        "feed": Takes(("rate_kg_s",)),
+        "stop": Takes(),
+    }
+    if TYPE_CHECKING:
+        do: Any  # each kind of grains does its own
+
+    stress_kPa: float | None = described(
+        "press_lid: mean pressure that the lid comes to rest under, its own weight included; it bears down as a body of "
+        "lid_mass_kg in a drag of load over speed_m_s, until its load is borne",
+        "kPa",
+        gt=0,
+        default=None,
+    )
+    speed_m_s: float | None = described(
+        "move_lid: downward, negative lifts the lid, 0 stops it; press_lid: speed where nothing resists, null: 0.1",
+        "m s-1",
+        default=None,
+    )
+    lid_mass_kg: float | None = described(
+        "press_lid: inertia of the lid (of discs a metre thickness); null: the mass of all grains", "kg", gt=0, default=None
+    )
+    until_stress_kPa: float | None = described(
+        "move_lid: it stops in the step in which the grains press it with this mean pressure", "kPa", gt=0, default=None
+    )
+    until_height_m: float | None = described(
+        "move_lid: it stops at this height above the outlet; null: where the vertical walls begin or end",
+        "m",
+        ge=0,
+        default=None,
+    )
+    rate_kg_s: float | None = described(
+        "feed: a feeder under the closed outlet takes grains so fast, the lowest first (of discs a metre thickness); 0: none",
+        "kg s-1",
+        ge=0,
+        default=None,
+    )
+
+    @property
+    def of_lid(self) -> bool:
+        """Whether it needs a lid."""
+        return self.do in OF_LID or TRIGGERS[self.when].of_lid
+
+    @model_validator(mode="after")
+    def _has_what_it_takes(self) -> Self:
+        taken = self.takes[self.do]
+        given = {name for name in self.model_fields_set - {"do", "when", "value"} if getattr(self, name) is not None}
+        for name in taken.needs:
+            if name not in given:
+                raise ValueError(f"{self.do} needs {name}")
+        for name in sorted(given - {*taken.needs, *taken.may}):
+            raise ValueError(f"{self.do} takes no {name}; it takes {', '.join((*taken.needs, *taken.may)) or 'nothing'}")
+        if self.do == "press_lid" and self.speed_m_s is not None and not self.speed_m_s > 0.0:
+            raise ValueError("press_lid needs a speed_m_s above 0")
+        return self

@@ -1,0 +1,48 @@
+"""What a user writes to say what happens in a scene of spheres."""
+
+from collections.abc import Mapping
+from typing import ClassVar, Literal, Self
+
+from pydantic import model_validator
+
+from silostudy.config.fields import described
+from silostudy.config.moves import MovingEvent, Takes
+
+
+class SphereEventConfig(MovingEvent):
+    """One event: it waits for the event before it, then for its trigger, then acts."""
+
+    takes: ClassVar[Mapping[str, Takes]] = {
+        **MovingEvent.takes,
+        "open_outlet": Takes(),
+        "set_gravity": Takes(("gravity_m_s2",)),
+        "set_friction": Takes(may=("sphere_friction", "wall_friction", "surfaces")),
+        "rotate": Takes(("spin_rad_s", "surfaces")),
+    }
+
+    do: Literal[
+        "open_outlet", "set_gravity", "set_friction", "lower_lid", "press_lid", "move_lid", "feed", "rotate", "stop"
+    ] = described("what happens", "")
+    gravity_m_s2: tuple[float, float, float] | None = described("new gravity, x, y and z", "m s-2", default=None)
+    sphere_friction: float | None = described("new friction between spheres", ge=0, default=None)
+    wall_friction: float | None = described("new friction at all walls, or at surfaces", ge=0, default=None)
+    spin_rad_s: float | None = described(
+        "rotate: of surfaces of a circular silo about its upright axis, counter-clockwise from above; they stay where they "
+        "are and drag what touches them. A drum is such a silo with gravity across its axis",
+        "s-1",
+        default=None,
+    )
+    surfaces: tuple[str, ...] = described(
+        "rotate: the surfaces that turn: of a drum wall, floor and lid, of a shear cell the lid alone; set_friction: those "
+        "where wall_friction changes, by names as in the scene's surfaces, none: all walls",
+        "",
+        default=(),
+    )
+
+    @model_validator(mode="after")
+    def _has_what_it_needs(self) -> Self:
+        if self.do == "set_friction" and self.sphere_friction is None and self.wall_friction is None:
+            raise ValueError("set_friction needs sphere_friction or wall_friction")
+        if self.do == "set_friction" and self.surfaces and self.wall_friction is None:
+            raise ValueError("surfaces are where a wall_friction changes: give that too")
+        return self

@@ -1,0 +1,32 @@
+"""A feeder under a closed outlet: it takes bodies away at a rate of mass, one at a time, the lowest over the outlet first.
+
+It has no parts of its own: a body that has come down onto the plug of the outlet is taken when its mass is due.  Where none has
+come down, the feeder waits, and what it could not take then it does not make up for.
+"""
+
+from collections.abc import Callable
+
+import numpy as np
+
+DOWN = 0.05  # of its radius: a body whose gap to the plug is smaller has come down
+
+
+class Feeder:
+    """mouth(places) -> which places (n, d; m) stand over the outlet; it stands still until its rate (kg/s) is set."""
+
+    def __init__(self, mouth: Callable[[np.ndarray], np.ndarray], plug: float = 0.0):
+        self.mouth, self.plug = mouth, plug  # plug: its height, m
+        self.rate, self.owed = 0.0, 0.0  # owed: mass that is due, kg
+
+    def take(self, engine, seconds: float) -> np.ndarray:
+        """Which bodies go, after some seconds more."""
+        self.owed += self.rate * seconds
+        place, radius, mass = engine.bodies.rows[: engine.n, engine.space.place], engine.radius, engine.mass
+        gap = place[:, -1] - radius - self.plug
+        ready = np.flatnonzero((gap < DOWN * radius) & self.mouth(place)) if self.rate > 0.0 else np.zeros(0, int)
+        ready = ready[np.argsort(gap[ready], kind="stable")]
+        count = int(np.searchsorted(np.cumsum(mass[ready]), self.owed, side="right"))
+        self.owed -= float(mass[ready[:count]].sum())
+        if count == len(ready):
+            self.owed = min(self.owed, float(mass.max(initial=0.0)))
+        return np.isin(np.arange(engine.n), ready[:count])

@@ -1,0 +1,29 @@
+"""What a run keeps of itself."""
+
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from silostudy.dem.engine import Explosion
+from silostudy.dem.events import Event
+from silostudy.dem.leaving import WAYS
+
+
+@dataclass
+class Recording:
+    """What a run has recorded: windows of wall forces, discharge, snapshots, the events that happened."""
+
+    window_time: list[float] = field(default_factory=list)  # s, end of each window; the last may be shorter
+    window: list[np.ndarray] = field(default_factory=list)  # (cells, 2, 3): mean, least, largest
+    motion: list[np.ndarray] = field(default_factory=list)  # (walls, 3) height (m), rise (m/s), turn (rad/s), with each window
+    energy: list[np.ndarray] = field(default_factory=list)  # J/m, entries of the ledger, with each window
+    discharge_time: list[float] = field(default_factory=list)
+    discharged: list[float] = field(default_factory=list)  # kg/m
+    left: dict[str, int] = field(default_factory=lambda: dict.fromkeys(WAYS, 0))  # discs that are gone, by their way
+    lost: dict[str, float] = field(default_factory=lambda: dict.fromkeys(WAYS, 0.0))  # their mass, kg/m
+    passed: list[tuple[float, float]] = field(default_factory=list)  # s at which a body came below the outlet, and its mass
+    snapshots: list[dict[str, np.ndarray]] = field(default_factory=list)
+    happened: list[tuple[float, str, str]] = field(default_factory=list)  # time, trigger, action
+    explosion: Explosion | None = None
+    waiting: Event | None = None  # what the time limit came before
+    buried: str = ""  # what had no room to come in

@@ -1,0 +1,96 @@
+"""About what a discrete-element scene costs, before anything of it is built."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from math import pi, sqrt
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from silostudy.config.dem import DemScene
+from silostudy.config.grain_scenes import AnyScene
+from silostudy.config.spheres import SphereScene
+from silostudy.contact.family import Touch
+from silostudy.dem.stability import DEEP
+from silostudy.packing import PACKINGS
+from silostudy.packing.filling import FILLINGS
+from silostudy.packing.sizes import SIZES
+from silostudy.scene.scenes import SceneCase
+from silostudy.scene.spheres import contacts_of, grain_of
+
+START = 0.02  # s: building a scene
+LINE = 100  # bytes of a body in a file
+UNKNOWN = np.array([1e-3])  # m: radius of spheres whose sizes stand in a file
+DRAWN = 200  # sizes that the ends of a distribution are guessed from
+
+
+@dataclass(frozen=True)
+class Costs:
+    """count(scene, folder) -> bodies; step(scene) -> s that the engine takes about; each, look: s of CPU time.
+
+    each: of a body in a step, look: of a step besides, most of it looks at rest and at what has left.
+    """
+
+    count: Callable[[Any, Path], float]
+    step: Callable[[Any], float]
+    each: float
+    look: float
+
+
+def cost(case: SceneCase) -> float:
+    """About how long (s) a case computes, at most: bodies times steps to its end."""
+    scene, folder = case.config, case.folder
+    costs = COSTS[scene.grains]
+    step = scene.march.step_s or costs.step(scene)
+    return START + duration(scene) / step * (costs.look + costs.count(scene, folder) * costs.each)
+
+
+def duration(scene: AnyScene) -> float:
+    """Model time (s) to the stop where events have their times, else to the limit."""
+    now = 0.0
+    for event in scene.events:
+        if event.when not in ("time", "after"):
+            return scene.march.limit_s
+        now = event.value + (now if event.when == "after" else 0.0)
+    return min(now, scene.march.limit_s)
+
+
+def _discs(scene: DemScene, folder: Path) -> float:
+    section, packing = scene.packing, PACKINGS[scene.packing.kind]
+    if packing.count is not None:
+        return packing.count(scene.radius_m, **packing.arguments(section))
+    return _in_file(folder / section.file)
+
+
+def _disc_step(scene: DemScene) -> float:
+    mass = scene.density_kg_m3 * pi * scene.radius_m**2
+    stiffness = (scene.walls or scene.discs).normal_stiffness_N_m2 or scene.discs.normal_stiffness_N_m2
+    return 0.4 * sqrt(mass / stiffness) if stiffness else 2e-5
+
+
+def _spheres(scene: SphereScene, folder: Path) -> float:
+    filling = scene.filling
+    return _in_file(folder / filling.file) if FILLINGS[filling.kind].from_file else filling.count
+
+
+def _sphere_step(scene: SphereScene) -> float:
+    """From the smallest sphere's mass and the stiffness of two of them at the overlap at which the engine takes it."""
+    radii, sizes = UNKNOWN, scene.sizes
+    if sizes is not None:
+        radii = SIZES[sizes.kind].radii(np.random.default_rng(0), DRAWN, sizes)
+    least, most = float(radii.min()), float(radii.max())
+    mass, (between, _) = grain_of(scene).density * 4.0 / 3.0 * pi * least**3, contacts_of(scene)
+    stiffness = float(between.laws.normal.stiffness(DEEP * most, Touch(mass / 2.0, least / 2.0, 1.0), between.ordered[0]))
+    return 0.09 * sqrt(mass / stiffness)
+
+
+def _in_file(path: Path) -> float:
+    """About how many bodies a file holds."""
+    return path.stat().st_size / LINE if path.is_file() else 1
+
+
+COSTS = {
+    "discs": Costs(_discs, _disc_step, 35e-9, 0.0),  # `silostudy explain config/scenes/kiyama-17-18.yaml`, with its looks
+    "spheres": Costs(_spheres, _sphere_step, 45e-9, 2e-5),  # of config/scenes/wheat-bin.yaml and of tests' small bin
+}

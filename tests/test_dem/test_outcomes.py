@@ -1,0 +1,81 @@
+"""Quantities of a run against what its arrays were made with."""
+
+from math import radians, tan
+
+import numpy as np
+import pytest
+
+from silostudy.config.load import own_validated
+from silostudy.config.spheres import SphereScene
+from silostudy.dem.outcomes import OUTCOMES, Looks
+from silostudy.errors import BadInput
+from tests.test_spheres.small import content
+
+UP = np.array([0.0, 0.0, 1.0])
+PUBLISHED = {"value_deg": 26.0, "tolerance_deg": 3.0, "source": "somebody", "locator": "page 1"}
+SURFACE = {"kind": "surface-angle", "along": "x", "from_m": -0.1, "to_m": 0.1}
+
+
+def looks(*places, radius=0.002, **others):
+    """What a run recorded, of equal grains."""
+    told = {"left_time": np.empty(0), "left_mass": np.empty(0), "up": UP} | others
+    radii = tuple(np.full(len(place), radius) for place in places)
+    return Looks(places=places, radii=radii, times=tuple(map(float, range(len(places)))), **told)
+
+
+def heap(slope):
+    """Places under a plane that falls along x, which some of them touch everywhere."""
+    random = np.random.default_rng(1)
+    x, y = random.uniform(-0.1, 0.1, (2, 40000))
+    return np.c_[x, y, slope * x - np.where(random.uniform(size=x.size) < 0.5, 0.0, random.uniform(0.0, 0.1, x.size))]
+
+
+@pytest.mark.parametrize("angle", [0.0, 12.0, -26.0])
+def test_angle_of_a_plane_surface(angle):
+    found = OUTCOMES["surface-angle"].find(looks(heap(tan(radians(angle)))), along="x", start=-0.09, end=0.09, after=0.0)
+    assert found == pytest.approx(abs(angle), abs=0.3)
+
+
+def test_angle_is_the_mean_of_the_snapshots_after_a_time():
+    surface = looks(*(heap(tan(radians(angle))) for angle in (40.0, 20.0, 30.0)))
+    assert OUTCOMES["surface-angle"].find(surface, along="x", start=-0.09, end=0.09, after=1.0) == pytest.approx(25.0, abs=0.3)
+
+
+def test_angle_with_gravity_along_another_way():
+    turned = heap(tan(radians(20.0)))[:, [2, 1, 0]]
+    surface = looks(turned, up=np.array([1.0, 0.0, 0.0]))
+    assert OUTCOMES["surface-angle"].find(surface, along="z", start=-0.09, end=0.09, after=0.0) == pytest.approx(20.0, abs=0.3)
+
+
+def test_height_counts_the_radius_and_the_floor():
+    place = np.array([[0.0, 0.0, -0.56], [0.1, 0.0, -0.3]])
+    assert OUTCOMES["heap-height"].find(looks(place * 9.0, place), floor=-0.57) == pytest.approx(0.272, rel=1e-12)
+
+
+def test_outflow_leaves_out_the_start_and_the_end():
+    time = np.linspace(1.0, 3.0, 201)
+    mass = 0.5 * (time - 1.0) + 0.05 * np.where(time < 1.2, np.sin(40.0 * time), 0.0)  # kg, unsteady at first
+    late = np.where(time > 2.9, 0.5 * 1.9, mass)  # and held back at last
+    found = OUTCOMES["steady-outflow"].find(looks(left_time=time, left_mass=late))
+    assert found == pytest.approx(0.5, rel=1e-9)
+
+
+@pytest.mark.parametrize("quantity", ["steady-outflow", "heap-height", "surface-angle"])
+def test_nothing_recorded_gives_no_number(quantity):
+    given = {"heap-height": {"floor": 0.0}, "surface-angle": {"along": "x", "start": 0.0, "end": 1.0, "after": 0.0}}
+    assert np.isnan(OUTCOMES[quantity].find(looks(), **given.get(quantity, {})))
+
+
+@pytest.mark.parametrize(
+    ("expected", "told"),
+    [
+        ({**PUBLISHED, **SURFACE, "along": "w"}, "along"),
+        ({**PUBLISHED, **SURFACE, "tolerance_deg": 0.0}, "tolerance_deg"),
+        ({**PUBLISHED, **SURFACE, "kind": "angle"}, "steady-outflow"),
+        ({**PUBLISHED, **SURFACE}, "needs record.snapshots_s"),
+    ],
+)
+def test_what_cannot_be_expected(expected, told):
+    scene = content() | {"expected": [expected], "record": {}}
+    with pytest.raises(BadInput, match=told):
+        own_validated(SphereScene, scene, "scene.yaml", None)
