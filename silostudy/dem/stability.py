@@ -241,8 +241,8 @@ def _on_lid(model: Model, strengths) -> float:
     """What a lid of a mass adds at most (1/s2 or 1/s) when it touches as many bodies as it can: rows of one more motion."""
     if model.lid is None:
         return 0.0
-    lightest = np.array([int(np.argmin(model.mass))])
-    return float(model.lid.touching * strengths(model.wall_contact, model, lightest, None)[0][0] / model.lid.mass)
+    strongest = max(strengths(contact, model, one, None)[0][0] for contact, one, other in _lone(model) if other is None)
+    return float(model.lid.touching * strongest / model.lid.mass)
 
 
 def _largest(model: Model, network: list[tuple], lone: list[tuple], strengths) -> float:
