@@ -7,15 +7,20 @@ from silostudy.dem.events import TRIGGERS, Event
 from silostudy.dem.space.surfaces import CIRCLE
 from silostudy.dem.space.walls import TurnedLine
 from silostudy.errors import BadInput
+from silostudy.scene.dem import walls_of_event
 from silostudy.scene.lid import lid_action
 from silostudy.scene.space_silo import AROUND, FLOOR, SpaceSilo
 
 
-def sphere_events(scene: SphereScene, space: SpaceSilo, mass: float) -> tuple[Event, ...]:
-    """Events in the engine's words; mass: of all spheres, kg."""
-    return tuple(
-        Event(event.when, event.value * TRIGGERS[event.when].scale, *_action(event, space, mass)) for event in scene.events
-    )
+def sphere_events(scene: SphereScene, space: SpaceSilo, mass: float, where: str = "") -> tuple[Event, ...]:
+    """Events in the engine's words; mass: of all spheres, kg. BadInput for friction at a surface that there is none."""
+    found = []
+    for number, event in enumerate(scene.events):
+        action, what = _action(event, space, mass)
+        if action == "friction":
+            what = (*what, walls_of_event(event.surfaces, [wall.name for wall in space.walls()], number, where))
+        found.append(Event(event.when, event.value * TRIGGERS[event.when].scale, action, what))
+    return tuple(found)
 
 
 def _action(event: SphereEventConfig, space: SpaceSilo, mass: float) -> tuple[str, tuple]:
