@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from silostudy.compute.branches import end_for
 from silostudy.compute.checkpoints import resume, save
 from silostudy.compute.dem_files import given_discs, given_spheres, quake_steps
 from silostudy.config.dem import DemScene
@@ -28,20 +29,26 @@ from silostudy.scene.spheres import rain_of, space_silo_of
 from silostudy.scene.spheres_model import sphere_model
 
 
-@singledispatch
 def scene_model(scene: AnyScene, folder: Path, where: str = "") -> Model:
     """The engine's model of a scene; BadInput for a start or a step that cannot be."""
+    model = _started(scene, folder, where)
+    return replace(model, end=end_for(scene, model, folder, where)) if scene.start_from else model
+
+
+@singledispatch
+def _started(scene: AnyScene, folder: Path, where: str) -> Model:
+    """The model at its start, or at that of the run that it goes on from."""
     raise TypeError(type(scene))
 
 
-@scene_model.register
-def _(scene: SphereScene, folder: Path, where: str = "") -> Model:
+@_started.register
+def _(scene: SphereScene, folder: Path, where: str) -> Model:
     given = given_spheres(scene.filling.file, folder) if FILLINGS[scene.filling.kind].from_file else None
     return sphere_model(scene, given, where)
 
 
-@scene_model.register
-def _(scene: DemScene, folder: Path, where: str = "") -> Model:
+@_started.register
+def _(scene: DemScene, folder: Path, where: str) -> Model:
     discs = given_discs(scene.packing.file, folder) if PACKINGS[scene.packing.kind].from_file else placed(scene)
     model = unshaken_scene_model(scene, discs, where)
     if scene.quake is None:

@@ -33,7 +33,7 @@ def cube_of(run: Run, scene: AnyScene, choice: Choice | None = None) -> xr.Datas
         **promises([choice] if choice else []),
         **scene.own_methods,
         "time_step_s": model.dt,
-        "steps": run.engine.step,
+        "steps": run.engine.step - run.began,
         f"{body}s_left": run.engine.n,
         **{f"{body}s_{way}": count for way, count in record.left.items()},
         **notes_of(verdicts(run, scene)),

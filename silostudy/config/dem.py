@@ -136,7 +136,7 @@ class DemScene(Asked, GrainScene):
     def named_files(self) -> tuple[str, ...]:
         """Files that the scene is made from."""
         packed = (self.packing.file,) if PACKINGS[self.packing.kind].from_file else ()
-        return (*packed, *([self.quake.file] if self.quake else []))
+        return (*packed, *([self.quake.file] if self.quake else []), *self.branched_from)
 
     @property
     def surface_contacts(self) -> dict[str, ContactConfig]:

@@ -81,6 +81,9 @@ class Recorded(Strict):
     energy: bool = described("whether the energy ledger is kept", "", default=False)
     paraview: bool = described("whether the snapshots are also written for ParaView", "", default=False)
     checkpoint_every_s: float | None = described("model time between checkpoints", "s", gt=0, default=None)
+    keep_end: bool = described(
+        "whether where the run ends is kept beside the cube (SCENE.end), for scenes that start_from it", "", default=False
+    )
 
 
 class GrainScene(OwnMethods):
@@ -89,6 +92,13 @@ class GrainScene(OwnMethods):
     title: str = described("title of the scene", "")
     march: MarchConfig = described("the march in time", "")
     rest: RestConfig = described("what `when: rest` waits for", "", default=RestConfig())
+    start_from: str | None = described(
+        "end of an earlier run (record.keep_end), relative to this file: this one goes on from there with the clock; grains, "
+        "laws, stiffness and what stands of the silo must be the same; frictions, gravity, an outlet still shut, events, "
+        "records and the limit may be others; null: it starts",
+        "",
+        default=None,
+    )
     seed: int = described("seed of the random numbers; beyond 2^53 numbers of a sweep coincide", ge=0, le=2**53, default=0)
     expected: tuple[ExpectedConfig, ...] = described(
         "published numbers that the run is held against at its end", "", default=()
@@ -101,6 +111,11 @@ class GrainScene(OwnMethods):
     @abstractmethod
     def touches(self) -> tuple[LawsConfig, LawsConfig]:
         """How two grains push each other, and walls push them."""
+
+    @property
+    def branched_from(self) -> tuple[str, ...]:
+        """The file of the end that the scene goes on from, where it does."""
+        return (self.start_from,) if self.start_from else ()
 
     @model_validator(mode="after")
     def _recorded_in_time(self) -> Self:

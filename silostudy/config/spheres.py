@@ -175,7 +175,8 @@ class SphereScene(GrainScene):
     @property
     def named_files(self) -> tuple[str, ...]:
         """Files that the scene is made from."""
-        return (self.filling.file,) if FILLINGS[self.filling.kind].from_file else ()
+        filled = (self.filling.file,) if FILLINGS[self.filling.kind].from_file else ()
+        return (*filled, *self.branched_from)
 
     @model_validator(mode="after")
     def _sizes_known(self) -> Self:

@@ -4,6 +4,7 @@ from collections.abc import Callable
 
 import numpy as np
 
+from silostudy.dem.branch import go_on
 from silostudy.dem.change import keep_discs, set_friction, swap_walls
 from silostudy.dem.checkpoint import checkpoint, restore
 from silostudy.dem.engine import Engine, Explosion
@@ -50,7 +51,10 @@ class Run:
         self.next_event, self.since, self.opened = 0, 0, engine.step
         self.full = float(engine.model.mass.sum())
         self.come, self.came = engine.n, engine.step  # how many bodies have come in, and when the last of them did
+        self.began, self.gone = engine.step, 0.0  # a branch goes on with the clock; mass (kg/m) that had left before
         self.floor = lowest(engine.model)
+        if engine.model.end is not None:
+            go_on(self, engine.model.end)
 
     @property
     def done(self) -> bool:
@@ -67,7 +71,7 @@ class Run:
     def go(self, *, until: int | None = None, tell: Callable[[int], None] = lambda step: None) -> Recording:
         """Run to the stop, or to `until` steps; `tell` hears the step now and then."""
         try:
-            if self.engine.step == 0:
+            if self.engine.step == self.began:
                 self._begin()
             while not self.done and (until is None or self.engine.step < until):
                 self.engine.step_to(self._next_stop(until))
@@ -81,8 +85,9 @@ class Run:
 
     def _begin(self) -> None:
         """A snapshot of the start, where one is asked for, and the events that are due at once."""
-        self._pour()
-        if 0 in self.snapshots and not self.recording.snapshots:
+        if not self.began:
+            self._pour()
+        if self.began in self.snapshots and not self.recording.snapshots:
             self.recording.snapshots.append(self.snapshot())
         self._act_where_due()
 
@@ -103,7 +108,7 @@ class Run:
         if TRIGGERS[event.trigger].of_lid:
             return f"the lid stands {lid_height(self.engine):.4g} m high under {1e-3 * lid_stress(self.engine):.4g} kPa"
         if event.trigger == "discharged":
-            return f"a share of {self.dropped / self.full:.3g} has left"
+            return f"a share of {(self.gone + self.dropped) / self.full:.3g} has left"
         return f"due at {self._due() * self.engine.model.dt:.6g} s"
 
     def insert(self, event: Event) -> None:
@@ -157,7 +162,7 @@ class Run:
             return lid_rests(self.engine)
         if event.trigger == "lid_stress":
             return lid_stress(self.engine) >= event.value
-        return self.dropped >= event.value * self.full
+        return self.gone + self.dropped >= event.value * self.full
 
     def _pour(self) -> None:
         """Let those in that are due, as far as they find room; where none does for long, the run ends."""
@@ -252,10 +257,11 @@ class Run:
             record.discharged.append(self.dropped)
 
     def passing(self, which: np.ndarray) -> list[tuple[float, float]]:
-        """When (s) bodies among those left came below the outlet, each with its mass."""
+        """When (s) bodies among those left came below the outlet since the run began, each with its mass."""
         engine = self.engine
         steps, mass = engine.space.passed_for(engine.bodies.rows[: engine.n]), engine.mass
-        return [((engine.step - steps[i]) * engine.model.dt, float(mass[i])) for i in np.flatnonzero(which & (steps > 0.0))]
+        passed = np.flatnonzero(which & (steps > 0.0) & (engine.step - steps >= self.began))
+        return [((engine.step - steps[i]) * engine.model.dt, float(mass[i])) for i in passed]
 
     def _close_window(self) -> None:
         """Keep the window of wall forces up to now, the last of a run also where it is not full."""
