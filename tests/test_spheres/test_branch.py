@@ -1,5 +1,7 @@
 """Branches of runs of spheres: rain, spins, springs and the meter go on; one filling is opened in several ways."""
 
+import copy
+
 import numpy as np
 import pytest
 import yaml
@@ -24,14 +26,14 @@ def stop(time):
 
 
 def ended(folder, *events, **changes):
-    scene = scene_of(events=[*events], **FLAT | changes)
+    scene = scene_of(events=[*events], **copy.deepcopy(FLAT) | changes)
     run = carried(scene)
     keep_end(run, folder / "first.end")
     return run, cube_of(run, scene)
 
 
 def branched(folder, *events, threads=1, **changes):
-    scene = scene_of(events=[*events], start_from="first.end", **FLAT | changes)
+    scene = scene_of(events=[*events], start_from="first.end", **copy.deepcopy(FLAT) | changes)
     run = run_of(scene, scene_model(scene, folder, "branch.yaml"), threads=threads)
     run.go()
     return run, cube_of(run, scene)
