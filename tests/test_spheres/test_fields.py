@@ -98,7 +98,7 @@ def test_momentum_flow_is_that_of_the_grains():
 def test_every_slice_of_a_stack_carries_what_is_above_less_what_the_floor_gives(monkeypatch):
     """The boundary term closes the balance also where the kernel reaches through the floor; a fine sample, for one stack."""
     fine = sample.__wrapped__
-    monkeypatch.setattr(coarse, "POINTS", 1024)
+    monkeypatch.setattr(coarse, "POINTS", 512)
     monkeypatch.setattr(coarse, "LINES", 16)
     monkeypatch.setattr(coarse, "sample", fine)
     now, high = stack(5), 0.001
