@@ -189,6 +189,9 @@ class SphereScene(GrainScene):
         record = self.record
         if self.outputs and not (record.wall_force_window_s and (record.snapshots_s or record.snapshots_every_s)):
             raise ValueError("outputs need record.wall_force_window_s, and record.snapshots_every_s or snapshots_s")
+        for key in self.outputs:
+            if "rings" in OUTPUTS[key].demands and (record.fields is None or len(record.fields.cells) != 2):
+                raise ValueError(f"{key} needs record.fields with two numbers of cells")
         return self
 
     @model_validator(mode="after")

@@ -116,4 +116,5 @@ def test_every_output_has_its_file():
             "identification",
             "earthquake",
             "prices",
+            "rings",
         }
