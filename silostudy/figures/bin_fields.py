@@ -19,7 +19,7 @@ SHOWN = {
     "solid_fraction": ("solid fraction (volume over volume)", "viridis"),
     "speed_m_s": ("speed (m/s)", "YlOrRd"),
     "vertical_stress_kPa": ("vertical stress (kPa)", "cividis"),
-    "stress_ratio": ("lateral over vertical stress", "PuOr"),
+    "stress_ratio": ("lateral over vertical stress", "magma_r"),
 }
 PHASES = ("at rest", "in discharge")
 
@@ -34,12 +34,16 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
         found = _halves(panel, cells, name, colours, bins.outline_of(cube))
         bins.outline(panel, cube)
         panel.set(xlabel="distance from the axis (cm)", xlim=(-half - 0.3, half + 0.3), ylim=(-0.3, high), aspect="equal")
+        panel.xaxis.set_major_formatter(lambda value, _: f"{abs(value):g}")
         panel.axvline(0.0, color="white", linewidth=0.8, gid=AID)
         panel.set_title("at rest | in discharge", fontsize=8)
         panel.grid(False)
         figure.colorbar(found, ax=panel, location="bottom", label=label, shrink=0.9)
     panels[0].set_ylabel("height above the outlet (cm)")
     figure.suptitle(f"{cube.attrs['title']}\n{_message(cube, cells)}", fontsize=10)
+    figure.supxlabel(
+        f"within {_reach(cube):.1f} cm of walls and surface the kernel reaches beyond them: fields fade", fontsize=7
+    )
     save(figure, cells, stem)
 
 
@@ -81,14 +85,15 @@ def _phase(cube: xr.Dataset, name: str) -> pd.DataFrame:
 
 
 def _halves(panel: Axes, cells: pd.DataFrame, name: str, colours: str, inside: np.ndarray) -> QuadMesh:
-    """Cells of the phases left and right of the axis, cut off at the walls."""
-    most = float(cells[name].quantile(0.99))
-    for phase, side in zip(PHASES, (-1.0, 1.0), strict=True):
-        part = cells[cells["phase"] == phase] if (cells["phase"] == phase).any() else cells
-        r, z = np.unique(part["distance_cm"]), np.unique(part["height_cm"])
-        values = part[name].to_numpy().reshape(len(r), len(z)).T
-        found = panel.pcolormesh(side * _edges(r), _edges(z), values, cmap=colours, vmin=0.0, vmax=most)
-        found.set_clip_path(Polygon(inside * CM, transform=panel.transData))
+    """Cells of the phases left and right of the axis, cut off at the walls; without a discharge both sides are at rest."""
+    r, z = np.unique(cells["distance_cm"]), np.unique(cells["height_cm"])
+    sides = [part[name].to_numpy().reshape(len(r), len(z)).T for _, part in cells.groupby("phase", sort=False)]
+    edges = _edges(r)
+    found = panel.pcolormesh(
+        np.append(-edges[:0:-1], edges), _edges(z), np.hstack([sides[0][:, ::-1], sides[-1]]), cmap=colours,
+        vmin=0.0, vmax=float(cells[name].quantile(0.99)),
+    )  # fmt: skip
+    found.set_clip_path(Polygon(inside * CM, transform=panel.transData))
     return found
 
 
@@ -99,14 +104,27 @@ def _edges(middles: np.ndarray) -> np.ndarray:
 
 
 def _message(cube: xr.Dataset, cells: pd.DataFrame) -> str:
-    """What the figure shows, in a sentence: means over the bulk above the hopper."""
+    """What the figure shows, in a sentence: means over the bulk between the upright walls, away from them."""
     low, half = (float(cube.attrs[name]) * CM for name in ("transition_height_m", "half_width_m"))
-    reach = 2.0 * float(cube.attrs["field_width_m"]) * CM
-    inner = (cells["height_cm"] > low) & (cells["distance_cm"] < max(half - reach, 0.5 * half)) & cells["stress_ratio"].notna()
-    told = []
-    for phase, part in cells[inner].groupby("phase", sort=False):
-        weight = part["volume_cm3"] / part["volume_cm3"].sum()
-        load = part["vertical_stress_kPa"] * weight
-        ratio = float((part["stress_ratio"] * load).sum() / load.sum())
-        told.append(f"{phase} solid fraction {float((part['solid_fraction'] * weight).sum()):.2f}, stress ratio {ratio:.2f}")
-    return "above the hopper and away from the wall: " + "; ".join(told)
+    inner = (cells["height_cm"] > low) & (cells["distance_cm"] < max(half - _reach(cube), 0.5 * half))
+    parts = [part for _, part in cells[inner & cells["stress_ratio"].notna()].groupby("phase", sort=False)]
+    ratios = [np.average(part["stress_ratio"], weights=part["vertical_stress_kPa"] * part["volume_cm3"]) for part in parts]
+    fractions = [np.average(part["solid_fraction"], weights=part["volume_cm3"]) for part in parts]
+    ratio = "the ratio of lateral to vertical stress between the upright walls"
+    if len(parts) < len(PHASES):
+        told = [f"{values[0]:.2f}" if values else "unknown" for values in (ratios, fractions)]
+        return f"At rest {ratio} is {told[0]}, the solid fraction {told[1]}"
+    return f"In discharge {ratio} {_went(ratios)}, the solid fraction {_went(fractions)}"
+
+
+def _went(values: list) -> str:
+    """How a number changed, in words."""
+    before, after = (f"{value:.2f}" for value in values)
+    if before == after:
+        return f"stays at {before}"
+    return f"{'rises' if values[1] > values[0] else 'falls'} from {before} to {after}"
+
+
+def _reach(cube: xr.Dataset) -> float:
+    """How far (cm) the kernel spreads what a grain has."""
+    return 2.0 * float(cube.attrs["field_width_m"]) * CM
