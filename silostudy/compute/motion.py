@@ -58,7 +58,7 @@ def _filmed(study, case, number: int) -> Film:
     config = case.scene.config
     rested = settle(study, config, number)
     frames: list[Frame] = []
-    found = discharge(study, config, rested, lambda run: frames.append(run.snapshot()))
+    found = discharge(study, config, rested, lambda run: frames.append(snapshot(run.engine)))
     sides = cells_of(rested).sides
     means = found.windows[:, sides][..., MEAN]  # (windows, 2 walls, cells, 2 ways)
     means = means.reshape(-1, SAMPLE, *means.shape[1:]).mean(axis=1)

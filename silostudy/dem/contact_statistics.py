@@ -7,6 +7,7 @@ import numpy as np
 from silostudy.contact import spring
 from silostudy.dem.coarse import branches
 from silostudy.dem.snapshot import Contacts, length, pair_contacts, wall_contacts
+from silostudy.dem.varied import set_of_pair
 
 HELD = 2  # contacts that a body needs to be held: one with fewer is a rattler
 SLIDING = 0.999  # of friction times normal force: from there on a contact counts as sliding
@@ -64,9 +65,12 @@ def sliding_share(engine, pairs: Contacts, branch: np.ndarray) -> float:
     An attraction is no part of what friction takes, or not all of it: the whole normal force does not tell the cap then.
     """
     contact = engine.contacts[0]
-    friction = contact.coefficients.get(spring.FRICTION.name)
-    if friction is None or not len(branch) or contact.laws.cohesion.acts:
+    if spring.FRICTION not in contact.laws.tangential.coefficients or not len(branch) or contact.laws.cohesion.acts:
         return np.nan
+    kind = np.empty(engine.most, int)
+    kind[engine.labels] = engine.kind
+    sets, which = np.unique(set_of_pair(kind[pairs.first], kind[pairs.second]), return_inverse=True)
+    friction = np.array([contact.numbered(each).coefficients[spring.FRICTION.name] for each in sets])[which]
     normal = branch / length(branch)[:, None]
     pressing = (pairs.force * normal).sum(axis=1)
     drag = length(pairs.force - pressing[:, None] * normal)

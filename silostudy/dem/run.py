@@ -16,7 +16,7 @@ from silostudy.dem.observer import Observer
 from silostudy.dem.rain import Rain, pour
 from silostudy.dem.recording import Recording
 from silostudy.dem.rest import PAPER, Look, Rest
-from silostudy.dem.snapshot import held_energy, length, pair_contacts, wall_contacts
+from silostudy.dem.snapshot import held_energy, length, snapshot
 from silostudy.errors import BadInput
 
 CHECK_EVERY = 200  # steps between looks at rest, discharge and drop-outs: counted from the start, so chunks do not matter
@@ -86,7 +86,7 @@ class Run:
         """A snapshot of the start, where one is asked for, and the events that are due at once."""
         self._pour()
         if 0 in self.snapshots and not self.recording.snapshots:
-            self.recording.snapshots.append(self.snapshot())
+            self.recording.snapshots.append(snapshot(self.engine))
         self._act_where_due()
 
     @property
@@ -134,7 +134,7 @@ class Run:
         if self.window and step % self.window == 0:
             self._close_window()
         if step in self.snapshots:
-            self.recording.snapshots.append(self.snapshot())
+            self.recording.snapshots.append(snapshot(self.engine))
         for observer in self.observers:
             if observer.due(step) and self.engine.n:
                 self.recording.readings.setdefault(observer.name, []).append((self.engine.time, observer.read(self.engine)))
@@ -294,14 +294,3 @@ class Run:
         self.recording = saved["recording"]
         if self.feeder:
             self.feeder.rate, self.feeder.owed = saved["fed"]
-
-    def snapshot(self) -> dict[str, np.ndarray]:
-        """Places, velocities and force chains now."""
-        engine = self.engine
-        return {
-            "time": np.array(engine.time),
-            "label": engine.labels.copy(),
-            "motion": engine.bodies.rows[: engine.n, : engine.space.motion].copy(),
-            "pairs": pair_contacts(engine).table,
-            "walls": wall_contacts(engine).table,
-        }

@@ -94,6 +94,17 @@ def wall_contacts(engine) -> Contacts:
     return Contacts(engine.labels[i], q, place - from_walls(engine, q, place), force)
 
 
+def snapshot(engine) -> dict[str, np.ndarray]:
+    """Places, velocities and force chains now."""
+    return {
+        "time": np.array(engine.time),
+        "label": engine.labels.copy(),
+        "motion": engine.bodies.rows[: engine.n, : engine.space.motion].copy(),
+        "pairs": pair_contacts(engine).table,
+        "walls": wall_contacts(engine).table,
+    }
+
+
 def from_walls(engine, walls: np.ndarray, places: np.ndarray) -> np.ndarray:
     """Vector (n, d; m) from the nearest point of each wall to each place."""
     space, shape = engine.space, engine.walls.shape

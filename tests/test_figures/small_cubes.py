@@ -174,7 +174,7 @@ def bin_cube() -> xr.Dataset:
         record.snapshots.append(
             {"time": np.array(time), "label": np.arange(120), "motion": motion, "pairs": none, "walls": none}
         )
-    (fields,), cells = task.observers, grid_of(scene, scene.record.fields, model).cells
+    (fields, *_), cells = task.observers, grid_of(scene, scene.record.fields, model).cells
     for number in range(4):
         shapes = (cells,), (cells, 3), (cells, 3, 3), (cells, 3, 3), (cells, 3)
         record.readings.setdefault(fields.name, []).append(

@@ -117,4 +117,5 @@ def test_every_output_has_its_file():
             "earthquake",
             "prices",
             "rings",
+            "only_spheres",
         }
