@@ -10,6 +10,7 @@ from silostudy.compute.packing import SOURCES
 from silostudy.compute.packing_measure import MEAN, cells_of
 from silostudy.compute.packing_run import SAMPLE, WINDOW, discharge, settle
 from silostudy.cube.assemble import assemble
+from silostudy.dem.snapshot import snapshot
 from silostudy.errors import BadInput
 from silostudy.scene.expand import Expansion
 
