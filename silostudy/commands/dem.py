@@ -148,9 +148,12 @@ def keep(task, scene, choice, output: Path) -> None:
     from silostudy.compute.paraview import export
     from silostudy.cube.io import write
 
-    write(cube_of(task, scene, choice), output)
+    cube = cube_of(task, scene, choice)
+    write(cube, output)
     if (end := end_beside(scene, output)) and not task.recording.explosion:
         keep_end(task, end)
+    if deep := cube.attrs.get("deep_overlaps"):
+        print(f"silostudy: {output}: overlaps {deep}", file=sys.stderr)
     if scene.record.paraview:
         export(task, paraview_of(output))
     if checkpoint := checkpoint_of(scene, output):

@@ -6,11 +6,10 @@ from functools import singledispatch
 from pathlib import Path
 from typing import Any
 
-import numpy as np
-
 from silostudy.compute.branches import end_for
 from silostudy.compute.checkpoints import resume, save
 from silostudy.compute.dem_files import given_discs, given_spheres, quake_steps
+from silostudy.compute.observers import observers_of
 from silostudy.config.dem import DemScene
 from silostudy.config.grain_scenes import AnyScene
 from silostudy.config.spheres import SphereScene
@@ -62,36 +61,28 @@ def run_of(scene: AnyScene, model: Model, *, threads: int = 1) -> Run:
     return Run(
         Engine(model, threads=threads),
         limit=scene.march.limit_s,
+        window=_window(scene, model),
         snapshots=_steps_of(scene, model.dt),
+        observers=observers_of(scene, model),
         rest=rest_of(scene),
         **happens,
     )
 
 
 def _of_discs(scene: DemScene, model: Model) -> dict[str, Any]:
-    """Events, window, feeder and cells of the stress of a scene of discs."""
-    record, edges = scene.record, None
-    if record.stress_cells is not None:
-        top = float(max(max(wall.start[1], wall.end[1]) for wall in model.walls))
-        edges = (
-            np.linspace(0.0, scene.silo.width_m, record.stress_cells[0] + 1),
-            np.linspace(0.0, top, record.stress_cells[1] + 1),
-        )
+    """Events and feeder of a scene of discs."""
     return {
         "events": events_of(scene, float(model.mass.sum())),
-        "window": _window(scene, model),
-        "stress_edges": edges,
         "feeder": Feeder(plane_silo_of(scene.silo).over_slit) if feeds(scene.events) else None,
     }
 
 
 def _of_spheres(scene: SphereScene, model: Model) -> dict[str, Any]:
-    """Events, window, rain and feeder of a scene of spheres."""
+    """Events, rain and feeder of a scene of spheres."""
     space = space_silo_of(scene)
     rain = rain_of(scene, space, model.radius) if FILLINGS[scene.filling.kind].rains else None
     return {
         "events": sphere_events(scene, space, float(model.mass.sum())),
-        "window": _window(scene, model),
         "rain": rain,
         "feeder": Feeder(space.over_outlet) if feeds(scene.events) else None,
     }

@@ -7,6 +7,7 @@ from pydantic import Field, model_validator
 
 from silostudy.config.contact import LawsConfig
 from silostudy.config.fields import Strict, described, one_of
+from silostudy.config.observers import FieldsConfig, StatisticsConfig
 from silostudy.config.own import OwnMethods
 from silostudy.dem.events import TRIGGERS
 from silostudy.dem.integrate import INTEGRATORS, PLAIN
@@ -39,12 +40,13 @@ class MarchConfig(Strict):
 class RestConfig(Strict):
     """When the grains count as at rest."""
 
-    criterion: CriterionKey = described(
+    criterion: CriterionKey | None = described(
         "unbalanced-force: mean force left over on a grain over mean contact force; kinetic-over-potential: kinetic energy "
         "over the energy that lifts every grain by its radius; displacement: mean displacement of a step over dt^2 g, Kiyama "
-        "and Fujimura's own, which loose grains keep from",
+        "and Fujimura's own, which loose grains keep from; drift: mean way since the last look over that of a fall meanwhile; "
+        "null: unbalanced-force, or drift where a constant torque changes its sign from step to step and forces never balance",
         "",
-        default="unbalanced-force",
+        default=None,
     )
     below: float | None = described("what it must come below; null: the criterion's own", gt=0, default=None)
 
@@ -78,6 +80,8 @@ class Recorded(Strict):
         "times at which places and force chains are written; 0: the start", "s", default=()
     )
     snapshots_every_s: float | None = described("time between further snapshots, from the start on", "s", gt=0, default=None)
+    fields: FieldsConfig | None = described("coarse-grained fields of the grains; null: none", "", default=None)
+    contact_statistics: StatisticsConfig | None = described("statistics of the contacts; null: none", "", default=None)
     energy: bool = described("whether the energy ledger is kept", "", default=False)
     paraview: bool = described("whether the snapshots are also written for ParaView", "", default=False)
     checkpoint_every_s: float | None = described("model time between checkpoints", "s", gt=0, default=None)
@@ -122,6 +126,10 @@ class GrainScene(OwnMethods):
         limit, window = self.march.limit_s, self.record.wall_force_window_s
         if window is not None and window > limit:
             raise ValueError(f"record.wall_force_window_s = {window:g} must not be longer than march.limit_s = {limit:g}")
+        for name in ("fields", "contact_statistics"):
+            asked = getattr(self.record, name)
+            if asked is not None and asked.every_s > limit:
+                raise ValueError(f"record.{name}.every_s = {asked.every_s:g} must not be longer than march.limit_s = {limit:g}")
         for time in self.record.snapshots_s:
             if time > limit:
                 raise ValueError(f"record.snapshots_s = {time:g} lies beyond march.limit_s = {limit:g}")

@@ -13,10 +13,11 @@ from silostudy.dem.feeder import Feeder
 from silostudy.dem.leaving import DISCHARGED, REMOVED, SPILT, below, lowest, spilt
 from silostudy.dem.ledger import ENTRIES, carry_out, change_gravity, take_springs
 from silostudy.dem.moves import MOVES, OF_LID, lid_height, lid_rests, lid_stress
+from silostudy.dem.observer import Observer
 from silostudy.dem.rain import Rain, pour
 from silostudy.dem.recording import Recording
-from silostudy.dem.rest import PAPER, Rest
-from silostudy.dem.snapshot import held_energy, length, pair_contacts, stress, wall_contacts
+from silostudy.dem.rest import PAPER, Look, Rest
+from silostudy.dem.snapshot import held_energy, length, snapshot
 from silostudy.errors import BadInput
 
 CHECK_EVERY = 200  # steps between looks at rest, discharge and drop-outs: counted from the start, so chunks do not matter
@@ -25,7 +26,8 @@ CHECK_EVERY = 200  # steps between looks at rest, discharge and drop-outs: count
 class Run:
     """Carries an engine through events until a stop, or at most to a time limit (s).
 
-    window: steps over which wall forces are gathered, snapshots: steps at which contacts are read; both off by default.
+    window: steps over which wall forces are gathered, snapshots: steps at which contacts are read, observers: what else is
+    read; all off by default.
     rest: what the trigger `rest` waits for, once all bodies are there; rain: how those come in that wait at the start;
     feeder: what draws bodies from a closed outlet, once an event sets its rate.
     """
@@ -38,7 +40,7 @@ class Run:
         limit: float,
         window: int = 0,
         snapshots: tuple[int, ...] = (),
-        stress_edges: tuple[np.ndarray, np.ndarray] | None = None,
+        observers: tuple[Observer, ...] = (),
         rest: Rest = PAPER,
         rain: Rain | None = None,
         feeder: Feeder | None = None,
@@ -46,12 +48,13 @@ class Run:
         if not events or events[-1].action != "stop":
             raise BadInput("events", [event.action for event in events], "the last event must be a stop")
         self.engine, self.events, self.window, self.snapshots = engine, events, window, snapshots
-        self.stress_edges, self.rest, self.rain, self.feeder = stress_edges, rest, rain, feeder
+        self.observers, self.rest, self.rain, self.feeder = observers, rest, rain, feeder
         self.recording, self.last = Recording(), round(limit / engine.model.dt)
         self.next_event, self.since, self.opened = 0, 0, engine.step
         self.full = float(engine.model.mass.sum())
         self.come, self.came = engine.n, engine.step  # how many bodies have come in, and when the last of them did
         self.began, self.gone = engine.step, 0.0  # a branch goes on with the clock; mass (kg/m) that had left before
+        self.looked: Look | None = None  # where bodies were when rest was last looked for
         self.floor = lowest(engine.model)
         if engine.model.end is not None:
             go_on(self, engine.model.end)
@@ -88,7 +91,7 @@ class Run:
         if not self.began:
             self._pour()
         if self.began in self.snapshots and not self.recording.snapshots:
-            self.recording.snapshots.append(self.snapshot())
+            self.recording.snapshots.append(snapshot(self.engine))
         self._act_where_due()
 
     @property
@@ -104,7 +107,7 @@ class Run:
     def _standing(self, event: Event) -> str:
         """How far an event is from its trigger."""
         if event.trigger == "rest":
-            return f"{self.rest.criterion.measure(self.engine):.3g}, to be at rest: {self.rest}"
+            return f"{self.rest.criterion.measure(self.engine, self.looked):.3g}, to be at rest: {self.rest}"
         if TRIGGERS[event.trigger].of_lid:
             return f"the lid stands {lid_height(self.engine):.4g} m high under {1e-3 * lid_stress(self.engine):.4g} kPa"
         if event.trigger == "discharged":
@@ -121,6 +124,7 @@ class Run:
         if self.window:
             stops.append((step // self.window + 1) * self.window)
         stops += [snapshot for snapshot in self.snapshots if snapshot > step]
+        stops += [observer.after(step) for observer in self.observers]
         stops += [self._due()] if self._due() > step else []
         return min([*stops, self.last] if until is None else [*stops, self.last, until])
 
@@ -135,12 +139,17 @@ class Run:
         if self.window and step % self.window == 0:
             self._close_window()
         if step in self.snapshots:
-            self.recording.snapshots.append(self.snapshot())
+            self.recording.snapshots.append(snapshot(self.engine))
+        for observer in self.observers:
+            if observer.due(step) and self.engine.n:
+                self.recording.readings.setdefault(observer.name, []).append((self.engine.time, observer.read(self.engine)))
         if step % CHECK_EVERY == 0:
             self._drop()
             self._feed()
             self._pour()
         self._act_where_due()
+        if step % CHECK_EVERY == 0 and step < self.last:
+            self.looked = Look(step, self.engine.places)
         if step >= self.last and not self.done:
             self.recording.happened.append((self.engine.time, "limit", "stop"))
             self.recording.waiting = self.events[self.next_event]
@@ -157,7 +166,7 @@ class Run:
         if self.engine.step % CHECK_EVERY or not self.engine.step:  # discs that have not moved yet are not at rest
             return False
         if event.trigger == "rest":
-            return self.come == self.engine.most and self.rest.holds(self.engine)
+            return self.come == self.engine.most and self.rest.holds(self.engine, self.looked)
         if event.trigger == "lid_rests":
             return lid_rests(self.engine)
         if event.trigger == "lid_stress":
@@ -196,7 +205,7 @@ class Run:
         elif action in MOVES:
             MOVES[action](engine, *event.what)
         self.recording.happened.append((engine.time, event.trigger, action))
-        self.since = engine.step
+        self.since, self.looked = engine.step, None
         self.next_event += 1
 
     def _remove(self, what: tuple) -> str:
@@ -280,7 +289,7 @@ class Run:
 
     def checkpoint(self) -> dict:
         """Everything that going on depends on: the engine's arrays, where the events stand, and what was recorded."""
-        stand = {name: getattr(self, name) for name in ("next_event", "since", "opened", "come", "came")}
+        stand = {name: getattr(self, name) for name in ("next_event", "since", "opened", "come", "came", "looked")}
         fed = (self.feeder.rate, self.feeder.owed) if self.feeder else None
         return {"engine": checkpoint(self.engine), "stand": stand, "recording": self.recording, "fed": fed}
 
@@ -291,15 +300,3 @@ class Run:
         self.recording = saved["recording"]
         if self.feeder:
             self.feeder.rate, self.feeder.owed = saved["fed"]
-
-    def snapshot(self) -> dict[str, np.ndarray]:
-        """Places, velocities and force chains now."""
-        engine = self.engine
-        averaged = {} if self.stress_edges is None else {"stress": stress(engine, *self.stress_edges)}
-        return averaged | {
-            "time": np.array(engine.time),
-            "label": engine.labels.copy(),
-            "motion": engine.bodies.rows[: engine.n, : engine.space.motion].copy(),
-            "pairs": pair_contacts(engine).table,
-            "walls": wall_contacts(engine).table,
-        }

@@ -5,8 +5,11 @@ from dataclasses import dataclass
 import numpy as np
 import pandas as pd
 import xarray as xr
+from matplotlib.axes import Axes
+from matplotlib.lines import Line2D
 
 from silostudy.errors import BadInput
+from silostudy.figures.style import AID
 
 WALLS = ("wall", "hopper")  # surfaces whose names begin so are walls
 
@@ -17,6 +20,22 @@ def opened_at(cube: xr.Dataset) -> float:
         time for time, action in zip(cube["event_time"].values, cube["event_action"].values, strict=True) if "open" in action
     ]
     return float(min(opens, default=np.inf))
+
+
+def outline_of(cube: xr.Dataset) -> np.ndarray:
+    """Corners (n, 2; m) of the silo where a plane through the axis cuts it: the right side down, the left side up."""
+    half, outlet, aside, low, top = (
+        float(cube.attrs[name])
+        for name in ("half_width_m", "outlet_half_width_m", "outlet_middle_m", "transition_height_m", "top_height_m")
+    )
+    return np.array([(half, top), (half, low), (aside + outlet, 0.0), (aside - outlet, 0.0), (-half, low), (-half, top)])
+
+
+def outline(panel: Axes, cube: xr.Dataset) -> Line2D:
+    """Draws walls and hopper where the plane through the axis cuts them (cm); gives what shuts the outlet."""
+    x, z = 100.0 * outline_of(cube).T
+    parts = (slice(3), slice(3, 6), slice(2, 4))  # right, left, and what shuts the outlet
+    return [panel.plot(x[part], z[part], color="black", linewidth=1, gid=AID)[0] for part in parts][-1]
 
 
 def phases(cube: xr.Dataset) -> pd.DataFrame:
