@@ -74,7 +74,8 @@ def _of_spheres(scene: SphereScene, model: Model) -> dict[str, Any]:
     """Events, window and rain of a scene of spheres."""
     space = space_silo_of(scene)
     rain = rain_of(scene, space, model.radius) if FILLINGS[scene.filling.kind].rains else None
-    return {"events": sphere_events(scene, space), "window": _window(scene, model), "rain": rain}
+    several = space.outlet_at if len(space.openings) > 1 else None
+    return {"events": sphere_events(scene, space), "window": _window(scene, model), "rain": rain, "outlet_at": several}
 
 
 def _window(scene: AnyScene, model: Model) -> int:

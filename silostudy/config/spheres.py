@@ -92,16 +92,21 @@ class TouchConfig(LawsConfig):
 
 
 class OutletConfig(Strict):
-    """The outlet of a flat floor, silo.outlet_eccentricity_m off the axis."""
+    """An outlet of a flat floor."""
 
+    name: str = described("name that events open it by", "", min_length=1, default="outlet")
     width_m: float = described("diameter; where it has a length its width along x", "m", gt=0)
     length_m: float | None = described("length along y; null: a round outlet", "m", gt=0, default=None)
+    middle_m: tuple[float, float] | None = described(
+        "x and y of its middle; null: silo.outlet_eccentricity_m off the axis towards x", "m", default=None
+    )
 
 
 class SphereEventConfig(Waiting):
     """One event: it waits for the event before it, then for its trigger, then acts."""
 
     do: Literal["open_outlet", "set_gravity", "set_friction", "stop"] = described("what happens", "")
+    outlets: tuple[str, ...] = described("names of the outlets of a flat floor that open; none: all", "", default=())
     gravity_m_s2: tuple[float, float, float] | None = described("new gravity, x, y and z", "m s-2", default=None)
     sphere_friction: float | None = described("new friction between spheres", ge=0, default=None)
     wall_friction: float | None = described("new friction at the walls", ge=0, default=None)
@@ -112,6 +117,8 @@ class SphereEventConfig(Waiting):
             raise ValueError("set_gravity needs gravity_m_s2")
         if self.do == "set_friction" and self.sphere_friction is None and self.wall_friction is None:
             raise ValueError("set_friction needs sphere_friction or wall_friction")
+        if self.outlets and self.do != "open_outlet":
+            raise ValueError(f"outlets must be left out where do is {self.do}")
         return self
 
 
@@ -135,7 +142,7 @@ class SphereScene(GrainScene):
         "silo as in a study of pressures; its depth is the height of the vertical walls; what only codes read is passed over",
         "",
     )
-    outlet: OutletConfig | None = described("outlet of a flat floor; null: closed, or the hopper's", "", default=None)
+    outlets: tuple[OutletConfig, ...] = described("outlets of a flat floor; none: closed, or the hopper's", "", default=())
     wedge: bool = described("whether the hopper of a square or rectangle slopes on two sides only", "", default=False)
     lid: bool = described("whether a lid closes the top", "", default=False)
     grain: GrainConfig = described("material of the spheres", "")
@@ -174,8 +181,18 @@ class SphereScene(GrainScene):
 
     @model_validator(mode="after")
     def _opens(self) -> Self:
-        opens = any(event.do == "open_outlet" for event in self.events)
-        width = self.silo.hopper.outlet_width_m if self.silo.hopper else self.outlet.width_m if self.outlet else 0.0
-        if opens and not width:
-            raise ValueError("open_outlet needs an outlet: silo.hopper.outlet_width_m above 0, or an outlet of a flat floor")
+        known = [outlet.name for outlet in self.outlets]
+        hopper = self.silo.hopper is not None and self.silo.hopper.outlet_width_m > 0.0
+        shut = ["the hopper's"] if hopper else list(known)
+        for number, event in enumerate(self.events):
+            if event.do != "open_outlet":
+                continue
+            if not (hopper or known):
+                raise ValueError("open_outlet needs an outlet: silo.hopper.outlet_width_m above 0, or outlets of a flat floor")
+            for name in event.outlets:
+                if name not in known:
+                    raise ValueError(f"events.{number}.outlets: {name} is unknown; known: {', '.join(known) or 'none by name'}")
+            if not (opening := [name for name in shut if name in event.outlets or not event.outlets]):
+                raise ValueError(f"events.{number} opens nothing: open by then")
+            shut = [name for name in shut if name not in opening]
         return self

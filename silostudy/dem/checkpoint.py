@@ -20,6 +20,7 @@ def checkpoint(engine: Engine) -> dict[str, np.ndarray]:
         "held": engine.bodies.held[: engine.n].copy(),
         "label": engine.labels.copy(),
         "live": engine.walls.live.copy(),
+        "shape": engine.walls.shape.copy(),
         "gravity": np.array(engine.gravity),
         "window": engine.record.window.copy(),
         "account": engine.ledger.account.copy(),
@@ -36,6 +37,7 @@ def restore(engine: Engine, saved: dict[str, np.ndarray]) -> None:
     engine.bodies.rows[: engine.n] = saved["rows"]
     engine.bodies.held[: engine.n] = saved["held"]
     engine.walls.live[:] = saved["live"]
+    engine.walls.shape[:] = saved["shape"]
     engine.record.window[:] = saved["window"]
     engine.ledger.account[:] = saved["account"]
     engine.gravity = tuple(float(part) for part in saved["gravity"])

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from silostudy.catalogue import Entry, Family
 from silostudy.errors import BadInput
 
-ACTIONS = ("open", "remove", "gravity", "friction", "stop")
+ACTIONS = ("open", "open holes", "remove", "gravity", "friction", "stop")
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -32,7 +32,8 @@ class Event:
     """One event: it waits for its turn, then for its trigger, then acts.
 
     trigger: a key of TRIGGERS; value: its seconds or share.
-    action: open (wall, walls that replace it), remove (label or x, y), gravity (x, y), friction (pair, wall), stop.
+    action: open (wall, walls that replace it), open holes (wall, names of its holes), remove (label or x, y), gravity (x, y),
+    friction (pair, wall), stop.
     """
 
     trigger: str

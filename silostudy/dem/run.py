@@ -5,7 +5,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from silostudy.dem.change import keep_discs, set_friction, swap_walls
+from silostudy.dem.change import keep_discs, open_holes, set_friction, swap_walls
 from silostudy.dem.checkpoint import checkpoint, restore
 from silostudy.dem.engine import Engine, Explosion
 from silostudy.dem.events import Event
@@ -30,7 +30,7 @@ class Recording:
     discharged: list[float] = field(default_factory=list)  # kg/m
     left: dict[str, int] = field(default_factory=lambda: dict.fromkeys(WAYS, 0))  # discs that are gone, by their way
     lost: dict[str, float] = field(default_factory=lambda: dict.fromkeys(WAYS, 0.0))  # their mass, kg/m
-    passed: list[tuple[float, float]] = field(default_factory=list)  # s at which a body came below the outlet, and its mass
+    passed: list[tuple[float, float, int]] = field(default_factory=list)  # s at which a body came below, its mass, its outlet
     snapshots: list[dict[str, np.ndarray]] = field(default_factory=list)
     happened: list[tuple[float, str, str]] = field(default_factory=list)  # time, trigger, action
     explosion: Explosion | None = None
@@ -42,7 +42,8 @@ class Run:
     """Carries an engine through events until a stop, or at most to a time limit (s).
 
     window: steps over which wall forces are gathered, snapshots: steps at which contacts are read; both off by default.
-    rest: what the trigger `rest` waits for, once all bodies are there; rain: how those come in that wait at the start.
+    rest: what the trigger `rest` waits for, once all bodies are there; rain: how those come in that wait at the start;
+    outlet_at: places (n, d) at the outlets' level -> numbers of their outlets, None: there is one.
     """
 
     def __init__(
@@ -56,11 +57,12 @@ class Run:
         stress_edges: tuple[np.ndarray, np.ndarray] | None = None,
         rest: Rest = PAPER,
         rain: Rain | None = None,
+        outlet_at: Callable[[np.ndarray], np.ndarray] | None = None,
     ):
         if not events or events[-1].action != "stop":
             raise BadInput("events", [event.action for event in events], "the last event must be a stop")
         self.engine, self.events, self.window, self.snapshots = engine, events, window, snapshots
-        self.stress_edges, self.rest, self.rain = stress_edges, rest, rain
+        self.stress_edges, self.rest, self.rain, self.outlet_at = stress_edges, rest, rain, outlet_at
         self.recording, self.last = Recording(), round(limit / engine.model.dt)
         self.next_event, self.since, self.opened = 0, 0, engine.step
         self.full = float(engine.model.mass.sum())
@@ -183,6 +185,9 @@ class Run:
         engine, action = self.engine, event.action
         if action == "open":
             self._take_away(lambda: swap_walls(engine, event.what[0], event.what[1:]))
+        elif action == "open holes":
+            self._take_away(lambda: open_holes(engine, event.what[0], event.what[1:]))
+            action = f"open {', '.join(event.what[1:])}"
         elif action == "remove":
             action = self._remove(event.what)
         elif action == "gravity":
@@ -242,11 +247,19 @@ class Run:
             record.discharge_time.append(self.engine.time)
             record.discharged.append(self.dropped)
 
-    def passing(self, which: np.ndarray) -> list[tuple[float, float]]:
-        """When (s) bodies among those left came below the outlet, each with its mass."""
-        engine = self.engine
-        steps, mass = engine.space.passed_for(engine.bodies.rows[: engine.n]), engine.mass
-        return [((engine.step - steps[i]) * engine.model.dt, float(mass[i])) for i in np.flatnonzero(which & (steps > 0.0))]
+    def passing(self, which: np.ndarray) -> list[tuple[float, float, int]]:
+        """When (s) bodies among those left came below the outlet, each with its mass and the number of its outlet.
+
+        Where it passed is where it would have come from without a contact below the outlet.
+        """
+        engine, space = self.engine, self.engine.space
+        rows, mass = engine.bodies.rows[: engine.n], engine.mass
+        steps = space.passed_for(rows)
+        since = steps * engine.model.dt
+        level = rows[:, space.place] - rows[:, space.velocity] * since[:, None]
+        outlet = self.outlet_at(level) if self.outlet_at else np.zeros(engine.n, int)
+        passed = np.flatnonzero(which & (steps > 0.0))
+        return [((engine.step - steps[i]) * engine.model.dt, float(mass[i]), int(outlet[i])) for i in passed]
 
     def _close_window(self) -> None:
         """Keep the window of wall forces up to now, the last of a run also where it is not full."""

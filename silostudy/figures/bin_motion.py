@@ -1,6 +1,7 @@
 """A bin of spheres in motion: a slice through its axis, spheres coloured by speed."""
 
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import xarray as xr
@@ -49,14 +50,27 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
 
 
 def _outline(panel: Axes, cube: xr.Dataset) -> Line2D:
-    """Walls and hopper where the slice cuts them (cm); gives what shuts the outlet."""
+    """Walls, and hopper or floor, where the slice cuts them (cm); gives what shuts the outlets."""
     half, outlet, aside, low, top = (
         float(cube.attrs[name]) * CM
         for name in ("half_width_m", "outlet_half_width_m", "outlet_middle_m", "transition_height_m", "top_height_m")
     )
-    for side in (-1.0, 1.0):
-        panel.plot([aside + side * outlet, side * half, side * half], [0.0, low, top], color="black", linewidth=1, gid=AID)
-    return panel.plot([aside - outlet, aside + outlet], [0.0, 0.0], color="black", linewidth=1, gid=AID)[0]
+    looks: dict[str, Any] = {"color": "black", "linewidth": 1, "gid": AID}
+    if "outlet" not in cube:
+        for side in (-1.0, 1.0):
+            panel.plot([aside + side * outlet, side * half, side * half], [0.0, low, top], **looks)
+        return panel.plot([aside - outlet, aside + outlet], [0.0, 0.0], **looks)[0]
+    holes = np.sort(np.column_stack([cube["outlet_left"], cube["outlet_right"]]) * CM, axis=0)
+    holes = holes[np.isfinite(holes[:, 0])]
+    floor = np.array([-half, *holes.ravel(), half]).reshape(-1, 2)
+    panel.plot([-half, -half, np.nan, half, half], [top, 0.0, np.nan, 0.0, top], **looks)
+    _, shut = (panel.plot(parts, np.zeros(len(parts)), **looks)[0] for parts in map(_broken, (floor, holes)))
+    return shut
+
+
+def _broken(parts: np.ndarray) -> np.ndarray:
+    """Ends (n, 2) of parts one after the other, with a gap after each."""
+    return np.insert(parts, 2, np.nan, axis=1).ravel()
 
 
 def _slice(cube: xr.Dataset, shot: int, panel: Axes) -> EllipseCollection:

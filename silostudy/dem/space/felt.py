@@ -30,12 +30,14 @@ from silostudy.dem.space.surfaces import (
     ALONG_Z,
     AXIS_X,
     AXIS_Y,
+    FLAT,
     LENGTH,
     START_R,
     START_Z,
     TURNED,
     UPWARD,
     nearest,
+    piece_of,
 )
 
 force_of = three(FORCE_X)  # N, on the sphere
@@ -110,6 +112,7 @@ def note_walls(rows, walls, near, start, count, force, record, part):
         if walls.shape[q, 0] == TURNED:
             share, turn, (ux, uy, uz) = turned_frame(walls.shape, q, px, py, pz)
         else:
+            q = piece_of(walls.shape, q, x, y, z) if walls.shape[q, 0] == FLAT else q
             share, turn, (ux, uy, uz) = flat_frame(walls.shape, q, px, py, pz)
         fx, fy, fz = (
             force[0, FORCE_X * STRETCH + k],
