@@ -11,7 +11,7 @@ from scipy.spatial import cKDTree
 
 from silostudy.dem.space.felt import flat_frame, turned_frame
 from silostudy.dem.space.surfaces import FLAT, NEXT, OUT_OF_REACH, TURNED, nearest, piece_of
-from silostudy.dem.space.walls import walls_of
+from silostudy.dem.space.walls import FlatPiece, walls_of
 from silostudy.errors import BadInput
 from silostudy.scene.silo import Hopper, Silo
 from silostudy.scene.space_silo import FLOOR, LID, Outlet, SpaceSilo
@@ -205,6 +205,8 @@ WAYS = {
     "rim of an eccentric hole": (SPACES["eccentric hole"], arc(0.08, pi / 2, 3 * pi / 2)),
     "rim of a slot": (SPACES["slot in a circle"], np.concatenate([line((0.07, 0.0, PRESSED), (0.055, 0.0, PRESSED)),
                                                                  arc(0.055, pi / 2, 3 * pi / 2)])),
+    "beside the corner of a slot": (SPACES["slot in a circle"], line(
+        (0.07, 0.049, PRESSED), (0.0541, 0.049, PRESSED))),
     "edge of a pyramid": (SPACES["square, pyramid"], line(
         (INNER, INNER, BOTTOM + 0.02), (INNER, INNER, JOINT), (LOW_CORNER, LOW_CORNER, PRESSED * sin(BETA)),
         (LOW_CORNER, LOW_CORNER, -0.01))),
@@ -245,6 +247,7 @@ def test_push_has_no_jump_over_joints(of, way):
         ("square, wedge", True, (0.0, INNER, BOTTOM + 1e-9), 1),
         ("slot in a circle", True, (0.055 - 0.007, 0.05 - 0.007, -0.005), 1),
         ("slot in a circle", True, (0.055, 0.0, PRESSED), 1),
+        ("slot in a circle", True, (0.055 - 1e-6, 0.05 - 1e-6, PRESSED), 1),
         ("square, pyramid", True, (0.042, 0.03, -0.004), 1),  # from below, outside the rim
         ("square, pyramid", True, (0.042, 0.043, -0.004), 0),  # and outside its corner
         ("octagon, hole", False, (0.0, 0.0, PRESSED), 1),
@@ -254,6 +257,39 @@ def test_push_has_no_jump_over_joints(of, way):
 def test_as_many_surfaces_push_as_a_sphere_touches(name, opened, point, count):
     shape = shape_of(SPACES[name], opened)
     assert sum(np.linalg.norm(away) < BALL for away in vectors(shape, point)) == count
+
+
+@pytest.mark.parametrize("inward", [(0.0, 0.0), (1e-12, 1e-12), (1e-4, 3e-4), (3e-4, 1e-4), (-1e-4, 1e-4), (-1e-4, -1e-4)])
+def test_the_corner_of_a_hole_pushes_from_one_nearest_point(inward):
+    """A sphere beside the corner at (0.055, 0.05): from below itself over the floor, else from the nearer side."""
+    shape = shape_of(SPACES["slot in a circle"], True)
+    x, y = np.subtract((0.055, 0.05), inward)
+    nearer = np.zeros(2) if min(inward) <= 0.0 else np.array([-inward[0], 0.0] if inward[0] <= inward[1] else [0.0, -inward[1]])
+    found = push(shape, (x, y, PRESSED))
+    away = np.array([*nearer, PRESSED])
+    assert found == pytest.approx(away * (BALL / np.linalg.norm(away) - 1.0), rel=1e-9)
+
+
+def slanted(*corners) -> tuple[float, ...]:
+    """Corners on a plane that no axis lies in, no number of theirs round."""
+    frame = np.linalg.qr(np.array([(0.3, 0.5, 0.7), (0.2, -0.6, 0.1), (0.9, 0.4, -0.3)]))[0]
+    return [tuple(float(v) for v in frame @ (x, y, 0.02)) for x, y in corners]
+
+
+A, B, C, D = slanted((0.0, 0.0), (0.1, 0.013), (0.11, 0.1), (0.004, 0.09))
+
+
+def test_pieces_of_one_plane_push_once_along_their_joint():
+    """Over the diagonal of a quadrangle of two triangles, where rounding would have it on both or on neither."""
+    shape = walls_of([FlatPiece(name="one", corners=(A, B, C)), FlatPiece(name="two", corners=(A, C, D))]).shape
+    whole = walls_of([FlatPiece(name="whole", corners=(A, B, C, D))]).shape
+    normal = np.cross(np.subtract(B, A), np.subtract(D, A))
+    normal /= np.linalg.norm(normal)
+    for share in np.linspace(0.0, 1.0, 501):
+        point = np.array(A) + share * np.subtract(C, A) + PRESSED * normal
+        assert push(shape, point) == pytest.approx((BALL - PRESSED) * normal, rel=1e-9)
+    for point in np.random.default_rng(3).uniform(-0.02, 0.13, (500, 3)):
+        assert nearest(shape, 0, *point) == pytest.approx(nearest(whole, 0, *point), abs=1e-12)
 
 
 def test_names_of_the_surfaces():
