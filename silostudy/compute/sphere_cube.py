@@ -68,7 +68,7 @@ def _meter(run: Run) -> dict[str, np.ndarray]:
 
 
 def outlet_arrays(run: Run, scene: SphereScene) -> dict[str, np.ndarray]:
-    """Of the outlets of a flat floor: where a slice through the axis cuts each, the mass that had left by it, its mean rate."""
+    """Of the outlets of a flat floor: where a slice through the axis cuts each, when it opened, its meter and mean rate."""
     openings = space_silo_of(scene).openings
     if not scene.outlets:
         return {}
@@ -76,8 +76,13 @@ def outlet_arrays(run: Run, scene: SphereScene) -> dict[str, np.ndarray]:
     through = outlet[:, None] == np.arange(len(openings))
     last = np.flatnonzero(np.diff(time, append=np.inf))
     left, right = np.array([opening.chord for opening in openings.values()]).T
+    opened = dict.fromkeys(openings, np.nan)
+    for event, (when, *_) in zip(run.events, run.recording.happened, strict=False):
+        if event.action == "open holes":
+            opened |= {name: when for name in event.what[1:] if np.isnan(opened[name])}
     return {
-        "outlet": np.array(list(openings)), "outlet_left": left, "outlet_right": right,
+        "outlet": np.array(list(openings)), "outlet_opened": np.array(list(opened.values())),
+        "outlet_left": left, "outlet_right": right,
         "outlet_outflow_mass": np.cumsum(mass[:, None] * through, axis=0)[last],
         "outlet_mean_outflow": np.array([mean_rate(time[own], mass[own]) for own in through.T]),
     }  # fmt: skip

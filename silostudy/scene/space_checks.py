@@ -93,10 +93,10 @@ def require_outlet(space: SpaceSilo, field: str, outlet: Outlet) -> None:
         whole = name == "length" and plan.sides == RECTANGLE and size == 2 * room
         if size is not None and not (0.0 < size < 2 * room or whole):
             allowed = f"must be above 0 and below the width of the floor there, {2 * room:g} m"
-            raise BadInput(f"{field}.{name}", size, allowed)
+            raise BadInput(f"{field}.{name}_m", size, allowed)
     slot = outlet.length == 2 * plan.half[1] and plan.sides == RECTANGLE and opening.middle[1] == 0.0
     room = plan.half[0] - max(opening.reach((1.0, 0.0)), opening.reach((-1.0, 0.0))) if slot else plan.room_for(opening)
     if not room > 0.0:
-        key = "silo.outlet_eccentricity" if outlet.middle is None else f"{field}.middle"
+        key = "silo.outlet_eccentricity" if outlet.middle is None else f"{field}.middle_m"
         allowed = f"the outlet must not leave the floor, and stands out by {-room:g} m"
         raise BadInput(key, opening.middle[0] if outlet.middle is None else outlet.middle, allowed)

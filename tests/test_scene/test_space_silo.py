@@ -32,6 +32,12 @@ def space(plan="circular", hopper=None, outlet=None, wedge=False, **changes) -> 
     return SpaceSilo(silo=silo(plan, hopper, **changes), outlets=outlets, wedge=wedge, lid=True)
 
 
+def floor_with(*outlets) -> SpaceSilo:
+    """A round silo whose flat floor has outlets of a name, width, length and middle."""
+    return SpaceSilo(silo=silo(), outlets=tuple(
+        Outlet(name=name, width=width, length=length, middle=middle) for name, width, length, middle in outlets))  # fmt: skip
+
+
 SPACES = {
     "closed": space(),
     "cone": space(hopper=CONE),
@@ -292,6 +298,26 @@ def test_pieces_of_one_plane_push_once_along_their_joint():
         assert nearest(shape, 0, *point) == pytest.approx(nearest(whole, 0, *point), abs=1e-12)
 
 
+def test_a_floor_of_several_outlets():
+    """Each opens alone; a point over the floor is as far from it as from the nearest point that is left."""
+    of = floor_with(("round", 0.05, None, (-0.05, 0.0)), ("slot", 0.03, 0.08, (0.02, 0.01)), ("small", 0.02, None, (0.07, 0.0)))
+    surface, rows, points = of.walls()[0], walls_of(of.walls()).shape, np.random.default_rng(5).uniform(-0.07, 0.07, (300, 3))
+    holes = {"round": lambda x, y: hypot(x + 0.05, y) < 0.025,
+             "slot": lambda x, y: abs(x - 0.02) < 0.015 and abs(y - 0.01) < 0.04,
+             "small": lambda x, y: hypot(x - 0.07, y) < 0.01}  # fmt: skip
+    grid = np.array([(x, y) for x in np.arange(-0.1, 0.1, 0.0013) for y in np.arange(-0.1, 0.1, 0.0013) if hypot(x, y) < 0.1])
+    for opened in ((), ("slot",), ("slot", "round", "small")):
+        surface.opened(rows[0], opened)
+        left = np.array([not any(holes[name](*point) for name in opened) for point in grid])
+        tree = cKDTree(np.c_[grid[left], np.zeros(left.sum())])
+        for point in points:
+            away = np.array(nearest(rows, 0, *point)[:3])
+            assert tree.query(point)[0] == pytest.approx(np.linalg.norm(away), abs=0.0015)
+            x, y, z = point - away
+            assert z == 0.0
+            assert not any(holes[name](x * (1.0 - 1e-9), y) and holes[name](x * (1.0 + 1e-9), y) for name in opened)
+
+
 def test_names_of_the_surfaces():
     names = {name: [wall.name for wall in of.walls()] for name, of in SPACES.items()}
     assert names["cone"] == [FLOOR, "hopper", "wall", LID]
@@ -335,12 +361,20 @@ def test_cells_cover_the_surfaces(of):
         (lambda: space(hopper=CONE, wedge=True), "wedge = True: stands below a square or rectangular plan, not a circular one"),
         (lambda: space(wedge=True), "wedge = True: is a hopper's"),
         (lambda: space(hopper=CONE, outlet=Outlet(width=0.05)), "outlets = .* the hopper has its own"),
-        (lambda: space(outlet=Outlet(width=0.2)), "outlets.0.width = 0.2: must be above 0 and below .* 0.2 m"),
-        (lambda: space(outlet=Outlet(width=0.0)), "outlets.0.width = 0.0: must be above 0"),
-        (lambda: space("square", outlet=Outlet(width=0.1, length=0.21)), "outlets.0.length = 0.21: .* below .* 0.2 m"),
+        (lambda: space(outlet=Outlet(width=0.2)), "outlets.0.width_m = 0.2: must be above 0 and below .* 0.2 m"),
+        (lambda: space(outlet=Outlet(width=0.0)), "outlets.0.width_m = 0.0: must be above 0"),
+        (lambda: space("square", outlet=Outlet(width=0.1, length=0.21)), "outlets.0.length_m = 0.21: .* below .* 0.2 m"),
         (lambda: space(outlet=Outlet(width=0.1), outlet_eccentricity=0.05), "eccentricity = 0.05: .* leave the floor"),
         (lambda: space(outlet=Outlet(width=0.15, length=0.15)), "the outlet must not leave the floor"),
         (lambda: space("square", outlet=Outlet(width=0.1, length=0.2), outlet_eccentricity=0.06), "must not leave the floor"),
+        (lambda: floor_with(("a", 0.04, None, (0.07, 0.05))),
+         "outlets.0.middle_m = .0.07, 0.05.: the outlet must not leave the floor, .* 0.006"),
+        (lambda: floor_with(("a", 0.04, None, (0.0, 0.0)), ("b", 0.04, None, (0.03, 0.0))),
+         "outlets = 'a, b': must not overlap or touch, and do by 0.01 m"),
+        (lambda: floor_with(("a", 0.04, None, (0.0, 0.0)), ("b", 0.04, 0.02, (0.03, 0.02))),
+         "outlets = 'a, b': must not overlap or touch, and do by 0.005858 m"),
+        (lambda: floor_with(("a", 0.04, None, (0.0, 0.0)), ("a", 0.02, None, (0.05, 0.0))),
+         "each outlet needs a name of its own"),
         (lambda: space(wall_depth=0.0), "silo.wall_depth = 0.0: the vertical walls must have a height"),
     ],
 )  # fmt: skip
