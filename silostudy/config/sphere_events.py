@@ -14,7 +14,7 @@ class SphereEventConfig(MovingEvent):
 
     takes: ClassVar[Mapping[str, Takes]] = {
         **MovingEvent.takes,
-        "open_outlet": Takes(),
+        "open_outlet": Takes(may=("outlets",)),
         "set_gravity": Takes(("gravity_m_s2",)),
         "set_friction": Takes(may=("sphere_friction", "wall_friction")),
         "rotate": Takes(("spin_rad_s", "surfaces")),
@@ -23,6 +23,7 @@ class SphereEventConfig(MovingEvent):
     do: Literal[
         "open_outlet", "set_gravity", "set_friction", "lower_lid", "press_lid", "move_lid", "feed", "rotate", "stop"
     ] = described("what happens", "")
+    outlets: tuple[str, ...] = described("open_outlet: names of the outlets of a flat floor; none: all", "", default=())
     gravity_m_s2: tuple[float, float, float] | None = described("new gravity, x, y and z", "m s-2", default=None)
     sphere_friction: float | None = described("new friction between spheres", ge=0, default=None)
     wall_friction: float | None = described("new friction at the walls", ge=0, default=None)

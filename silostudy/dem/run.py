@@ -4,12 +4,12 @@ from collections.abc import Callable
 
 import numpy as np
 
-from silostudy.dem.change import keep_discs, set_friction, swap_walls
+from silostudy.dem.change import keep_discs, open_holes, set_friction, swap_walls
 from silostudy.dem.checkpoint import checkpoint, restore
 from silostudy.dem.engine import Engine, Explosion
 from silostudy.dem.events import TRIGGERS, Event
 from silostudy.dem.feeder import Feeder
-from silostudy.dem.leaving import DISCHARGED, REMOVED, SPILT, below, lowest, spilt
+from silostudy.dem.leaving import DISCHARGED, REMOVED, SPILT, OutletAt, below, drawn, lowest, passing, spilt
 from silostudy.dem.ledger import ENTRIES, carry_out, change_gravity, take_springs
 from silostudy.dem.moves import MOVES, OF_LID, lid_height, lid_rests, lid_stress
 from silostudy.dem.rain import Rain, pour
@@ -27,6 +27,7 @@ class Run:
     window: steps over which wall forces are gathered, snapshots: steps at which contacts are read; both off by default.
     rest: what the trigger `rest` waits for, once all bodies are there; rain: how those come in that wait at the start;
     feeder: what draws bodies from a closed outlet, once an event sets its rate.
+    outlet_at: places (n, d) at the outlets' level -> numbers of their outlets, None: there is one.
     """
 
     def __init__(
@@ -41,11 +42,13 @@ class Run:
         rest: Rest = PAPER,
         rain: Rain | None = None,
         feeder: Feeder | None = None,
+        outlet_at: OutletAt = None,
     ):
         if not events or events[-1].action != "stop":
             raise BadInput("events", [event.action for event in events], "the last event must be a stop")
         self.engine, self.events, self.window, self.snapshots = engine, events, window, snapshots
         self.stress_edges, self.rest, self.rain, self.feeder = stress_edges, rest, rain, feeder
+        self.outlet_at = outlet_at
         self.recording, self.last = Recording(), round(limit / engine.model.dt)
         self.next_event, self.since, self.opened = 0, 0, engine.step
         self.full = float(engine.model.mass.sum())
@@ -177,6 +180,9 @@ class Run:
         engine, action = self.engine, event.action
         if action == "open":
             self._take_away(lambda: swap_walls(engine, event.what[0], event.what[1:]))
+        elif action == "open holes":
+            self._take_away(lambda: open_holes(engine, event.what[0], event.what[1:]))
+            action = f"open {', '.join(event.what[1:])}"
         elif action == "remove":
             action = self._remove(event.what)
         elif action == "gravity":
@@ -236,7 +242,7 @@ class Run:
             return
         gone = feeder.take(engine, CHECK_EVERY * engine.model.dt)
         if gone.any():
-            self.recording.passed += [(engine.time, float(mass)) for mass in engine.mass[gone]]
+            self.recording.passed += drawn(engine, gone, self.outlet_at)
             self._take_away(lambda: self._take_out(gone, DISCHARGED))
 
     def _take_out(self, gone: np.ndarray, way: str) -> None:
@@ -251,11 +257,9 @@ class Run:
             record.discharge_time.append(self.engine.time)
             record.discharged.append(self.dropped)
 
-    def passing(self, which: np.ndarray) -> list[tuple[float, float]]:
-        """When (s) bodies among those left came below the outlet, each with its mass."""
-        engine = self.engine
-        steps, mass = engine.space.passed_for(engine.bodies.rows[: engine.n]), engine.mass
-        return [((engine.step - steps[i]) * engine.model.dt, float(mass[i])) for i in np.flatnonzero(which & (steps > 0.0))]
+    def passing(self, which: np.ndarray) -> list[tuple[float, float, int]]:
+        """When (s) bodies among those left came below the outlet, each with its mass and the number of its outlet."""
+        return passing(self.engine, which, self.outlet_at)
 
     def _close_window(self) -> None:
         """Keep the window of wall forces up to now, the last of a run also where it is not full."""

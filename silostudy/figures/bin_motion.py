@@ -1,6 +1,7 @@
 """A bin of spheres in motion: a slice through its axis, spheres coloured by speed."""
 
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import xarray as xr
@@ -26,7 +27,7 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     shots = np.unique(np.linspace(0, cube.sizes["snapshot"] - 1, min(MOST, cube.sizes["snapshot"])).round().astype(int))
     half, top = (float(cube.attrs[name]) * CM for name in ("half_width_m", "top_height_m"))
     figure, panel = plt.subplots(figsize=(3.4, min(7.0, 1.6 + 2.6 * (top + BELOW) / (2.0 * half))))
-    plug = _outline(panel, cube)
+    plugs = _outline(panel, cube)
     panel.set(xlabel="across (cm)", ylabel="height above the outlet (cm)", aspect="equal")
     panel.set(xlim=(-half - 0.5, half + 0.5), ylim=(-BELOW, top))
     panel.grid(False)
@@ -39,8 +40,10 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
         shown.remove()
         shown = panel.add_collection(_slice(cube, shots[number], panel))
         time = float(cube["snapshot_time"][shots[number]])
-        plug.set_visible(time <= opened_at(cube))
-        panel.set_title(f"t = {time:.2f} s, {'outlet shut' if plug.get_visible() else 'outlet open'}", fontsize=8)
+        for plug, opened in plugs:
+            plug.set_visible(not time > opened)
+        shut = sum(plug.get_visible() for plug, _ in plugs)
+        panel.set_title(f"t = {time:.2f} s, {'outlet shut' if shut == len(plugs) else 'outlet open'}", fontsize=8)
 
     animation = FuncAnimation(figure, show, frames=len(shots), init_func=lambda: None)
     with replacing(stem.with_suffix(".webp")) as temporary:
@@ -48,15 +51,24 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     plt.close(figure)
 
 
-def _outline(panel: Axes, cube: xr.Dataset) -> Line2D:
-    """Walls and hopper where the slice cuts them (cm); gives what shuts the outlet."""
+def _outline(panel: Axes, cube: xr.Dataset) -> list[tuple[Line2D, float]]:
+    """Walls, and hopper or floor, where the slice cuts them (cm); gives what shuts each outlet, and when (s) that goes."""
     half, outlet, aside, low, top = (
         float(cube.attrs[name]) * CM
         for name in ("half_width_m", "outlet_half_width_m", "outlet_middle_m", "transition_height_m", "top_height_m")
     )
-    for side in (-1.0, 1.0):
-        panel.plot([aside + side * outlet, side * half, side * half], [0.0, low, top], color="black", linewidth=1, gid=AID)
-    return panel.plot([aside - outlet, aside + outlet], [0.0, 0.0], color="black", linewidth=1, gid=AID)[0]
+    looks: dict[str, Any] = {"color": "black", "linewidth": 1, "gid": AID}
+    if "outlet" not in cube:
+        for side in (-1.0, 1.0):
+            panel.plot([aside + side * outlet, side * half, side * half], [0.0, low, top], **looks)
+        return [(panel.plot([aside - outlet, aside + outlet], [0.0, 0.0], **looks)[0], opened_at(cube))]
+    holes = np.column_stack([cube["outlet_left"], cube["outlet_right"]]) * CM
+    edges = np.sort(holes[np.isfinite(holes[:, 0])].ravel())
+    panel.plot([-half, -half, np.nan, half, half], [top, 0.0, np.nan, 0.0, top], **looks)
+    for part in np.array([-half, *edges, half]).reshape(-1, 2):
+        panel.plot(part, [0.0, 0.0], **looks)
+    times = cube["outlet_opened"].values
+    return [(panel.plot(hole, [0.0, 0.0], **looks)[0], float(time)) for hole, time in zip(holes, times, strict=True)]
 
 
 def _slice(cube: xr.Dataset, shot: int, panel: Axes) -> EllipseCollection:

@@ -25,9 +25,9 @@ def space_silo_of(scene: SphereScene, where: str = "") -> SpaceSilo:
     """The silo in space; BadInput for one that has no surfaces, or a heap that grains make of themselves."""
     if scene.silo.heap_at_repose or scene.silo.top_cone_height_m:
         raise BadInput("silo.top_cone_height_m", scene.silo.top_cone_height_m, "spheres make their heap themselves", where)
-    outlet = Outlet(width=scene.outlet.width_m, length=scene.outlet.length_m) if scene.outlet else None
+    outlets = tuple(Outlet(width=one.width_m, length=one.length_m, middle=one.middle_m, name=one.name) for one in scene.outlets)
     try:
-        return SpaceSilo(silo=silo_of(scene.silo, nan, where, ""), outlet=outlet, wedge=scene.wedge, lid=scene.lid)
+        return SpaceSilo(silo=silo_of(scene.silo, nan, where, ""), outlets=outlets, wedge=scene.wedge, lid=scene.lid)
     except BadInput as error:
         raise BadInput(error.field, error.value, error.allowed, error.where or where) from None
 

@@ -117,7 +117,7 @@ def test_a_feeder_draws_at_its_rate():
     mass = fed.engine.model.mass[0]
     assert fed.recording.lost["discharged"] == pytest.approx(rate * (end - start), abs=2.0 * mass)
     assert fed.recording.left["discharged"] > 50
-    time = np.array([time for time, _ in fed.recording.passed])
+    time = np.array([time for time, *_ in fed.recording.passed])
     drawn = mass * np.arange(1, len(time) + 1)
     assert np.abs(drawn - rate * (time - start)).max() < 2.0 * mass
     assert fed.engine.walls.live[fed.engine.model.wall_number("floor")]  # the plug stays
