@@ -11,7 +11,7 @@ from silostudy.dem.events import TRIGGERS, Event
 from silostudy.dem.feeder import Feeder
 from silostudy.dem.leaving import DISCHARGED, REMOVED, SPILT, OutletAt, below, drawn, lowest, passing, spilt
 from silostudy.dem.ledger import ENTRIES, carry_out, change_gravity, take_springs
-from silostudy.dem.moves import MOVES, OF_LID, lid_height, lid_rests, lid_stress
+from silostudy.dem.moves import MOVES, OF_LID, lid_meets, lid_standing
 from silostudy.dem.rain import Rain, pour
 from silostudy.dem.recording import Recording
 from silostudy.dem.rest import PAPER, Rest
@@ -104,7 +104,7 @@ class Run:
         if event.trigger == "rest":
             return f"{self.rest.criterion.measure(self.engine):.3g}, to be at rest: {self.rest}"
         if TRIGGERS[event.trigger].of_lid:
-            return f"the lid stands {lid_height(self.engine):.4g} m high under {1e-3 * lid_stress(self.engine):.4g} kPa"
+            return lid_standing(self.engine)
         if event.trigger == "discharged":
             return f"a share of {self.dropped / self.full:.3g} has left"
         return f"due at {self._due() * self.engine.model.dt:.6g} s"
@@ -156,10 +156,8 @@ class Run:
             return False
         if event.trigger == "rest":
             return self.come == self.engine.most and self.rest.holds(self.engine)
-        if event.trigger == "lid_rests":
-            return lid_rests(self.engine)
-        if event.trigger == "lid_stress":
-            return lid_stress(self.engine) >= event.value
+        if TRIGGERS[event.trigger].of_lid:
+            return lid_meets(self.engine, event)
         return self.dropped >= event.value * self.full
 
     def _pour(self) -> None:
@@ -237,12 +235,8 @@ class Run:
 
     def _feed(self) -> None:
         """Let the feeder take what is due."""
-        engine, feeder = self.engine, self.feeder
-        if feeder is None or not feeder.rate > 0.0:
-            return
-        gone = feeder.take(engine, CHECK_EVERY * engine.model.dt)
-        if gone.any():
-            self.recording.passed += drawn(engine, gone, self.outlet_at)
+        if self.feeder and (gone := self.feeder.take(self.engine, CHECK_EVERY * self.engine.model.dt)).any():
+            self.recording.passed += drawn(self.engine, gone, self.outlet_at)
             self._take_away(lambda: self._take_out(gone, DISCHARGED))
 
     def _take_out(self, gone: np.ndarray, way: str) -> None:
