@@ -82,7 +82,7 @@ def outlet_arrays(run: Run, scene: SphereScene) -> dict[str, np.ndarray]:
     opened = dict.fromkeys(openings, np.nan)
     for event, (when, *_) in zip(run.events, run.recording.happened, strict=False):
         if event.action == "open holes":
-            opened |= {name: when for name in event.what[1:] if np.isnan(opened[name])}
+            opened |= {name: when for name in event.what[1] if np.isnan(opened[name])}
     return {
         "outlet": np.array(list(openings)), "outlet_opened": np.array(list(opened.values())),
         "outlet_left": left, "outlet_right": right,

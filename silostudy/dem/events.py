@@ -39,9 +39,9 @@ class Event:
     """One event: it waits for its turn, then for its trigger, then acts.
 
     trigger: a key of TRIGGERS; value: its seconds, share or Pa.
-    action: open (wall, walls that replace it), open holes (wall, names of its holes), remove (label or x, y), gravity (x, y),
-    friction (pair, wall), stop; of walls that move lower (), press (load, mass, speed, lowest), move (speed, force, height),
-    turn (spin, walls); feed (rate).
+    action: open (wall, walls that replace it), open holes (wall, names of its holes, speed), remove (label or x, y),
+    gravity (x, y), friction (pair, wall), stop; of walls that move lower (), press (load, mass, speed, lowest),
+    move (speed, force, height), turn (spin, walls); feed (rate).
     """
 
     trigger: str

@@ -179,8 +179,8 @@ class Run:
         if action == "open":
             self._take_away(lambda: swap_walls(engine, event.what[0], event.what[1:]))
         elif action == "open holes":
-            self._take_away(lambda: open_holes(engine, event.what[0], event.what[1:]))
-            action = f"open {', '.join(event.what[1:])}"
+            self._take_away(lambda: open_holes(engine, *event.what))
+            action = f"open {', '.join(event.what[1])}"
         elif action == "remove":
             action = self._remove(event.what)
         elif action == "gravity":

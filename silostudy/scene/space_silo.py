@@ -44,7 +44,8 @@ class SpaceSilo:
     """A silo as the codes know it, and what only grains need.
 
     outlets: of a flat floor, none: a closed one; wedge: the hopper of a square or rectangular plan slopes on two sides only,
-    else on all four, equally steep; freeboard: height (m) of the walls above the highest contact with the solid.
+    else on all four, equally steep; freeboard: height (m) of the walls above the highest contact with the solid; gated: whether
+    outlets open at a speed, when the plug of a hopper is a level piece whose hole grows.
     """
 
     silo: Silo
@@ -52,6 +53,7 @@ class SpaceSilo:
     wedge: bool = False
     freeboard: float = 0.0
     lid: bool = False
+    gated: bool = False
 
     def __post_init__(self):
         require_surfaces(self)
@@ -154,7 +156,8 @@ class SpaceSilo:
         assert opening is not None
         opens = bool(self.openings)
         faces = sides_between(HOPPER, opening, 0.0, self.plan, self.bottom, cells, not opens, True)
-        return (level(FLOOR, opening, 0.0, cells), *faces) if opens else faces
+        plug = (Hole(name=OUTLET, outline=opening),) if self.gated else ()
+        return (level(FLOOR, opening, 0.0, cells, plug), *faces) if opens else faces
 
 
 def level(name: str, outline: Outline, height: float, cells: tuple[int, int], holes: tuple[Hole, ...] = ()) -> Surface:

@@ -32,7 +32,9 @@ def _action(event: SphereEventConfig, space: SpaceSilo, mass: float) -> tuple[st
     if event.do in OF_LID:
         return lid_action(event, space.plan.area, mass, space.bottom, space.top)
     if event.do == "open_outlet":
-        return ("open", (FLOOR,)) if space.opening else ("open holes", (FLOOR, *(event.outlets or space.openings)))
+        if space.opening and not space.gated:
+            return "open", (FLOOR,)
+        return "open holes", (FLOOR, event.outlets or tuple(space.openings), event.speed_m_s or 0.0)
     return "stop", ()
 
 

@@ -13,6 +13,7 @@ from silostudy.dem.model import Contact
 from silostudy.dem.pieces import Laws
 from silostudy.dem.rain import Rain
 from silostudy.errors import BadInput
+from silostudy.scene.lid import slides
 from silostudy.scene.silo_from import silo_of
 from silostudy.scene.space_silo import Outlet, SpaceSilo
 from silostudy.tables.materials import MATERIALS, PAIRS, Material
@@ -27,7 +28,13 @@ def space_silo_of(scene: SphereScene, where: str = "") -> SpaceSilo:
         raise BadInput("silo.top_cone_height_m", scene.silo.top_cone_height_m, "spheres make their heap themselves", where)
     outlets = tuple(Outlet(width=one.width_m, length=one.length_m, middle=one.middle_m, name=one.name) for one in scene.outlets)
     try:
-        return SpaceSilo(silo=silo_of(scene.silo, nan, where, ""), outlets=outlets, wedge=scene.wedge, lid=scene.lid)
+        return SpaceSilo(
+            silo=silo_of(scene.silo, nan, where, ""),
+            outlets=outlets,
+            wedge=scene.wedge,
+            lid=scene.lid,
+            gated=slides(scene.events),
+        )
     except BadInput as error:
         raise BadInput(error.field, error.value, error.allowed, error.where or where) from None
 

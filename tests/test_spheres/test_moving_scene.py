@@ -9,6 +9,7 @@ from silostudy.compute.dem_cube import cube_of
 from silostudy.config.load import validated
 from silostudy.config.spheres import SphereScene
 from silostudy.dem.ledger import TURNOVER, balance
+from silostudy.dem.space.surfaces import MORE, OPEN, RIM
 from silostudy.errors import BadInput
 from silostudy.scene.spheres_about import sphere_effects
 from tests.test_spheres.small import carried, content, run
@@ -123,3 +124,34 @@ def test_a_feeder_draws_at_its_rate():
     assert fed.engine.walls.live[fed.engine.model.wall_number("floor")]  # the plug stays
     account = fed.engine.ledger.account
     assert abs(balance(account)) < 1e-9 * account[TURNOVER]
+
+
+@pytest.mark.long
+@pytest.mark.parametrize(
+    "changes", [{}, {"silo": FLAT, "outlets": [{"width_m": 0.03, "length_m": 0.04}]}], ids=["cone", "slot"]
+)
+def test_an_outlet_opens_at_a_speed(changes):
+    speed, width = 0.2, 0.03 if changes else 0.04
+    events = [{"when": "rest", "do": "open_outlet", "speed_m_s": speed}, {"when": "after", "value": 0.25, "do": "stop"}]
+    scene = validated(SphereScene, content(events=events, **changes), "gate.yaml")
+    whole, halved, again = run(scene), run(scene), run(scene)
+    widths = []
+
+    def tell(step):
+        hole = whole.engine.walls.shape[whole.engine.model.wall_number("floor"), MORE:]
+        widths.append((whole.engine.time, hole[OPEN], 2.0 * hole[RIM + 3]))
+
+    whole.go(tell=tell)
+    opened = whole.recording.happened[0][0]
+    time, is_open, wide = np.array([row for row in widths if row[0] > opened]).T
+    assert (is_open == 1.0).all()
+    assert wide == pytest.approx(np.minimum(speed * (time - opened), width), rel=1e-9)
+    assert whole.engine.walls.live[whole.engine.model.wall_number("floor")] == bool(changes)  # a plug goes when it is all hole
+    first = min(when for when, *_ in whole.recording.passed)
+    assert first - opened > 0.008 / speed  # a diameter
+    assert whole.recording.left["discharged"] > 20
+    halved.go(until=round((opened + 0.06) / whole.engine.model.dt))
+    again.restore(copy.deepcopy(halved.checkpoint()))
+    again.go()
+    assert np.array_equal(again.recording.window, whole.recording.window)
+    assert again.recording.passed == whole.recording.passed

@@ -8,6 +8,8 @@ import numpy as np
 from silostudy.dem.space.surfaces import (
     ACROSS,
     CIRCLE,
+    FULL,
+    GROWTH,
     HEIGHT,
     HOLES,
     LEVEL,
@@ -145,16 +147,17 @@ class LevelPiece(Surface):
         row[0], row[HEIGHT], row[OUTLINE : OUTLINE + 5], row[HOLES] = LEVEL, self.height, self.outline.row, len(self.holes)
         holes = row[MORE:].reshape(-1, PER_HOLE)
         for of, hole in zip(holes, (hole.outline for hole in self.holes), strict=True):
-            of[RIM:] = hole.row
-            of[-1] = ENDLESS if hole.half[1] >= self.outline.half[1] else of[-1]
+            of[RIM : RIM + 5], of[FULL] = hole.row, hole.half[0]
+            of[RIM + 4] = ENDLESS if hole.half[1] >= self.outline.half[1] else of[RIM + 4]
         row[UPWARD : UPWARD + 5], row[ACROSS : ACROSS + 5] = (0.0, 1.0, 0.0, y, back - y), (1.0, 0.0, 0.0, x, right - x)
         return row
 
-    def opened(self, row: np.ndarray, names: tuple[str, ...]) -> None:
-        """Open the holes of these names in its row."""
-        for number, hole in enumerate(self.holes):
+    def opened(self, row: np.ndarray, names: tuple[str, ...], speed: float) -> None:
+        """Open the holes of these names in its row: at a speed (m/s) of their width along x, or at once where that is none."""
+        for of, hole in zip(row[MORE:].reshape(-1, PER_HOLE), self.holes, strict=False):
             if hole.name in names:
-                row[MORE + PER_HOLE * number + OPEN] = 1.0
+                of[OPEN], of[GROWTH] = 1.0, speed / 2.0
+                of[RIM + 3] = 0.0 if speed > 0.0 else hole.outline.half[0]
 
     @property
     def corners(self) -> np.ndarray:

@@ -27,7 +27,7 @@ ACROSS, UPWARD = 10, 15  # of both: unit vectors in the plane, each followed by 
 RISE, TURN = 20, 21  # of any surface: its speed upward (m/s), and its spin about the upright axis x = y = 0 (rad/s)
 MORE = 22  # first column of what a flat piece says of each side, and a level piece of each hole
 SIDE, PER_SIDE = 3, 4  # of a side: the corner that it starts from, then whether it is joined
-OPEN, RIM, PER_HOLE = 0, 1, 6  # of a hole: whether it is open, its outline
+OPEN, RIM, GROWTH, FULL, PER_HOLE = 0, 1, 6, 7, 8  # of a hole: whether it is open, its outline; half width to come (m/s, m)
 CIRCLE, RECTANGLE = 0.0, 4.0  # numbers of sides of an outline; others are regular polygons, one side facing x
 
 
@@ -185,6 +185,26 @@ def height_of(shape, wall):
 def lift(shape, wall, way):
     """Move a level surface up by a way (m)."""
     shape[wall, START_Z if shape[wall, 0] == TURNED else HEIGHT] += way
+
+
+@njit(**OPTIONS)
+def widen(shape, wall, dt):
+    """Widen the holes of a level piece that grow, by a step (s); whether one has taken the whole piece away.
+
+    The piece recedes and stands still: it drags nothing with it, and what has not touched it does not come to.
+    """
+    if shape[wall, 0] != LEVEL:
+        return False
+    gone = False
+    for k in range(int(shape[wall, HOLES])):
+        hole = MORE + PER_HOLE * k
+        if shape[wall, hole + GROWTH] > 0.0:
+            half = min(shape[wall, hole + RIM + 3] + shape[wall, hole + GROWTH] * dt, shape[wall, hole + FULL])
+            shape[wall, hole + RIM + 3] = half
+            if half == shape[wall, hole + FULL]:
+                shape[wall, hole + GROWTH] = 0.0
+                gone = gone or half >= shape[wall, OUTLINE + 3]
+    return gone
 
 
 def motion_of(shape: np.ndarray) -> np.ndarray:
