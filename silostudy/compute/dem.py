@@ -84,7 +84,8 @@ def _of_spheres(scene: SphereScene, model: Model) -> dict[str, Any]:
     return {
         "events": sphere_events(scene, space, float(model.mass.sum())),
         "rain": rain,
-        "feeder": Feeder(space.over_outlet) if feeds(scene.events) else None,
+        "feeder": Feeder(space.over_outlets) if feeds(scene.events) else None,
+        "outlet_at": space.outlet_at if len(space.openings) > 1 else None,
     }
 
 

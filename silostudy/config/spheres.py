@@ -101,10 +101,14 @@ else:
 
 
 class OutletConfig(Strict):
-    """The outlet of a flat floor, silo.outlet_eccentricity_m off the axis."""
+    """An outlet of a flat floor."""
 
+    name: str = described("name that events open it by", "", min_length=1, default="outlet")
     width_m: float = described("diameter; where it has a length its width along x", "m", gt=0)
     length_m: float | None = described("length along y; null: a round outlet", "m", gt=0, default=None)
+    middle_m: tuple[float, float] | None = described(
+        "x and y of its middle; null: silo.outlet_eccentricity_m off the axis towards x", "m", default=None
+    )
 
 
 class SphereRecordConfig(Recorded):
@@ -127,7 +131,7 @@ class SphereScene(GrainScene):
         "silo as in a study of pressures; its depth is the height of the vertical walls; what only codes read is passed over",
         "",
     )
-    outlet: OutletConfig | None = described("outlet of a flat floor; null: closed, or the hopper's", "", default=None)
+    outlets: tuple[OutletConfig, ...] = described("outlets of a flat floor; none: closed, or the hopper's", "", default=())
     wedge: bool = described("whether the hopper of a square or rectangle slopes on two sides only", "", default=False)
     lid: bool = described("whether a lid closes the top", "", default=False)
     grain: GrainConfig = described("material of the spheres", "")
@@ -204,12 +208,23 @@ class SphereScene(GrainScene):
 
     @model_validator(mode="after")
     def _opens(self) -> Self:
-        width = self.silo.hopper.outlet_width_m if self.silo.hopper else self.outlet.width_m if self.outlet else 0.0
         for event in self.events:
-            if event.do in ("open_outlet", "feed") and not width:
-                raise ValueError(
-                    f"{event.do} needs an outlet: silo.hopper.outlet_width_m above 0, or an outlet of a flat floor"
-                )
             if (event.of_lid or "lid" in event.surfaces) and not self.lid:
                 raise ValueError(f"{event.do} when {event.when} needs lid: true")
+        known = [outlet.name for outlet in self.outlets]
+        hopper = self.silo.hopper is not None and self.silo.hopper.outlet_width_m > 0.0
+        shut = ["the hopper's"] if hopper else list(known)
+        for number, event in enumerate(self.events):
+            if event.do not in ("open_outlet", "feed"):
+                continue
+            if not (hopper or known):
+                raise ValueError(f"{event.do} needs an outlet: silo.hopper.outlet_width_m above 0, or outlets of a flat floor")
+            if event.do == "feed":
+                continue
+            for name in event.outlets:
+                if name not in known:
+                    raise ValueError(f"events.{number}.outlets: {name} is unknown; known: {', '.join(known) or 'none by name'}")
+            if not (opening := [name for name in shut if name in event.outlets or not event.outlets]):
+                raise ValueError(f"events.{number} opens nothing: open by then")
+            shut = [name for name in shut if name not in opening]
         return self

@@ -5,14 +5,14 @@ from collections.abc import Callable
 import numpy as np
 
 from silostudy.dem.branch import go_on
-from silostudy.dem.change import keep_discs, set_friction, swap_walls
+from silostudy.dem.change import keep_discs, open_holes, set_friction, swap_walls
 from silostudy.dem.checkpoint import checkpoint, restore
 from silostudy.dem.engine import Engine, Explosion
 from silostudy.dem.events import TRIGGERS, Event
 from silostudy.dem.feeder import Feeder
-from silostudy.dem.leaving import DISCHARGED, REMOVED, SPILT, below, lowest, spilt
+from silostudy.dem.leaving import DISCHARGED, REMOVED, SPILT, OutletAt, below, drawn, lowest, passing, spilt
 from silostudy.dem.ledger import ENTRIES, carry_out, change_gravity, take_springs
-from silostudy.dem.moves import MOVES, OF_LID, lid_height, lid_rests, lid_stress
+from silostudy.dem.moves import MOVES, OF_LID, lid_meets, lid_standing
 from silostudy.dem.observer import Observer
 from silostudy.dem.rain import Rain, pour
 from silostudy.dem.recording import Recording
@@ -30,6 +30,7 @@ class Run:
     read; all off by default.
     rest: what the trigger `rest` waits for, once all bodies are there; rain: how those come in that wait at the start;
     feeder: what draws bodies from a closed outlet, once an event sets its rate.
+    outlet_at: places (n, d) at the outlets' level -> numbers of their outlets, None: there is one.
     """
 
     def __init__(
@@ -44,11 +45,13 @@ class Run:
         rest: Rest = PAPER,
         rain: Rain | None = None,
         feeder: Feeder | None = None,
+        outlet_at: OutletAt = None,
     ):
         if not events or events[-1].action != "stop":
             raise BadInput("events", [event.action for event in events], "the last event must be a stop")
         self.engine, self.events, self.window, self.snapshots = engine, events, window, snapshots
         self.observers, self.rest, self.rain, self.feeder = observers, rest, rain, feeder
+        self.outlet_at = outlet_at
         self.recording, self.last = Recording(), round(limit / engine.model.dt)
         self.next_event, self.since, self.opened = 0, 0, engine.step
         self.full = float(engine.model.mass.sum())
@@ -109,7 +112,7 @@ class Run:
         if event.trigger == "rest":
             return f"{self.rest.criterion.measure(self.engine, self.looked):.3g}, to be at rest: {self.rest}"
         if TRIGGERS[event.trigger].of_lid:
-            return f"the lid stands {lid_height(self.engine):.4g} m high under {1e-3 * lid_stress(self.engine):.4g} kPa"
+            return lid_standing(self.engine)
         if event.trigger == "discharged":
             return f"a share of {(self.gone + self.dropped) / self.full:.3g} has left"
         return f"due at {self._due() * self.engine.model.dt:.6g} s"
@@ -167,10 +170,8 @@ class Run:
             return False
         if event.trigger == "rest":
             return self.come == self.engine.most and self.rest.holds(self.engine, self.looked)
-        if event.trigger == "lid_rests":
-            return lid_rests(self.engine)
-        if event.trigger == "lid_stress":
-            return lid_stress(self.engine) >= event.value
+        if TRIGGERS[event.trigger].of_lid:
+            return lid_meets(self.engine, event)
         return self.gone + self.dropped >= event.value * self.full
 
     def _pour(self) -> None:
@@ -191,6 +192,9 @@ class Run:
         engine, action = self.engine, event.action
         if action == "open":
             self._take_away(lambda: swap_walls(engine, event.what[0], event.what[1:]))
+        elif action == "open holes":
+            self._take_away(lambda: open_holes(engine, *event.what))
+            action = f"open {', '.join(event.what[1])}"
         elif action == "remove":
             action = self._remove(event.what)
         elif action == "gravity":
@@ -245,12 +249,8 @@ class Run:
 
     def _feed(self) -> None:
         """Let the feeder take what is due."""
-        engine, feeder = self.engine, self.feeder
-        if feeder is None or not feeder.rate > 0.0:
-            return
-        gone = feeder.take(engine, CHECK_EVERY * engine.model.dt)
-        if gone.any():
-            self.recording.passed += [(engine.time, float(mass)) for mass in engine.mass[gone]]
+        if self.feeder and (gone := self.feeder.take(self.engine, CHECK_EVERY * self.engine.model.dt)).any():
+            self.recording.passed += drawn(self.engine, gone, self.outlet_at)
             self._take_away(lambda: self._take_out(gone, DISCHARGED))
 
     def _take_out(self, gone: np.ndarray, way: str) -> None:
@@ -265,12 +265,11 @@ class Run:
             record.discharge_time.append(self.engine.time)
             record.discharged.append(self.dropped)
 
-    def passing(self, which: np.ndarray) -> list[tuple[float, float]]:
-        """When (s) bodies among those left came below the outlet since the run began, each with its mass."""
+    def passing(self, which: np.ndarray) -> list[tuple[float, float, int]]:
+        """When (s) bodies among those left came below the outlet since the run began, each with mass and outlet."""
         engine = self.engine
-        steps, mass = engine.space.passed_for(engine.bodies.rows[: engine.n]), engine.mass
-        passed = np.flatnonzero(which & (steps > 0.0) & (engine.step - steps >= self.began))
-        return [((engine.step - steps[i]) * engine.model.dt, float(mass[i])) for i in passed]
+        later = engine.step - engine.space.passed_for(engine.bodies.rows[: engine.n]) >= self.began
+        return passing(engine, which & later, self.outlet_at)
 
     def _close_window(self) -> None:
         """Keep the window of wall forces up to now, the last of a run also where it is not full."""

@@ -1,6 +1,7 @@
 """A bin of spheres as figures see it: its walls' cells, its phases, the column at rest and Janssen's curve for it."""
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 import pandas as pd
@@ -31,11 +32,22 @@ def outline_of(cube: xr.Dataset) -> np.ndarray:
     return np.array([(half, top), (half, low), (aside + outlet, 0.0), (aside - outlet, 0.0), (-half, low), (-half, top)])
 
 
-def outline(panel: Axes, cube: xr.Dataset) -> Line2D:
-    """Draws walls and hopper where the plane through the axis cuts them (cm); gives what shuts the outlet."""
+def outline(panel: Axes, cube: xr.Dataset) -> list[tuple[Line2D, float]]:
+    """Draws the silo where the plane through the axis cuts it (cm); gives what shuts each outlet, and when (s) that goes."""
     x, z = 100.0 * outline_of(cube).T
-    parts = (slice(3), slice(3, 6), slice(2, 4))  # right, left, and what shuts the outlet
-    return [panel.plot(x[part], z[part], color="black", linewidth=1, gid=AID)[0] for part in parts][-1]
+    looks: dict[str, Any] = {"color": "black", "linewidth": 1, "gid": AID}
+    if "outlet" not in cube:
+        for part in (slice(3), slice(3, 6)):
+            panel.plot(x[part], z[part], **looks)
+        return [(panel.plot(x[2:4], z[2:4], **looks)[0], opened_at(cube))]
+    for side in (slice(2), slice(4, 6)):
+        panel.plot(x[side], z[side], **looks)
+    holes = 100.0 * np.column_stack([cube["outlet_left"], cube["outlet_right"]])
+    edges = np.sort(holes[np.isfinite(holes[:, 0])].ravel())
+    for ends in np.array([x[4], *edges, x[1]]).reshape(-1, 2):
+        panel.plot(ends, [0.0, 0.0], **looks)
+    times = cube["outlet_opened"].values
+    return [(panel.plot(hole, [0.0, 0.0], **looks)[0], float(time)) for hole, time in zip(holes, times, strict=True)]
 
 
 def phases(cube: xr.Dataset) -> pd.DataFrame:

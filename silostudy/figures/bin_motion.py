@@ -8,7 +8,7 @@ from matplotlib.animation import FuncAnimation, PillowWriter
 from matplotlib.axes import Axes
 from matplotlib.collections import EllipseCollection
 
-from silostudy.figures.bin import opened_at, outline
+from silostudy.figures.bin import outline
 from silostudy.figures.style import plt
 from silostudy.files import replacing
 
@@ -25,7 +25,7 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     shots = np.unique(np.linspace(0, cube.sizes["snapshot"] - 1, min(MOST, cube.sizes["snapshot"])).round().astype(int))
     half, top = (float(cube.attrs[name]) * CM for name in ("half_width_m", "top_height_m"))
     figure, panel = plt.subplots(figsize=(3.4, min(7.0, 1.6 + 2.6 * (top + BELOW) / (2.0 * half))))
-    plug = outline(panel, cube)
+    plugs = outline(panel, cube)
     panel.set(xlabel="across (cm)", ylabel="height above the outlet (cm)", aspect="equal")
     panel.set(xlim=(-half - 0.5, half + 0.5), ylim=(-BELOW, top))
     panel.grid(False)
@@ -38,8 +38,10 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
         shown.remove()
         shown = panel.add_collection(_slice(cube, shots[number], panel))
         time = float(cube["snapshot_time"][shots[number]])
-        plug.set_visible(time <= opened_at(cube))
-        panel.set_title(f"t = {time:.2f} s, {'outlet shut' if plug.get_visible() else 'outlet open'}", fontsize=8)
+        for plug, opened in plugs:
+            plug.set_visible(not time > opened)
+        shut = sum(plug.get_visible() for plug, _ in plugs)
+        panel.set_title(f"t = {time:.2f} s, {'outlet shut' if shut == len(plugs) else 'outlet open'}", fontsize=8)
 
     animation = FuncAnimation(figure, show, frames=len(shots), init_func=lambda: None)
     with replacing(stem.with_suffix(".webp")) as temporary:

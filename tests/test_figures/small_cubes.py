@@ -119,7 +119,7 @@ def flow_cube(study: str) -> xr.Dataset:
     expansion = expansion_of(study)
     shape = tuple(len(axis.settings()) for axis in expansion.study.sweep)
     scenes = [case.scene.config for case in expansion.cases]
-    width = np.array([scene.outlet.width_m for scene in scenes])
+    width = np.array([scene.outlets[0].width_m for scene in scenes])
     diameter = np.array([1e-3 * scene.sizes.diameter_mm for scene in scenes])
     flow = (1.0 + 0.02 * np.sin(np.arange(len(width)))) * 2700.0 * (width - 1.5 * diameter) ** 2.5
     numbers = {"mean_mass_flow": flow.reshape(shape), "mean_grain_diameter": diameter.reshape(shape)}

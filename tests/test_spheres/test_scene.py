@@ -201,3 +201,51 @@ def test_spheres_of_many_sizes_come_to_rest_and_carry_their_weight(sizes):
     assert not whole.trouble
     load = cube_of(whole, scene).surface_load.sum("surface")
     assert float(load[-1]) == pytest.approx(GRAVITY * whole.engine.mass.sum(), rel=5e-3)
+
+
+TWO = {
+    "silo__hopper": None,
+    "silo__diameter_m": 0.08,
+    "outlets": [
+        {"name": "round", "width_m": 0.034, "middle_m": [0.02, 0.0]},
+        {"name": "slot", "width_m": 0.03, "length_m": 0.04, "middle_m": [-0.018, 0.0]},
+    ],
+    "events": [
+        {"when": "rest", "do": "open_outlet", "outlets": ["slot"]},
+        {"when": "after", "value": 0.1, "do": "open_outlet", "outlets": ["round"]},
+        {"when": "after", "value": 0.1, "do": "stop"},
+    ],
+    "record__snapshots_s": [0.1],
+}
+
+
+@pytest.fixture(scope="module")
+def two():
+    scene = scene_of(**TWO)
+    whole = carried(scene)
+    assert not whole.trouble
+    return cube_of(whole, scene)
+
+
+def test_outlets_open_by_name_and_each_has_its_meter(two):
+    slot, later, _ = two.event_time.values
+    assert two.event_action.values.tolist()[:2] == ["rest: open slot", "after: open round"]
+    assert two.outlet_opened.sel(outlet=["slot", "round"]).values.tolist() == [slot, later]
+    assert np.allclose(two.outlet_outflow_mass.sum("outlet"), two.outflow_mass, rtol=1e-12)
+    through = two.outlet_outflow_mass.sel(outlet="round")
+    assert float(through.where(two.outflow_time < later).max()) == 0.0
+    mass = float(two.grain_mass[0])
+    assert float(through[-1]) > 8.0 * mass
+    assert float(two.outlet_outflow_mass.sel(outlet="slot").where(two.outflow_time < later).max()) > 8.0 * mass
+    assert float(two.surface_load.sel(surface="floor")[-1]) > 0.0
+
+
+@pytest.mark.parametrize(("threads", "later"), [(2, -0.01), (1, 0.05)])  # before the first opens, and between both
+def test_outlets_in_any_way_of_carrying_out(two, threads, later):
+    scene = scene_of(**TWO)
+    begun, resumed = run(scene), run(scene, threads=threads)
+    begun.go(until=round((float(two.event_time[0]) + later) / begun.engine.model.dt))
+    assert len(begun.recording.happened) == (later > 0.0)
+    resumed.restore(pickle.loads(pickle.dumps(begun.checkpoint())))
+    resumed.go()
+    same(two, cube_of(resumed, scene))
