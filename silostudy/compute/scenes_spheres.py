@@ -18,6 +18,7 @@ def numbers(run: Run, opening: float) -> Numbers:
     found = {
         "grains_at_start": np.array(len(run.engine.model.x)),
         "grains_left": np.array(run.engine.n),
+        "mean_grain_diameter": np.array(2.0 * run.engine.model.radius.mean()),
         "passed_mass": np.array(passed.sum()),
         "spilt_mass": np.array(run.recording.lost[SPILT]),
         "mean_mass_flow": np.array(mean_outflow(run).get("mean_outflow_kg_s", np.nan)),

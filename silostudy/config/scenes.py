@@ -2,13 +2,14 @@
 
 from functools import reduce
 from operator import or_
-from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, TypeAlias
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, Self, TypeAlias
 
-from pydantic import Discriminator, Tag
+from pydantic import Discriminator, Tag, model_validator
 
 from silostudy.config.fields import described
 from silostudy.config.grain_scenes import SCENES, AnyScene, scene_class
 from silostudy.config.study import SweepStudy
+from silostudy.tables.outputs import OUTPUTS
 
 
 def _model_of(scene: Any) -> str:
@@ -31,6 +32,13 @@ class ScenesStudy(SweepStudy):
 
     kind: Literal["scenes"] = described("scenes: a sweep of discrete-element scenes", "")
     scene: BaseScene = described("the base scene: what a file of config/scenes holds", "")
+
+    @model_validator(mode="after")
+    def _flows_in_space(self) -> Self:
+        for key in self.outputs:
+            if "only_spheres" in OUTPUTS[key].demands and self.scene.grains != "spheres":
+                raise ValueError(f"output {key} needs scene.grains: spheres")
+        return self
 
     @classmethod
     def scene_model(cls, scene: dict[str, Any], where: str) -> type:

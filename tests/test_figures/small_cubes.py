@@ -9,8 +9,10 @@ import xarray as xr
 
 from silostudy.accuracy import cube as accuracy
 from silostudy.choice.expand import expand
+from silostudy.compute.axes import sweep_of
 from silostudy.compute.dem_cube import cube_of as dem_cube
 from silostudy.config.load import read_yaml
+from silostudy.cube.assemble import assemble
 from silostudy.scene.expand import Expansion
 from silostudy.stages import STAGES, called_for
 from silostudy.tables.outputs import OUTPUTS
@@ -110,6 +112,19 @@ SMALLER: dict[str, dict] = {
 }
 
 
+@cache
+def flow_cube(study: str) -> xr.Dataset:
+    """The cube of a sweep of spheres that flow by Beverloo's law, each filling a little off: no kernel is compiled."""
+    expansion = expansion_of(study)
+    shape = tuple(len(axis.settings()) for axis in expansion.study.sweep)
+    scenes = [case.scene.config for case in expansion.cases]
+    width = np.array([scene.outlet.width_m for scene in scenes])
+    diameter = np.array([1e-3 * scene.sizes.diameter_mm for scene in scenes])
+    flow = (1.0 + 0.02 * np.sin(np.arange(len(width)))) * 2700.0 * (width - 1.5 * diameter) ** 2.5
+    numbers = {"mean_mass_flow": flow.reshape(shape), "mean_grain_diameter": diameter.reshape(shape)}
+    return assemble(expansion.study, "scenes", numbers, sources=[], sweep=sweep_of(expansion))
+
+
 def _nothing(*_: object) -> None:
     """Tells no progress."""
 
@@ -164,6 +179,8 @@ def cubes_of(output: str) -> list[xr.Dataset]:
     """The cubes that an output is drawn from."""
     if OUTPUTS[output].stage == "dem":
         return [bin_cube()]
+    if OUTPUTS[output].stage == "scenes":
+        return [flow_cube(study_of(output))]
     row, study = OUTPUTS[output], study_of(output)
     also = [stage for stage in row.also if stage in called_for(expansion_of(study).study)]
     return [cube_of(study, stage) for stage in (row.stage, *also)]

@@ -1,0 +1,58 @@
+"""Mass flow of spheres out of a bin over the width of its outlet, beside Beverloo's law."""
+
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+import xarray as xr
+from scipy.stats import linregress
+
+from silostudy.figures.style import plt, save
+
+POWER = 2.5  # Beverloo's
+EDGES = (1.0, 2.0)  # diameters by which an outlet seems narrower: what is found for spheres
+MM = 1e-3  # m
+
+
+def draw(cube: xr.Dataset, stem: Path) -> None:
+    """Writes the figure and its numbers: a point for each filling, and the line through all of them."""
+    table, diameter = flows(cube), float(cube["mean_grain_diameter"].mean())
+    slope, cut = line(table)
+    low, high = (power(table, edge * diameter) for edge in EDGES)
+    figure, panel = plt.subplots(figsize=(6.4, 4.6))
+    panel.plot(table["outlet_width_m"] / MM, table["root_of_flow"], "o", color="#0072b2", markersize=4, label="a filling")
+    ends = np.array([cut, table["outlet_width_m"].max()])
+    law = pd.DataFrame({"outlet_width_m": ends, "root_of_flow": slope * (ends - cut)})
+    told = f"Beverloo's law, $(D - k d)^{{5/2}}$ with k = {cut / diameter:.2f}"
+    panel.plot(law["outlet_width_m"] / MM, law["root_of_flow"], color="#d55e00", label=told)
+    panel.set(xlabel="width of the outlet D (mm)", ylabel="mass flow to the power 2/5 (kg$^{2/5}$ s$^{-2/5}$)")
+    panel.set(xlim=(0.0, None), ylim=(0.0, None))
+    panel.legend(loc="lower right")
+    told = f"power of (D - k d): {low:.2f} for k = {EDGES[0]:g}, {high:.2f} for k = {EDGES[1]:g}; Beverloo: 5/2"
+    figure.suptitle(f"{cube.attrs['title']}\n{told}", fontsize=10)
+    shown = pd.concat([table.assign(kind="filling"), law.assign(kind="law")], ignore_index=True)
+    save(figure, shown.assign(power_for_k_1=low, power_for_k_2=high), stem)
+
+
+def flows(cube: xr.Dataset) -> pd.DataFrame:
+    """Outlet (m) and mass flow (kg/s) of every case that flowed, and the flow to the power 2/5."""
+    flow, width = xr.broadcast(cube["mean_mass_flow"], cube["outlet_width"])
+    table = pd.DataFrame({"outlet_width_m": width.values.ravel(), "mass_flow_kg_s": flow.values.ravel()}).dropna()
+    return table.assign(root_of_flow=table["mass_flow_kg_s"] ** (1.0 / POWER))
+
+
+def line(table: pd.DataFrame) -> tuple[float, float]:
+    """Slope (kg^2/5 s^-2/5 m^-1) of the line through the flows to the power 2/5, and the width (m) at which it is 0.
+
+    Source: mankoc_2007 (Beverloo's law).
+    """
+    found = linregress(table["outlet_width_m"], table["root_of_flow"])
+    return float(found.slope), float(-found.intercept / found.slope)
+
+
+def power(table: pd.DataFrame, edge: float) -> float:
+    """Power (1) of the outlet less an edge (m) that the flow grows with; NaN where an outlet is no wider than the edge."""
+    free = table["outlet_width_m"] - edge
+    if not (free > 0.0).all():
+        return np.nan
+    return float(linregress(np.log(free), np.log(table["mass_flow_kg_s"])).slope)
