@@ -59,7 +59,7 @@ class LammpsSpheres:
 
     @staticmethod
     def _law(model: SphereModel, law: str, kind: str) -> str:
-        contact = model.pair_contact if kind == "pair" else model.wall_contact
+        contact = model.between(0, 0) if kind == "pair" else model.at_wall(0, 0)
         if law == "granular":
             material = f"hertz/material {MODULUS} {RESTITUTION[kind]} {POISSON}"
             return f"{material} tangential mindlin/force NULL 1.0 {FRICTION[kind]} damping tsuji"

@@ -25,8 +25,8 @@ DISCS, OTHERS = "discrete elements", "only effects of discrete elements are coun
 def full_scenes() -> list[tuple[str, Model]]:
     """Scenes that have between them every effect of the engine; friction is priced where nothing is recorded as well."""
     model, _ = silo_of_rows(ACTIVE, LEVELS)
-    rolling = replace(model, pair_contact=_rolling(model.pair_contact), wall_contact=_rolling(model.wall_contact))
-    pulling = replace(model, pair_contact=_pulling(model.pair_contact), wall_contact=_pulling(model.wall_contact))
+    rolling = replace(model, pair_contact=_rolling(model.between(0, 0)), wall_contact=_rolling(model.at_wall(0, 0)))
+    pulling = replace(model, pair_contact=_pulling(model.between(0, 0)), wall_contact=_pulling(model.at_wall(0, 0)))
     sizes = replace(model, radius=model.radius * (1.0 - 0.002 * (np.arange(len(model.x)) % 2)))
     shaken = replace(model, quake=np.zeros((2, 2)))
     recording = replace(model, watched=True)

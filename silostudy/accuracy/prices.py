@@ -13,6 +13,7 @@ import numpy as np
 from silostudy.dem.engine import Engine
 from silostudy.dem.model import Contact, Model
 from silostudy.dem.pieces import Laws
+from silostudy.dem.varied import Varied
 
 TURNS, READING = 15, 0.02  # readings of each variant, and the CPU seconds that one lasts about
 SETTLING = 1e7  # particle-steps that are spent on coming near rest
@@ -32,16 +33,17 @@ class Price:
 
 def without(model: Model) -> dict[str, tuple[Model, Model]]:
     """Pairs of models with and without one effect, for the effects that a model has; both of the same places."""
-    found = {}
+    found, (pair, wall) = {}, (model.between(0, 0), model.at_wall(0, 0))
     if model.pieces.turns:
         found["friction, rotation, history"] = (
             model,
-            replace(model, pair_contact=_bare(model.pair_contact), wall_contact=_bare(model.wall_contact)),
+            replace(model, pair_contact=_bare(pair), wall_contact=_bare(wall)),
         )
     for family, name in (("rolling", "rolling resistance"), ("cohesion", "cohesion")):
         if getattr(model.pair_contact.laws, family).acts:
-            pair, wall = (_less(contact, family) for contact in (model.pair_contact, model.wall_contact))
-            found[name] = (model, replace(model, pair_contact=pair, wall_contact=wall))
+            found[name] = (model, replace(model, pair_contact=_less(pair, family), wall_contact=_less(wall, family)))
+    if isinstance(model.wall_contact, Varied):
+        found["walls of several coefficients"] = (model, replace(model, wall_contact=wall))
     if model.unequal:
         equal = np.full(len(model.x), model.radius.mean())
         hardly = equal * (1.0 + APART * (np.arange(len(equal)) % 2))

@@ -80,7 +80,7 @@ def softened(model: Model, factor: float) -> Model:
 
 def with_dashpot(model: Model, normal: NormalLaw) -> Model:
     """The same discs with another law of the normal force that takes the same coefficients."""
-    pair, wall = (replace(one, laws=replace(one.laws, normal=normal)) for one in (model.pair_contact, model.wall_contact))
+    pair, wall = (replace(one, laws=replace(one.laws, normal=normal)) for one in (model.between(0, 0), model.at_wall(0, 0)))
     return replace(model, pair_contact=pair, wall_contact=wall)
 
 

@@ -27,7 +27,7 @@ def filled(seed: int, step: float, integrator: str, normal: NormalLaw, tangentia
     model, _ = silo_of_rows(ACTIVE, LEVELS, offset=GAPS[ACTIVE] / 3.0, seed=seed)
     pair, wall = (
         replace(one, laws=replace(one.laws, normal=normal, tangential=tangential))
-        for one in (model.pair_contact, model.wall_contact)
+        for one in (model.between(0, 0), model.at_wall(0, 0))
     )
     return replace(model, pair_contact=pair, wall_contact=wall, dt=step, integrator=integrator)
 
@@ -59,7 +59,7 @@ def peer_at_rest(model: Model, time: float) -> np.ndarray | None:
 def profile(places: np.ndarray, model: Model, parts: int) -> np.ndarray:
     """Normal force (N/m) on both side walls by parts of the fill's height, from the floor up: springs of discs at rest."""
     x, y = places.T
-    stiffness = model.wall_contact.coefficients["normal_stiffness"]
+    stiffness = model.at_wall(0, 0).coefficients["normal_stiffness"]
     width, top = inner_width(model), float(model.y.max()) + RADIUS
     push = stiffness * (np.maximum(RADIUS - x, 0.0) + np.maximum(x - (width - RADIUS), 0.0))
     return np.histogram(y, np.linspace(0.0, top, parts + 1), weights=push)[0]

@@ -183,4 +183,4 @@ def peer_step(calm: Model, model: Model, rest: Rest, kick: np.ndarray, steps: in
 
 
 def _with_laws(model: Model, calm: Model) -> Contact:
-    return replace(model.pair_contact, laws=calm.pair_contact.laws)
+    return replace(model.between(0, 0), laws=calm.pair_contact.laws)

@@ -64,6 +64,7 @@ def _kinds(scene: DemScene, walls: ContactConfig) -> Iterator[tuple[str, object,
     yield "packing.kind", scene.packing.kind, rows.ROW.key
     yield "silo.hopper_half_angle_deg", scene.silo.hopper_half_angle_deg, None
     yield "quake", scene.quake, None
+    yield "surfaces", scene.surfaces or None, None
     yield "gravity", "straight down" if across == 0 and up < 0 else scene.gravity_m_s2, "straight down"
     for name, contact in (("discs", scene.discs), ("walls", walls)):
         for family, law in contact.laws.items():

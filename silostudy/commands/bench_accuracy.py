@@ -73,7 +73,7 @@ def _wall_force(model: Model, places: np.ndarray) -> np.ndarray:
     width, radius = inner_width(model), model.radius[0]
     edges = np.linspace(0.0, float(model.y.max()) + radius, PARTS + 1)
     edges[0], edges[-1] = -np.inf, np.inf
-    stiffness = model.wall_contact.coefficients["normal_stiffness"]
+    stiffness = model.at_wall(0, 0).coefficients["normal_stiffness"]
     overlaps = (np.maximum(0.0, radius - places[:, 0]), np.maximum(0.0, places[:, 0] + radius - width))
     return np.array([np.histogram(places[:, 1], edges, weights=stiffness * one)[0] for one in overlaps])
 

@@ -38,9 +38,10 @@ def _choices(field: Mapping[str, Any]) -> str:
 
 
 def _branches(field: Mapping[str, Any]) -> Iterator[Mapping[str, Any]]:
-    """A field's schema, and those that it is a union or a list of."""
+    """A field's schema, and those that it is a union, a list or a table of."""
     yield field
-    for inner in (*field.get("anyOf", ()), *field.get("oneOf", ()), *([field["items"]] if "items" in field else ())):
+    nested = (field[name] for name in ("items", "additionalProperties") if isinstance(field.get(name), Mapping))
+    for inner in (*field.get("anyOf", ()), *field.get("oneOf", ()), *nested):
         yield from _branches(inner)
 
 

@@ -84,6 +84,13 @@ class LawsConfig(Strict):
     def _own(self) -> tuple[Coefficient, ...]:
         return own_coefficients({name: self._families.get(family.name, family) for name, family in self.choices.items()})
 
+    def with_values(self, values: Mapping[str, Any]) -> Self:
+        """The section with other values, sound as a whole; one of fields that stand for each other drops those it replaces."""
+        groups = [group for law in self.laws.values() for one in law.coefficients for group in one.fields]
+        dropped = {field for group in groups if any(field in values for field in group) for field in group}
+        kept = {name: value for name, value in self.model_dump().items() if name not in dropped}
+        return type(self).model_validate(kept | dict(values), context={"families": self._families})
+
     @model_validator(mode="after")
     def _fields_of_laws(self, info: ValidationInfo) -> Self:
         self._families = families_of(info)

@@ -11,6 +11,7 @@ from silostudy.config.contact import ContactConfig
 from silostudy.config.fields import Strict, described, one_of
 from silostudy.config.moves import MovingEvent, Takes
 from silostudy.config.run import GrainScene, Recorded
+from silostudy.config.surfaces import apart_from, in_place
 from silostudy.contact import LAWS
 from silostudy.packing import PACKINGS
 from silostudy.tables.constants import ROUNDED_GRAVITY
@@ -53,7 +54,7 @@ class EventConfig(MovingEvent):
         "open_slit": Takes(),
         "remove_disc": Takes(may=("disc", "near_m")),
         "set_gravity": Takes(("gravity_m_s2",)),
-        "set_friction": Takes(may=("disc_friction", "wall_friction")),
+        "set_friction": Takes(may=("disc_friction", "wall_friction", "surfaces")),
     }
 
     do: Literal[
@@ -63,7 +64,10 @@ class EventConfig(MovingEvent):
     near_m: tuple[float, float] | None = described("x, y of the place whose nearest disc to remove", "m", default=None)
     gravity_m_s2: tuple[float, float] | None = described("new gravity, x and y", "m s-2", default=None)
     disc_friction: float | None = described("new friction between discs", ge=0, default=None)
-    wall_friction: float | None = described("new friction at the walls", ge=0, default=None)
+    wall_friction: float | None = described("new friction at all walls, or at surfaces", ge=0, default=None)
+    surfaces: tuple[str, ...] = described(
+        "set_friction: where wall_friction changes, by names as in the scene's surfaces; none: all walls", "", default=()
+    )
 
     @model_validator(mode="after")
     def _has_what_it_needs(self) -> Self:
@@ -71,7 +75,15 @@ class EventConfig(MovingEvent):
             raise ValueError("remove_disc needs either disc or near_m")
         if self.do == "set_friction" and self.disc_friction is None and self.wall_friction is None:
             raise ValueError("set_friction needs disc_friction or wall_friction")
+        if self.surfaces and self.wall_friction is None:
+            raise ValueError("surfaces are where a wall_friction changes: give that too")
         return self
+
+
+if TYPE_CHECKING:
+    SurfaceConfig = Any
+else:
+    SurfaceConfig = apart_from("SurfaceConfig", "How a surface that is not like the other walls pushes discs.", ContactConfig)
 
 
 class RecordConfig(Recorded):
@@ -104,6 +116,12 @@ class DemScene(Asked, GrainScene):
     density_kg_m3: float = described("density of the discs", "kg m-3", gt=0)
     discs: ContactConfig = described("contact between discs", "")
     walls: ContactConfig | None = described("contact of discs and walls; null: as between discs", "", default=None)
+    surfaces: dict[str, SurfaceConfig] = described(
+        "walls that are not like the others, by their names (`silostudy explain SCENE` lists them); a name stands for its "
+        "parts too, hopper for hopper_left and hopper_right; what they do not say is as for walls",
+        "",
+        default={},
+    )
     gravity_m_s2: tuple[float, float] = described("gravity, x and y (up)", "m s-2", default=(0.0, -ROUNDED_GRAVITY))
     quake: QuakeConfig | None = described("acceleration of the box", "", default=None)
     events: tuple[EventConfig, ...] = described("what happens, in order; the last is a stop", "", min_length=1)
@@ -119,6 +137,17 @@ class DemScene(Asked, GrainScene):
         """Files that the scene is made from."""
         packed = (self.packing.file,) if PACKINGS[self.packing.kind].from_file else ()
         return (*packed, *([self.quake.file] if self.quake else []))
+
+    @property
+    def surface_contacts(self) -> dict[str, ContactConfig]:
+        """Contacts of the surfaces that are not like the other walls."""
+        walls = self.walls or self.discs
+        return {name: in_place(walls, surface.given, f"surfaces.{name}") for name, surface in self.surfaces.items()}
+
+    @model_validator(mode="after")
+    def _surfaces_are_sound(self) -> Self:
+        self.surface_contacts  # noqa: B018  (each is made)
+        return self
 
     @model_validator(mode="after")
     def _one_step(self) -> Self:

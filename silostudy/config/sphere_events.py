@@ -16,7 +16,7 @@ class SphereEventConfig(MovingEvent):
         **MovingEvent.takes,
         "open_outlet": Takes(may=("outlets", "speed_m_s")),
         "set_gravity": Takes(("gravity_m_s2",)),
-        "set_friction": Takes(may=("sphere_friction", "wall_friction")),
+        "set_friction": Takes(may=("sphere_friction", "wall_friction", "surfaces")),
         "rotate": Takes(("spin_rad_s", "surfaces")),
     }
 
@@ -32,19 +32,24 @@ class SphereEventConfig(MovingEvent):
     outlets: tuple[str, ...] = described("open_outlet: names of the outlets of a flat floor; none: all", "", default=())
     gravity_m_s2: tuple[float, float, float] | None = described("new gravity, x, y and z", "m s-2", default=None)
     sphere_friction: float | None = described("new friction between spheres", ge=0, default=None)
-    wall_friction: float | None = described("new friction at the walls", ge=0, default=None)
+    wall_friction: float | None = described("new friction at all walls, or at surfaces", ge=0, default=None)
     spin_rad_s: float | None = described(
         "rotate: of surfaces of a circular silo about its upright axis, counter-clockwise from above; they stay where they "
         "are and drag what touches them. A drum is such a silo with gravity across its axis",
         "s-1",
         default=None,
     )
-    surfaces: tuple[Literal["wall", "hopper", "floor", "lid"], ...] = described(
-        "rotate: the surfaces that turn: of a drum wall, floor and lid, of a shear cell the lid alone", "", default=()
+    surfaces: tuple[str, ...] = described(
+        "rotate: the surfaces that turn: of a drum wall, floor and lid, of a shear cell the lid alone; set_friction: those "
+        "where wall_friction changes, by names as in the scene's surfaces, none: all walls",
+        "",
+        default=(),
     )
 
     @model_validator(mode="after")
     def _has_what_it_needs(self) -> Self:
         if self.do == "set_friction" and self.sphere_friction is None and self.wall_friction is None:
             raise ValueError("set_friction needs sphere_friction or wall_friction")
+        if self.do == "set_friction" and self.surfaces and self.wall_friction is None:
+            raise ValueError("surfaces are where a wall_friction changes: give that too")
         return self

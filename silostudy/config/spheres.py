@@ -12,6 +12,7 @@ from silostudy.config.own import key_of
 from silostudy.config.run import GrainScene, Recorded
 from silostudy.config.scene import Silo
 from silostudy.config.sphere_events import SphereEventConfig
+from silostudy.config.surfaces import apart_from, in_place
 from silostudy.contact import NO_COHESION, NO_ROLLING, NO_TWISTING, SPHERE_LAWS
 from silostudy.contact.normal import hertz
 from silostudy.contact.tangential import mindlin
@@ -92,6 +93,13 @@ class TouchConfig(LawsConfig):
     sliding_friction: float | None = described("friction coefficient; null: of the pair of materials", ge=0, default=None)
 
 
+if TYPE_CHECKING:
+    SphereSurfaceConfig = Any
+else:
+    told = "Material and contact of a surface that is not like the other walls."
+    SphereSurfaceConfig = apart_from("SphereSurfaceConfig", told, MaterialConfig, TouchConfig)
+
+
 class OutletConfig(Strict):
     """An outlet of a flat floor."""
 
@@ -130,6 +138,12 @@ class SphereScene(GrainScene):
     wall: MaterialConfig = described("material of the walls", "")
     spheres: TouchConfig = described("contact between spheres", "", default=TouchConfig())
     walls: TouchConfig = described("contact of spheres and walls", "", default=TouchConfig())
+    surfaces: dict[str, SphereSurfaceConfig] = described(
+        "surfaces that are not like the other walls, by their names (`silostudy explain SCENE` lists them); a name stands for "
+        "its parts too, hopper for hopper_1, hopper_2, ...; what they do not say is as for wall and walls",
+        "",
+        default={},
+    )
     sizes: SizesConfig = described("sizes of the spheres; a file gives its own", "", default=None)
     filling: FillingConfig = described("how the spheres come in", "")
     gravity_m_s2: tuple[float, float, float] = described(
@@ -145,6 +159,22 @@ class SphereScene(GrainScene):
     def touches(self) -> tuple[TouchConfig, TouchConfig]:
         """How two spheres push each other, and walls push them."""
         return self.spheres, self.walls
+
+    @property
+    def surface_contacts(self) -> dict[str, tuple[MaterialConfig, TouchConfig]]:
+        """Materials and contacts of the surfaces that are not like the other walls."""
+        found = {}
+        for name, surface in self.surfaces.items():
+            values, key = surface.given, f"surfaces.{name}"
+            of_material = {field: values.pop(field) for field in MaterialConfig.model_fields if field in values}
+            wall = {} if "material" in of_material else self.wall.model_dump()
+            found[name] = MaterialConfig(**(wall | of_material)), in_place(self.walls, values, key)
+        return found
+
+    @model_validator(mode="after")
+    def _surfaces_are_sound(self) -> Self:
+        self.surface_contacts  # noqa: B018  (each is made)
+        return self
 
     @property
     def named_files(self) -> tuple[str, ...]:

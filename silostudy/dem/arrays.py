@@ -18,6 +18,7 @@ class Discs(NamedTuple):
     inverse_mass: np.ndarray
     inverse_inertia: np.ndarray
     label: np.ndarray  # number of the disc in its packing
+    kind: np.ndarray  # by which coefficients differ; length one where all are of one
 
 
 class Spheres(NamedTuple):
@@ -30,6 +31,7 @@ class Spheres(NamedTuple):
     inverse_mass: np.ndarray
     inverse_inertia: np.ndarray
     label: np.ndarray  # number of the sphere in its packing
+    kind: np.ndarray  # by which coefficients differ; length one where all are of one
 
 
 class Contacts(NamedTuple):
@@ -47,6 +49,7 @@ class Contacts(NamedTuple):
     arm: np.ndarray  # radius of the first, m; length one where all are equal, as are the next two
     other: np.ndarray  # radius of the second, m
     mass: np.ndarray  # reduced mass, kg/m
+    which: np.ndarray  # number of the set of coefficients; length one where all have the same
     begin: np.ndarray  # where each block starts
 
 
@@ -161,11 +164,18 @@ class Share(NamedTuple):
     base: int
 
 
+class Table(NamedTuple):
+    """Coefficients of contacts that differ, and the lanes that those of a stretch of a list are brought to."""
+
+    values: np.ndarray  # (sets, coefficients)
+    lanes: np.ndarray  # a stretch for each coefficient
+
+
 class March(NamedTuple):
     """How a scene is stepped: coefficients of the laws of pairs and of walls, gravity (m/s2), step (s), where to stop."""
 
-    pair_coefficients: tuple[tuple[float, ...], ...]
-    wall_coefficients: tuple[tuple[float, ...], ...]
+    pair_coefficients: tuple[tuple[float, ...], ...] | Table
+    wall_coefficients: tuple[tuple[float, ...], ...] | Table
     gravity: tuple[float, ...]
     dt: float
     stop: int

@@ -27,6 +27,7 @@ from silostudy.dem.ledger import (
     of_slip,
     of_spring,
 )  # fmt: skip
+from silostudy.dem.varied import coefficients_pass
 
 NO_LIMIT = 1e200  # N/m: a normal force under which nothing slips
 
@@ -109,7 +110,7 @@ def parting_pass(laws):
     return pressed_energy, parted
 
 
-def contact_book(space, laws, *, unequal, flat, moving=False):
+def contact_book(space, laws, *, unequal, flat, varied, moving=False):
     """Function that gives, of the contacts of a list: elastic energy, loss of springs that slid, power of the elastic
     forces, power that dashpots take where contacts stick and where they slip, and power of walls that move.
 
@@ -120,18 +121,19 @@ def contact_book(space, laws, *, unequal, flat, moving=False):
     facing, carry, rates, twisting_of, answer = space.facing, space.carry, space.rates(unequal), space.twisting, response(laws)
     (pressed_energy, parted), stretch = parting_pass(laws), space.stretch
     twists, clings, tangential_law, wall_power = laws.twists, laws.clings, laws.tangential.law, space.wall_power
-    about, whole = space.about, space.whole
+    (bring, own), about, whole = coefficients_pass(space, laws, varied=varied), space.about, space.whole
 
-    @piece(space, laws, unequal, flat, moving)
-    def book(rows, ledger, old, contacts, shape, count, dt, c, lanes):
+    @piece(space, laws, unequal, flat, varied, moving)
+    def book(rows, ledger, old, contacts, shape, count, dt, table, lanes):
         elastic_energy = slid = elastic_power = braking = rubbing = driving = 0.0
         a, b, m = contacts.arm[0], contacts.other[0], contacts.mass[0]
         for start in range(0, count, stretch):
             many = min(stretch, count - start)
+            bring(table, contacts.which, start, many)
             gathered(rows, contacts, shape, start, many, lanes)
             gathered(ledger.mean, contacts, shape, start, many, ledger.lanes)
             for k in range(many):
-                at = start + k
+                at, c = start + k, own(table, k)
                 if unequal:
                     a, b, m = contacts.arm[at], contacts.other[at], contacts.mass[at]
                 normal, distance = facing(lanes, k)
@@ -216,8 +218,9 @@ def bodies_pass(pieces):
 
 def book_pass(pieces):
     """Function that books a step, after its forces and before its moves."""
-    pairs_book = contact_book(pieces.space, pieces.pair_laws, unequal=pieces.unequal, flat=False)
-    walls_book = contact_book(pieces.space, pieces.wall_laws, unequal=pieces.unequal, flat=True, moving=pieces.moving)
+    space, unequal, (pairs_vary, walls_vary) = pieces.space, pieces.unequal, pieces.varied
+    pairs_book = contact_book(space, pieces.pair_laws, unequal=unequal, flat=False, varied=pairs_vary)
+    walls_book = contact_book(space, pieces.wall_laws, unequal=unequal, flat=True, varied=walls_vary, moving=pieces.moving)
     bodies_book = bodies_pass(pieces)
 
     @piece(pieces)

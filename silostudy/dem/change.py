@@ -1,6 +1,5 @@
 """Changes to a scene between two steps: discs taken out, walls opened, friction changed; histories are carried over."""
 
-from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -9,6 +8,7 @@ from silostudy.dem.engine import Engine
 from silostudy.dem.ledger import carry_in
 from silostudy.dem.neighbours import LOW, SHIFT
 from silostudy.dem.snapshot import from_walls, length
+from silostudy.dem.varied import Varied
 
 
 def keep_discs(engine: Engine, kept: np.ndarray) -> None:
@@ -44,6 +44,8 @@ def add_bodies(engine: Engine, labels: np.ndarray, places: np.ndarray, velocity:
         mass, radius = engine.model.mass[labels], engine.model.radius[labels]
         bodies.radius[new], bodies.mass[new], bodies.inverse_mass[new] = radius, mass, 1.0 / mass
         bodies.inverse_inertia[new] = space.inverse_inertia / (mass * radius**2)
+    if engine.model.kind is not None:
+        bodies.kind[new] = engine.model.kind[labels]
     engine.n += len(labels)
     carry_in(engine, np.arange(engine.n) >= new.start)
     engine.give_memories(pairs, near)
@@ -80,10 +82,15 @@ def open_holes(engine: Engine, wall: str, names: tuple[str, ...], speed: float) 
     engine.give_memories(pairs, near.picked(stay, near.key[stay]))
 
 
-def set_friction(engine: Engine, *, pair: float | None = None, wall: float | None = None) -> None:
-    """Change the sliding friction between discs, at the walls, or both."""
-    for k, value in enumerate((pair, wall)):
-        if value is not None:
-            contact = engine.contacts[k]
-            changed = replace(contact, coefficients={**contact.coefficients, "sliding_friction": value})
-            engine.contacts = (changed, engine.contacts[1]) if k == 0 else (engine.contacts[0], changed)
+def set_friction(engine: Engine, *, pair: float | None = None, wall: float | None = None, walls: tuple[str, ...] = ()) -> None:
+    """Change the sliding friction between bodies of any kinds, at all walls or at those of some names, or both."""
+    between, at_walls = engine.contacts
+    if pair is not None:
+        between = between.changed({"sliding_friction": pair})
+    if wall is not None and walls:
+        assert isinstance(at_walls, Varied)  # a scene with such an event has walls that differ
+        numbers, many = {engine.model.wall_number(name) for name in walls}, len(engine.model.walls)
+        at_walls = at_walls.changed({"sliding_friction": wall}, (n for n in range(len(at_walls.sets)) if n % many in numbers))
+    elif wall is not None:
+        at_walls = at_walls.changed({"sliding_friction": wall})
+    engine.contacts = between, at_walls

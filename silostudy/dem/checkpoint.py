@@ -1,13 +1,12 @@
 """Checkpoints: everything that the next step depends on, taken out of an engine and put back."""
 
-from dataclasses import replace
-
 import numpy as np
 
 from silostudy.dem.arrays import Memory
 from silostudy.dem.change import keep_discs
+from silostudy.dem.contacts import Contact
 from silostudy.dem.engine import Engine
-from silostudy.dem.model import Contact
+from silostudy.dem.varied import Varied
 
 
 def checkpoint(engine: Engine) -> dict[str, np.ndarray]:
@@ -25,7 +24,9 @@ def checkpoint(engine: Engine) -> dict[str, np.ndarray]:
         "gravity": np.array(engine.gravity),
         "window": engine.record.window.copy(),
         "account": engine.ledger.account.copy(),
-        "coefficients": np.array([value for contact in engine.contacts for law in contact.ordered for value in law]),
+        "coefficients": np.array(
+            [value for contact in engine.contacts for one in contact.sets for law in one.ordered for value in law]
+        ),
     }
 
 
@@ -47,9 +48,10 @@ def restore(engine: Engine, saved: dict[str, np.ndarray]) -> None:
     engine.give_memories(*memories)
 
 
-def _contacts_from(engine: Engine, values: list) -> tuple[Contact, Contact]:
+def _contacts_from(engine: Engine, values: list) -> tuple[Contact | Varied, Contact | Varied]:
     contacts = []
     for contact in engine.contacts:
         names = [one.name for row in contact.rows for one in row.coefficients]
-        contacts.append(replace(contact, coefficients={name: float(values.pop(0)) for name in names}))
+        sets = tuple(one.changed({name: float(values.pop(0)) for name in names}) for one in contact.sets)
+        contacts.append(Varied(sets) if isinstance(contact, Varied) else sets[0])
     return contacts[0], contacts[1]

@@ -4,7 +4,21 @@ from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 
-from silostudy.dem.arrays import BLOCK, Blocks, Discs, Ledger, March, Memory, Record, Share, Shared, Spheres, Walls, aligned
+from silostudy.dem.arrays import (
+    BLOCK,
+    Blocks,
+    Discs,
+    Ledger,
+    March,
+    Memory,
+    Record,
+    Share,
+    Shared,
+    Spheres,
+    Table,
+    Walls,
+    aligned,
+)
 from silostudy.dem.integrate import INTEGRATORS
 from silostudy.dem.kernel import kernel
 from silostudy.dem.ledger import empty
@@ -12,6 +26,7 @@ from silostudy.dem.model import Model
 from silostudy.dem.neighbours import harvest
 from silostudy.dem.part import Part
 from silostudy.dem.sweep import EXPLODED, FRESH, REMEMBERED, SHORT_OF_ROOM, STALE
+from silostudy.dem.varied import Varied
 from silostudy.dem.wide import GHOSTS, KEPT_PAIRS, KEPT_WALLS
 from silostudy.errors import BadInput
 
@@ -87,7 +102,8 @@ class Engine:
         held = aligned(self.most if holds else 0, space.row // 2)
         rates = (*space.velocity, *space.spin)
         held[:, : len(rates)] = rows[: len(held), rates]
-        return space.bodies(rows, held, radius, mass, 1.0 / mass, space.inverse_inertia / (mass * radius**2), label)
+        kind = np.zeros(1, np.int32) if model.kind is None else model.kind[label].astype(np.int32)
+        return space.bodies(rows, held, radius, mass, 1.0 / mass, space.inverse_inertia / (mass * radius**2), label, kind)
 
     def _record(self) -> Record:
         room = max(part.wall_room for part in self.parts)
@@ -170,6 +186,11 @@ class Engine:
         return np.broadcast_to(self.bodies.mass[: self.n], self.n)
 
     @property
+    def kind(self) -> np.ndarray:
+        """Kind of every disc that is left, in the engine's own order."""
+        return np.broadcast_to(self.bodies.kind[: self.n], self.n)
+
+    @property
     def places(self) -> np.ndarray:
         """Place (m) of every body by its label; NaN for those that were dropped."""
         places = np.full((self.most, len(self.space.place)), np.nan)
@@ -219,7 +240,7 @@ class Engine:
         self.bodies.rows[base + part.ghost_room, 0] = FAR
         self.bodies.rows[base + part.ghost_room + 1, 0] = -FAR
         smallest = float(self.model.radius.min())
-        pair, wall = (contact.ordered for contact in self.contacts)
+        pair, wall = self.coefficients(part)
         return (
             Shared(
                 self.bodies, self.walls, self.blocks, self.record, self.ledger, self._quake, self.clock, self.said, self.gate
@@ -228,6 +249,13 @@ class Engine:
             March(
                 pair, wall, self.gravity, self.model.dt, stop, self.n, self.threads, smallest, self.model.gap, float(self.skin)
             ),
+        )
+
+    def coefficients(self, part: Part) -> tuple:
+        """Coefficients of pairs and of walls as kernels take them."""
+        return tuple(
+            Table(contact.ordered, part.coefficients) if isinstance(contact, Varied) else contact.ordered
+            for contact in self.contacts
         )
 
     def _explosion(self) -> Explosion:

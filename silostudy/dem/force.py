@@ -4,6 +4,7 @@ from silostudy.contact.family import Touch
 from silostudy.dem.cache import piece
 from silostudy.dem.dimension import Dimension
 from silostudy.dem.pieces import Laws
+from silostudy.dem.varied import coefficients_pass
 
 
 def gather_pass(space: Dimension, laws: Laws, *, unequal: bool, flat: bool, moving: bool):
@@ -65,14 +66,16 @@ def response(laws: Laws):
     return answer
 
 
-def contact_pass(space: Dimension, laws: Laws, *, unequal: bool, flat: bool):
+def contact_pass(space: Dimension, laws: Laws, *, unequal: bool, flat: bool, varied: bool = False):
     """Function that writes a contact's forces into lanes and gives its new histories."""
     facing, rates, put = space.facing, space.rates(unequal), space.put(laws.drags, laws.brakes)
     carry, where, twists, twisting_of, about = space.carry, space.where, laws.twists, space.twisting, space.about
     (seen, touch_of), answer = touch_pass(space, laws, flat=flat), response(laws)
+    _, own = coefficients_pass(space, laws, varied=varied)
 
-    @piece(space, laws, unequal, flat)
-    def contact(lanes, out, k, a, b, m, stored, turned, twisted, touched, dt, c):
+    @piece(space, laws, unequal, flat, varied)
+    def contact(lanes, out, k, a, b, m, stored, turned, twisted, touched, dt, table):
+        c = own(table, k)
         normal, distance = facing(lanes, k)
         touching, depth, radius = seen(lanes, k, a + b - distance, a, b, m, touched, dt, c)
         closing, sliding, rolling = rates(lanes, k, normal, a, b, depth, flat)
@@ -90,11 +93,19 @@ def contact_pass(space: Dimension, laws: Laws, *, unequal: bool, flat: bool):
     return contact
 
 
-def force_pass(space: Dimension, laws: Laws, *, unequal: bool, flat: bool, moving: bool = False):
+def force_pass(space: Dimension, laws: Laws, *, unequal: bool, flat: bool, varied: bool = False, moving: bool = False):
     """Function that computes a stretch of a list into lanes of force, of bodies of one size or of many, or at a wall.
 
     A contact's force depends on nothing but its own numbers: the same bits wherever it stands in the list.
     """
     gathered = gather_pass(space, laws, unequal=unequal, flat=flat, moving=moving)
-    contact = contact_pass(space, laws, unequal=unequal, flat=flat)
-    return space.walk(gathered, contact, unequal, laws, (laws, flat, moving))
+    contact = contact_pass(space, laws, unequal=unequal, flat=flat, varied=varied)
+    walked = space.walk(gathered, contact, unequal, laws, (laws, flat, varied, moving))
+    bring, _ = coefficients_pass(space, laws, varied=varied)
+
+    @piece(space, laws, unequal, flat, varied, moving)
+    def forces(rows, contacts, shape, start, count, lanes, out, stored, rolled, dt, c):
+        bring(c, contacts.which, start, count)
+        walked(rows, contacts, shape, start, count, lanes, out, stored, rolled, dt, c)
+
+    return forces

@@ -1,18 +1,17 @@
 """What the engine is asked to step: discs, walls, laws with their coefficients, and the march. Checked when it is made."""
 
-from collections.abc import Mapping
-from dataclasses import dataclass, replace
-from functools import cached_property
+from dataclasses import dataclass
 from math import inf, isfinite, pi
 from typing import Any, ClassVar
 
 import numpy as np
 
-from silostudy.contact import NORMAL, Law
+from silostudy.dem.contacts import Contact
 from silostudy.dem.dimension import Dimension
 from silostudy.dem.integrate import INTEGRATORS, PLAIN
-from silostudy.dem.pieces import Laws, Pieces
+from silostudy.dem.pieces import Pieces
 from silostudy.dem.plane import PLANE
+from silostudy.dem.varied import Varied, set_at_wall, set_of_pair
 from silostudy.errors import BadInput, unknown
 
 TINY = 1e-200  # kg m: beyond it and its inverse, squares of what the engine computes with leave the range of numbers
@@ -41,54 +40,6 @@ class Wall:
             raise BadInput(f"{self.name}.cells", self.cells, "must be 1 or more")
 
 
-@dataclass(frozen=True)
-class Contact:
-    """The laws between two bodies and their coefficients by name, SI per metre thickness."""
-
-    laws: Laws
-    coefficients: dict[str, float]
-
-    def __post_init__(self):
-        needed = {coefficient.name for row in self.rows for coefficient in row.coefficients}
-        for name in sorted(self.coefficients.keys() - needed):
-            raise BadInput(name, self.coefficients[name], f"unknown; these laws take {', '.join(sorted(needed))}")
-        self.ordered  # noqa: B018  (each law looks at its own)
-        if self.laws.cohesion.of_hertz and not self.laws.normal.of_hertz:
-            fitting = ", ".join(key for key, row in NORMAL.items() if row.of_hertz)
-            raise BadInput(
-                "cohesion", self.laws.cohesion.key, f"stands on {fitting} as normal law, not on {self.laws.normal.key}"
-            )
-
-    @classmethod
-    def taking(cls, laws: Laws, values: Mapping[str, float]) -> "Contact":
-        """A contact with those of the values that its laws take."""
-        needed = {coefficient.name for row in laws.rows for coefficient in row.coefficients}
-        return cls(laws, {name: value for name, value in values.items() if name in needed})
-
-    @property
-    def rows(self) -> tuple[Law, ...]:
-        """Rows of the laws."""
-        return self.laws.rows
-
-    @cached_property
-    def ordered(self) -> tuple[tuple[float, ...], ...]:
-        """Coefficients of the laws in the order that their functions take."""
-        return tuple(row.ordered(self.coefficients) for row in self.rows)
-
-    def gap(self, radius: float) -> float:
-        """Gap (m) across which two bodies that have touched hold on, of a reduced radius (m)."""
-        return float(self.laws.cohesion.gap(radius, self.ordered[3]))
-
-    def scaled(self, *, stiffness: float, damping: float) -> "Contact":
-        """The same laws with springs and dashpots stronger by these factors."""
-        powers = {one.name: (one.stiffness_power, one.damping_power) for row in self.rows for one in row.coefficients}
-        changed = {
-            name: value * (stiffness ** powers[name][0] * damping ** powers[name][1])
-            for name, value in self.coefficients.items()
-        }
-        return replace(self, coefficients=changed)
-
-
 @dataclass(frozen=True, kw_only=True)
 class Lid:
     """A wall that may be pressed or moved: its name, area (m2; in the plane m), mass (kg, kg/m) and the most bodies it may
@@ -105,6 +56,7 @@ class Model:
     """Discs (m, m/s, kg/m3), walls, contacts, gravity (m/s2), base acceleration a step (m/s2), integrator and step (s).
 
     waiting: so many of the last are not there at the start; they come in while the model runs.  moving: whether walls move.
+    kind: of each disc, counted from 0, by which contacts differ that are varied; None: all are of one.
     """
 
     space: ClassVar[Dimension] = PLANE
@@ -113,10 +65,10 @@ class Model:
     x: np.ndarray
     y: np.ndarray
     radius: np.ndarray
-    density: float
+    density: float | np.ndarray  # of all, or of each
     walls: tuple[Wall, ...]
-    pair_contact: Contact
-    wall_contact: Contact
+    pair_contact: Contact | Varied
+    wall_contact: Contact | Varied
     dt: float
     gravity: tuple[float, ...]
     integrator: str = PLAIN.key
@@ -129,6 +81,7 @@ class Model:
     v: np.ndarray | None = None
     w: np.ndarray | None = None
     waiting: int = 0
+    kind: np.ndarray | None = None
 
     def __post_init__(self):
         for name in self.columns:
@@ -141,7 +94,8 @@ class Model:
         for name in ("gravity", "quake"):
             if getattr(self, name) is not None and not np.isfinite(getattr(self, name)).all():
                 raise BadInput(name, getattr(self, name), "must be finite")
-        for name, value in (("density", self.density), ("dt", self.dt), ("radius", float(np.min(self.radius, initial=1.0)))):
+        least = {"density": float(np.min(self.density)), "dt": self.dt, "radius": float(np.min(self.radius, initial=1.0))}
+        for name, value in least.items():
             if not (isfinite(value) and value > 0.0):
                 raise BadInput(name, value, "must be positive")
         if not len(self.x):
@@ -161,6 +115,16 @@ class Model:
         for normal in (self.pair_contact.laws.normal, self.wall_contact.laws.normal):
             if self.unequal and normal.one_size:
                 raise BadInput("normal", normal.key, "the curve is for discs of one size")
+        self._check_sets()
+
+    def _check_sets(self) -> None:
+        """BadInput where contacts that differ are not as many as pairs of kinds, or as kinds at walls."""
+        for name, contact, many in (
+            ("pair_contact", self.pair_contact, set_of_pair(self.kinds - 1, self.kinds - 1) + 1),
+            ("wall_contact", self.wall_contact, self.kinds * len(self.walls)),
+        ):
+            if isinstance(contact, Varied) and len(contact.sets) != many:
+                raise BadInput(name, len(contact.sets), f"must be {many} sets of coefficients")
 
     def wall_number(self, name: str) -> int:
         """Number of the wall of a name, as contacts count walls; BadInput for a name that no wall has."""
@@ -172,6 +136,14 @@ class Model:
     def wall_named(self, name: str) -> Wall:
         """The wall of a name."""
         return self.walls[self.wall_number(name)]
+
+    def between(self, kind: int, other: int) -> Contact:
+        """Contact between bodies of two kinds."""
+        return self.pair_contact.numbered(set_of_pair(kind, other))
+
+    def at_wall(self, kind: int, wall: int) -> Contact:
+        """Contact of bodies of a kind at the wall of a number."""
+        return self.wall_contact.numbered(set_at_wall(kind, wall, len(self.walls)))
 
     @staticmethod
     def level_wall(half: float, height: float) -> Any:
@@ -199,7 +171,13 @@ class Model:
 
     @property
     def unequal(self) -> bool:
-        return bool(np.ptp(self.radius) > 0.0)
+        """Whether the discs differ in radius or in mass."""
+        return bool(np.ptp(self.radius) > 0.0 or np.ptp(self.density) > 0.0)
+
+    @property
+    def kinds(self) -> int:
+        """Number of kinds of discs."""
+        return 1 if self.kind is None else int(np.max(self.kind)) + 1
 
     @property
     def gap(self) -> float:
@@ -224,5 +202,6 @@ class Model:
             shaken=self.quake is not None,
             watched=self.watched or self.moving,
             booked=self.booked,
+            varied=(isinstance(self.pair_contact, Varied), isinstance(self.wall_contact, Varied)),
             moving=self.moving,
         )

@@ -11,6 +11,7 @@ from silostudy.dem import history
 from silostudy.dem.arrays import BLOCK
 from silostudy.dem.body import place, square_gap
 from silostudy.dem.cache import OPTIONS
+from silostudy.dem.varied import set_at_wall, set_of_pair
 from silostudy.dem.vectors import WIDTH
 from silostudy.dem.wide import GHOSTS, KEPT_PAIRS, KEPT_WALLS, PRESSED, SHIFT, WIDE_WALLS
 
@@ -87,11 +88,13 @@ def ghost_of(j, scratch, base):
 
 @njit(**OPTIONS)
 def enter(bodies, contacts, fill, i, j, first, second):
-    """Write one pair of the list, with its radii and reduced mass where discs differ."""
+    """Write one pair of the list, with its radii and reduced mass where discs differ, and which coefficients where those do."""
     contacts.first[fill], contacts.second[fill] = first, second
     if contacts.arm.size > 1:
         contacts.arm[fill], contacts.other[fill] = bodies.radius[i], bodies.radius[j]
         contacts.mass[fill] = 1.0 / (bodies.inverse_mass[i] + bodies.inverse_mass[j])
+    if contacts.which.size > 1:
+        contacts.which[fill] = set_of_pair(bodies.kind[i], bodies.kind[j])
 
 
 @njit(**OPTIONS)
@@ -178,6 +181,8 @@ def list_walls(bodies, near, memory, walls, blocks, scratch, gap, dummy):
         near.first[fill], near.second[fill] = i, q
         if near.arm.size > 1:
             near.arm[fill], near.mass[fill] = bodies.radius[i], bodies.mass[i]
+        if near.which.size > 1:
+            near.which[fill] = set_at_wall(bodies.kind[i if bodies.kind.size > 1 else 0], q, walls.live.size)
         at = recall(near, fill, (np.int64(i) << SHIFT) | q, memory, kept, at)
         fill += 1
     near.begin[0] = pad(near, fill, dummy, 0)

@@ -5,6 +5,7 @@ import numpy as np
 from silostudy.dem.arrays import BLOCK, Contacts, Memory, Scratch, aligned
 from silostudy.dem.history import histories
 from silostudy.dem.pieces import Laws
+from silostudy.dem.varied import Varied
 from silostudy.dem.vectors import WIDTH
 from silostudy.dem.wide import KEPT_PAIRS, KEPT_WALLS
 
@@ -18,6 +19,9 @@ class Part:
         self.ghost_room = 0 if engine.threads == 1 else 1024 + 8 * int(engine.most**0.5)
         self.laws = engine.model.pair_contact.laws, engine.model.wall_contact.laws
         self.memories = self._memory(0, self.laws[0]), self._memory(0, self.laws[1])
+        self.varied = engine.model.pieces.varied
+        widths = (contact.ordered.shape[1] for contact in engine.contacts if isinstance(contact, Varied))
+        self.coefficients = aligned(max(widths, default=0) * engine.space.stretch)
         self.counts = np.zeros(5, np.int64)
         self.make_lists()
 
@@ -28,7 +32,7 @@ class Part:
     def _histories(self, room: int) -> np.ndarray:
         return histories(room, self.engine.space.components)
 
-    def _contacts(self, room: int, laws: Laws, other: float, mass: float) -> Contacts:
+    def _contacts(self, room: int, laws: Laws, other: float, mass: float, varied: bool) -> Contacts:
         each = room if self.engine.model.unequal else 1
         return Contacts(
             first=np.zeros(room, np.int32),
@@ -40,6 +44,7 @@ class Part:
             arm=np.full(each, self.engine.bodies.radius[0]),
             other=np.full(each, other),
             mass=np.full(each, mass),
+            which=np.zeros(room if varied else 1, np.int32),
             begin=np.zeros(self.engine.most // BLOCK + 3, np.int64),
         )
 
@@ -48,8 +53,8 @@ class Part:
         engine = self.engine
         engine.blocks.wide_travel[:] = np.inf
         mass, radius = engine.bodies.mass[0], engine.bodies.radius[0]
-        self.pairs = self._contacts(self.room, self.laws[0], radius, 0.5 * mass)
-        self.near = self._contacts(self.wall_room, self.laws[1], 0.0, mass)
+        self.pairs = self._contacts(self.room, self.laws[0], radius, 0.5 * mass, self.varied[0])
+        self.near = self._contacts(self.wall_room, self.laws[1], 0.0, mass, self.varied[1])
         pair, wall = self.memories
         self.memories = self._grown(pair, self.room, self.laws[0]), self._grown(wall, self.wall_room, self.laws[1])
         motion = aligned(BLOCK)

@@ -95,6 +95,7 @@ class Pieces:
     shaken: bool = False  # the box is accelerated
     watched: bool = False  # wall forces are recorded every step
     booked: bool = False  # the energy ledger is kept
+    varied: tuple[bool, bool] = (False, False)  # coefficients differ among pairs, among contacts with walls
     moving: bool = False  # walls move; what they feel is recorded then
 
     @property

@@ -188,7 +188,7 @@ class Run:
             change_gravity(engine, gravity)
             engine.gravity = gravity
         elif action == "friction":
-            set_friction(engine, pair=event.what[0], wall=event.what[1])
+            set_friction(engine, pair=event.what[0], wall=event.what[1], walls=event.what[2])
         elif action == "feed":
             assert self.feeder is not None
             self.feeder.rate, self.feeder.owed = event.what[0], 0.0

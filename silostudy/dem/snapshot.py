@@ -9,6 +9,7 @@ from numba import njit
 from silostudy.contact.family import Touch
 from silostudy.dem.arrays import aligned
 from silostudy.dem.cache import OPTIONS, named
+from silostudy.dem.contacts import Contact
 from silostudy.dem.dimension import Dimension
 from silostudy.dem.force import force_pass
 from silostudy.dem.history import entry
@@ -32,9 +33,9 @@ class Contacts:
 
 
 @cache
-def reader(space: Dimension, laws: Laws, unequal: bool, flat: bool, moving: bool):
+def reader(space: Dimension, laws: Laws, unequal: bool, flat: bool, varied: bool, moving: bool):
     """Compiled function that computes the forces of a list without changing its histories."""
-    forces = force_pass(space, laws, unequal=unequal, flat=flat, moving=moving)
+    forces = force_pass(space, laws, unequal=unequal, flat=flat, varied=varied, moving=moving)
     force_of, stretch = space.force_of, space.stretch
 
     def read(rows, contacts, shape, count, lanes, out, found, stored, rolled, dt, c):
@@ -46,18 +47,18 @@ def reader(space: Dimension, laws: Laws, unequal: bool, flat: bool, moving: bool
                 for way in range(len(force)):
                     found[start + k, way] = force[way]
 
-    return njit(**OPTIONS)(named(read, repr((space, laws, unequal, flat, moving))))
+    return njit(**OPTIONS)(named(read, repr((space, laws, unequal, flat, varied, moving))))
 
 
-def _forces(engine, laws, contacts, count, flat, c):
-    """Force (count, d) of each contact of a list on its first body."""
-    space, pieces = engine.space, engine.model.pieces
+def _forces(engine, part, contacts, count, flat):
+    """Force (count, d) of each contact of a part's list on its first body."""
+    space, unequal, contact = engine.space, engine.model.unequal, engine.contacts[flat]
     found = np.zeros((count, space.ways))
     lanes, out = aligned(*space.lanes), aligned(*space.forces)
-    read = reader(pieces.space, laws, pieces.unequal, flat, flat and pieces.moving)
+    read = reader(space, contact.laws, unequal, flat, part.varied[flat], flat and engine.model.moving)
     stored, rolled = contacts.stored[..., :count].copy(), contacts.rolled[..., :count].copy()
-    contacts = contacts._replace(twisted=contacts.twisted.copy(), touched=contacts.touched.copy())
-    read(engine.bodies.rows, contacts, engine.walls.shape, count, lanes, out, found, stored, rolled, engine.model.dt, c)
+    contacts, c = contacts._replace(twisted=contacts.twisted.copy(), touched=contacts.touched.copy()), engine.coefficients(part)
+    read(engine.bodies.rows, contacts, engine.walls.shape, count, lanes, out, found, stored, rolled, engine.model.dt, c[flat])
     return found
 
 
@@ -68,7 +69,7 @@ def pair_contacts(engine) -> Contacts:
     for part in engine.parts:
         last = engine.blocks_of(part)
         count = int(part.pairs.begin[last + 1])
-        force = _forces(engine, engine.model.pair_contact.laws, part.pairs, count, False, engine.contacts[0].ordered)
+        force = _forces(engine, part, part.pairs, count, False)
         lo, _ = engine.bounds(part.number)
         first, second = (engine.true_number(part, column[:count]) for column in part.pairs[:2])
         touching = force.any(axis=1) & (first >= lo)
@@ -85,7 +86,7 @@ def wall_contacts(engine) -> Contacts:
     columns = []
     for part in engine.parts:
         count = int(part.near.begin[0])
-        force = _forces(engine, engine.model.wall_contact.laws, part.near, count, True, engine.contacts[1].ordered)
+        force = _forces(engine, part, part.near, count, True)
         touching = force.any(axis=1)
         columns.append((part.near.first[:count][touching], part.near.second[:count][touching], force[touching]))
     i, q, force = (np.concatenate(column) for column in zip(*columns, strict=True))
@@ -105,12 +106,13 @@ def held_energy(engine) -> float:
     engine.list_contacts()
     (part,) = engine.parts
     place, radius = engine.bodies.rows[: engine.n, engine.space.place], engine.radius
-    i, j, *histories = _listed(part.pairs, int(part.pairs.begin[engine.blocks_of(part) + 1]), engine.n)
+    pairs, walls = engine.contacts
+    i, j, which, *histories = _listed(part.pairs, int(part.pairs.begin[engine.blocks_of(part) + 1]), engine.n)
     overlaps = radius[i] + radius[j] - length(place[i] - place[j])
-    total = _energy(engine.contacts[0], _touches(engine, i, j), overlaps, *histories)
-    i, q, *histories = _listed(part.near, int(part.near.begin[0]), engine.n)
+    total = _energy([pairs.numbered(n) for n in which], _touches(engine, i, j), overlaps, *histories)
+    i, q, which, *histories = _listed(part.near, int(part.near.begin[0]), engine.n)
     away = length(from_walls(engine, q, place[i]))
-    return total + _energy(engine.contacts[1], _against_walls(engine, i, q), radius[i] - away, *histories)
+    return total + _energy([walls.numbered(n) for n in which], _against_walls(engine, i, q), radius[i] - away, *histories)
 
 
 def length(vectors: np.ndarray) -> np.ndarray:
@@ -133,18 +135,18 @@ def _against_walls(engine, i, walls) -> list[Touch]:
 
 
 def _listed(contacts, count: int, n: int):
-    """First, second, and all histories (zero where none is kept) of a list, without what pads it."""
+    """First, second, set of coefficients, and all histories (zero where none is kept) of a list, without what pads it."""
     real = np.flatnonzero(contacts.first[:count] < n)
     kept = contacts.stored, contacts.rolled, contacts.twisted, contacts.touched
-    return [contacts.first[real], contacts.second[real], *([entry(history, k) for k in real] for history in kept)]
+    which = contacts.which[real] if len(contacts.which) > 1 else np.zeros(len(real), int)
+    return [contacts.first[real], contacts.second[real], which, *([entry(history, k) for k in real] for history in kept)]
 
 
-def _energy(contact, touches, overlaps, *histories) -> float:
-    """Energy (J/m) of the contacts of a list that touch."""
-    normal, tangential, rolling, cohesion, twisting = zip(contact.rows, contact.ordered, strict=True)
-    attraction, c = cohesion
+def _energy(contacts: list[Contact], touches, overlaps, *histories) -> float:
+    """Energy (J/m) of those contacts of a list that touch."""
     total = 0.0
-    for touch, overlap, held, turned, twisted, touched in zip(touches, overlaps, *histories, strict=True):
+    for contact, touch, overlap, held, turned, twisted, touched in zip(contacts, touches, overlaps, *histories, strict=True):
+        normal, tangential, rolling, (attraction, c), twisting = zip(contact.rows, contact.ordered, strict=True)
         if overlap <= (-attraction.gap(touch.radius, c) if touched else 0.0):
             continue
         depth = attraction.pressed(overlap, touch.radius, c)

@@ -16,9 +16,11 @@ from scipy.sparse.linalg import eigsh
 from scipy.spatial import cKDTree
 
 from silostudy.contact.family import Touch
+from silostudy.dem.contacts import Contact
 from silostudy.dem.integrate import INTEGRATORS
-from silostudy.dem.model import Contact, Model
+from silostudy.dem.model import Model
 from silostudy.dem.snapshot import length
+from silostudy.dem.varied import set_of_pair
 from silostudy.errors import BadInput
 
 HALVINGS = 50
@@ -76,14 +78,14 @@ def chosen_step(model: Model) -> float:
 
     Rounded down to two digits: the last bits of an eigenvalue differ between machines and must not reach the run.
     """
-    step = min(SAFETY * standing(model, longest_step(model)), DENSEST * longest_step(_densest(model)))
+    step = min(SAFETY * standing(model, longest_step(model)), DENSEST * min(map(longest_step, _densest(model))))
     unit = 10.0 ** (floor(log10(step)) - 1)
     return float(f"{floor(0.999 * step / unit) * unit:.2g}")
 
 
 def packed_bound(model: Model) -> float:
     """Longest stable time step (s) of a scene whatever its bodies come to: of its start, and of the densest packing."""
-    return standing(model, min(longest_step(model), longest_step(_densest(model))))
+    return standing(model, min(map(longest_step, (model, *_densest(model)))))
 
 
 def standing(model: Model, bound: float) -> float:
@@ -98,10 +100,9 @@ def standing(model: Model, bound: float) -> float:
 
 def _undamped(model: Model) -> list[str]:
     """The springs of a model that have no dashpot: of which contact, which law."""
-    one = np.array([0])
-    return [
-        f"{name} {row.key}"
-        for name, contact, other in ((f"{model.space.body}s", model.pair_contact, one), ("walls", model.wall_contact, None))
+    found = [
+        f"{f'{model.space.body}s' if other is not None else 'walls'} {row.key}"
+        for contact, one, other in _lone(model)
         for row, k, d in zip(
             contact.rows[:3],
             _stiffness(contact, model, one, other, 0.0),
@@ -110,16 +111,42 @@ def _undamped(model: Model) -> list[str]:
         )
         if k.any() and not d.any()
     ]
+    return list(dict.fromkeys(found))
 
 
-def _densest(model: Model) -> Model:
-    """The smallest bodies of a model in the densest order on a floor; larger ones are heavier, or touch fewer of them."""
-    r, space = float(model.radius.min()), model.space
+def _densest(model: Model) -> list[Model]:
+    """Of each kind the smallest bodies in the densest order on a floor, with each contact that the kind has; larger ones are
+    heavier, or touch fewer of them."""
+    found = []
+    for kind in range(model.kinds):
+        smallest = _least_of_kind(model, model.radius, kind)
+        pairs = [model.between(kind, other) for other in range(model.kinds)]
+        walls = [model.at_wall(kind, wall) for wall in range(len(model.walls))] or [model.wall_contact.numbered(0)]
+        found += [_packed(model, smallest, pair, wall) for pair in _differing(pairs) for wall in _differing(walls)]
+    return found
+
+
+def _packed(model: Model, one: int, pair: Contact, wall: Contact) -> Model:
+    """Bodies that are all like one of a model in the densest order on a floor."""
+    r, space = float(model.radius[one]), model.space
     place = r * space.densest()
     place = place[length(place) < REACH * r]
     walls = (model.level_wall(2.0 * REACH * r, float(place[:, -1].min()) - r),)
     columns = dict(zip(model.columns, place.T, strict=False)) | dict.fromkeys(model.columns[space.ways + 1 :])
-    return replace(model, **(columns | {"radius": np.full(len(place), r), "walls": walls, "waiting": 0}))
+    contacts = {"pair_contact": pair, "wall_contact": wall}
+    alike = {"radius": np.full(len(place), r), "density": float(np.broadcast_to(model.density, len(model.x))[one])}
+    return replace(model, **(columns | alike | contacts | {"walls": walls, "waiting": 0, "kind": None}))
+
+
+def _least_of_kind(model: Model, values: np.ndarray, kind: int) -> int:
+    """Number of the body of a kind that has the least of these values."""
+    own = np.arange(len(values)) if model.kind is None else np.flatnonzero(model.kind == kind)
+    return int(own[np.argmin(values[own])])
+
+
+def _differing(contacts: list[Contact]) -> list[Contact]:
+    """Those contacts that no other before them equals."""
+    return [one for number, one in enumerate(contacts) if one not in contacts[:number]]
 
 
 def check_step(model: Model) -> float:
@@ -163,21 +190,39 @@ def _network(model: Model) -> list[tuple]:
         raise BadInput(
             ", ".join(model.columns[: model.space.ways]), f"{model.space.body}s {i[one]}, {j[one]}", "stand in the same place"
         )
-    found: list[tuple] = [(model.pair_contact, i[near], j[near], away[near] / distance[near, None])]
+    i, j, normals = i[near], j[near], away[near] / distance[near, None]
+    kind = np.zeros(len(place), int) if model.kind is None else model.kind
+    found: list[tuple] = [
+        (model.between(one, other), i[these], j[these], normals[these])
+        for other in range(model.kinds)
+        for one in range(other + 1)
+        if (these := set_of_pair(kind[i], kind[j]) == set_of_pair(one, other)).any() or model.kinds == 1
+    ]
     walls = model.space.walls_of(model.walls)
     for q in np.flatnonzero(walls.live):
         away = model.space.all_from_wall(walls.shape, q, place)
         distance = length(away)
-        body = np.flatnonzero((distance < (1.0 + NEAR) * model.radius) & (distance > 0.0))
-        found.append((model.wall_contact, body, None, away[body] / distance[body, None]))
+        touching = (distance < (1.0 + NEAR) * model.radius) & (distance > 0.0)
+        for one in range(model.kinds):
+            body = np.flatnonzero(touching & (kind == one))
+            found.append((model.at_wall(one, int(q)), body, None, away[body] / distance[body, None]))
+    return found
+
+
+def _lone(model: Model) -> list[tuple]:
+    """Lone contacts of the lightest body of each kind, with those of its own and of other kinds and with each wall."""
+    found: list[tuple] = []
+    light = [np.array([_least_of_kind(model, model.mass, kind)]) for kind in range(model.kinds)]
+    for kind, one in enumerate(light):
+        walls = [model.at_wall(kind, wall) for wall in range(len(model.walls))] or [model.wall_contact.numbered(0)]
+        found += [(model.between(kind, other), one, light[other]) for other in range(kind + 1)]
+        found += [(wall, one, None) for wall in _differing(walls)]
     return found
 
 
 def _extremes(model: Model, network: list[tuple], dt: float) -> Extremes:
-    """Extremes of the network and of lone contacts of the lightest disc, at this step."""
-    stiff, damp = partial(_stiffness, dt=dt), partial(_damping, dt=dt)
-    lightest = np.array([int(np.argmin(model.mass))])
-    lone = [(model.pair_contact, lightest, lightest), (model.wall_contact, lightest, None)]
+    """Extremes of the network and of lone contacts of the lightest bodies, at this step."""
+    stiff, damp, lone = partial(_stiffness, dt=dt), partial(_damping, dt=dt), _lone(model)
     ratios = [
         d.min() / k.min()
         for contact, i, j, *_ in (*network, *lone)
@@ -196,8 +241,8 @@ def _on_lid(model: Model, strengths) -> float:
     """What a lid of a mass adds at most (1/s2 or 1/s) when it touches as many bodies as it can: rows of one more motion."""
     if model.lid is None:
         return 0.0
-    lightest = np.array([int(np.argmin(model.mass))])
-    return float(model.lid.touching * strengths(model.wall_contact, model, lightest, None)[0][0] / model.lid.mass)
+    strongest = max(strengths(contact, model, one, None)[0][0] for contact, one, other in _lone(model) if other is None)
+    return float(model.lid.touching * strongest / model.lid.mass)
 
 
 def _largest(model: Model, network: list[tuple], lone: list[tuple], strengths) -> float:
@@ -207,8 +252,8 @@ def _largest(model: Model, network: list[tuple], lone: list[tuple], strengths) -
     root = np.sqrt(np.r_[np.tile(mass, space.ways), np.tile(mass * radius**2 / light, len(space.spin))])
     blocks, found = [], 0.0
     for contact, i, j in lone:  # two translations and two rotations pull at a tangential spring
-        ways = np.array([1.0, 1.0 + light, light / radius[i[0]] ** 2]) * (1.0 if j is None else 2.0)
-        found = max(found, *(ways * np.ravel(strengths(contact, model, i, j)) / mass[i[0]]))
+        ways = sum(np.array([1.0, 1.0 + light, light / radius[k] ** 2]) / mass[k] for k in (*i, *(() if j is None else j)))
+        found = max(found, *(ways * np.ravel(strengths(contact, model, i, j))))
     for contact, i, j, normals in network:
         normal, tangential, rolling = np.sqrt(strengths(contact, model, i, j))
         still, spins = np.zeros_like(normals), np.zeros((len(i), len(space.spin)))

@@ -15,12 +15,14 @@ from silostudy.dem.pieces import Laws, Pieces
 FRESH, STALE, REMEMBERED, SHORT_OF_ROOM, EXPLODED = range(5)  # what a thread says of its list after a step
 
 
-def contact_pass(space: Dimension, laws: Laws, *, unequal: bool, flat: bool, watched: bool = False, moving: bool = False):
+def contact_pass(
+    space: Dimension, laws: Laws, *, unequal: bool, flat: bool, varied: bool, watched: bool = False, moving: bool = False
+):
     """Function that adds the forces of a stretch of a list to its discs, and notes what walls feel where they are watched."""
-    forces, note_walls = force_pass(space, laws, unequal=unequal, flat=flat, moving=moving), space.note_walls
-    scatter, scatter_walls, stretch = space.scatter, space.scatter_walls, space.stretch
+    forces = force_pass(space, laws, unequal=unequal, flat=flat, varied=varied, moving=moving)
+    note_walls, scatter, scatter_walls, stretch = space.note_walls, space.scatter, space.scatter_walls, space.stretch
 
-    @piece(space, laws, unequal, flat, watched, moving)
+    @piece(space, laws, unequal, flat, varied, watched, moving)
     def contacts_between(shared, contacts, begin, end, scratch, dt, c, number):
         rows = shared.bodies.rows
         for start in range(begin, end, stretch):
@@ -67,10 +69,10 @@ def sweep_pass(pieces: Pieces):
     later contacts do not touch them, so one pass through memory is enough.  A disc's forces add up in one order: walls,
     then discs, each by their numbers.
     """
-    space, unequal = pieces.space, pieces.unequal
-    pairs_between = contact_pass(space, pieces.pair_laws, unequal=unequal, flat=False)
+    space, unequal, (pairs_vary, walls_vary) = pieces.space, pieces.unequal, pieces.varied
+    pairs_between = contact_pass(space, pieces.pair_laws, unequal=unequal, flat=False, varied=pairs_vary)
     walls_between = contact_pass(
-        space, pieces.wall_laws, unequal=unequal, flat=True, watched=pieces.watched, moving=pieces.moving
+        space, pieces.wall_laws, unequal=unequal, flat=True, varied=walls_vary, watched=pieces.watched, moving=pieces.moving
     )
     move = move_pass(space, pieces.integrator, unequal, pieces.turns)
     booked, book = pieces.booked, book_pass(pieces)

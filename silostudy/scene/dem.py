@@ -1,7 +1,9 @@
 """From the user's units to a discrete-element scene in SI: walls, discs, contacts, events, and which effects it calls for."""
 
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from math import radians
+from typing import Any
 
 import numpy as np
 
@@ -15,10 +17,12 @@ from silostudy.dem.events import TRIGGERS, Event
 from silostudy.dem.model import Contact, Wall
 from silostudy.dem.pieces import Laws
 from silostudy.dem.rest import REST, Rest
+from silostudy.dem.varied import Varied
 from silostudy.errors import BadInput
 from silostudy.packing import PACKINGS
 from silostudy.scene.lid import lid_action, moves
 from silostudy.scene.plane_silo import FLOOR, HALVES, PlaneSilo
+from silostudy.scene.surfaces import by_surface, parts_of
 
 DEEPEST = 0.1  # of a radius: overlap that a start may have (a packing at rest has some)
 
@@ -57,29 +61,56 @@ def contact_of(
     return Contact(Laws(**laws), coefficients)
 
 
-def contacts_of(scene: DemScene, radii: np.ndarray) -> tuple[Contact, Contact]:
-    """Contacts between discs of these radii (m), and of discs and walls; stiffness and damping of their own radius if equal."""
+def contacts_of(scene: DemScene, radii: np.ndarray, where: str = "") -> tuple[Contact, Contact | Varied]:
+    """Contacts between discs of these radii (m), and of discs and walls; stiffness and damping of their own radius if equal.
+
+    Walls have contacts of their own each where the scene tells a surface from the others.
+    """
     uneven = bool(np.ptp(radii) > 0.0)
-    radius = scene.radius_m if uneven else float(radii[0])
+    about: dict[str, Any] = {"radius": scene.radius_m if uneven else float(radii[0]), "uneven": uneven}
     changed = [event for event in scene.events if event.do == "set_friction"]
-    rubs = any(event.disc_friction is not None for event in changed), any(event.wall_friction is not None for event in changed)
-    between, wall = (
-        contact_of(config, radius, scene.density_kg_m3, wall=at_wall, uneven=uneven, slippery=not rubs[at_wall])
-        for at_wall, config in zip((False, True), scene.touches, strict=True)
+    configs = {"": scene.touches[1], **scene.surface_contacts}
+    smooth = not any(config.sliding_friction for config in configs.values())
+    smooth = smooth and all(event.wall_friction is None for event in changed)
+    between = contact_of(
+        scene.discs, density=scene.density_kg_m3, slippery=all(event.disc_friction is None for event in changed), **about
     )
-    return between, wall
+    at_walls = {
+        name: contact_of(config, density=scene.density_kg_m3, wall=True, slippery=smooth, **about)
+        for name, config in configs.items()
+    }
+    return between, walls_contact(scene, at_walls, wall_names(scene), where)
+
+
+def walls_contact(scene: AnyScene, contacts: dict[str, Contact], names: Sequence[str], where: str) -> Contact | Varied:
+    """Contact with walls of these names, from those of surfaces that differ, by their names in the scene; "": of the others."""
+    others = contacts.pop("")
+    differ = bool(contacts) or any(event.do == "set_friction" and event.surfaces for event in scene.events)
+    return Varied(tuple(by_surface(contacts, names, others, where))) if differ else others
+
+
+def wall_names(scene: DemScene) -> list[str]:
+    """Names of the walls."""
+    return [wall.name for wall in plane_silo_of(scene.silo).walls()]
 
 
 def events_of(scene: DemScene, mass: float, where: str = "") -> tuple[Event, ...]:
-    """Events in the engine's words; mass: of all discs, kg/m. BadInput for a friction that no law of the scene takes."""
+    """Events in the engine's words; mass: of all discs, kg/m. BadInput for a friction that no law of the scene takes, or at a
+    wall that there is none."""
     beside = HALVES if scene.silo.hopper_half_angle_deg is None else ()
     found = []
     for number, event in enumerate(scene.events):
         action, what = _action(event, scene.silo, beside, mass)
         if action == "friction":
             _check_friction(scene, what, f"events.{number}", where)
+            what = (*what, walls_of_event(event.surfaces, wall_names(scene), number, where))
         found.append(Event(event.when, event.value * TRIGGERS[event.when].scale, action, what))
     return tuple(found)
+
+
+def walls_of_event(surfaces: tuple[str, ...], names: Sequence[str], number: int, where: str) -> tuple[str, ...]:
+    """Names of the walls whose friction an event changes; none stands for all."""
+    return tuple(wall for surface in surfaces for wall in parts_of(surface, names, f"events.{number}.surfaces", where))
 
 
 def _check_friction(scene: DemScene, what: tuple, key: str, where: str) -> None:
@@ -148,11 +179,16 @@ def check_start(walls: tuple[Wall, ...], x, y, radius, where: str = "") -> None:
         raise BadInput("packing", f"disc {worst}", f"{place}{low:.4g} to {high:.4g} m", where)
 
 
-def law_effect(name: str, family: str, contacts: dict[str, Contact]) -> Effect:
+def law_effect(name: str, family: str, contacts: Mapping[str, Contact | Varied]) -> Effect:
     """The effect of a family of laws, which discs or walls or both may call for."""
     rows = {where: getattr(contact.laws, family) for where, contact in contacts.items()}
     said = ", ".join(f"{where}.{family}: {row.key}" for where, row in rows.items())
     return Effect(name, any(row.acts for row in rows.values()), said)
+
+
+def surfaces_effect(scene: AnyScene) -> Effect:
+    """The effect of walls that differ."""
+    return Effect("walls of several coefficients", bool(scene.surfaces), f"surfaces: {', '.join(scene.surfaces) or 'none'}")
 
 
 def effects(scene: DemScene) -> tuple[Effect, ...]:
@@ -164,6 +200,7 @@ def effects(scene: DemScene) -> tuple[Effect, ...]:
         law_effect("friction, rotation, history", "tangential", contacts),
         law_effect("rolling resistance", "rolling", contacts),
         law_effect("cohesion", "cohesion", contacts),
+        surfaces_effect(scene),
         Effect("discs of several sizes", uneven, f"packing.kind: {scene.packing.kind}"),
         Effect("shaking", scene.quake is not None, "quake"),
         Effect("wall forces every step", record.wall_force_window_s is not None, "record.wall_force_window_s"),

@@ -29,7 +29,7 @@ def unshaken_scene_model(scene: DemScene, discs, where: str = "") -> Model:
     check_start(walls, x, y, radius, where)
     check_events(scene, len(x), where)
     check_lid(scene.events, silo.bottom, silo.bottom + silo.height, where)
-    contacts = contacts_of(scene, radius)
+    contacts = contacts_of(scene, radius, where)
     model = Model(
         x=x, y=y, radius=radius, density=scene.density_kg_m3, walls=walls, pair_contact=contacts[0], wall_contact=contacts[1],
         dt=scene.march.step_s or 1.0, gravity=scene.gravity_m_s2, integrator=integrator,

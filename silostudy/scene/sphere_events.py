@@ -8,15 +8,20 @@ from silostudy.dem.space.level import LevelPiece
 from silostudy.dem.space.surfaces import CIRCLE
 from silostudy.dem.space.walls import Surface, TurnedLine
 from silostudy.errors import BadInput
+from silostudy.scene.dem import walls_of_event
 from silostudy.scene.lid import lid_action
 from silostudy.scene.space_silo import FLOOR, SpaceSilo
 
 
-def sphere_events(scene: SphereScene, space: SpaceSilo, mass: float) -> tuple[Event, ...]:
-    """Events in the engine's words; mass: of all spheres, kg."""
-    return tuple(
-        Event(event.when, event.value * TRIGGERS[event.when].scale, *_action(event, space, mass)) for event in scene.events
-    )
+def sphere_events(scene: SphereScene, space: SpaceSilo, mass: float, where: str = "") -> tuple[Event, ...]:
+    """Events in the engine's words; mass: of all spheres, kg. BadInput for friction at a surface that there is none."""
+    found = []
+    for number, event in enumerate(scene.events):
+        action, what = _action(event, space, mass)
+        if action == "friction":
+            what = (*what, walls_of_event(event.surfaces, [wall.name for wall in space.walls()], number, where))
+        found.append(Event(event.when, event.value * TRIGGERS[event.when].scale, action, what))
+    return tuple(found)
 
 
 def _action(event: SphereEventConfig, space: SpaceSilo, mass: float) -> tuple[str, tuple]:
@@ -38,7 +43,7 @@ def _action(event: SphereEventConfig, space: SpaceSilo, mass: float) -> tuple[st
     return "stop", ()
 
 
-def turns_in_place(surface: Surface | None) -> bool:
+def turns_in_place(surface: Surface) -> bool:
     """Whether a surface stays where it is when it turns about the upright axis x = y = 0."""
     if isinstance(surface, LevelPiece):
         outlines = (surface.outline, *(hole.outline for hole in surface.holes))
@@ -47,13 +52,10 @@ def turns_in_place(surface: Surface | None) -> bool:
 
 
 def check_turning(scene: SphereScene, space: SpaceSilo, where: str) -> None:
-    """BadInput for surfaces that a silo does not have, or that do not stay where they are when they turn."""
+    """BadInput for surfaces that do not stay where they are when they turn."""
     surfaces = {surface.name: surface for surface in space.walls()}
     for number, event in enumerate(scene.events):
-        key = f"events.{number}.surfaces"
-        for name in event.surfaces:
-            if name not in surfaces and space.plan.sides == CIRCLE:
-                raise BadInput(key, name, f"the silo has none; it has {', '.join(surfaces)}", where)
-        if not all(turns_in_place(surfaces.get(name)) for name in event.surfaces):
+        turned = walls_of_event(event.surfaces, list(surfaces), number, where) if event.do == "rotate" else ()
+        if not all(turns_in_place(surfaces[name]) for name in turned):
             allowed = "turn about the axis of a circular silo alone, whose outlet, if any, is round and in its middle"
-            raise BadInput(key, ", ".join(event.surfaces), allowed, where)
+            raise BadInput(f"events.{number}.surfaces", ", ".join(event.surfaces), allowed, where)

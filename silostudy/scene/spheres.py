@@ -2,17 +2,19 @@
 
 from dataclasses import replace
 from math import isnan, nan
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from silostudy.config.spheres import MaterialConfig, SphereScene, TouchConfig
 from silostudy.contact.coefficient import Given
 from silostudy.contact.rolling import spring_slider
-from silostudy.dem.model import Contact
+from silostudy.dem.contacts import Contact
 from silostudy.dem.pieces import Laws
 from silostudy.dem.rain import Rain
+from silostudy.dem.varied import Varied
 from silostudy.errors import BadInput
+from silostudy.scene.dem import walls_contact
 from silostudy.scene.lid import slides
 from silostudy.scene.silo_from import silo_of
 from silostudy.scene.space_silo import Outlet, SpaceSilo
@@ -64,29 +66,45 @@ def grain_of(scene: SphereScene, where: str = "") -> Material:
     return grain if soft is None else replace(grain, youngs_modulus=soft * MPA)
 
 
-def contacts_of(scene: SphereScene, where: str = "") -> tuple[Contact, Contact]:
-    """Contacts between spheres, and of spheres and walls: from the materials and what their pair says."""
-    grain, wall = grain_of(scene, where), material_of(scene.wall)
-    between = frozenset((scene.grain.material, scene.grain.material)), frozenset((scene.grain.material, scene.wall.material))
-    return (
-        _contact(scene.spheres, "spheres", grain, grain, between[0], where),
-        _contact(scene.walls, "walls", grain, wall, between[1], where),
-    )
+def contacts_of(scene: SphereScene, where: str = "") -> tuple[Contact, Contact | Varied]:
+    """Contacts between spheres, and of spheres and walls: from the materials and what their pair says.
+
+    Walls have contacts of their own each where the scene tells a surface from the others.
+    """
+    grain = Body(grain_of(scene, where), scene.grain.material)
+    between = _contact(scene.spheres, "spheres", grain, grain, where)
+    at_walls = {
+        name: _contact(touch, f"surfaces.{name}" if name else "walls", grain, Body(material_of(wall), wall.material), where)
+        for name, (wall, touch) in {"": (scene.wall, scene.walls), **scene.surface_contacts}.items()
+    }
+    return between, walls_contact(scene, at_walls, wall_names(scene, where), where)
 
 
-def _contact(config: TouchConfig, section: str, one: Material, other: Material, between: frozenset, where: str) -> Contact:
-    laws, fields, known = config.laws, config.model_dump(), PAIRS.get(between)
+def wall_names(scene: SphereScene, where: str = "") -> list[str]:
+    """Names of the surfaces."""
+    return [surface.name for surface in space_silo_of(scene, where).walls()]
+
+
+class Body(NamedTuple):
+    """An elastic body of a contact: its material, and the key of that in the table of pairs."""
+
+    material: Material
+    key: str | None
+
+
+def _contact(config: TouchConfig, section: str, one: Body, other: Body, where: str) -> Contact:
+    laws, fields, known = config.laws, config.model_dump(), PAIRS.get(frozenset((one.key, other.key)))
     for name in ("restitution", "sliding_friction"):
         if fields[name] is None:
             if known is None:
-                told = f"must be given: no table holds the pair of {one.title} and {other.title}"
+                told = f"must be given: no table holds the pair of {one.material.title} and {other.material.title}"
                 raise BadInput(f"{section}.{name}", None, told, where)
             fields[name] = getattr(known, name)
     rolling = spring_slider.FRICTION.field
     if known is not None and not fields.get(rolling):
         fields[rolling] = known.rolling_friction
-    fields["materials"] = tuple((body.youngs_modulus, body.poissons_ratio) for body in (one, other))
-    given = Given(fields, nan, one.density, laws["normal"], section == "walls", True)
+    fields["materials"] = tuple((of.material.youngs_modulus, of.material.poissons_ratio) for of in (one, other))
+    given = Given(fields, nan, one.material.density, laws["normal"], section != "spheres", True)
     coefficients: dict[str, float] = {}
     for law in laws.values():
         coefficients |= law.prepared(given)

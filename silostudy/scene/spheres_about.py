@@ -2,11 +2,13 @@
 
 from math import pi, sqrt
 
+import numpy as np
+
 from silostudy.config.spheres import SphereScene
 from silostudy.dem.space.model import SphereModel
 from silostudy.packing.filling import FILLINGS
 from silostudy.packing.sizes import SIZES
-from silostudy.scene.dem import Effect, law_effect
+from silostudy.scene.dem import Effect, law_effect, surfaces_effect
 from silostudy.scene.lid import moves
 from silostudy.scene.spheres import MPA, contacts_of, grain_of, material_of, plane_of_rain, space_silo_of
 from silostudy.scene.spheres_model import narrow
@@ -29,7 +31,7 @@ def overlap_at(pressure: float, model: SphereModel) -> float:
 
     Hertz: F = 4/3 E* sqrt(R/2) delta^1.5.
     """
-    radius, stiffness = float(model.radius.mean()), model.pair_contact.coefficients["hertz_stiffness"]
+    radius, stiffness = float(model.radius.mean()), model.between(0, 0).coefficients["hertz_stiffness"]
     return float((pressure * 4.0 * radius**2 / (stiffness * sqrt(radius / 2.0))) ** (2.0 / 3.0) / radius)
 
 
@@ -41,7 +43,7 @@ def overlap_of_fall(scene: SphereScene, model: SphereModel) -> float:
     radius, mass = float(model.radius.mean()), float(model.mass.mean())
     drop = plane_of_rain(scene, space_silo_of(scene), float(model.radius.max()))
     square = scene.filling.speed_m_s**2 + 2.0 * float(-model.gravity[2]) * drop
-    modulus = 0.75 * model.pair_contact.coefficients["hertz_stiffness"]
+    modulus = 0.75 * model.between(0, 0).coefficients["hertz_stiffness"]
     return float((15.0 * mass / 2.0 * square / (16.0 * modulus * sqrt(radius / 2.0))) ** 0.4 / radius)
 
 
@@ -54,7 +56,7 @@ def softening(scene: SphereScene, model: SphereModel) -> list[str]:
     for _ in range(40):  # the height that they fill
         middle = (low + high) / 2
         low, high = (middle, high) if space.volume_below(middle) < volume else (low, middle)
-    pressure = FOOT_SOLID_FRACTION * model.density * float(-model.gravity[2]) * low
+    pressure = FOOT_SOLID_FRACTION * float(np.mean(model.density)) * float(-model.gravity[2]) * low
     lines = []
     if real > used:
         ratio = real / used
@@ -62,7 +64,7 @@ def softening(scene: SphereScene, model: SphereModel) -> list[str]:
             f"softened: modulus {used / MPA:g} MPa in place of {real / MPA:g}, a ratio of {ratio:.3g}: steps {sqrt(ratio):.2g} "
             f"times as long, overlaps {ratio ** (2.0 / 3.0):.3g} times as deep"
         )
-    if "hertz_stiffness" in model.pair_contact.coefficients and pressure > 0.0:
+    if "hertz_stiffness" in model.between(0, 0).coefficients and pressure > 0.0:
         deep = overlap_at(pressure, model)
         told = f"overlap under {low:.3g} m of spheres without friction at walls: {deep:.2%} of the radius"
         lines.append(f"{told}; unsoftened {deep * (used / real) ** (2.0 / 3.0):.2%}" if real > used else told)
@@ -71,27 +73,14 @@ def softening(scene: SphereScene, model: SphereModel) -> list[str]:
     return lines
 
 
-def coefficients(scene: SphereScene) -> list[str]:
-    """Lines on the laws of both contacts and their coefficients."""
-    lines = []
-    for name, contact in zip(("spheres", "walls"), contacts_of(scene), strict=True):
-        units = {one.name: one.unit for row in contact.rows for one in row.coefficients}
-        values = ", ".join(f"{key} {value:.6g}{_unit(units[key])}" for key, value in contact.coefficients.items())
-        lines.append(f"{name}: {', '.join(row.key for row in contact.rows if row.acts)}: {values}")
-    return lines
-
-
-def _unit(unit: str) -> str:
-    return "" if unit == "1" else f" {unit}"
-
-
 def materials(scene: SphereScene) -> list[str]:
-    """Lines on the materials of spheres and walls."""
+    """Lines on the materials of spheres and walls, and of surfaces that have their own."""
+    surfaces = [(name, material_of(of)) for name, (of, _) in scene.surface_contacts.items() if of != scene.wall]
     return [
         f"{name}: {body.title}, E {body.youngs_modulus / MPA:g} MPa, nu {body.poissons_ratio:g}"
         + (f", rho {body.density:g} kg/m3" if name == "grain" else "")
         + (f" ({body.source}, {body.locator})" if body.source != body.locator else f" ({body.source})")
-        for name, body in (("grain", grain_of(scene)), ("wall", material_of(scene.wall)))
+        for name, body in (("grain", grain_of(scene)), ("wall", material_of(scene.wall)), *surfaces)
     ]
 
 
@@ -109,6 +98,7 @@ def sphere_effects(scene: SphereScene) -> tuple[Effect, ...]:
         law_effect("rolling resistance", "rolling", contacts),
         law_effect("twisting resistance", "twisting", contacts),
         law_effect("cohesion", "cohesion", contacts),
+        surfaces_effect(scene),
         Effect("spheres of several sizes", scene.sizes is None or scene.sizes.kind != "equal", f"sizes: {sizes}"),
         Effect("rain", FILLINGS[scene.filling.kind].rains, f"filling.kind: {scene.filling.kind}"),
         Effect("wall pressures every step", record.wall_force_window_s is not None, "record.wall_force_window_s"),

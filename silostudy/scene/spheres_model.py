@@ -16,7 +16,7 @@ from silostudy.scene.dem import DEEPEST
 from silostudy.scene.dem_model import step_of
 from silostudy.scene.lid import check_lid, lid_of, moves
 from silostudy.scene.space_silo import OUTLET, SpaceSilo
-from silostudy.scene.sphere_events import check_turning
+from silostudy.scene.sphere_events import check_turning, sphere_events
 from silostudy.scene.spheres import contacts_of, grain_of, plane_of_rain, space_silo_of
 
 DENSEST = 0.7  # solid fraction that no random packing of nearly equal spheres comes to
@@ -31,6 +31,7 @@ def sphere_model(scene: SphereScene, given: tuple[np.ndarray, np.ndarray] | None
     check_frictions(scene, where)
     check_lid(scene.events, space.bottom, space.top, where)
     check_turning(scene, space, where)
+    sphere_events(scene, space, 0.0, where)
     random = np.random.default_rng(scene.seed)
     try:
         places, radii = given or _started(scene, space, random)
