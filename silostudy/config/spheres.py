@@ -1,13 +1,14 @@
 """What a user writes to describe a discrete-element scene of spheres in a silo, in the user's units."""
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, Self, TypeAlias
+from typing import TYPE_CHECKING, Any, ClassVar, Literal, Self, TypeAlias
 
-from pydantic import Field, model_validator
+from pydantic import model_validator
 
 from silostudy.catalogue import Family
 from silostudy.config.contact import LawsConfig
 from silostudy.config.fields import Strict, described, one_of
+from silostudy.config.observers import Cells
 from silostudy.config.own import key_of
 from silostudy.config.run import GrainScene, Recorded
 from silostudy.config.scene import Silo
@@ -42,7 +43,6 @@ RollingKey: TypeAlias = key_of(LAWS["rolling"])  # type: ignore[valid-type]
 CohesionKey: TypeAlias = key_of(LAWS["cohesion"])  # type: ignore[valid-type]
 TwistingKey: TypeAlias = key_of(LAWS["twisting"])  # type: ignore[valid-type]
 OutputKey: TypeAlias = Literal[tuple(key for key, row in OUTPUTS.items() if row.stage == "dem")]  # type: ignore[valid-type]
-Cells: TypeAlias = Annotated[int, Field(ge=1, le=1000)]
 if TYPE_CHECKING:
     SizesConfig = Any
     FillingConfig = Any
@@ -179,7 +179,8 @@ class SphereScene(GrainScene):
     @property
     def named_files(self) -> tuple[str, ...]:
         """Files that the scene is made from."""
-        return (self.filling.file,) if FILLINGS[self.filling.kind].from_file else ()
+        filled = (self.filling.file,) if FILLINGS[self.filling.kind].from_file else ()
+        return (*filled, *self.branched_from)
 
     @model_validator(mode="after")
     def _sizes_known(self) -> Self:
@@ -193,6 +194,16 @@ class SphereScene(GrainScene):
         record = self.record
         if self.outputs and not (record.wall_force_window_s and (record.snapshots_s or record.snapshots_every_s)):
             raise ValueError("outputs need record.wall_force_window_s, and record.snapshots_every_s or snapshots_s")
+        for key in self.outputs:
+            if "rings" in OUTPUTS[key].demands and (record.fields is None or len(record.fields.cells) != 2):
+                raise ValueError(f"{key} needs record.fields with two numbers of cells")
+        return self
+
+    @model_validator(mode="after")
+    def _cells_of_the_plan(self) -> Self:
+        fields = self.record.fields
+        if fields is not None and len(fields.cells) == 2 and self.silo.plan != "circular":
+            raise ValueError("record.fields.cells must be three, along x, y and z, where silo.plan is not circular")
         return self
 
     @model_validator(mode="after")

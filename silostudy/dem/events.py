@@ -40,8 +40,8 @@ class Event:
 
     trigger: a key of TRIGGERS; value: its seconds, share or Pa.
     action: open (wall, walls that replace it), open holes (wall, names of its holes, speed), remove (label or x, y),
-    gravity (x, y), friction (pair, wall, names of walls; none: all), stop; of walls that move lower (),
-    press (load, mass, speed, lowest), move (speed, force, height), turn (spin, walls); feed (rate).
+    gravity (x, y), friction (pair, wall, names of walls; none: all), stop; of walls that move lower (), press (load, mass,
+    speed, lowest), move (speed, force, height), turn (spin, walls); feed (rate).
     """
 
     trigger: str

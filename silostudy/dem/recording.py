@@ -23,6 +23,7 @@ class Recording:
     lost: dict[str, float] = field(default_factory=lambda: dict.fromkeys(WAYS, 0.0))  # their mass, kg/m
     passed: list[tuple[float, float, int]] = field(default_factory=list)  # s at which a body came below, its mass, its outlet
     snapshots: list[dict[str, np.ndarray]] = field(default_factory=list)
+    readings: dict[str, list[tuple[float, tuple]]] = field(default_factory=dict)  # s and what was read, by the observer's name
     happened: list[tuple[float, str, str]] = field(default_factory=list)  # time, trigger, action
     explosion: Explosion | None = None
     waiting: Event | None = None  # what the time limit came before

@@ -1,17 +1,15 @@
 """A bin of spheres in motion: a slice through its axis, spheres coloured by speed."""
 
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 import xarray as xr
 from matplotlib.animation import FuncAnimation, PillowWriter
 from matplotlib.axes import Axes
 from matplotlib.collections import EllipseCollection
-from matplotlib.lines import Line2D
 
-from silostudy.figures.bin import opened_at
-from silostudy.figures.style import AID, plt
+from silostudy.figures.bin import outline
+from silostudy.figures.style import plt
 from silostudy.files import replacing
 
 FRAMES_A_SECOND = 8
@@ -27,7 +25,7 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     shots = np.unique(np.linspace(0, cube.sizes["snapshot"] - 1, min(MOST, cube.sizes["snapshot"])).round().astype(int))
     half, top = (float(cube.attrs[name]) * CM for name in ("half_width_m", "top_height_m"))
     figure, panel = plt.subplots(figsize=(3.4, min(7.0, 1.6 + 2.6 * (top + BELOW) / (2.0 * half))))
-    plugs = _outline(panel, cube)
+    plugs = outline(panel, cube)
     panel.set(xlabel="across (cm)", ylabel="height above the outlet (cm)", aspect="equal")
     panel.set(xlim=(-half - 0.5, half + 0.5), ylim=(-BELOW, top))
     panel.grid(False)
@@ -49,26 +47,6 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     with replacing(stem.with_suffix(".webp")) as temporary:
         animation.save(temporary, writer=PillowWriter(fps=FRAMES_A_SECOND), dpi=DPI)
     plt.close(figure)
-
-
-def _outline(panel: Axes, cube: xr.Dataset) -> list[tuple[Line2D, float]]:
-    """Walls, and hopper or floor, where the slice cuts them (cm); gives what shuts each outlet, and when (s) that goes."""
-    half, outlet, aside, low, top = (
-        float(cube.attrs[name]) * CM
-        for name in ("half_width_m", "outlet_half_width_m", "outlet_middle_m", "transition_height_m", "top_height_m")
-    )
-    looks: dict[str, Any] = {"color": "black", "linewidth": 1, "gid": AID}
-    if "outlet" not in cube:
-        for side in (-1.0, 1.0):
-            panel.plot([aside + side * outlet, side * half, side * half], [0.0, low, top], **looks)
-        return [(panel.plot([aside - outlet, aside + outlet], [0.0, 0.0], **looks)[0], opened_at(cube))]
-    holes = np.column_stack([cube["outlet_left"], cube["outlet_right"]]) * CM
-    edges = np.sort(holes[np.isfinite(holes[:, 0])].ravel())
-    panel.plot([-half, -half, np.nan, half, half], [top, 0.0, np.nan, 0.0, top], **looks)
-    for part in np.array([-half, *edges, half]).reshape(-1, 2):
-        panel.plot(part, [0.0, 0.0], **looks)
-    times = cube["outlet_opened"].values
-    return [(panel.plot(hole, [0.0, 0.0], **looks)[0], float(time)) for hole, time in zip(holes, times, strict=True)]
 
 
 def _slice(cube: xr.Dataset, shot: int, panel: Axes) -> EllipseCollection:

@@ -11,6 +11,7 @@ from silostudy.accuracy import cube as accuracy
 from silostudy.choice.expand import expand
 from silostudy.compute.axes import sweep_of
 from silostudy.compute.dem_cube import cube_of as dem_cube
+from silostudy.compute.observers import grid_of
 from silostudy.config.load import read_yaml
 from silostudy.cube.assemble import assemble
 from silostudy.scene.expand import Expansion
@@ -158,7 +159,8 @@ def cube_of(study: str, stage: str) -> xr.Dataset:
 @cache
 def bin_cube() -> xr.Dataset:
     """The cube of a bin of spheres whose run is made up, so that no kernel is compiled: it rests, opens, and flows."""
-    scene = scene_of(filling={"kind": "loose", "count": 120})
+    asked = {"cells": [4, 6], "every_s": 0.02}
+    scene = scene_of(filling={"kind": "loose", "count": 120}, record__fields=asked)
     task, random = run(scene), np.random.default_rng(1)
     record, model = task.recording, task.engine.model
     cells = len(task.engine.record.window)
@@ -171,6 +173,12 @@ def bin_cube() -> xr.Dataset:
         none = np.empty((0, 8))
         record.snapshots.append(
             {"time": np.array(time), "label": np.arange(120), "motion": motion, "pairs": none, "walls": none}
+        )
+    (fields, *_), cells = task.observers, grid_of(scene, scene.record.fields, model).cells
+    for number in range(4):
+        shapes = (cells,), (cells, 3), (cells, 3, 3), (cells, 3, 3), (cells, 3)
+        record.readings.setdefault(fields.name, []).append(
+            (0.02 * (number + 1), tuple(random.uniform(0.5, 1.0, shape) for shape in shapes))
         )
     return dem_cube(task, scene)
 

@@ -18,7 +18,8 @@ from silostudy.tables.constants import ROUNDED_GRAVITY as GRAVITY
 from tests.test_spheres.small import carried, content, run, scene_of
 
 pytestmark = pytest.mark.long
-SAME = ("grain_x", "grain_spin_y", "outflow_time", "outflow_mass", "wall_pressure_max", "surface_cross_force", "contact_load_z")
+SAME = ("grain_x", "grain_spin_y", "outflow_time", "outflow_mass", "wall_pressure_max", "surface_cross_force", "contact_load_z",
+        "field_contact_stress", "field_velocity", "contact_fabric", "contact_sliding")  # fmt: skip
 
 
 @pytest.fixture(scope="module")
@@ -53,6 +54,31 @@ def test_cells_add_up_to_surfaces_and_pressures_are_forces_over_areas(cube):
     assert np.allclose(force.transpose("window_time", "wall_name"), total, rtol=1e-12, atol=0.0)
     assert (cube.wall_pressure_max >= cube.wall_pressure_mean).all()
     assert float(cube.wall_pressure_min.min()) == 0.0
+
+
+def test_fields_hold_the_mass_and_balance_in_every_slice(cube):
+    """At rest the stress across a slice is the weight above it less what walls and floor bear."""
+    rest = cube.sel(field_time=float(cube.event_time[0]), method="ffill").set_index(field_cell=["field_z", "field_r"])
+    rest = rest.unstack("field_cell")
+    volume, weight = rest.field_cell_volume, GRAVITY * float(cube.grain_mass.sum())
+    assert float((rest.field_density * volume).sum()) == pytest.approx(float(cube.grain_mass.sum()), rel=1e-12)
+    load = ((rest.field_density * GRAVITY - rest.field_wall_force.sel(field_way="z")) * volume).sum("field_r")
+    assert abs(float(load.sum())) < 3e-3 * weight
+    above = load[::-1].cumsum("field_z")[::-1] - 0.5 * load
+    high = float(rest.field_z[1] - rest.field_z[0])
+    stress = rest.field_contact_stress + rest.field_kinetic_stress
+    carried = (stress.sel(field_way="z", field_of="z") * volume).sum("field_r") / high
+    assert float(np.abs(carried - above).max()) < 0.02 * weight
+    assert float(carried.max()) > 0.3 * weight
+
+
+def test_statistics_of_contacts(cube):
+    assert np.allclose(np.trace(cube.contact_fabric, axis1=1, axis2=2)[1:], 1.0)
+    rest = cube.sel(statistics_time=float(cube.event_time[0]), method="ffill")
+    assert 3.5 < float(rest.contact_coordination) < 6.5
+    assert float(rest.contact_held_coordination) > float(rest.contact_coordination) - 1e-12
+    assert float(rest.contact_sliding) < 0.1 < float(cube.contact_sliding[-1])
+    assert 0.0 < float(rest.contact_mean_overlap) < float(rest.contact_deepest_overlap) < 0.05
 
 
 def test_the_meter_counts_spheres_at_the_outlet(cube, small):
