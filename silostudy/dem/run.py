@@ -280,6 +280,7 @@ class Run:
         window[:, :, 0] /= steps
         self.recording.window_time.append(self.engine.time)
         self.recording.window.append(window)
+        self.recording.whole.append(self.engine.record.whole[:, :, 1:].copy())
         if self.engine.model.moving:
             self.recording.motion.append(self.engine.space.motion_of(self.engine.walls.shape))
         self.recording.energy.append(self.engine.ledger.account[: len(ENTRIES)].copy())

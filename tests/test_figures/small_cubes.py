@@ -166,6 +166,7 @@ def bin_cube() -> xr.Dataset:
     cells = len(task.engine.record.window)
     for number in range(4):
         record.window.append(random.uniform(0.01, 0.1, (cells, 3, 1)) * [1.0, 0.5, 2.0])
+        record.whole.append(random.uniform(0.01, 0.1, (len(model.walls), 3, 2)))
         record.window_time.append(0.02 * (number + 1))
     record.happened = [(0.04, "rest", "open"), (0.08, "after", "stop")]
     for time in (0.0, 0.04, 0.08):
