@@ -5,11 +5,14 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
+from silostudy.compute.observers import observers_of
 from silostudy.dem import coarse
 from silostudy.dem.coarse import Instant, fields, sample
 from silostudy.dem.contact_statistics import coordination, fabric_of
 from silostudy.dem.grid import Grid
 from silostudy.dem.snapshot import Contacts
+from silostudy.errors import BadInput
+from tests.test_spheres.small import scene_of
 
 RADIUS, MASS, GRAVITY = 0.004, 0.002, 9.81
 NOTHING = np.empty((0, 3))
@@ -75,7 +78,7 @@ def test_a_translation_is_one_velocity_without_kinetic_stress():
 
 
 def test_a_rotation_is_found_again():
-    z, y, x = (axis.ravel() for axis in np.meshgrid([-0.006, 0.0, 0.006], *[np.arange(-5, 6) * 0.006] * 2, indexing="ij"))
+    z, y, x = (axis.ravel() for axis in np.meshgrid([-0.006, 0.0, 0.006], *[np.arange(-4, 5) * 0.006] * 2, indexing="ij"))
     place = np.column_stack([x, y, z])
     found = fields(flying(place, 30.0 * np.column_stack([-y, x, 0.0 * z])), RINGS, 0.004)
     speed, r = found.velocity.reshape(7, 20, 3), RINGS.middles[:, 0].reshape(7, 20)
@@ -98,7 +101,7 @@ def test_momentum_flow_is_that_of_the_grains():
 def test_every_slice_of_a_stack_carries_what_is_above_less_what_the_floor_gives(monkeypatch):
     """The boundary term closes the balance also where the kernel reaches through the floor; a fine sample, for one stack."""
     fine = sample.__wrapped__
-    monkeypatch.setattr(coarse, "POINTS", 512)
+    monkeypatch.setattr(coarse, "POINTS", 256)
     monkeypatch.setattr(coarse, "LINES", 16)
     monkeypatch.setattr(coarse, "sample", fine)
     now, high = stack(5), 0.001
@@ -152,3 +155,21 @@ def test_a_grain_of_one_contact_is_a_rattler():
     walls = Contacts(np.array([0, 1, 2]), np.zeros(3, int), np.zeros((3, 3)), np.ones((3, 3)))
     mean, held, rattlers = coordination(SimpleNamespace(n=5, most=5), pairs, walls)
     assert (mean, held, rattlers) == pytest.approx((11 / 5, 3.0, 0.4))
+
+
+REFUSED = {
+    "one cell": ({"cells": [4], "every_s": 0.1}, "record.fields.cells = \\[4\\]: must hold 2 or more"),
+    "four cells": ({"cells": [4, 4, 4, 4], "every_s": 0.1}, "must hold 3 at most"),
+    "too late": ({"cells": [4, 4], "every_s": 9.0}, "every_s = 9 must not be longer than march.limit_s = 1"),
+    "rings of a square": ({"cells": [4, 4], "every_s": 0.1}, "must be three, along x, y and z"),
+    "a wide kernel": ({"cells": [4, 4, 4], "width_mm": 1000, "every_s": 0.1}, "width_mm = 1000.0: spreads over"),
+}
+
+
+@pytest.mark.parametrize("case", REFUSED)
+def test_what_cannot_be_is_refused_in_one_line(case):
+    fields, told = REFUSED[case]
+    square = {"plan": "square", "width_m": 0.06, "cylinder_depth_m": 0.1}
+    with pytest.raises(BadInput, match=told):
+        scene = scene_of(record__fields=fields, silo=square, events=[{"when": "rest", "do": "stop"}])
+        observers_of(scene, SimpleNamespace(radius=np.array([RADIUS]), dt=1e-5))
