@@ -170,6 +170,10 @@ REFUSED = {
 def test_what_cannot_be_is_refused_in_one_line(case):
     fields, told = REFUSED[case]
     square = {"plan": "square", "width_m": 0.06, "cylinder_depth_m": 0.1}
-    with pytest.raises(BadInput, match=told):
+
+    def asked():
         scene = scene_of(record__fields=fields, silo=square, events=[{"when": "rest", "do": "stop"}])
-        observers_of(scene, SimpleNamespace(radius=np.array([RADIUS]), dt=1e-5))
+        return observers_of(scene, SimpleNamespace(radius=np.array([RADIUS]), dt=1e-5))
+
+    with pytest.raises(BadInput, match=told):
+        asked()
