@@ -83,7 +83,7 @@ def _fields(times: np.ndarray, read: list[np.ndarray], grid: Grid, model: Model)
     data = {f"field_{name}": values for name, values in zip(Fields._fields, read, strict=True)}
     data |= {f"field_{name}": column for name, column in zip(grid.coordinates, grid.middles.T, strict=True)}
     data |= {"field_time": times, "field_cell": np.arange(grid.cells), "field_way": ways, "field_of": ways}
-    return data | {volume: grid.volumes, "field_solid_fraction": data["field_density"] / model.density}
+    return data | {volume: grid.volumes}
 
 
 def _statistics(times: np.ndarray, read: list[np.ndarray], ways: int) -> dict[str, np.ndarray]:

@@ -177,7 +177,7 @@ def bin_cube() -> xr.Dataset:
         )
     (fields, *_), cells = task.observers, grid_of(scene, scene.record.fields, model).cells
     for number in range(4):
-        shapes = (cells,), (cells, 3), (cells, 3, 3), (cells, 3, 3), (cells, 3)
+        shapes = (cells,), (cells,), (cells, 3), (cells, 3, 3), (cells, 3, 3), (cells, 3)
         record.readings.setdefault(fields.name, []).append(
             (0.02 * (number + 1), tuple(random.uniform(0.5, 1.0, shape) for shape in shapes))
         )

@@ -15,6 +15,7 @@ from silostudy.errors import BadInput
 from tests.test_spheres.small import scene_of
 
 RADIUS, MASS, GRAVITY = 0.004, 0.002, 9.81
+VOLUME = 4.0 / 3.0 * np.pi * RADIUS**3
 NOTHING = np.empty((0, 3))
 BOXES = Grid((-0.05, -0.05, -0.05), (0.02, 0.02, 0.01), (5, 5, 20))
 RINGS = Grid((0.0, -0.05), (0.01, 0.01), (7, 20), round=True)
@@ -25,11 +26,18 @@ def in_python(monkeypatch):
     monkeypatch.setattr(coarse, "share", coarse.share.py_func)
 
 
+def bodies(count: int) -> tuple[np.ndarray, np.ndarray]:
+    """Masses and volumes."""
+    return np.full(count, MASS), np.full(count, VOLUME)
+
+
 def flying(place, velocity) -> Instant:
     """Grains that touch nothing."""
     place = np.asarray(place, float)
     speed = np.broadcast_to(np.asarray(velocity, float), place.shape)
-    return Instant(np.full(len(place), MASS), place, speed, NOTHING, NOTHING, NOTHING, NOTHING, NOTHING)
+    return Instant(
+        np.full(len(place), MASS), np.full(len(place), VOLUME), place, speed, NOTHING, NOTHING, NOTHING, NOTHING, NOTHING
+    )
 
 
 def stack(count: int, x=0.0) -> Instant:
@@ -39,7 +47,9 @@ def stack(count: int, x=0.0) -> Instant:
     end, branch, force = place - [0.0, 0.0, 2.0 * RADIUS], np.tile([0.0, 0.0, 2.0 * RADIUS], (count, 1)), np.zeros((count, 3))
     end[0, 2], branch[0, 2] = 0.0, RADIUS
     force[:, 2] = MASS * GRAVITY * (count - np.arange(count))
-    return Instant(np.full(count, MASS), place, np.zeros_like(place), end, branch, force, end[:1], force[:1])
+    return Instant(
+        np.full(count, MASS), np.full(count, VOLUME), place, np.zeros_like(place), end, branch, force, end[:1], force[:1]
+    )
 
 
 def summed(grid, values):
@@ -53,6 +63,7 @@ def test_mass_and_stress_add_up_to_those_of_grains_and_contacts(grid, count):
     now = stack(count, x=0.013)
     found = fields(now, grid, 0.006)
     assert summed(grid, found.density) == pytest.approx(count * MASS, rel=1e-12)
+    assert summed(grid, found.solid_fraction) == pytest.approx(count * VOLUME, rel=1e-12)
     carried = (now.branch[:, :, None] * now.force[:, None, :]).sum(axis=0)
     assert summed(grid, found.contact_stress)[2, 2] == pytest.approx(carried[2, 2], rel=1e-12)
     assert summed(grid, found.wall_force)[2] == pytest.approx(count * MASS * GRAVITY, rel=1e-12)
@@ -118,9 +129,8 @@ def test_every_slice_of_a_stack_carries_what_is_above_less_what_the_floor_gives(
 def test_discs_have_the_same_sums():
     grid = Grid((-0.05, -0.05), (0.01, 0.01), (10, 20))
     place, branch, force = np.array([[[0.013, RADIUS]], [[0.0, RADIUS]], [[1.0, 5.0]]])
-    found = fields(
-        Instant(np.array([MASS]), place, 0.0 * place, place - branch, branch, force, place - branch, force), grid, 0.01
-    )
+    end = place - branch
+    found = fields(Instant(*bodies(1), place, 0.0 * place, end, branch, force, end, force), grid, 0.01)
     assert summed(grid, found.contact_stress) == pytest.approx(np.outer(branch, force), rel=1e-12)
     assert summed(grid, found.density) == pytest.approx(MASS, rel=1e-12)
     assert summed(grid, found.wall_force) == pytest.approx(force[0], rel=1e-12)
