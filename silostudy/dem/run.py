@@ -207,7 +207,9 @@ class Run:
         elif action in MOVES:
             MOVES[action](engine, *event.what)
         self.recording.happened.append((engine.time, event.trigger, action))
-        self.since, self.looked = engine.step, None
+        self.since = engine.step
+        if action != "stop":  # after which a branch may look on
+            self.looked = None
         self.next_event += 1
 
     def _remove(self, what: tuple) -> str:
