@@ -57,25 +57,26 @@ def _of_spheres(scene, model) -> list[str]:
     """Materials, coefficients, softening, times and effects of a scene of spheres."""
     from silostudy.dem.stability import packed_bound
     from silostudy.scene.coefficients import coefficient_lines
-    from silostudy.scene.spheres import grain_of
-    from silostudy.scene.spheres_about import materials, rayleigh_time, softening, sphere_effects, warnings
+    from silostudy.scene.spheres_about import materials, shares, softening, sphere_effects, warnings, wave_times
 
-    wave = rayleigh_time(grain_of(scene), float(model.radius.min()))
     lines = [
         f"{scene.title}: {len(model.x)} spheres, diameters {2e3 * model.radius.min():.4g} to {2e3 * model.radius.max():.4g} mm"
     ]
-    lines += [f"  {line}" for line in (*materials(scene), *coefficient_lines(*_contacts(model)), *softening(scene, model))]
+    about = (*shares(scene, model), *materials(scene), *coefficient_lines(model, tuple(scene.grain_kinds)))
+    lines += [f"  {line}" for line in (*about, surfaces(model), *softening(scene, model))]
     lines.append(
         f"  step {model.dt:.3g} s; stability bound of the densest packing {packed_bound(model):.3g} s; Rayleigh time of the "
-        f"smallest sphere {wave:.3g} s; integrator {model.integrator}"
+        f"smallest sphere {wave_times(scene, model)}; integrator {model.integrator}"
     )
     lines += [f"  {effect.name:30}{'on ' if effect.on else 'off'}  {effect.why}" for effect in sphere_effects(scene)]
     return lines + [f"  warning: {line}" for line in warnings(scene, model)]
 
 
-def _contacts(model) -> tuple:
-    """What bodies are called, their contacts with each other and with walls, and the walls' names."""
-    return f"{model.space.body}s", model.pair_contact, model.wall_contact, [wall.name for wall in model.walls]
+def surfaces(model) -> str:
+    """The names that a scene may give to its surfaces."""
+    from silostudy.scene.surfaces import known_names
+
+    return f"surfaces: {', '.join(known_names([wall.name for wall in model.walls]))}"
 
 
 def _of_discs(scene, model) -> list[str]:
@@ -89,7 +90,7 @@ def _of_discs(scene, model) -> list[str]:
     lines.append(
         f"  step {model.dt:.3g} s; stability bound of this start {longest_step(model):.3g} s; integrator {model.integrator}"
     )
-    lines += [f"  {line}" for line in coefficient_lines(*_contacts(model))]
+    lines += [f"  {line}" for line in (*coefficient_lines(model), surfaces(model))]
     for effect in effects(scene):
         price = priced(share.get(effect.name))
         lines.append(f"  {effect.name:30}{'on ' if effect.on else 'off'}  {price:42}{effect.why}")

@@ -42,7 +42,8 @@ def _started(scene: AnyScene, folder: Path, where: str) -> Model:
 
 @_started.register
 def _(scene: SphereScene, folder: Path, where: str) -> Model:
-    given = given_spheres(scene.filling.file, folder) if FILLINGS[scene.filling.kind].from_file else None
+    filling, kinds = scene.filling, len(scene.grain_kinds)
+    given = given_spheres(filling.file, folder, kinds) if FILLINGS[filling.kind].from_file else None
     return sphere_model(scene, given, where)
 
 

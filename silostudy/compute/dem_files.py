@@ -10,6 +10,7 @@ from silostudy.packing.given import place
 from silostudy.tables.columns import equal_steps, read_columns
 
 QUAKE = ("time_s", "x_m_s2", "y_m_s2")
+KIND = "grain_kind"
 STRONGEST = 1e6  # m s-2: beyond, no acceleration
 GIVEN = ("disc_x", "disc_y", "disc_radius")
 GIVEN_SPHERES = ("grain_x", "grain_y", "grain_z", "grain_radius")
@@ -24,10 +25,24 @@ def given_discs(file: str, folder: Path) -> tuple[np.ndarray, np.ndarray, np.nda
     return place(x=x, y=y, radius=radius)
 
 
-def given_spheres(file: str, folder: Path) -> tuple[np.ndarray, np.ndarray]:
-    """Places (n, 3) and radii (m) of the spheres in a netCDF file, those of its last snapshot, as of discs."""
+def given_spheres(file: str, folder: Path, kinds: int = 1) -> tuple[np.ndarray, np.ndarray, np.ndarray | None]:
+    """Places (n, 3), radii (m) and kinds of the spheres in a netCDF file, those of its last snapshot, as of discs.
+
+    Kinds are counted from 0 as the scene names them; None where it has one.
+    """
     *places, radius = _given(file, folder, "filling.file", GIVEN_SPHERES, "sphere")
-    return np.column_stack(places), radius
+    return np.column_stack(places), radius, _kinds(file, folder, kinds) if kinds > 1 else None
+
+
+def _kinds(file: str, folder: Path, kinds: int) -> np.ndarray:
+    """Kinds of those spheres in a file that have a place; BadInput for kinds that the scene does not have."""
+    held, key = opened(folder / file, "filling.file"), "filling.file"
+    if KIND not in held:
+        raise BadInput(key, file, f"must hold {KIND}: the scene has {kinds} kinds of spheres")
+    found = held[KIND].to_numpy()[~np.isnan(_metres(held[GIVEN_SPHERES[0]], file, key))]
+    if not np.isin(found, np.arange(kinds)).all():
+        raise BadInput(key, file, f"{KIND} must be from 0 to {kinds - 1}, as the scene counts its kinds")
+    return found.astype(int)
 
 
 def _given(file: str, folder: Path, key: str, names: tuple[str, ...], body: str) -> list[np.ndarray]:

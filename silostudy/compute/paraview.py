@@ -25,17 +25,18 @@ def solid(vectors: np.ndarray) -> np.ndarray:
 
 
 def grains_mesh(run: Run, snapshot: dict) -> meshio.Mesh:
-    """A vertex a grain: radius (m), velocity (m/s), spin (rad/s), label."""
-    motion, label, space = snapshot["motion"], snapshot["label"], run.engine.space
+    """A vertex a grain: radius (m), velocity (m/s), spin (rad/s), label, and kind where there are several."""
+    motion, label, space, model = snapshot["motion"], snapshot["label"], run.engine.space, run.engine.model
     return meshio.Mesh(
         solid(motion[:, space.place]),
         [("vertex", np.arange(len(label))[:, None])],
         point_data={
-            "radius": np.asarray(run.engine.model.radius)[label],
+            "radius": np.asarray(model.radius)[label],
             "velocity": solid(motion[:, space.velocity]),
             "spin": motion[:, space.spin].squeeze(),
             "label": label,
-        },
+        }
+        | ({} if model.kind is None else {"kind": np.asarray(model.kind)[label]}),
     )
 
 

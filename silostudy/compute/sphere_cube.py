@@ -25,10 +25,12 @@ def sphere_arrays(run: Run) -> dict[str, np.ndarray]:
     """Arrays of the cube by name."""
     model = run.engine.model
     data = {"grain": np.arange(len(model.x)), "grain_radius": np.array(model.radius), "grain_mass": model.mass}
+    if model.kind is not None:
+        data |= {"grain_kind": np.asarray(model.kind, np.int32)}
     return data | _windows(run) | _snapshots(run) | _meter(run)
 
 
-def sphere_notes(scene: SphereScene) -> dict[str, float]:
+def sphere_notes(scene: SphereScene) -> dict[str, float | str]:
     """Attributes that figures draw the silo by, m."""
     space = space_silo_of(scene)
     cut = next(iter(space.openings.values()), space.opening)
@@ -41,6 +43,7 @@ def sphere_notes(scene: SphereScene) -> dict[str, float]:
         "hydraulic_radius_m": space.silo.hydraulic_radius,
         "plan_area_m2": space.silo.area,
         "gravity_m_s2": -scene.gravity_m_s2[2],
+        **({"grain_kinds": ", ".join(scene.grain_kinds)} if scene.other_grains else {}),
     }
 
 

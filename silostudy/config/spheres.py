@@ -1,103 +1,28 @@
 """What a user writes to describe a discrete-element scene of spheres in a silo, in the user's units."""
 
-from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any, ClassVar, Literal, Self, TypeAlias
 
 from pydantic import model_validator
 
 from silostudy.catalogue import Family
-from silostudy.config.contact import LawsConfig
+from silostudy.config.elastic import GrainConfig, MaterialConfig, TouchConfig
 from silostudy.config.fields import Strict, described, one_of
+from silostudy.config.mixture import GRAIN, WALLS, OtherGrainConfig, PairConfig, SizesConfig, SphereSurfaceConfig, check_kinds
 from silostudy.config.observers import Cells
-from silostudy.config.own import key_of
 from silostudy.config.run import GrainScene, Recorded
 from silostudy.config.scene import Silo
 from silostudy.config.sphere_events import SphereEventConfig
-from silostudy.config.surfaces import apart_from, in_place
-from silostudy.contact import NO_COHESION, NO_ROLLING, NO_TWISTING, SPHERE_LAWS
-from silostudy.contact.normal import hertz
-from silostudy.contact.tangential import mindlin
+from silostudy.config.surfaces import in_place
+from silostudy.contact import SPHERE_LAWS
 from silostudy.packing.filling import FILLINGS
-from silostudy.packing.sizes import SIZES
 from silostudy.tables.constants import ROUNDED_GRAVITY
-from silostudy.tables.materials import MATERIALS
 from silostudy.tables.outputs import OUTPUTS
 
-OF_MATERIALS = {"materials", "restitution", "sliding_friction"}  # fields that a scene of spheres has for laws to share
-LAWS: Mapping[str, Family] = {
-    name: Family(
-        family.name,
-        (
-            row
-            for row in family.values()
-            if all(one.own or {f for g in one.fields for f in g} <= OF_MATERIALS for one in row.coefficients)
-        ),
-        family.takes,
-    )
-    for name, family in SPHERE_LAWS.items()
-}
-MaterialKey: TypeAlias = Literal[tuple(MATERIALS)]  # type: ignore[valid-type]
-NormalKey: TypeAlias = key_of(LAWS["normal"])  # type: ignore[valid-type]
-TangentialKey: TypeAlias = key_of(LAWS["tangential"])  # type: ignore[valid-type]
-RollingKey: TypeAlias = key_of(LAWS["rolling"])  # type: ignore[valid-type]
-CohesionKey: TypeAlias = key_of(LAWS["cohesion"])  # type: ignore[valid-type]
-TwistingKey: TypeAlias = key_of(LAWS["twisting"])  # type: ignore[valid-type]
 OutputKey: TypeAlias = Literal[tuple(key for key, row in OUTPUTS.items() if row.stage == "dem")]  # type: ignore[valid-type]
 if TYPE_CHECKING:
-    SizesConfig = Any
     FillingConfig = Any
 else:
-    SizesConfig, FillingConfig = one_of(SIZES), one_of(FILLINGS, "Filling")
-
-
-class MaterialConfig(Strict):
-    """An elastic material: from the table, with values that replace the table's, or all of them one's own."""
-
-    material: MaterialKey | None = described("key of the material (`silostudy list materials`); null: none", "", default=None)
-    youngs_modulus_MPa: float | None = described("Young's modulus", "MPa", gt=0, default=None)
-    poissons_ratio: float | None = described("Poisson's ratio", gt=-1, lt=0.5, default=None)
-
-    @model_validator(mode="after")
-    def _whole(self) -> Self:
-        if self.material is None and None in (self.youngs_modulus_MPa, self.poissons_ratio):
-            raise ValueError("give a material, or youngs_modulus_MPa and poissons_ratio")
-        return self
-
-
-class GrainConfig(MaterialConfig):
-    """The material of the spheres."""
-
-    density_kg_m3: float | None = described("density of a sphere", "kg m-3", gt=0, default=None)
-    softened_modulus_MPa: float | None = described(
-        "Young's modulus that is computed with in place of the material's: steps grow with the root of the ratio, overlaps by "
-        "its power 2/3 (`silostudy explain SCENE` tells both)",
-        "MPa",
-        gt=0,
-        default=None,
-    )
-
-
-class TouchConfig(LawsConfig):
-    """How spheres push each other, or walls push them: laws, and what the pair of materials does not say."""
-
-    choices: ClassVar[Mapping[str, Family]] = LAWS
-
-    normal: NormalKey = described("law of the normal force", "", default=hertz.ROW.key)
-    tangential: TangentialKey = described("law of the tangential force", "", default=mindlin.ROW.key)
-    rolling: RollingKey = described("law of rolling resistance", "", default=NO_ROLLING)
-    cohesion: CohesionKey = described("law of cohesion", "", default=NO_COHESION)
-    twisting: TwistingKey = described("law of resistance to twisting about the normal", "", default=NO_TWISTING)
-    restitution: float | None = described(
-        "speed after over speed before a head-on impact; null: of the pair of materials", gt=1e-3, le=1, default=None
-    )
-    sliding_friction: float | None = described("friction coefficient; null: of the pair of materials", ge=0, default=None)
-
-
-if TYPE_CHECKING:
-    SphereSurfaceConfig = Any
-else:
-    told = "Material and contact of a surface that is not like the other walls."
-    SphereSurfaceConfig = apart_from("SphereSurfaceConfig", told, MaterialConfig, TouchConfig)
+    FillingConfig = one_of(FILLINGS, "Filling")
 
 
 class OutletConfig(Strict):
@@ -144,7 +69,13 @@ class SphereScene(GrainScene):
         "",
         default={},
     )
-    sizes: SizesConfig = described("sizes of the spheres; a file gives its own", "", default=None)
+    sizes: SizesConfig = described("sizes of the spheres (of the kind `grain`); a file gives its own", "", default=None)
+    other_grains: dict[str, OtherGrainConfig] = described(
+        "kinds of spheres beside the one that grain and sizes are of, by names of your own", "", default={}
+    )
+    pairs: tuple[PairConfig, ...] = described(
+        "two kinds, or a kind and a surface, whose contact differs from what spheres, walls and surfaces say", "", default=()
+    )
     filling: FillingConfig = described("how the spheres come in", "")
     gravity_m_s2: tuple[float, float, float] = described(
         "gravity, x, y and z (up)", "m s-2", default=(0.0, 0.0, -ROUNDED_GRAVITY)
@@ -161,19 +92,46 @@ class SphereScene(GrainScene):
         return self.spheres, self.walls
 
     @property
-    def surface_contacts(self) -> dict[str, tuple[MaterialConfig, TouchConfig]]:
-        """Materials and contacts of the surfaces that are not like the other walls."""
+    def grain_kinds(self) -> dict[str, GrainConfig]:
+        """Materials of all kinds of spheres by their names, `grain` first."""
+        return {GRAIN: self.grain, **self.other_grains}
+
+    def between(self, kind: str, other: str) -> tuple[str, TouchConfig]:
+        """Section that says how two kinds of spheres push each other, and what it says."""
+        return self._apart("spheres", self.spheres, kind, other)
+
+    def at_surfaces(self, kind: str) -> dict[str, tuple[str, MaterialConfig, TouchConfig]]:
+        """Section, material and contact of a kind of spheres at surfaces that are not like the other walls; "": at those."""
+        walls = {"": ("walls", self.wall, self.walls)}
+        walls |= {name: (f"surfaces.{name}", *self._surface(name)) for name in self.surfaces}
+        named = {name for pair in self.pairs for name in pair.between if name not in self.grain_kinds}
         found = {}
-        for name, surface in self.surfaces.items():
-            values, key = surface.given, f"surfaces.{name}"
-            of_material = {field: values.pop(field) for field in MaterialConfig.model_fields if field in values}
-            wall = {} if "material" in of_material else self.wall.model_dump()
-            found[name] = MaterialConfig(**(wall | of_material)), in_place(self.walls, values, key)
-        return found
+        for name in dict.fromkeys([*walls, *sorted(named - {WALLS})]):
+            section, wall, touch = walls.get(name, walls[""])
+            found[name] = wall, *self._apart(section, touch, kind, name or WALLS)
+        return {name: (section, wall, touch) for name, (wall, section, touch) in found.items()}
+
+    def _surface(self, name: str) -> tuple[MaterialConfig, TouchConfig]:
+        """Material and contact of a surface that is not like the other walls."""
+        values = self.surfaces[name].given
+        of_material = {field: values.pop(field) for field in MaterialConfig.model_fields if field in values}
+        wall = {} if "material" in of_material else self.wall.model_dump()
+        return MaterialConfig(**(wall | of_material)), in_place(self.walls, values, f"surfaces.{name}")
+
+    def _apart(self, section: str, touch: TouchConfig, *names: str) -> tuple[str, TouchConfig]:
+        """A section and what it says, or what a pair of these names says in its place."""
+        for number, pair in enumerate(self.pairs):
+            if sorted(pair.between) == sorted(names):
+                return f"pairs.{number}", in_place(touch, pair.given, f"pairs.{number}")
+        return section, touch
 
     @model_validator(mode="after")
-    def _surfaces_are_sound(self) -> Self:
-        self.surface_contacts  # noqa: B018  (each is made)
+    def _kinds_and_surfaces_are_sound(self) -> Self:
+        check_kinds(self.other_grains, self.pairs, FILLINGS[self.filling.kind].from_file)
+        for kind in self.grain_kinds:
+            self.at_surfaces(kind)  # each is made
+            for other in self.grain_kinds:
+                self.between(kind, other)
         return self
 
     @property

@@ -54,6 +54,7 @@ def restitution_of_cut(damping: float) -> float:
 
 
 @cache  # takes a tenth of a second, and a scene asks for both contacts, a sweep in every case
+@cache
 def damping_where_cut(restitution: float) -> float:
     """Damping number (1) with which a Hertz contact that never pulls has this restitution at every speed."""
     if restitution >= 1.0:

@@ -3,12 +3,21 @@
 from collections.abc import Iterator, Sequence
 
 from silostudy.dem.contacts import Contact
+from silostudy.dem.model import Model
 from silostudy.dem.varied import Varied
 
 
-def coefficient_lines(bodies: str, between: Contact, at_walls: Contact | Varied, walls: Sequence[str]) -> list[str]:
-    """Lines on the laws between bodies and with walls of these names, and on their coefficients."""
-    return [line(bodies, between), *(line(", ".join(names), contact) for names, contact in by_contact(at_walls, walls))]
+def coefficient_lines(model: Model, kinds: Sequence[str] = ()) -> list[str]:
+    """Lines on the laws between bodies and with walls, and on their coefficients; kinds: names of several kinds of bodies."""
+    many, lines = model.kinds > 1, []
+    for kind in range(model.kinds):
+        for other in range(kind + 1):
+            name = f"{kinds[other]} and {kinds[kind]}" if many else f"{model.space.body}s"
+            lines.append(line(name, model.between(kind, other)))
+    for kind in range(model.kinds):
+        at = f"{kinds[kind]} at " if many else ""
+        lines += [line(at + ", ".join(walls), contact) for walls, contact in by_contact(model, kind)]
+    return lines
 
 
 def line(name: str, contact: Contact) -> str:
@@ -18,11 +27,12 @@ def line(name: str, contact: Contact) -> str:
     return f"{name}: {', '.join(row.key for row in contact.rows if row.acts)}: {values}"
 
 
-def by_contact(contact: Contact | Varied, walls: Sequence[str]) -> Iterator[tuple[list[str], Contact]]:
-    """Names of walls that have one contact, and that."""
-    if isinstance(contact, Contact):
-        yield ["walls"], contact
+def by_contact(model: Model, kind: int) -> Iterator[tuple[list[str], Contact]]:
+    """Names of walls at which bodies of a kind have one contact, and that."""
+    every = [model.at_wall(kind, number) for number in range(len(model.walls))]
+    if not isinstance(model.wall_contact, Varied) or all(one == every[0] for one in every):
+        yield ["walls"], every[0]
         return
-    for number, one in enumerate(contact.sets):
-        if one not in contact.sets[:number]:
-            yield [wall for wall, other in zip(walls, contact.sets, strict=True) if other == one], one
+    for number, one in enumerate(every):
+        if one not in every[:number]:
+            yield [wall.name for wall, other in zip(model.walls, every, strict=True) if other == one], one

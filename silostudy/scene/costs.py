@@ -81,7 +81,8 @@ def _sphere_step(scene: SphereScene) -> float:
         radii = SIZES[sizes.kind].radii(np.random.default_rng(0), DRAWN, sizes)
     least, most = float(radii.min()), float(radii.max())
     mass, (between, _) = grain_of(scene).density * 4.0 / 3.0 * pi * least**3, contacts_of(scene)
-    stiffness = float(between.laws.normal.stiffness(DEEP * most, Touch(mass / 2.0, least / 2.0, 1.0), between.ordered[0]))
+    touch, c = Touch(mass / 2.0, least / 2.0, 1.0), between.numbered(0).ordered[0]
+    stiffness = float(between.laws.normal.stiffness(DEEP * most, touch, c))
     return 0.09 * sqrt(mass / stiffness)
 
 

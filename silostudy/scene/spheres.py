@@ -6,7 +6,9 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from silostudy.config.spheres import MaterialConfig, SphereScene, TouchConfig
+from silostudy.config.elastic import MaterialConfig, TouchConfig
+from silostudy.config.mixture import GRAIN, WALLS
+from silostudy.config.spheres import SphereScene
 from silostudy.contact.coefficient import Given
 from silostudy.contact.rolling import spring_slider
 from silostudy.dem.contacts import Contact
@@ -18,6 +20,7 @@ from silostudy.scene.dem import walls_contact
 from silostudy.scene.lid import slides
 from silostudy.scene.silo_from import silo_of
 from silostudy.scene.space_silo import Outlet, SpaceSilo
+from silostudy.scene.surfaces import parts_of
 from silostudy.tables.materials import MATERIALS, PAIRS, Material
 
 BELOW_TOP = 1.05  # radii: the plane of the rain below the top of the walls, where a scene does not say
@@ -54,30 +57,49 @@ def material_of(config: MaterialConfig) -> Material:
     return replace(MATERIALS[config.material], **given)
 
 
-def grain_of(scene: SphereScene, where: str = "") -> Material:
-    """The material that spheres are computed with; BadInput without a density."""
-    grain, soft = material_of(scene.grain), scene.grain.softened_modulus_MPa
+def grain_of(scene: SphereScene, where: str = "", kind: str = GRAIN) -> Material:
+    """The material that spheres of a kind are computed with; BadInput without a density."""
+    config, section = scene.grain_kinds[kind], GRAIN if kind == GRAIN else f"other_grains.{kind}"
+    grain, soft = material_of(config), config.softened_modulus_MPa
     if isnan(grain.density):
-        raise BadInput("grain.density_kg_m3", None, f"must be given: {grain.title} has none", where)
+        raise BadInput(f"{section}.density_kg_m3", None, f"must be given: {grain.title} has none", where)
     if soft is not None and soft * MPA > grain.youngs_modulus:
         raise BadInput(
-            "grain.softened_modulus_MPa", soft, f"must not be above the material's {grain.youngs_modulus / MPA:g}", where
+            f"{section}.softened_modulus_MPa", soft, f"must not be above the material's {grain.youngs_modulus / MPA:g}", where
         )
     return grain if soft is None else replace(grain, youngs_modulus=soft * MPA)
 
 
-def contacts_of(scene: SphereScene, where: str = "") -> tuple[Contact, Contact | Varied]:
+def contacts_of(scene: SphereScene, where: str = "") -> tuple[Contact | Varied, Contact | Varied]:
     """Contacts between spheres, and of spheres and walls: from the materials and what their pair says.
 
-    Walls have contacts of their own each where the scene tells a surface from the others.
+    Kinds of spheres have contacts of their own by pairs, and walls each where the scene tells a surface from the others.
     """
-    grain = Body(grain_of(scene, where), scene.grain.material)
-    between = _contact(scene.spheres, "spheres", grain, grain, where)
-    at_walls = {
-        name: _contact(touch, f"surfaces.{name}" if name else "walls", grain, Body(material_of(wall), wall.material), where)
-        for name, (wall, touch) in {"": (scene.wall, scene.walls), **scene.surface_contacts}.items()
+    bodies = {kind: Body(grain_of(scene, where, kind), config.material) for kind, config in scene.grain_kinds.items()}
+    kinds = list(bodies)
+    between = [
+        _contact(*scene.between(kind, other), bodies[kind], bodies[other], where, wall=False)
+        for number, kind in enumerate(kinds)
+        for other in kinds[: number + 1]
+    ]
+    names = wall_names(scene, where)
+    at_walls = [walls_contact(scene, _at_walls(scene, kind, body, names, where), names, where) for kind, body in bodies.items()]
+    if len(kinds) == 1:
+        return between[0], at_walls[0]
+    sets = tuple(one for walls in at_walls for one in (walls.numbered(number) for number in range(len(names))))
+    return Varied(tuple(between)), Varied(sets)
+
+
+def _at_walls(scene: SphereScene, kind: str, body: "Body", names: list[str], where: str) -> dict[str, Contact]:
+    """Contacts of a kind of spheres at surfaces that differ, by their names in the scene; "": at the others."""
+    known = {*scene.grain_kinds, *scene.surfaces, WALLS}
+    for number, pair in enumerate(scene.pairs):
+        for name in set(pair.between) - known:
+            parts_of(name, names, f"pairs.{number}.between", where)
+    return {
+        name: _contact(section, touch, body, Body(material_of(wall), wall.material), where, wall=True)
+        for name, (section, wall, touch) in scene.at_surfaces(kind).items()
     }
-    return between, walls_contact(scene, at_walls, wall_names(scene, where), where)
 
 
 def wall_names(scene: SphereScene, where: str = "") -> list[str]:
@@ -92,7 +114,7 @@ class Body(NamedTuple):
     key: str | None
 
 
-def _contact(config: TouchConfig, section: str, one: Body, other: Body, where: str) -> Contact:
+def _contact(section: str, config: TouchConfig, one: Body, other: Body, where: str, *, wall: bool) -> Contact:
     laws, fields, known = config.laws, config.model_dump(), PAIRS.get(frozenset((one.key, other.key)))
     for name in ("restitution", "sliding_friction"):
         if fields[name] is None:
@@ -104,7 +126,7 @@ def _contact(config: TouchConfig, section: str, one: Body, other: Body, where: s
     if known is not None and not fields.get(rolling):
         fields[rolling] = known.rolling_friction
     fields["materials"] = tuple((of.material.youngs_modulus, of.material.poissons_ratio) for of in (one, other))
-    given = Given(fields, nan, one.material.density, laws["normal"], section != "spheres", True)
+    given = Given(fields, nan, one.material.density, laws["normal"], wall, True)
     coefficients: dict[str, float] = {}
     for law in laws.values():
         coefficients |= law.prepared(given)

@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 from math import sqrt
+from typing import TypeAlias
 
 import numpy as np
 from scipy.spatial import cKDTree
@@ -11,30 +12,32 @@ from silostudy.contact import spring
 from silostudy.dem.space.model import SphereModel
 from silostudy.errors import BadInput
 from silostudy.packing.filling import FILLINGS
-from silostudy.packing.sizes import SIZES
 from silostudy.scene.dem import DEEPEST
 from silostudy.scene.dem_model import step_of
 from silostudy.scene.lid import check_lid, lid_of, moves
+from silostudy.scene.mixture import drawn
 from silostudy.scene.space_silo import OUTLET, SpaceSilo
 from silostudy.scene.sphere_events import check_turning, sphere_events
 from silostudy.scene.spheres import contacts_of, grain_of, plane_of_rain, space_silo_of
 
+# places (n, 3) and radii (m), and kinds where there are several
+Start: TypeAlias = tuple[np.ndarray, np.ndarray, np.ndarray | None]
 DENSEST = 0.7  # solid fraction that no random packing of nearly equal spheres comes to
 APART = 3.0  # largest radii: between spheres that wait, one above the other over the silo
 FLOWS = 5.0  # largest diameters in an outlet's width: below it arches are to be expected
 
 
-def sphere_model(scene: SphereScene, given: tuple[np.ndarray, np.ndarray] | None, where: str = "") -> SphereModel:
-    """The engine's model; given: places (n, 3) and radii (m) from a file. BadInput for a start or a step that cannot be."""
+def sphere_model(scene: SphereScene, given: Start | None, where: str = "") -> SphereModel:
+    """The engine's model; given: how spheres start by a file. BadInput for a start or a step that cannot be."""
     assert scene.march.integrator is not None, "no accuracy is measured that could choose it"
-    space, grain, row = space_silo_of(scene, where), grain_of(scene, where), FILLINGS[scene.filling.kind]
+    space, row = space_silo_of(scene, where), FILLINGS[scene.filling.kind]
     check_frictions(scene, where)
     check_lid(scene.events, space.bottom, space.top, where)
     check_turning(scene, space, where)
     sphere_events(scene, space, 0.0, where)
     random = np.random.default_rng(scene.seed)
     try:
-        places, radii = given or _started(scene, space, random)
+        places, radii, kind = given or _started(scene, space, random)
     except BadInput as error:
         raise BadInput(error.field, error.value, error.allowed, where) from None
     check_outlet(space, radii, where)
@@ -43,25 +46,28 @@ def sphere_model(scene: SphereScene, given: tuple[np.ndarray, np.ndarray] | None
     else:
         check_start(space, places, radii, where)
     contacts, (x, y, z) = contacts_of(scene, where), places.T
+    dense = np.array([grain_of(scene, where, name).density for name in scene.grain_kinds])
+    density = float(dense[0]) if kind is None else dense[kind]
     model = SphereModel(
-        x=x, y=y, z=z, radius=radii, density=grain.density, walls=space.walls(scene.record.pressure_cells),
+        x=x, y=y, z=z, radius=radii, density=density, walls=space.walls(scene.record.pressure_cells),
         pair_contact=contacts[0], wall_contact=contacts[1], dt=scene.march.step_s or 1.0, gravity=scene.gravity_m_s2,
         integrator=scene.march.integrator, watched=scene.record.wall_force_window_s is not None,
         booked=scene.record.energy, waiting=len(radii) if row.rains else 0, moving=moves(scene.events),
+        kind=kind,
     )  # fmt: skip
     touching = space.plan.area / (2.0 * sqrt(3.0) * float(radii.min()) ** 2)  # in rows, each sphere in the gap of two
     model = replace(model, lid=lid_of(scene.events, space.plan.area, touching, float(model.mass.sum())))
     return replace(model, dt=step_of(scene, model, where))
 
 
-def _started(scene: SphereScene, space: SpaceSilo, random: np.random.Generator) -> tuple[np.ndarray, np.ndarray]:
-    """Places (n, 3) and radii (m) of spheres that no file gives; those that will rain wait one above the other."""
+def _started(scene: SphereScene, space: SpaceSilo, random: np.random.Generator) -> Start:
+    """How spheres start that no file gives; those that will rain wait one above the other."""
     row = FILLINGS[scene.filling.kind]
-    radii = SIZES[scene.sizes.kind].radii(random, scene.filling.count, scene.sizes)
+    radii, kind = drawn(scene, random)
     if row.place is not None:
-        return row.place(space, radii, random), radii
+        return row.place(space, radii, random), radii, kind
     heights = space.top + APART * float(radii.max()) * (1.0 + np.arange(len(radii)))
-    return np.column_stack([np.zeros((len(radii), 2)), heights]), radii
+    return np.column_stack([np.zeros((len(radii), 2)), heights]), radii, kind
 
 
 def check_frictions(scene: SphereScene, where: str) -> None:

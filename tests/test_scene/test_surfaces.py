@@ -93,9 +93,9 @@ def test_the_step_is_that_of_the_stiffest_surface():
 
 
 def test_lines_say_which_walls_have_which_coefficients():
-    between, walls = contacts_of(scene_of(surfaces={"hopper": {"sliding_friction": 0.1}}))
-    lines = coefficient_lines("spheres", between, walls, ["floor", "hopper", "wall"])
-    assert [line.partition(":")[0] for line in lines] == ["spheres", "floor, wall", "hopper"]
+    scene = discs(surfaces={"left": {"sliding_friction": 0.1}})
+    lines = coefficient_lines(unshaken_scene_model(scene, placed(scene)))
+    assert [line.partition(":")[0] for line in lines] == ["discs", "floor, floor_left, floor_right, right", "left"]
     assert lines[2].endswith("sliding_friction 0.1")
 
 

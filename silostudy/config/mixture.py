@@ -1,0 +1,75 @@
+"""What a user writes of several kinds of spheres in one scene: materials, sizes and shares, and what pairs of them do."""
+
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Annotated, Any
+
+from pydantic import Field
+
+from silostudy.config.elastic import GrainConfig, MaterialConfig, TouchConfig
+from silostudy.config.fields import described, one_of
+from silostudy.config.surfaces import apart_from
+from silostudy.packing.sizes import SIZES
+
+GRAIN = "grain"  # name of the kind that the sections grain and sizes are of
+WALLS = "walls"  # name of all surfaces that a scene does not tell from the others
+if TYPE_CHECKING:
+    SizesConfig = Any
+    SphereSurfaceConfig = Any
+    PairApart = Any
+else:
+    SizesConfig = one_of(SIZES)
+    told = "Material and contact of a surface that is not like the other walls."
+    SphereSurfaceConfig = apart_from("SphereSurfaceConfig", told, MaterialConfig, TouchConfig)
+    PairApart = apart_from("PairApart", "What two bodies do to each other that are not like the others.", TouchConfig)
+Share = Annotated[float, Field(gt=0, lt=1)]
+
+
+class OtherGrainConfig(GrainConfig):
+    """A kind of spheres beside `grain`: its material, sizes, and share."""
+
+    sizes: SizesConfig = described("sizes of its spheres; a file gives its own", "", default=None)
+    mass_share: Share | None = described("share of the mass of all spheres; the rest is `grain`", default=None)
+    number_share: Share | None = described("share of the number of all spheres, in place of mass_share", default=None)
+
+
+class PairConfig(PairApart):
+    """What two kinds of spheres, or a kind and a surface, do to each other that is not as `spheres` or `walls` say."""
+
+    between: tuple[str, str] = described("two names: of a kind (grain or another), and of a kind or a surface (or walls)", "")
+
+    @property
+    def given(self) -> dict[str, Any]:
+        """Values by field, of those that are given."""
+        return {name: value for name, value in super().given.items() if name != "between"}
+
+
+def check_kinds(others: Mapping[str, OtherGrainConfig], pairs: Sequence[PairConfig], from_file: bool) -> None:
+    """ValueError for kinds without a name, sizes or a share of their own, and for pairs of none."""
+    for name in others:
+        if name in (GRAIN, WALLS):
+            raise ValueError(f"other_grains.{name}: the name is taken")
+    kinds, met = (GRAIN, *others), [tuple(sorted(pair.between)) for pair in pairs]
+    for number, (pair, names) in enumerate(zip(pairs, met, strict=True)):
+        if not set(pair.between) & set(kinds):
+            raise ValueError(f"pairs.{number}.between: names no kind of spheres; known: {', '.join(kinds)}")
+        if names in met[:number]:
+            raise ValueError(f"pairs.{number}.between: the pair stands twice")
+    for name, kind in others.items():
+        told = (kind.sizes, kind.mass_share, kind.number_share)
+        if from_file and told != (None, None, None):
+            raise ValueError(f"other_grains.{name}: sizes and shares must be left out: the file gives them")
+        if not from_file and kind.sizes is None:
+            raise ValueError(f"other_grains.{name}: sizes are missing")
+        if not from_file and (kind.mass_share is None) == (kind.number_share is None):
+            raise ValueError(f"other_grains.{name}: give either mass_share or number_share")
+    check_shares(others)
+
+
+def check_shares(others: Mapping[str, OtherGrainConfig]) -> None:
+    """ValueError for shares of mass beside shares of number, or that leave nothing for `grain`."""
+    for share in ("mass_share", "number_share"):
+        given = [value for kind in others.values() if (value := getattr(kind, share)) is not None]
+        if given and len(given) < len(others):
+            raise ValueError(f"other_grains: give the {share} of every kind, or of none")
+        if not sum(given) < 1.0:
+            raise ValueError(f"other_grains: {share} adds up to {sum(given):g}; it must leave a rest to {GRAIN}")
