@@ -44,8 +44,11 @@ def _check_places(scene, output: Path, read) -> None:
     from silostudy.files import check_folder, check_output
 
     check_output(output, read)
-    if output == checkpoint_of(scene, output):
-        raise BadInput("output", str(output), "is where the checkpoints go: name it otherwise, as SCENE.nc")
+    for beside, what in ((checkpoint_of(scene, output), "the checkpoints go"), (end_beside(scene, output), "the end goes")):
+        if output == beside:
+            raise BadInput("output", str(output), f"is where {what}: name it otherwise, as SCENE.nc")
+    if end := end_beside(scene, output):
+        check_output(end, read)
     if scene.record.paraview:
         if output == paraview_of(output):
             raise BadInput("output", str(output), "is the folder of the files for ParaView: give it an ending, as SCENE.nc")
@@ -95,7 +98,7 @@ def run_one(chosen, scene, choice, output: Path) -> None:
     with progress(task) as tell:
         carry_through(task, scene, checkpoint_of(scene, output), tell)
     keep(task, scene, choice, output)
-    print(f"{scene.title}: {task.engine.step} steps of {model.dt:.3g} s, {where_discs_are(task)} -> {output}")
+    print(f"{scene.title}: {task.engine.step - task.began} steps of {model.dt:.3g} s, {where_discs_are(task)} -> {output}")
     for verdict in verdicts(task, scene):
         print(f"  {verdict}")
     if task.trouble:
@@ -128,6 +131,11 @@ def checkpoint_of(scene, output: Path) -> Path | None:
     return output.with_suffix(".checkpoint") if scene.record.checkpoint_every_s else None
 
 
+def end_beside(scene, output: Path) -> Path | None:
+    """File of where a run into this output ends, where the scene asks for it."""
+    return output.with_suffix(".end") if scene.record.keep_end else None
+
+
 def paraview_of(output: Path) -> Path:
     """Folder of the files for ParaView beside this output."""
     return output.with_suffix("")
@@ -135,19 +143,28 @@ def paraview_of(output: Path) -> Path:
 
 def keep(task, scene, choice, output: Path) -> None:
     """Write what a run recorded; only then its checkpoint goes."""
+    from silostudy.compute.branches import keep_end
     from silostudy.compute.dem_cube import cube_of
     from silostudy.compute.paraview import export
     from silostudy.cube.io import write
 
-    write(cube_of(task, scene, choice), output)
+    cube = cube_of(task, scene, choice)
+    write(cube, output)
+    if (end := end_beside(scene, output)) and not task.recording.explosion:
+        keep_end(task, end)
+    if deep := cube.attrs.get("deep_overlaps"):
+        print(f"silostudy: {output}: overlaps {deep}", file=sys.stderr)
     if scene.record.paraview:
         export(task, paraview_of(output))
     if checkpoint := checkpoint_of(scene, output):
         checkpoint.unlink(missing_ok=True)
-    missed = [time for time in scene.record.snapshots_s if time > task.engine.time + 0.5 * task.engine.model.dt]
-    if missed:
-        times = ", ".join(f"{time:g}" for time in missed)
-        print(f"silostudy: {output}: no snapshots at {times} s: the run ended before", file=sys.stderr)
+    half, began = 0.5 * task.engine.model.dt, task.began * task.engine.model.dt
+    late = [time for time in scene.record.snapshots_s if time > task.engine.time + half]
+    early = [time for time in scene.record.snapshots_s if time < began - half]
+    for missed, why in ((late, "the run ended before"), (early, f"the run goes on from {began:g} s")):
+        if missed:
+            times = ", ".join(f"{time:g}" for time in missed)
+            print(f"silostudy: {output}: no snapshots at {times} s: {why}", file=sys.stderr)
 
 
 def where_discs_are(task) -> str:
@@ -165,9 +182,9 @@ class progress:
     def __init__(self, task):
         from tqdm import tqdm
 
-        self.task, self.done = task, 0
+        self.task, self.done = task, task.engine.step
         self.bar = tqdm(
-            total=task.last * len(task.engine.model.x),
+            total=(task.last - self.done) * len(task.engine.model.x),
             unit=" particle-steps",
             unit_scale=True,
             file=sys.stderr,

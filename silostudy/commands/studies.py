@@ -60,29 +60,27 @@ def _check_price(asked: bool, kind: object, timed: Collection[str]) -> None:
 
 def scene_checked(path: Path) -> list[str]:
     """What is said of a discrete-element scene: its start is built, with every file that it names, and its run is not."""
-    from math import ceil
-
     from silostudy.choice.dem import load
     from silostudy.choice.promise import promises
     from silostudy.compute.dem import run_of, scene_model
 
     scene, choice = load(path)
     model = scene_model(scene, path.parent, str(path))
-    run_of(scene, model)  # what the step alone tells to be impossible
-    steps = ceil(scene.march.limit_s / model.dt)
-    run = f"{len(model.x)} {model.space.body}s, at most {steps:,} steps of {model.dt:.3g} s"
+    task = run_of(scene, model)  # tells too what is impossible by the step alone
+    run = f"{len(model.x)} {model.space.body}s, at most {task.last - task.began:,} steps of {model.dt:.3g} s"
     told = [run, *told_before(scene, model), *chosen_for(promises([choice] if choice else []))]
     return [f"{path}: {scene.title}", *(f"  {line}" for line in told)]
 
 
 def told_before(scene, model) -> list[str]:
-    """What a user should know of a scene of spheres before it runs: its softening, and what may be a mistake."""
+    """What a user should know of a scene before it runs: where it goes on from, its softening, and what may be a mistake."""
     from silostudy.config.spheres import SphereScene
     from silostudy.scene.spheres_about import softening, warnings
 
+    branch = [f"goes on from {scene.start_from} at {model.end['engine']['step'] * model.dt:.6g} s"] if model.end else []
     if not isinstance(scene, SphereScene):
-        return []
-    return [*softening(scene, model), *(f"warning: {line}" for line in warnings(scene, model))]
+        return branch
+    return [*branch, *softening(scene, model), *(f"warning: {line}" for line in warnings(scene, model))]
 
 
 def chosen_for(promise: dict[str, str]) -> list[str]:

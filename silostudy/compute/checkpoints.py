@@ -4,6 +4,7 @@ import hashlib
 import pickle
 import sys
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -21,11 +22,17 @@ def made_of(run: Run, scene: AnyScene) -> dict[str, str]:
     model = run.engine.model
     return {
         "scene": scene.model_dump_json(),
-        "program": stamp("contact", "dem", "packing"),
+        "program": program(),
         "laws": repr(model.pieces),
         "grains": _digest(*model.place.T, model.radius),
         "acceleration of the box": "" if model.quake is None else _digest(model.quake),
+        "end that it goes on from": "" if model.end is None else _digest(model.end["engine"]["rows"]),
     }
+
+
+def program() -> str:
+    """Hash of the sources that a run's state hangs on."""
+    return stamp("contact", "dem", "packing")
 
 
 def _digest(*arrays: np.ndarray) -> str:
@@ -37,17 +44,22 @@ def _digest(*arrays: np.ndarray) -> str:
 
 def save(run: Run, scene: AnyScene, checkpoint: Path) -> None:
     """Write a checkpoint of where the run stands."""
-    content = pickle.dumps((made_of(run, scene), run.checkpoint()))
-    with replacing(checkpoint) as temporary:
+    write_whole((made_of(run, scene), run.checkpoint()), checkpoint)
+
+
+def write_whole(held: Any, path: Path) -> None:
+    """Write what a run holds into a file, its checksum in front."""
+    content = pickle.dumps(held)
+    with replacing(path) as temporary:
         temporary.write_bytes(hashlib.sha256(content).digest() + content)
 
 
-def _whole(raw: bytes) -> bytes:
-    """The content of a checkpoint whose checksum stands in front; nothing else is unpickled, for that would run it."""
-    size = hashlib.sha256().digest_size
+def read_whole(path: Path) -> Any:
+    """What such a file holds; any error where it is none, or cut short.  Nothing else is unpickled, for that would run it."""
+    raw, size = path.read_bytes(), hashlib.sha256().digest_size
     if hashlib.sha256(raw[size:]).digest() != raw[:size]:
         raise ValueError("not what was written")
-    return raw[size:]
+    return pickle.loads(raw[size:])
 
 
 def resume(run: Run, scene: AnyScene, checkpoint: Path) -> None:
@@ -55,7 +67,7 @@ def resume(run: Run, scene: AnyScene, checkpoint: Path) -> None:
     if not checkpoint.exists():
         return
     try:
-        then, saved = pickle.loads(_whole(checkpoint.read_bytes()))
+        then, saved = read_whole(checkpoint)
         now = made_of(run, scene)
         other = [part for part in now if then.get(part) != now[part]]
     except Exception as error:  # a file cut short or of another kind fails in any way

@@ -6,10 +6,10 @@ from functools import singledispatch
 from pathlib import Path
 from typing import Any
 
-import numpy as np
-
+from silostudy.compute.branches import end_for
 from silostudy.compute.checkpoints import resume, save
 from silostudy.compute.dem_files import given_discs, given_spheres, quake_steps
+from silostudy.compute.observers import observers_of
 from silostudy.config.dem import DemScene
 from silostudy.config.grain_scenes import AnyScene
 from silostudy.config.spheres import SphereScene
@@ -28,21 +28,27 @@ from silostudy.scene.spheres import rain_of, space_silo_of
 from silostudy.scene.spheres_model import sphere_model
 
 
-@singledispatch
 def scene_model(scene: AnyScene, folder: Path, where: str = "") -> Model:
     """The engine's model of a scene; BadInput for a start or a step that cannot be."""
+    model = _started(scene, folder, where)
+    return replace(model, end=end_for(scene, model, folder, where)) if scene.start_from else model
+
+
+@singledispatch
+def _started(scene: AnyScene, folder: Path, where: str) -> Model:
+    """The model at its start, or at that of the run that it goes on from."""
     raise TypeError(type(scene))
 
 
-@scene_model.register
-def _(scene: SphereScene, folder: Path, where: str = "") -> Model:
+@_started.register
+def _(scene: SphereScene, folder: Path, where: str) -> Model:
     filling, kinds = scene.filling, len(scene.grain_kinds)
     given = given_spheres(filling.file, folder, kinds) if FILLINGS[filling.kind].from_file else None
     return sphere_model(scene, given, where)
 
 
-@scene_model.register
-def _(scene: DemScene, folder: Path, where: str = "") -> Model:
+@_started.register
+def _(scene: DemScene, folder: Path, where: str) -> Model:
     discs = given_discs(scene.packing.file, folder) if PACKINGS[scene.packing.kind].from_file else placed(scene)
     model = unshaken_scene_model(scene, discs, where)
     if scene.quake is None:
@@ -56,38 +62,31 @@ def run_of(scene: AnyScene, model: Model, *, threads: int = 1) -> Run:
     return Run(
         Engine(model, threads=threads),
         limit=scene.march.limit_s,
+        window=_window(scene, model),
         snapshots=_steps_of(scene, model.dt),
+        observers=observers_of(scene, model),
         rest=rest_of(scene),
         **happens,
     )
 
 
 def _of_discs(scene: DemScene, model: Model) -> dict[str, Any]:
-    """Events, window, feeder and cells of the stress of a scene of discs."""
-    record, edges = scene.record, None
-    if record.stress_cells is not None:
-        top = float(max(max(wall.start[1], wall.end[1]) for wall in model.walls))
-        edges = (
-            np.linspace(0.0, scene.silo.width_m, record.stress_cells[0] + 1),
-            np.linspace(0.0, top, record.stress_cells[1] + 1),
-        )
+    """Events and feeder of a scene of discs."""
     return {
         "events": events_of(scene, float(model.mass.sum())),
-        "window": _window(scene, model),
-        "stress_edges": edges,
         "feeder": Feeder(plane_silo_of(scene.silo).over_slit) if feeds(scene.events) else None,
     }
 
 
 def _of_spheres(scene: SphereScene, model: Model) -> dict[str, Any]:
-    """Events, window, rain and feeder of a scene of spheres."""
+    """Events, rain and feeder of a scene of spheres."""
     space = space_silo_of(scene)
     rain = rain_of(scene, space, model.radius) if FILLINGS[scene.filling.kind].rains else None
     return {
         "events": sphere_events(scene, space, float(model.mass.sum())),
-        "window": _window(scene, model),
         "rain": rain,
-        "feeder": Feeder(space.over_outlet) if feeds(scene.events) else None,
+        "feeder": Feeder(space.over_outlets) if feeds(scene.events) else None,
+        "outlet_at": space.outlet_at if len(space.openings) > 1 else None,
     }
 
 

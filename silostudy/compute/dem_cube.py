@@ -6,7 +6,8 @@ import xarray as xr
 from silostudy.choice.promise import Choice, promises
 from silostudy.compute.expected import notes_of, verdicts
 from silostudy.compute.lid_cube import lid_arrays
-from silostudy.compute.sphere_cube import mean_outflow, sphere_arrays, sphere_notes
+from silostudy.compute.observers import SOURCES, observed, observers_notes
+from silostudy.compute.sphere_cube import mean_outflow, outlet_arrays, sphere_arrays, sphere_notes
 from silostudy.config.dem import DemScene
 from silostudy.config.grain_scenes import AnyScene
 from silostudy.config.spheres import SphereScene
@@ -16,15 +17,13 @@ from silostudy.dem.ledger import ENTRIES
 from silostudy.dem.model import Model
 from silostudy.dem.run import Run
 
-WAYS = ("x", "y")  # components of the stress
-
 
 def cube_of(run: Run, scene: AnyScene, choice: Choice | None = None) -> xr.Dataset:
     """The cube of everything that a run recorded; choice: that of its settings, where the scene asked for an accuracy."""
     model, record = run.engine.model, run.recording
     body = model.space.body
-    data = disc_arrays(run) if isinstance(scene, DemScene) else sphere_arrays(run)
-    data |= {
+    data = disc_arrays(run) if isinstance(scene, DemScene) else sphere_arrays(run) | outlet_arrays(run, scene)
+    data |= observed(run, scene) | {
         "event_time": np.array([time for time, _, _ in record.happened], float),
         "event_action": np.array([f"{trigger}: {action}" for _, trigger, action in record.happened], dtype=str),
     }
@@ -33,16 +32,17 @@ def cube_of(run: Run, scene: AnyScene, choice: Choice | None = None) -> xr.Datas
         **promises([choice] if choice else []),
         **scene.own_methods,
         "time_step_s": model.dt,
-        "steps": run.engine.step,
+        "steps": run.engine.step - run.began,
         f"{body}s_left": run.engine.n,
         **{f"{body}s_{way}": count for way, count in record.left.items()},
         **notes_of(verdicts(run, scene)),
+        **observers_notes(run, scene, data),
     }
     if isinstance(scene, SphereScene):
         notes |= sphere_notes(scene) | mean_outflow(run)
     if run.trouble:
         notes["stopped"] = run.trouble
-    return assemble(scene, "dem", kept, sources=sources_of(model), notes=notes)
+    return assemble(scene, "dem", kept, sources=[*sources_of(model), *(SOURCES if scene.record.fields else ())], notes=notes)
 
 
 def disc_arrays(run: Run) -> dict[str, np.ndarray]:
@@ -112,8 +112,4 @@ def _snapshots(run: Run) -> dict[str, np.ndarray]:
         data[f"contact_{name}"] = table[:, k].astype(np.int32)
     for k, name in enumerate(("x", "y", "force_x", "force_y"), start=2):
         data[f"contact_{name}"] = table[:, k]
-    if run.stress_edges is not None:
-        across, up = (0.5 * (edges[1:] + edges[:-1]) for edges in run.stress_edges)
-        data |= {"stress": np.array([snapshot["stress"] for snapshot in found]), "cell_x": across, "cell_y": up}
-        data |= {"way": np.array(WAYS), "of": np.array(WAYS)}
     return data

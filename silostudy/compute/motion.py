@@ -10,6 +10,7 @@ from silostudy.compute.packing import SOURCES
 from silostudy.compute.packing_measure import MEAN, cells_of
 from silostudy.compute.packing_run import SAMPLE, WINDOW, discharge, settle
 from silostudy.cube.assemble import assemble
+from silostudy.dem.snapshot import snapshot
 from silostudy.errors import BadInput
 from silostudy.scene.expand import Expansion
 
@@ -58,7 +59,7 @@ def _filmed(study, case, number: int) -> Film:
     config = case.scene.config
     rested = settle(study, config, number)
     frames: list[Frame] = []
-    found = discharge(study, config, rested, lambda run: frames.append(run.snapshot()))
+    found = discharge(study, config, rested, lambda run: frames.append(snapshot(run.engine)))
     sides = cells_of(rested).sides
     means = found.windows[:, sides][..., MEAN]  # (windows, 2 walls, cells, 2 ways)
     means = means.reshape(-1, SAMPLE, *means.shape[1:]).mean(axis=1)

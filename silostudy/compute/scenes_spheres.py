@@ -7,14 +7,14 @@ from silostudy.compute.sphere_cube import mean_outflow, passages
 from silostudy.dem.leaving import SPILT
 from silostudy.dem.run import Run
 from silostudy.dem.space.cells import uprightness
-from silostudy.scene.space_silo import FLOOR, HOPPER, LID, RIM, WALL
+from silostudy.scene.space_silo import FLOOR, HOPPER, LID, WALL
 
-BODIES = {"walls": (WALL,), "hopper": (HOPPER,), "floor": (FLOOR, RIM)}
+BODIES = {"walls": (WALL,), "hopper": (HOPPER,), "floor": (FLOOR,)}
 
 
 def numbers(run: Run, opening: float) -> Numbers:
     """The numbers of a run whose first event came at a time (s), by the names of the contract."""
-    _, passed = passages(run)
+    _, passed, _ = passages(run)
     found = {
         "grains_at_start": np.array(len(run.engine.model.x)),
         "grains_left": np.array(run.engine.n),

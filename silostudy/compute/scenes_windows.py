@@ -40,7 +40,8 @@ def at_rest_and_largest(run: Run, opening: float, sums: np.ndarray) -> tuple[np.
 def whole_windows(run: Run) -> np.ndarray:
     """Which windows are of full length."""
     ends = np.array(run.recording.window_time)
-    return np.isclose(np.diff(ends, prepend=0.0), run.window * run.engine.model.dt)
+    dt = run.engine.model.dt
+    return np.isclose(np.diff(ends, prepend=run.began * dt), run.window * dt)
 
 
 def by_body(run: Run, cells: np.ndarray, bodies: Mapping[str, tuple[str, ...]]) -> np.ndarray:

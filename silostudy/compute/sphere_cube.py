@@ -33,10 +33,11 @@ def sphere_arrays(run: Run) -> dict[str, np.ndarray]:
 def sphere_notes(scene: SphereScene) -> dict[str, float | str]:
     """Attributes that figures draw the silo by, m."""
     space = space_silo_of(scene)
+    cut = next(iter(space.openings.values()), space.opening)
     return {
         "half_width_m": space.plan.half[0],
-        "outlet_half_width_m": space.opening.half[0] if space.opening else 0.0,
-        "outlet_middle_m": space.opening.middle[0] if space.opening else 0.0,
+        "outlet_half_width_m": cut.half[0] if cut else 0.0,
+        "outlet_middle_m": cut.middle[0] if cut else 0.0,
         "transition_height_m": space.bottom,
         "top_height_m": space.top,
         "hydraulic_radius_m": space.silo.hydraulic_radius,
@@ -46,24 +47,51 @@ def sphere_notes(scene: SphereScene) -> dict[str, float | str]:
     }
 
 
-def passages(run: Run) -> tuple[np.ndarray, np.ndarray]:
-    """When (s) each sphere passed the level of the outlet, in order, and its mass (kg)."""
+def passages(run: Run) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """When (s) each sphere passed the level of the outlets, in order, its mass (kg), and the number of its outlet."""
     passed = sorted([*run.recording.passed, *run.passing(np.ones(run.engine.n, bool))])
-    time, mass = np.array(passed, float).reshape(-1, 2).T
-    return time, mass
+    time, mass, outlet = np.array(passed, float).reshape(-1, 3).T
+    return time, mass, outlet.astype(int)
 
 
 def mean_outflow(run: Run) -> dict[str, float]:
     """Attribute: mass over time between the first sphere that passed the outlet and the last; none of fewer than two times."""
-    time, mass = passages(run)
-    return {"mean_outflow_kg_s": float(mass[1:].sum() / np.ptp(time))} if len(time) > 1 and np.ptp(time) > 0.0 else {}
+    time, mass, _ = passages(run)
+    rate = mean_rate(time, mass)
+    return {} if np.isnan(rate) else {"mean_outflow_kg_s": rate}
+
+
+def mean_rate(time: np.ndarray, mass: np.ndarray) -> float:
+    """Mass over time (kg/s) between the first passage and the last; nan of fewer than two times."""
+    return float(mass[1:].sum() / np.ptp(time)) if len(time) > 1 and np.ptp(time) > 0.0 else np.nan
 
 
 def _meter(run: Run) -> dict[str, np.ndarray]:
     """When spheres came below the outlet, in order, and the mass up to each; those that have not left yet among them."""
-    time, mass = passages(run)
+    time, mass, _ = passages(run)
     last = np.flatnonzero(np.diff(time, append=np.inf))  # those that pass in one step count together
     return {"outflow_time": time[last], "outflow_mass": np.cumsum(mass)[last]}
+
+
+def outlet_arrays(run: Run, scene: SphereScene) -> dict[str, np.ndarray]:
+    """Of the outlets of a flat floor: where a slice through the axis cuts each, when it opened, its meter and mean rate."""
+    openings = space_silo_of(scene).openings
+    if not scene.outlets:
+        return {}
+    time, mass, outlet = passages(run)
+    through = outlet[:, None] == np.arange(len(openings))
+    last = np.flatnonzero(np.diff(time, append=np.inf))
+    left, right = np.array([opening.chord for opening in openings.values()]).T
+    opened = dict.fromkeys(openings, np.nan)
+    for event, (when, *_) in zip(run.events, run.recording.happened, strict=False):
+        if event.action == "open holes":
+            opened |= {name: when for name in event.what[1] if np.isnan(opened[name])}
+    return {
+        "outlet": np.array(list(openings)), "outlet_opened": np.array(list(opened.values())),
+        "outlet_left": left, "outlet_right": right,
+        "outlet_outflow_mass": np.cumsum(mass[:, None] * through, axis=0)[last],
+        "outlet_mean_outflow": np.array([mean_rate(time[own], mass[own]) for own in through.T]),
+    }  # fmt: skip
 
 
 def _windows(run: Run) -> dict[str, np.ndarray]:

@@ -1,9 +1,9 @@
 """What a user writes to describe one discrete-element scene, in the user's units."""
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, Self, TypeAlias
+from typing import TYPE_CHECKING, Any, ClassVar, Literal, Self
 
-from pydantic import Field, model_validator
+from pydantic import model_validator
 
 from silostudy.catalogue import Family
 from silostudy.config.asked import Asked
@@ -15,8 +15,6 @@ from silostudy.config.surfaces import apart_from, in_place
 from silostudy.contact import LAWS
 from silostudy.packing import PACKINGS
 from silostudy.tables.constants import ROUNDED_GRAVITY
-
-Cells: TypeAlias = Annotated[int, Field(ge=1, le=1000)]
 
 
 class BoxConfig(Strict):
@@ -86,12 +84,6 @@ else:
     SurfaceConfig = apart_from("SurfaceConfig", "How a surface that is not like the other walls pushes discs.", ContactConfig)
 
 
-class RecordConfig(Recorded):
-    """What is recorded; everything is off unless asked for."""
-
-    stress_cells: tuple[Cells, Cells] | None = described("cells across and up of the coarse-grained stress", default=None)
-
-
 class QuakeConfig(Strict):
     """Acceleration of the box."""
 
@@ -125,7 +117,7 @@ class DemScene(Asked, GrainScene):
     gravity_m_s2: tuple[float, float] = described("gravity, x and y (up)", "m s-2", default=(0.0, -ROUNDED_GRAVITY))
     quake: QuakeConfig | None = described("acceleration of the box", "", default=None)
     events: tuple[EventConfig, ...] = described("what happens, in order; the last is a stop", "", min_length=1)
-    record: RecordConfig = described("what is recorded", "", default=RecordConfig())
+    record: Recorded = described("what is recorded", "", default=Recorded())
 
     @property
     def touches(self) -> tuple[ContactConfig, ContactConfig]:
@@ -136,7 +128,7 @@ class DemScene(Asked, GrainScene):
     def named_files(self) -> tuple[str, ...]:
         """Files that the scene is made from."""
         packed = (self.packing.file,) if PACKINGS[self.packing.kind].from_file else ()
-        return (*packed, *([self.quake.file] if self.quake else []))
+        return (*packed, *([self.quake.file] if self.quake else []), *self.branched_from)
 
     @property
     def surface_contacts(self) -> dict[str, ContactConfig]:
@@ -153,6 +145,12 @@ class DemScene(Asked, GrainScene):
     def _one_step(self) -> Self:
         if self.accuracy is not None and self.march.step_s is not None:
             raise ValueError("give either accuracy or march.step_s, and not both")
+        return self
+
+    @model_validator(mode="after")
+    def _cells_of_the_plane(self) -> Self:
+        if self.record.fields is not None and len(self.record.fields.cells) != 2:
+            raise ValueError(f"record.fields.cells must be two, across and up, not {len(self.record.fields.cells)}")
         return self
 
     @model_validator(mode="after")

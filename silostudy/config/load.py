@@ -143,10 +143,10 @@ def own_validated(model: type[M], content: Any, where: str, folder: Path) -> M:
     return validated(model, content, where, families)
 
 
-def own_families(model: type, content: dict[str, Any], where: str, folder: Path) -> Families:
+def own_families(model: Any, content: dict[str, Any], where: str, folder: Path) -> Families:
     """The families that a content may choose from, where it names a file of the user's own; empty where it does not."""
     named = content.get("methods_from")
-    if not (issubclass(model, OwnMethods) and isinstance(named, str)):
+    if not (isinstance(model, type) and issubclass(model, OwnMethods) and isinstance(named, str)):
         return {}  # pydantic says what is wrong with it
     return joined(model.joins, folder / named, where)
 

@@ -79,6 +79,6 @@ class MovingEvent(Waiting):
                 raise ValueError(f"{self.do} needs {name}")
         for name in sorted(given - {*taken.needs, *taken.may}):
             raise ValueError(f"{self.do} takes no {name}; it takes {', '.join((*taken.needs, *taken.may)) or 'nothing'}")
-        if self.do == "press_lid" and self.speed_m_s is not None and not self.speed_m_s > 0.0:
-            raise ValueError("press_lid needs a speed_m_s above 0")
+        if self.do != "move_lid" and self.speed_m_s is not None and not self.speed_m_s > 0.0:
+            raise ValueError(f"{self.do} needs a speed_m_s above 0")
         return self

@@ -7,6 +7,7 @@ from pydantic import Field, model_validator
 
 from silostudy.config.contact import LawsConfig
 from silostudy.config.fields import Strict, described, one_of
+from silostudy.config.observers import FieldsConfig, StatisticsConfig
 from silostudy.config.own import OwnMethods
 from silostudy.dem.events import TRIGGERS
 from silostudy.dem.integrate import INTEGRATORS, PLAIN
@@ -39,12 +40,13 @@ class MarchConfig(Strict):
 class RestConfig(Strict):
     """When the grains count as at rest."""
 
-    criterion: CriterionKey = described(
+    criterion: CriterionKey | None = described(
         "unbalanced-force: mean force left over on a grain over mean contact force; kinetic-over-potential: kinetic energy "
         "over the energy that lifts every grain by its radius; displacement: mean displacement of a step over dt^2 g, Kiyama "
-        "and Fujimura's own, which loose grains keep from",
+        "and Fujimura's own, which loose grains keep from; drift: mean way since the last look over that of a fall meanwhile; "
+        "null: unbalanced-force, or drift where a constant torque changes its sign from step to step and forces never balance",
         "",
-        default="unbalanced-force",
+        default=None,
     )
     below: float | None = described("what it must come below; null: the criterion's own", gt=0, default=None)
 
@@ -78,9 +80,14 @@ class Recorded(Strict):
         "times at which places and force chains are written; 0: the start", "s", default=()
     )
     snapshots_every_s: float | None = described("time between further snapshots, from the start on", "s", gt=0, default=None)
+    fields: FieldsConfig | None = described("coarse-grained fields of the grains; null: none", "", default=None)
+    contact_statistics: StatisticsConfig | None = described("statistics of the contacts; null: none", "", default=None)
     energy: bool = described("whether the energy ledger is kept", "", default=False)
     paraview: bool = described("whether the snapshots are also written for ParaView", "", default=False)
     checkpoint_every_s: float | None = described("model time between checkpoints", "s", gt=0, default=None)
+    keep_end: bool = described(
+        "whether where the run ends is kept beside the cube (SCENE.end), for scenes that start_from it", "", default=False
+    )
 
 
 class GrainScene(OwnMethods):
@@ -89,6 +96,13 @@ class GrainScene(OwnMethods):
     title: str = described("title of the scene", "")
     march: MarchConfig = described("the march in time", "")
     rest: RestConfig = described("what `when: rest` waits for", "", default=RestConfig())
+    start_from: str | None = described(
+        "end of an earlier run (record.keep_end), relative to this file: this one goes on from there with the clock; grains, "
+        "laws, stiffness and what stands of the silo must be the same; frictions, gravity, an outlet still shut, events, "
+        "records and the limit may be others; null: it starts",
+        "",
+        default=None,
+    )
     seed: int = described("seed of the random numbers; beyond 2^53 numbers of a sweep coincide", ge=0, le=2**53, default=0)
     expected: tuple[ExpectedConfig, ...] = described(
         "published numbers that the run is held against at its end", "", default=()
@@ -102,11 +116,20 @@ class GrainScene(OwnMethods):
     def touches(self) -> tuple[LawsConfig, LawsConfig]:
         """How two grains push each other, and walls push them."""
 
+    @property
+    def branched_from(self) -> tuple[str, ...]:
+        """The file of the end that the scene goes on from, where it does."""
+        return (self.start_from,) if self.start_from else ()
+
     @model_validator(mode="after")
     def _recorded_in_time(self) -> Self:
         limit, window = self.march.limit_s, self.record.wall_force_window_s
         if window is not None and window > limit:
             raise ValueError(f"record.wall_force_window_s = {window:g} must not be longer than march.limit_s = {limit:g}")
+        for name in ("fields", "contact_statistics"):
+            asked = getattr(self.record, name)
+            if asked is not None and asked.every_s > limit:
+                raise ValueError(f"record.{name}.every_s = {asked.every_s:g} must not be longer than march.limit_s = {limit:g}")
         for time in self.record.snapshots_s:
             if time > limit:
                 raise ValueError(f"record.snapshots_s = {time:g} lies beyond march.limit_s = {limit:g}")

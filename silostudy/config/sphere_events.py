@@ -14,7 +14,7 @@ class SphereEventConfig(MovingEvent):
 
     takes: ClassVar[Mapping[str, Takes]] = {
         **MovingEvent.takes,
-        "open_outlet": Takes(),
+        "open_outlet": Takes(may=("outlets", "speed_m_s")),
         "set_gravity": Takes(("gravity_m_s2",)),
         "set_friction": Takes(may=("sphere_friction", "wall_friction", "surfaces")),
         "rotate": Takes(("spin_rad_s", "surfaces")),
@@ -23,6 +23,13 @@ class SphereEventConfig(MovingEvent):
     do: Literal[
         "open_outlet", "set_gravity", "set_friction", "lower_lid", "press_lid", "move_lid", "feed", "rotate", "stop"
     ] = described("what happens", "")
+    speed_m_s: float | None = described(
+        "move_lid: downward, negative lifts the lid, 0 stops it; press_lid: where nothing resists, null: 0.1; open_outlet: at "
+        "which the outlet's width along x grows from none to all, from its middle, in a floor at rest; null: at once",
+        "m s-1",
+        default=None,
+    )
+    outlets: tuple[str, ...] = described("open_outlet: names of the outlets of a flat floor; none: all", "", default=())
     gravity_m_s2: tuple[float, float, float] | None = described("new gravity, x, y and z", "m s-2", default=None)
     sphere_friction: float | None = described("new friction between spheres", ge=0, default=None)
     wall_friction: float | None = described("new friction at all walls, or at surfaces", ge=0, default=None)

@@ -1,13 +1,14 @@
 """What a user writes to describe a discrete-element scene of spheres in a silo, in the user's units."""
 
-from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, Self, TypeAlias
+from typing import TYPE_CHECKING, Any, ClassVar, Literal, Self, TypeAlias
 
-from pydantic import Field, model_validator
+from pydantic import model_validator
 
 from silostudy.catalogue import Family
 from silostudy.config.elastic import GrainConfig, MaterialConfig, TouchConfig
 from silostudy.config.fields import Strict, described, one_of
 from silostudy.config.mixture import GRAIN, WALLS, OtherGrainConfig, PairConfig, SizesConfig, SphereSurfaceConfig, check_kinds
+from silostudy.config.observers import Cells
 from silostudy.config.run import GrainScene, Recorded
 from silostudy.config.scene import Silo
 from silostudy.config.sphere_events import SphereEventConfig
@@ -18,7 +19,6 @@ from silostudy.tables.constants import ROUNDED_GRAVITY
 from silostudy.tables.outputs import OUTPUTS
 
 OutputKey: TypeAlias = Literal[tuple(key for key, row in OUTPUTS.items() if row.stage == "dem")]  # type: ignore[valid-type]
-Cells: TypeAlias = Annotated[int, Field(ge=1, le=1000)]
 if TYPE_CHECKING:
     FillingConfig = Any
 else:
@@ -26,10 +26,14 @@ else:
 
 
 class OutletConfig(Strict):
-    """The outlet of a flat floor, silo.outlet_eccentricity_m off the axis."""
+    """An outlet of a flat floor."""
 
+    name: str = described("name that events open it by", "", min_length=1, default="outlet")
     width_m: float = described("diameter; where it has a length its width along x", "m", gt=0)
     length_m: float | None = described("length along y; null: a round outlet", "m", gt=0, default=None)
+    middle_m: tuple[float, float] | None = described(
+        "x and y of its middle; null: silo.outlet_eccentricity_m off the axis towards x", "m", default=None
+    )
 
 
 class SphereRecordConfig(Recorded):
@@ -52,7 +56,7 @@ class SphereScene(GrainScene):
         "silo as in a study of pressures; its depth is the height of the vertical walls; what only codes read is passed over",
         "",
     )
-    outlet: OutletConfig | None = described("outlet of a flat floor; null: closed, or the hopper's", "", default=None)
+    outlets: tuple[OutletConfig, ...] = described("outlets of a flat floor; none: closed, or the hopper's", "", default=())
     wedge: bool = described("whether the hopper of a square or rectangle slopes on two sides only", "", default=False)
     lid: bool = described("whether a lid closes the top", "", default=False)
     grain: GrainConfig = described("material of the spheres", "")
@@ -133,7 +137,8 @@ class SphereScene(GrainScene):
     @property
     def named_files(self) -> tuple[str, ...]:
         """Files that the scene is made from."""
-        return (self.filling.file,) if FILLINGS[self.filling.kind].from_file else ()
+        filled = (self.filling.file,) if FILLINGS[self.filling.kind].from_file else ()
+        return (*filled, *self.branched_from)
 
     @model_validator(mode="after")
     def _sizes_known(self) -> Self:
@@ -147,16 +152,37 @@ class SphereScene(GrainScene):
         record = self.record
         if self.outputs and not (record.wall_force_window_s and (record.snapshots_s or record.snapshots_every_s)):
             raise ValueError("outputs need record.wall_force_window_s, and record.snapshots_every_s or snapshots_s")
+        for key in self.outputs:
+            if "rings" in OUTPUTS[key].demands and (record.fields is None or len(record.fields.cells) != 2):
+                raise ValueError(f"{key} needs record.fields with two numbers of cells")
+        return self
+
+    @model_validator(mode="after")
+    def _cells_of_the_plan(self) -> Self:
+        fields = self.record.fields
+        if fields is not None and len(fields.cells) == 2 and self.silo.plan != "circular":
+            raise ValueError("record.fields.cells must be three, along x, y and z, where silo.plan is not circular")
         return self
 
     @model_validator(mode="after")
     def _opens(self) -> Self:
-        width = self.silo.hopper.outlet_width_m if self.silo.hopper else self.outlet.width_m if self.outlet else 0.0
         for event in self.events:
-            if event.do in ("open_outlet", "feed") and not width:
-                raise ValueError(
-                    f"{event.do} needs an outlet: silo.hopper.outlet_width_m above 0, or an outlet of a flat floor"
-                )
             if (event.of_lid or "lid" in event.surfaces) and not self.lid:
                 raise ValueError(f"{event.do} when {event.when} needs lid: true")
+        known = [outlet.name for outlet in self.outlets]
+        hopper = self.silo.hopper is not None and self.silo.hopper.outlet_width_m > 0.0
+        shut = ["the hopper's"] if hopper else list(known)
+        for number, event in enumerate(self.events):
+            if event.do not in ("open_outlet", "feed"):
+                continue
+            if not (hopper or known):
+                raise ValueError(f"{event.do} needs an outlet: silo.hopper.outlet_width_m above 0, or outlets of a flat floor")
+            if event.do == "feed":
+                continue
+            for name in event.outlets:
+                if name not in known:
+                    raise ValueError(f"events.{number}.outlets: {name} is unknown; known: {', '.join(known) or 'none by name'}")
+            if not (opening := [name for name in shut if name in event.outlets or not event.outlets]):
+                raise ValueError(f"events.{number} opens nothing: open by then")
+            shut = [name for name in shut if name not in opening]
         return self

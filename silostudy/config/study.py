@@ -92,10 +92,9 @@ class BaseStudy(Strict):
         return content
 
     @classmethod
-    def scene_model(cls, scene: dict[str, Any], where: str) -> type:
-        """The model of the content of its scene."""
-        model: Any = cls.model_fields["scene"].annotation
-        return model
+    def scene_model(cls, scene: dict[str, Any], where: str) -> Any:
+        """The model of the content of its scene, or a union of models none of which takes rows of the user's own."""
+        return cls.model_fields["scene"].annotation
 
     @property
     def stages(self) -> tuple[str, ...]:

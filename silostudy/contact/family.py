@@ -99,6 +99,7 @@ class Law(Row):
     stores: bool = False  # whether it carries a history
     implicit: bool = False  # whether its dashpot depends on the time step
     dissipates: tuple[str, ...] = ()  # entries of the energy ledger that take what it costs
+    restless: bool = False  # whether what it gives changes its sign from step to step at rest
     measured: bool = False  # whether the errors behind `accuracy:` of scenes were measured with it
     explicit_key: str = ""  # another row with the same spring, under which the same discs rest; empty: this one
 

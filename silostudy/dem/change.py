@@ -1,5 +1,7 @@
 """Changes to a scene between two steps: discs taken out, walls opened, friction changed; histories are carried over."""
 
+from typing import Any
+
 import numpy as np
 
 from silostudy.dem.engine import Engine
@@ -64,6 +66,20 @@ def swap_walls(engine: Engine, gone: str, come: tuple[str, ...]) -> None:
     engine.walls.live[old] = False
     engine.walls.live[new] = True
     engine.give_memories(pairs, near.picked(stay, key).picked(order))
+
+
+def open_holes(engine: Engine, wall: str, names: tuple[str, ...], speed: float) -> None:
+    """Open holes of a level surface, at a speed (m/s) or at once where it is none.
+
+    Contacts with what is left of it go on, those that stood over the holes end.
+    """
+    number, (pairs, near) = engine.model.wall_number(wall), engine.take_memories()
+    surface: Any = engine.model.walls[number]
+    surface.opened(engine.walls.shape[number], names, speed)
+    body, walls = near.key >> SHIFT, near.key & LOW
+    away = length(from_walls(engine, walls, engine.bodies.rows[body][:, engine.space.place]))
+    stay = (walls != number) | (away < engine.radius[body] + engine.model.gap)
+    engine.give_memories(pairs, near.picked(stay, near.key[stay]))
 
 
 def set_friction(engine: Engine, *, pair: float | None = None, wall: float | None = None, walls: tuple[str, ...] = ()) -> None:

@@ -33,9 +33,9 @@ def pressing(cells, now, wall):
 
 
 def drive_pass(pieces):
-    """Function that moves the walls by a step, after the bodies, and gives the longest way (m) of any."""
+    """Function that moves the walls by a step, after the bodies, and gives the longest way (m) of any: endless if one goes."""
     space, advance = pieces.space, INTEGRATORS[pieces.integrator].advance
-    rise, lift, height_of = space.rise, space.lift, space.height_of
+    rise, lift, height_of, widen = space.rise, space.lift, space.height_of, space.widen
 
     @piece("drive", pieces)
     def way_of(walls, now, q, dt):
@@ -52,6 +52,9 @@ def drive_pass(pieces):
     def drive_walls(walls, now, dt):
         most = 0.0
         for q in range(walls.live.size):
+            if widen(walls.shape, q, dt):
+                walls.live[q] = False
+                most = np.inf
             if walls.drive[q, MASS] == 0.0 and walls.shape[q, rise] == 0.0:
                 continue
             way, left = way_of(walls, now, q, dt), walls.drive[q, STOP_HEIGHT] - height_of(walls.shape, q)

@@ -1,9 +1,14 @@
 """How bodies leave a scene: through its opening, over its walls, or taken out by an event; each counts for itself."""
 
+from collections.abc import Callable
+from typing import TypeAlias
+
 import numpy as np
 
 from silostudy.dem.snapshot import length
 
+# places (n, d) at the outlets' level -> numbers of their outlets; None: there is one
+OutletAt: TypeAlias = Callable[[np.ndarray], np.ndarray] | None
 DISCHARGED, SPILT, REMOVED = WAYS = ("discharged", "spilt", "removed")
 
 
@@ -26,3 +31,25 @@ def below(engine, floor: float) -> np.ndarray:
 def spilt(engine) -> np.ndarray:
     """Which bodies are beside the silo: they went over its walls."""
     return engine.space.beside(engine.model.walls, engine.bodies.rows[: engine.n, engine.space.place])
+
+
+def passing(engine, which: np.ndarray, outlet_at: OutletAt) -> list[tuple[float, float, int]]:
+    """When (s) bodies among those left came below the outlet, each with its mass and the number of its outlet.
+
+    Where it passed is where it would have come from without a contact below the outlet.
+    """
+    rows, space = engine.bodies.rows[: engine.n], engine.space
+    steps = space.passed_for(rows)
+    level = rows[:, space.place] - rows[:, space.velocity] * steps[:, None] * engine.model.dt
+    return _listed(engine, which & (steps > 0.0), (engine.step - steps) * engine.model.dt, level, outlet_at)
+
+
+def drawn(engine, which: np.ndarray, outlet_at: OutletAt) -> list[tuple[float, float, int]]:
+    """The same of bodies that a feeder takes now."""
+    place = engine.bodies.rows[: engine.n, engine.space.place]
+    return _listed(engine, which, np.full(engine.n, engine.time), place, outlet_at)
+
+
+def _listed(engine, which, times, places, outlet_at: OutletAt) -> list[tuple[float, float, int]]:
+    outlet = outlet_at(places) if outlet_at else np.zeros(engine.n, int)
+    return [(float(times[i]), float(engine.mass[i]), int(outlet[i])) for i in np.flatnonzero(which)]

@@ -1,5 +1,6 @@
 """What the engine is asked to step: discs, walls, laws with their coefficients, and the march. Checked when it is made."""
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from math import inf, isfinite, pi
 from typing import Any, ClassVar
@@ -57,6 +58,7 @@ class Model:
 
     waiting: so many of the last are not there at the start; they come in while the model runs.  moving: whether walls move.
     kind: of each disc, counted from 0, by which contacts differ that are varied; None: all are of one.
+    end: where an earlier run ended (see `branch`), from which a run of the model goes on; None: it starts.
     """
 
     space: ClassVar[Dimension] = PLANE
@@ -82,6 +84,7 @@ class Model:
     w: np.ndarray | None = None
     waiting: int = 0
     kind: np.ndarray | None = None
+    end: Mapping[str, Any] | None = None
 
     def __post_init__(self):
         for name in self.columns:

@@ -6,6 +6,7 @@ import numpy as np
 
 from silostudy.dem.drive import DRAG, HELD, LOAD, MASS, STOP_FORCE, STOP_HEIGHT, pressing
 from silostudy.dem.engine import Engine
+from silostudy.dem.events import Event
 from silostudy.dem.space.surfaces import TURN
 
 CALM = 0.01  # of the load, and of the speed that nothing resists: a lid under less is at rest
@@ -59,6 +60,16 @@ def lid_stress(engine: Engine) -> float:
 def lid_height(engine: Engine) -> float:
     """Height (m) of the lid."""
     return float(engine.space.height_of(engine.walls.shape, engine.lid))
+
+
+def lid_standing(engine: Engine) -> str:
+    """Where the lid stands, and under what."""
+    return f"the lid stands {lid_height(engine):.4g} m high under {1e-3 * lid_stress(engine):.4g} kPa"
+
+
+def lid_meets(engine: Engine, event: Event) -> bool:
+    """Whether the lid does what an event waits for."""
+    return lid_rests(engine) if event.trigger == "lid_rests" else lid_stress(engine) >= event.value
 
 
 def lid_rests(engine: Engine) -> bool:

@@ -49,6 +49,7 @@ from silostudy.dem.walls import (
     scatter_walls,
     wall_power,
     walls_of,
+    widen,
 )
 
 
@@ -226,6 +227,7 @@ PLANE = Dimension(
     rise=RISE,
     height_of=height_of,
     motion_of=motion_of,
+    widen=widen,
     lift=lift,
     walls_of=walls_of,
     cell_count=cell_count,

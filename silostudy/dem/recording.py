@@ -21,8 +21,9 @@ class Recording:
     discharged: list[float] = field(default_factory=list)  # kg/m
     left: dict[str, int] = field(default_factory=lambda: dict.fromkeys(WAYS, 0))  # discs that are gone, by their way
     lost: dict[str, float] = field(default_factory=lambda: dict.fromkeys(WAYS, 0.0))  # their mass, kg/m
-    passed: list[tuple[float, float]] = field(default_factory=list)  # s at which a body came below the outlet, and its mass
+    passed: list[tuple[float, float, int]] = field(default_factory=list)  # s at which a body came below, its mass, its outlet
     snapshots: list[dict[str, np.ndarray]] = field(default_factory=list)
+    readings: dict[str, list[tuple[float, tuple]]] = field(default_factory=dict)  # s and what was read, by the observer's name
     happened: list[tuple[float, str, str]] = field(default_factory=list)  # time, trigger, action
     explosion: Explosion | None = None
     waiting: Event | None = None  # what the time limit came before

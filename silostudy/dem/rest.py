@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 
@@ -9,15 +10,22 @@ from silostudy.catalogue import Family, Row
 from silostudy.dem.snapshot import length, pair_contacts, wall_contacts
 
 
+class Look(NamedTuple):
+    """Step and places (m, by label) of all bodies at an earlier time."""
+
+    step: int
+    places: np.ndarray
+
+
 @dataclass(frozen=True, kw_only=True)
 class Criterion(Row):
-    """measure(engine) -> a ratio (1); below: what it must come below unless a scene says otherwise."""
+    """measure(engine, earlier look or None) -> a ratio (1); below: what it must come below unless a scene says otherwise."""
 
     measure: Callable
     below: float
 
 
-def unbalanced_force(engine) -> float:
+def unbalanced_force(engine, earlier: Look | None = None) -> float:
     """Mean force that is left over on a body, its weight included, over the mean contact force (1)."""
     pairs, walls = pair_contacts(engine), wall_contacts(engine)
     number = np.empty(engine.most, int)
@@ -29,7 +37,7 @@ def unbalanced_force(engine) -> float:
     return float(length(left).mean() / strength.mean()) if strength.size else np.inf
 
 
-def kinetic_over_potential(engine) -> float:
+def kinetic_over_potential(engine, earlier: Look | None = None) -> float:
     """Kinetic energy of all bodies over the energy that lifts each by its radius (1)."""
     mass, radius, space = engine.mass, engine.radius, engine.space
     moving = sum(engine.column(lane) ** 2 for lane in space.velocity)
@@ -39,7 +47,7 @@ def kinetic_over_potential(engine) -> float:
     return float(kinetic.sum() / lifted) if lifted > 0.0 else np.inf
 
 
-def displacement(engine) -> float:
+def displacement(engine, earlier: Look | None = None) -> float:
     """Mean displacement in a step, the largest of all directions, over dt^2 g (1).
 
     Kiyama & Fujimura (1983), note 3.
@@ -47,6 +55,19 @@ def displacement(engine) -> float:
     ways = max(np.abs(engine.column(lane)).mean() for lane in engine.space.velocity)
     scale = engine.model.dt * float(np.hypot.reduce(engine.gravity))
     return float(ways / scale) if scale > 0.0 else np.inf
+
+
+def drift(engine, earlier: Look | None) -> float:
+    """Mean way of a body since an earlier look, over that of a fall from rest in this time (1).
+
+    What changes its sign from step to step, as a constant torque against rolling does, leads nowhere and does not count.
+    """
+    if earlier is None:
+        return np.inf
+    ways = length(engine.places - earlier.places)
+    there = np.isfinite(ways)
+    fall = 0.5 * float(np.hypot.reduce(engine.gravity)) * ((engine.step - earlier.step) * engine.model.dt) ** 2
+    return float(ways[there].mean()) / fall if there.any() and fall > 0.0 else np.inf
 
 
 REST: Family[Criterion] = Family(
@@ -76,6 +97,14 @@ REST: Family[Criterion] = Family(
             source="kiyama_fujimura_1983",
             locator="note 3",
         ),
+        Criterion(
+            key="drift",
+            title="Mean way of a body since the last look, over that of a fall from rest in this time",
+            measure=drift,
+            below=1e-3,
+            source="cundall_strack_1979",
+            locator="none: a ratio of this package's own",
+        ),
     ],
 )
 
@@ -87,12 +116,14 @@ class Rest:
     criterion: Criterion = REST["displacement"]
     below: float = REST["displacement"].below
 
-    def holds(self, engine) -> bool:
+    def holds(self, engine, earlier: Look | None) -> bool:
         """Whether the engine's bodies are at rest; none are where none is left."""
-        return engine.n > 0 and self.criterion.measure(engine) < self.below
+        return engine.n > 0 and self.criterion.measure(engine, earlier) < self.below
 
     def __str__(self) -> str:
         return f"{self.criterion.key} below {self.below:g}"
 
 
+USUAL = REST["unbalanced-force"]
+STEADY = REST["drift"]  # where forces never balance, since a law changes its sign from step to step
 PAPER = Rest()  # Kiyama & Fujimura's own

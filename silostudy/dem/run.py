@@ -4,18 +4,20 @@ from collections.abc import Callable
 
 import numpy as np
 
-from silostudy.dem.change import keep_discs, set_friction, swap_walls
+from silostudy.dem.branch import go_on
+from silostudy.dem.change import keep_discs, open_holes, set_friction, swap_walls
 from silostudy.dem.checkpoint import checkpoint, restore
 from silostudy.dem.engine import Engine, Explosion
 from silostudy.dem.events import TRIGGERS, Event
 from silostudy.dem.feeder import Feeder
-from silostudy.dem.leaving import DISCHARGED, REMOVED, SPILT, below, lowest, spilt
+from silostudy.dem.leaving import DISCHARGED, REMOVED, SPILT, OutletAt, below, drawn, lowest, passing, spilt
 from silostudy.dem.ledger import ENTRIES, carry_out, change_gravity, take_springs
-from silostudy.dem.moves import MOVES, OF_LID, lid_height, lid_rests, lid_stress
+from silostudy.dem.moves import MOVES, OF_LID, lid_meets, lid_standing
+from silostudy.dem.observer import Observer
 from silostudy.dem.rain import Rain, pour
 from silostudy.dem.recording import Recording
-from silostudy.dem.rest import PAPER, Rest
-from silostudy.dem.snapshot import held_energy, length, pair_contacts, stress, wall_contacts
+from silostudy.dem.rest import PAPER, Look, Rest
+from silostudy.dem.snapshot import held_energy, length, snapshot
 from silostudy.errors import BadInput
 
 CHECK_EVERY = 200  # steps between looks at rest, discharge and drop-outs: counted from the start, so chunks do not matter
@@ -24,9 +26,11 @@ CHECK_EVERY = 200  # steps between looks at rest, discharge and drop-outs: count
 class Run:
     """Carries an engine through events until a stop, or at most to a time limit (s).
 
-    window: steps over which wall forces are gathered, snapshots: steps at which contacts are read; both off by default.
+    window: steps over which wall forces are gathered, snapshots: steps at which contacts are read, observers: what else is
+    read; all off by default.
     rest: what the trigger `rest` waits for, once all bodies are there; rain: how those come in that wait at the start;
     feeder: what draws bodies from a closed outlet, once an event sets its rate.
+    outlet_at: places (n, d) at the outlets' level -> numbers of their outlets, None: there is one.
     """
 
     def __init__(
@@ -37,20 +41,26 @@ class Run:
         limit: float,
         window: int = 0,
         snapshots: tuple[int, ...] = (),
-        stress_edges: tuple[np.ndarray, np.ndarray] | None = None,
+        observers: tuple[Observer, ...] = (),
         rest: Rest = PAPER,
         rain: Rain | None = None,
         feeder: Feeder | None = None,
+        outlet_at: OutletAt = None,
     ):
         if not events or events[-1].action != "stop":
             raise BadInput("events", [event.action for event in events], "the last event must be a stop")
         self.engine, self.events, self.window, self.snapshots = engine, events, window, snapshots
-        self.stress_edges, self.rest, self.rain, self.feeder = stress_edges, rest, rain, feeder
+        self.observers, self.rest, self.rain, self.feeder = observers, rest, rain, feeder
+        self.outlet_at = outlet_at
         self.recording, self.last = Recording(), round(limit / engine.model.dt)
         self.next_event, self.since, self.opened = 0, 0, engine.step
         self.full = float(engine.model.mass.sum())
         self.come, self.came = engine.n, engine.step  # how many bodies have come in, and when the last of them did
+        self.began, self.gone = engine.step, 0.0  # a branch goes on with the clock; mass (kg/m) that had left before
+        self.looked: Look | None = None  # where bodies were when rest was last looked for
         self.floor = lowest(engine.model)
+        if engine.model.end is not None:
+            go_on(self, engine.model.end)
 
     @property
     def done(self) -> bool:
@@ -67,7 +77,7 @@ class Run:
     def go(self, *, until: int | None = None, tell: Callable[[int], None] = lambda step: None) -> Recording:
         """Run to the stop, or to `until` steps; `tell` hears the step now and then."""
         try:
-            if self.engine.step == 0:
+            if self.engine.step == self.began:
                 self._begin()
             while not self.done and (until is None or self.engine.step < until):
                 self.engine.step_to(self._next_stop(until))
@@ -81,9 +91,10 @@ class Run:
 
     def _begin(self) -> None:
         """A snapshot of the start, where one is asked for, and the events that are due at once."""
-        self._pour()
-        if 0 in self.snapshots and not self.recording.snapshots:
-            self.recording.snapshots.append(self.snapshot())
+        if not self.began:
+            self._pour()
+        if self.began in self.snapshots and not self.recording.snapshots:
+            self.recording.snapshots.append(snapshot(self.engine))
         self._act_where_due()
 
     @property
@@ -99,11 +110,11 @@ class Run:
     def _standing(self, event: Event) -> str:
         """How far an event is from its trigger."""
         if event.trigger == "rest":
-            return f"{self.rest.criterion.measure(self.engine):.3g}, to be at rest: {self.rest}"
+            return f"{self.rest.criterion.measure(self.engine, self.looked):.3g}, to be at rest: {self.rest}"
         if TRIGGERS[event.trigger].of_lid:
-            return f"the lid stands {lid_height(self.engine):.4g} m high under {1e-3 * lid_stress(self.engine):.4g} kPa"
+            return lid_standing(self.engine)
         if event.trigger == "discharged":
-            return f"a share of {self.dropped / self.full:.3g} has left"
+            return f"a share of {(self.gone + self.dropped) / self.full:.3g} has left"
         return f"due at {self._due() * self.engine.model.dt:.6g} s"
 
     def insert(self, event: Event) -> None:
@@ -116,6 +127,7 @@ class Run:
         if self.window:
             stops.append((step // self.window + 1) * self.window)
         stops += [snapshot for snapshot in self.snapshots if snapshot > step]
+        stops += [observer.after(step) for observer in self.observers]
         stops += [self._due()] if self._due() > step else []
         return min([*stops, self.last] if until is None else [*stops, self.last, until])
 
@@ -130,12 +142,17 @@ class Run:
         if self.window and step % self.window == 0:
             self._close_window()
         if step in self.snapshots:
-            self.recording.snapshots.append(self.snapshot())
+            self.recording.snapshots.append(snapshot(self.engine))
+        for observer in self.observers:
+            if observer.due(step) and self.engine.n:
+                self.recording.readings.setdefault(observer.name, []).append((self.engine.time, observer.read(self.engine)))
         if step % CHECK_EVERY == 0:
             self._drop()
             self._feed()
             self._pour()
         self._act_where_due()
+        if step % CHECK_EVERY == 0 and step < self.last:
+            self.looked = Look(step, self.engine.places)
         if step >= self.last and not self.done:
             self.recording.happened.append((self.engine.time, "limit", "stop"))
             self.recording.waiting = self.events[self.next_event]
@@ -152,12 +169,10 @@ class Run:
         if self.engine.step % CHECK_EVERY or not self.engine.step:  # discs that have not moved yet are not at rest
             return False
         if event.trigger == "rest":
-            return self.come == self.engine.most and self.rest.holds(self.engine)
-        if event.trigger == "lid_rests":
-            return lid_rests(self.engine)
-        if event.trigger == "lid_stress":
-            return lid_stress(self.engine) >= event.value
-        return self.dropped >= event.value * self.full
+            return self.come == self.engine.most and self.rest.holds(self.engine, self.looked)
+        if TRIGGERS[event.trigger].of_lid:
+            return lid_meets(self.engine, event)
+        return self.gone + self.dropped >= event.value * self.full
 
     def _pour(self) -> None:
         """Let those in that are due, as far as they find room; where none does for long, the run ends."""
@@ -177,6 +192,9 @@ class Run:
         engine, action = self.engine, event.action
         if action == "open":
             self._take_away(lambda: swap_walls(engine, event.what[0], event.what[1:]))
+        elif action == "open holes":
+            self._take_away(lambda: open_holes(engine, *event.what))
+            action = f"open {', '.join(event.what[1])}"
         elif action == "remove":
             action = self._remove(event.what)
         elif action == "gravity":
@@ -191,7 +209,7 @@ class Run:
         elif action in MOVES:
             MOVES[action](engine, *event.what)
         self.recording.happened.append((engine.time, event.trigger, action))
-        self.since = engine.step
+        self.since, self.looked = engine.step, None
         self.next_event += 1
 
     def _remove(self, what: tuple) -> str:
@@ -231,12 +249,8 @@ class Run:
 
     def _feed(self) -> None:
         """Let the feeder take what is due."""
-        engine, feeder = self.engine, self.feeder
-        if feeder is None or not feeder.rate > 0.0:
-            return
-        gone = feeder.take(engine, CHECK_EVERY * engine.model.dt)
-        if gone.any():
-            self.recording.passed += [(engine.time, float(mass)) for mass in engine.mass[gone]]
+        if self.feeder and (gone := self.feeder.take(self.engine, CHECK_EVERY * self.engine.model.dt)).any():
+            self.recording.passed += drawn(self.engine, gone, self.outlet_at)
             self._take_away(lambda: self._take_out(gone, DISCHARGED))
 
     def _take_out(self, gone: np.ndarray, way: str) -> None:
@@ -251,11 +265,11 @@ class Run:
             record.discharge_time.append(self.engine.time)
             record.discharged.append(self.dropped)
 
-    def passing(self, which: np.ndarray) -> list[tuple[float, float]]:
-        """When (s) bodies among those left came below the outlet, each with its mass."""
+    def passing(self, which: np.ndarray) -> list[tuple[float, float, int]]:
+        """When (s) bodies among those left came below the outlet since the run began, each with mass and outlet."""
         engine = self.engine
-        steps, mass = engine.space.passed_for(engine.bodies.rows[: engine.n]), engine.mass
-        return [((engine.step - steps[i]) * engine.model.dt, float(mass[i])) for i in np.flatnonzero(which & (steps > 0.0))]
+        later = engine.step - engine.space.passed_for(engine.bodies.rows[: engine.n]) >= self.began
+        return passing(engine, which & later, self.outlet_at)
 
     def _close_window(self) -> None:
         """Keep the window of wall forces up to now, the last of a run also where it is not full."""
@@ -274,7 +288,7 @@ class Run:
 
     def checkpoint(self) -> dict:
         """Everything that going on depends on: the engine's arrays, where the events stand, and what was recorded."""
-        stand = {name: getattr(self, name) for name in ("next_event", "since", "opened", "come", "came")}
+        stand = {name: getattr(self, name) for name in ("next_event", "since", "opened", "come", "came", "looked")}
         fed = (self.feeder.rate, self.feeder.owed) if self.feeder else None
         return {"engine": checkpoint(self.engine), "stand": stand, "recording": self.recording, "fed": fed}
 
@@ -285,15 +299,3 @@ class Run:
         self.recording = saved["recording"]
         if self.feeder:
             self.feeder.rate, self.feeder.owed = saved["fed"]
-
-    def snapshot(self) -> dict[str, np.ndarray]:
-        """Places, velocities and force chains now."""
-        engine = self.engine
-        averaged = {} if self.stress_edges is None else {"stress": stress(engine, *self.stress_edges)}
-        return averaged | {
-            "time": np.array(engine.time),
-            "label": engine.labels.copy(),
-            "motion": engine.bodies.rows[: engine.n, : engine.space.motion].copy(),
-            "pairs": pair_contacts(engine).table,
-            "walls": wall_contacts(engine).table,
-        }

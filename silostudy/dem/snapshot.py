@@ -94,6 +94,17 @@ def wall_contacts(engine) -> Contacts:
     return Contacts(engine.labels[i], q, place - from_walls(engine, q, place), force)
 
 
+def snapshot(engine) -> dict[str, np.ndarray]:
+    """Places, velocities and force chains now."""
+    return {
+        "time": np.array(engine.time),
+        "label": engine.labels.copy(),
+        "motion": engine.bodies.rows[: engine.n, : engine.space.motion].copy(),
+        "pairs": pair_contacts(engine).table,
+        "walls": wall_contacts(engine).table,
+    }
+
+
 def from_walls(engine, walls: np.ndarray, places: np.ndarray) -> np.ndarray:
     """Vector (n, d; m) from the nearest point of each wall to each place."""
     space, shape = engine.space, engine.walls.shape
@@ -155,21 +166,3 @@ def _energy(contacts: list[Contact], touches, overlaps, *histories) -> float:
         for (law, values), force in ((tangential, held), (rolling, turned), (twisting, twisted)):
             total += of_spring(force, law.stiffness(depth, touch, values))
     return float(total)
-
-
-def stress(engine, edges_x: np.ndarray, edges_y: np.ndarray) -> np.ndarray:
-    """Coarse-grained stress (ny, nx, 2, 2) in Pa, compression positive: sum of branch times force over each cell's area.
-
-    Love-Weber average over the contacts whose place lies in the cell; wall contacts count with the disc's radius.
-    """
-    pairs, walls = pair_contacts(engine), wall_contacts(engine)
-    place = engine.places
-    branch = np.vstack([place[pairs.first] - place[pairs.second], place[walls.first] - walls.place])
-    force = np.vstack([pairs.force, walls.force])
-    x, y = np.vstack([pairs.place, walls.place]).T
-    area = np.diff(edges_y)[:, None] * np.diff(edges_x)[None, :]
-    total = np.empty((len(edges_y) - 1, len(edges_x) - 1, 2, 2))
-    for a in range(2):
-        for b in range(2):
-            total[:, :, a, b] = np.histogram2d(y, x, [edges_y, edges_x], weights=branch[:, a] * force[:, b])[0] / area
-    return total

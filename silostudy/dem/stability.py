@@ -6,6 +6,7 @@ oscillators do that have at most the largest stiffness, at most the largest damp
 least damped contact gives to their stiffness (eqs. 17, 19 need some).
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 from math import floor, log10, sqrt
@@ -36,7 +37,7 @@ DEEP = 0.02  # of a radius: the overlap at which a curved law's slope is taken
 @dataclass(frozen=True)
 class Extremes:
     """Of a network's modes, per mass: largest stiffness (1/s2), of all springs and of the incremental ones, which are the
-    tangential and rolling; largest damping (1/s); least damping over stiffness (s) of any contact."""
+    tangential, rolling and twisting; largest damping (1/s); least damping over stiffness (s) of any contact."""
 
     stiffness: float
     incremental: float
@@ -104,7 +105,7 @@ def _undamped(model: Model) -> list[str]:
         f"{f'{model.space.body}s' if other is not None else 'walls'} {row.key}"
         for contact, one, other in _lone(model)
         for row, k, d in zip(
-            contact.rows[:3],
+            _springs(contact.rows),
             _stiffness(contact, model, one, other, 0.0),
             _damping(contact, model, one, other, 0.0),
             strict=True,
@@ -252,15 +253,19 @@ def _largest(model: Model, network: list[tuple], lone: list[tuple], strengths) -
     root = np.sqrt(np.r_[np.tile(mass, space.ways), np.tile(mass * radius**2 / light, len(space.spin))])
     blocks, found = [], 0.0
     for contact, i, j in lone:  # two translations and two rotations pull at a tangential spring
-        ways = sum(np.array([1.0, 1.0 + light, light / radius[k] ** 2]) / mass[k] for k in (*i, *(() if j is None else j)))
+        bodies = np.r_[i, [] if j is None else j].astype(int)
+        turn = light / radius[bodies] ** 2
+        ways = (np.array([1.0 + 0.0 * turn, 1.0 + light + 0.0 * turn, turn, turn]) / mass[bodies]).sum(axis=1)
         found = max(found, *(ways * np.ravel(strengths(contact, model, i, j))))
     for contact, i, j, normals in network:
-        normal, tangential, rolling = np.sqrt(strengths(contact, model, i, j))
+        normal, tangential, rolling, twisting = np.sqrt(strengths(contact, model, i, j))
         still, spins = np.zeros_like(normals), np.zeros((len(i), len(space.spin)))
         stretches = [(normal, normals, spins, spins)]
         for along, turn in space.tangents(normals):
             arms = (of[:, None] * turn for of in (radius[i], radius[i if j is None else j]))
             stretches += [(tangential, along, *arms), (rolling, still, turn, -turn)]
+        if contact.laws.winds:
+            stretches.append((twisting, still, normals, -normals))
         for strength, along, own, other in stretches:
             row = _rows(strength, i, along, own, n)
             blocks.append(row if j is None else row + _rows(strength, j, -along, other, n))
@@ -279,17 +284,24 @@ def _rows(strength, body, along, turn, n):
     return csr_matrix((values.ravel(), columns.ravel(), ways * np.arange(len(body) + 1)), shape=(len(body), ways * n))
 
 
+def _springs(of_rows: Sequence) -> Sequence:
+    """Those of the rows of a contact's laws, or of their coefficients, that may hold springs: all but cohesion."""
+    normal, tangential, rolling, _, twisting = of_rows
+    return normal, tangential, rolling, twisting
+
+
 def _stiffness(contact: Contact, model: Model, i, j, dt):
-    """Normal, tangential (N/m per m) and rolling (N m per m) stiffness of each contact."""
+    """Normal, tangential (N/m per m), rolling and twisting (N m per m) stiffness of each contact."""
     touch, depth = _touch(model, i, j, dt), DEEP * float(model.radius.max())
-    ways = zip(contact.rows[:3], contact.ordered[:3], strict=True)
+    ways = zip(_springs(contact.rows), _springs(contact.ordered), strict=True)
     return [np.ones(len(i)) * row.stiffness(depth, touch, c) for row, c in ways]
 
 
 def _damping(contact: Contact, model: Model, i, j, dt):
-    """Normal, tangential (N s/m per m) and rolling damping of each contact, as its dashpots act at this step."""
+    """Normal, tangential (N s/m per m), rolling and twisting damping of each contact, as its dashpots act at this step."""
     touch = _touch(model, i, j, dt)
-    return [row.damping(touch, c) for row, c in zip(contact.rows[:3], contact.ordered[:3], strict=True)]
+    ways = zip(_springs(contact.rows), _springs(contact.ordered), strict=True)
+    return [row.damping(touch, c) for row, c in ways]
 
 
 def _touch(model: Model, i, j, dt) -> Touch:

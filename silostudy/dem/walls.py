@@ -87,6 +87,12 @@ def motion_of(shape: np.ndarray) -> np.ndarray:
 
 
 @register_jitable
+def widen(shape, wall, dt):
+    """Widen the holes of a wall that grow: none do."""
+    return False
+
+
+@register_jitable
 def lift(shape, wall, way):
     """Move a wall up by a way (m)."""
     shape[wall, LOW] += way

@@ -7,10 +7,9 @@ import xarray as xr
 from matplotlib.animation import FuncAnimation, PillowWriter
 from matplotlib.axes import Axes
 from matplotlib.collections import EllipseCollection
-from matplotlib.lines import Line2D
 
-from silostudy.figures.bin import opened_at
-from silostudy.figures.style import AID, plt
+from silostudy.figures.bin import outline
+from silostudy.figures.style import plt
 from silostudy.files import replacing
 
 FRAMES_A_SECOND = 8
@@ -26,7 +25,7 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     shots = np.unique(np.linspace(0, cube.sizes["snapshot"] - 1, min(MOST, cube.sizes["snapshot"])).round().astype(int))
     half, top = (float(cube.attrs[name]) * CM for name in ("half_width_m", "top_height_m"))
     figure, panel = plt.subplots(figsize=(3.4, min(7.0, 1.6 + 2.6 * (top + BELOW) / (2.0 * half))))
-    plug = _outline(panel, cube)
+    plugs = outline(panel, cube)
     panel.set(xlabel="across (cm)", ylabel="height above the outlet (cm)", aspect="equal")
     panel.set(xlim=(-half - 0.5, half + 0.5), ylim=(-BELOW, top))
     panel.grid(False)
@@ -39,24 +38,15 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
         shown.remove()
         shown = panel.add_collection(_slice(cube, shots[number], panel))
         time = float(cube["snapshot_time"][shots[number]])
-        plug.set_visible(time <= opened_at(cube))
-        panel.set_title(f"t = {time:.2f} s, {'outlet shut' if plug.get_visible() else 'outlet open'}", fontsize=8)
+        for plug, opened in plugs:
+            plug.set_visible(not time > opened)
+        shut = sum(plug.get_visible() for plug, _ in plugs)
+        panel.set_title(f"t = {time:.2f} s, {'outlet shut' if shut == len(plugs) else 'outlet open'}", fontsize=8)
 
     animation = FuncAnimation(figure, show, frames=len(shots), init_func=lambda: None)
     with replacing(stem.with_suffix(".webp")) as temporary:
         animation.save(temporary, writer=PillowWriter(fps=FRAMES_A_SECOND), dpi=DPI)
     plt.close(figure)
-
-
-def _outline(panel: Axes, cube: xr.Dataset) -> Line2D:
-    """Walls and hopper where the slice cuts them (cm); gives what shuts the outlet."""
-    half, outlet, aside, low, top = (
-        float(cube.attrs[name]) * CM
-        for name in ("half_width_m", "outlet_half_width_m", "outlet_middle_m", "transition_height_m", "top_height_m")
-    )
-    for side in (-1.0, 1.0):
-        panel.plot([aside + side * outlet, side * half, side * half], [0.0, low, top], color="black", linewidth=1, gid=AID)
-    return panel.plot([aside - outlet, aside + outlet], [0.0, 0.0], color="black", linewidth=1, gid=AID)[0]
 
 
 def _slice(cube: xr.Dataset, shot: int, panel: Axes) -> EllipseCollection:

@@ -16,7 +16,7 @@ from silostudy.contact.coefficient import Given
 from silostudy.dem.events import TRIGGERS, Event
 from silostudy.dem.model import Contact, Wall
 from silostudy.dem.pieces import Laws
-from silostudy.dem.rest import REST, Rest
+from silostudy.dem.rest import REST, STEADY, USUAL, Rest
 from silostudy.dem.varied import Varied
 from silostudy.errors import BadInput
 from silostudy.packing import PACKINGS
@@ -122,7 +122,9 @@ def _check_friction(scene: DemScene, what: tuple, key: str, where: str) -> None:
 
 def rest_of(scene: AnyScene) -> Rest:
     """The criterion of rest."""
-    criterion = REST[scene.rest.criterion]
+    restless = any(law.restless for touch in scene.touches for law in touch.laws.values())
+    usual = STEADY if restless else USUAL
+    criterion = REST[scene.rest.criterion] if scene.rest.criterion else usual
     return Rest(criterion, criterion.below if scene.rest.below is None else scene.rest.below)
 
 

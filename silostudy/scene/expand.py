@@ -85,15 +85,24 @@ def identity(config: Strict) -> str:
 
 
 def _applied(scene: dict[str, Any], settings: dict[str, Any], where: str) -> dict[str, Any]:
-    """The raw scene with dotted keys replaced; keys that name one choice of two drop the other."""
+    """The raw scene with dotted keys replaced, a number for an entry of a list; one choice of two drops the other."""
     changed = copy.deepcopy(scene)
     for dotted, value in settings.items():
         *parents, last = dotted.split(".")
-        node = changed
+        node: Any = changed
         for parent in parents:
-            if not isinstance(node.setdefault(parent, {}), dict):
+            node = _within(node, parent)
+            if not isinstance(node, dict | list):
                 raise BadInput("sweep", dotted, f"{parent} is no group of keys in the scene", where)
-            node = node[parent]
+        if not isinstance(node, dict):
+            raise BadInput("sweep", dotted, f"{last} is no key of the scene: it stands in a list", where)
         node.pop({"slenderness": "cylinder_depth_m", "cylinder_depth_m": "slenderness"}.get(last, ""), None)
         node[last] = value
     return changed
+
+
+def _within(node: dict | list, key: str) -> Any:
+    """What a group of keys holds by a key, made where there is none, or a list by a number; None where it has no such entry."""
+    if isinstance(node, dict):
+        return node.setdefault(key, {})
+    return node[int(key)] if key.isdecimal() and int(key) < len(node) else None

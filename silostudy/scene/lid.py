@@ -14,7 +14,12 @@ MOVING = (*OF_LID, "rotate")
 
 def moves(events: Sequence[MovingEvent]) -> bool:
     """Whether walls move in a scene."""
-    return any(event.do in MOVING or event.of_lid for event in events)
+    return slides(events) or any(event.do in MOVING or event.of_lid for event in events)
+
+
+def slides(events: Sequence[MovingEvent]) -> bool:
+    """Whether an outlet opens at a speed."""
+    return any(event.do == "open_outlet" and event.speed_m_s is not None for event in events)
 
 
 def feeds(events: Sequence[MovingEvent]) -> bool:

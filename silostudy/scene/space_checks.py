@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from itertools import combinations
 from math import atan2, degrees, pi, radians
 from typing import TYPE_CHECKING
 
@@ -9,7 +10,7 @@ from silostudy.dem.space.surfaces import CIRCLE, RECTANGLE
 from silostudy.errors import BadInput
 
 if TYPE_CHECKING:
-    from silostudy.scene.space_silo import SpaceSilo
+    from silostudy.scene.space_silo import Outlet, SpaceSilo
 
 PLANS = ("circular", "square", "rectangular", "polygonal")
 MOST_SIDES = 24  # with more, a sphere pressed in by 1/cos(15 degrees) - 1 = 3.5 % of its radius passes a corner with a jump
@@ -37,8 +38,10 @@ def require_hopper(space: SpaceSilo) -> None:
     """BadInput for a hopper without a height, an outlet that leaves it, or a wall that is neither flat nor turned."""
     silo, hopper = space.silo, space.silo.hopper
     assert hopper is not None
-    if space.outlet:
-        raise BadInput("outlet", space.outlet, "is of a flat floor; the hopper has its own, silo.hopper.outlet_width")
+    if space.outlets:
+        raise BadInput("outlets", space.outlets[0].name, "is of a flat floor; the hopper has its own, silo.hopper.outlet_width")
+    if space.gated and space.plan.sides not in (CIRCLE, RECTANGLE):
+        raise BadInput("silo.plan", silo.plan, "opens its outlet at once: a gate that slides is round or has four sides")
     if space.wedge and space.plan.sides != RECTANGLE:
         raise BadInput("wedge", space.wedge, f"stands below a square or rectangular plan, not a {silo.plan} one")
     if not 0.0 <= hopper.outlet_width <= silo.diameter:
@@ -73,18 +76,29 @@ def shallowest_joint(space: SpaceSilo) -> float:
 
 def require_floor(space: SpaceSilo) -> None:
     """BadInput for an outlet that does not lie in the flat floor with floor about it; a slot may run from wall to wall."""
-    silo, outlet, plan = space.silo, space.outlet, space.plan
     if space.wedge:
         raise BadInput("wedge", space.wedge, "is a hopper's; the silo has none")
-    if outlet is None:
-        return
+    names = [outlet.name for outlet in space.outlets]
+    if len(set(names)) < len(names):
+        raise BadInput("outlets", names, "each outlet needs a name of its own")
+    for number, outlet in enumerate(space.outlets):
+        require_outlet(space, f"outlets.{number}", outlet)
+    for (one, low), (other, high) in combinations(space.openings.items(), 2):
+        if not (room := low.gap_to(high)) > 0.0:
+            raise BadInput("outlets", f"{one}, {other}", f"must not overlap or touch, and do by {-room:.4g} m")
+
+
+def require_outlet(space: SpaceSilo, field: str, outlet: Outlet) -> None:
+    """BadInput for an outlet that is no smaller than the floor, or leaves it."""
+    plan, opening = space.plan, space.openings[outlet.name]
     for name, size, room in (("width", outlet.width, plan.half[0]), ("length", outlet.length, plan.half[1])):
         whole = name == "length" and plan.sides == RECTANGLE and size == 2 * room
         if size is not None and not (0.0 < size < 2 * room or whole):
-            raise BadInput(f"outlet.{name}", size, f"must be above 0 and below the width of the floor there, {2 * room:g} m")
-    opening = space.opening
-    assert opening is not None
-    room = plan.half[0] - opening.reach((1.0, 0.0)) if space.slotted else plan.room_for(opening)
+            allowed = f"must be above 0 and below the width of the floor there, {2 * room:g} m"
+            raise BadInput(f"{field}.{name}_m", size, allowed)
+    slot = outlet.length == 2 * plan.half[1] and plan.sides == RECTANGLE and opening.middle[1] == 0.0
+    room = plan.half[0] - max(opening.reach((1.0, 0.0)), opening.reach((-1.0, 0.0))) if slot else plan.room_for(opening)
     if not room > 0.0:
+        key = "silo.outlet_eccentricity" if outlet.middle is None else f"{field}.middle_m"
         allowed = f"the outlet must not leave the floor, and stands out by {-room:g} m"
-        raise BadInput("silo.outlet_eccentricity", silo.outlet_eccentricity, allowed)
+        raise BadInput(key, opening.middle[0] if outlet.middle is None else outlet.middle, allowed)

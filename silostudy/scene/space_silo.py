@@ -1,15 +1,15 @@
-"""The surfaces of a silo in space, built in one place: walls of its plan, a hopper or a flat floor, an outlet, a lid.
+"""The surfaces of a silo in space, built in one place: walls of its plan, a hopper or a flat floor, outlets, a lid.
 
-The outlet, or a flat floor, lies at a height of zero, the axis at x = y = 0; an eccentric outlet lies towards x, a longer side
-along y.  Every surface has a name; of a plan with corners one for each side, numbered counter-clockwise from the side that
-faces x: wall_1, wall_2, ...
+The outlet, or a flat floor, lies at a height of zero, the axis at x = y = 0; a hopper's eccentric outlet lies towards x, a
+longer side along y.  Every surface has a name; of a plan with corners one for each side, numbered counter-clockwise from the
+side that faces x: wall_1, wall_2, ...
 """
 
 from dataclasses import dataclass
 
 import numpy as np
 
-from silostudy.dem.space.level import LevelPiece, Outline, Rim
+from silostudy.dem.space.level import Hole, LevelPiece, Outline
 from silostudy.dem.space.network import all_from_wall
 from silostudy.dem.space.surfaces import CIRCLE, RECTANGLE
 from silostudy.dem.space.walls import FlatPiece, Surface, TurnedLine, walls_of
@@ -17,31 +17,43 @@ from silostudy.scene.silo import Silo
 from silostudy.scene.space_checks import require_surfaces
 
 FLOOR, LID = "floor", "lid"  # the floor is the whole of a flat one, or the plug in a hopper's outlet
-AROUND, RIM = "floor_around", "rim"  # of a flat floor about its outlet: they wait for it to open
-WALL, HOPPER = "wall", "hopper"
+WALL, HOPPER, OUTLET = "wall", "hopper", "outlet"
 
 
 @dataclass(frozen=True, kw_only=True)
 class Outlet:
-    """Outlet of a flat floor: its diameter (m), or where it has a length its width along x and its length along y (m)."""
+    """Outlet of a flat floor: its diameter (m), or where it has a length its width along x and its length along y (m).
+
+    middle: its x and y (m); None: as far off the axis as the silo says.
+    """
 
     width: float
     length: float | None = None
+    middle: tuple[float, float] | None = None
+    name: str = OUTLET
+
+    def outline(self, aside: float) -> Outline:
+        """Its outline; aside: x (m) of an outlet that does not say where it is."""
+        halves = (self.width / 2, (self.width if self.length is None else self.length) / 2)
+        sides = int(CIRCLE if self.length is None else RECTANGLE)
+        return Outline(sides=sides, half=halves, middle=self.middle or (aside, 0.0))
 
 
 @dataclass(frozen=True, kw_only=True)
 class SpaceSilo:
     """A silo as the codes know it, and what only grains need.
 
-    outlet: of a flat floor, None: a closed one; wedge: the hopper of a square or rectangular plan slopes on two sides only,
-    else on all four, equally steep; freeboard: height (m) of the walls above the highest contact with the solid.
+    outlets: of a flat floor, none: a closed one; wedge: the hopper of a square or rectangular plan slopes on two sides only,
+    else on all four, equally steep; freeboard: height (m) of the walls above the highest contact with the solid; gated: whether
+    outlets open at a speed, when the plug of a hopper is a level piece whose hole grows.
     """
 
     silo: Silo
-    outlet: Outlet | None = None
+    outlets: tuple[Outlet, ...] = ()
     wedge: bool = False
     freeboard: float = 0.0
     lid: bool = False
+    gated: bool = False
 
     def __post_init__(self):
         require_surfaces(self)
@@ -96,21 +108,28 @@ class SpaceSilo:
 
     @property
     def opening(self) -> Outline | None:
-        """Outline of the outlet; None: the bottom is closed."""
-        plan, middle = self.plan, (self.silo.outlet_eccentricity, 0.0)
-        if hopper := self.silo.hopper:
-            half, longer = hopper.outlet_width / 2, plan.half[1] - plan.half[0]
-            return Outline(sides=plan.sides, half=(half, plan.half[1] if self.wedge else longer + half), middle=middle)
-        if self.outlet is None:
+        """Outline of a hopper's outlet; None: the bottom is flat."""
+        plan, hopper = self.plan, self.silo.hopper
+        if hopper is None:
             return None
-        width, length = self.outlet.width, self.outlet.length
-        halves = (width / 2, (width if length is None else length) / 2)
-        return Outline(sides=int(CIRCLE if length is None else RECTANGLE), half=halves, middle=middle)
+        half, longer = hopper.outlet_width / 2, plan.half[1] - plan.half[0]
+        halves = (half, plan.half[1] if self.wedge else longer + half)
+        return Outline(sides=plan.sides, half=halves, middle=(self.silo.outlet_eccentricity, 0.0))
 
-    def over_outlet(self, places: np.ndarray) -> np.ndarray:
-        """Which places (n, 3; m) stand over the outlet."""
-        opening = self.opening
-        return np.zeros(len(places), bool) if opening is None else opening.inset(places[:, 0], places[:, 1]) > 0.0
+    @property
+    def openings(self) -> dict[str, Outline]:
+        """Outlines of all outlets by their names; none: the bottom is closed."""
+        if (opening := self.opening) is not None:
+            return {OUTLET: opening} if min(opening.half) > 0.0 else {}
+        return {outlet.name: outlet.outline(self.silo.outlet_eccentricity) for outlet in self.outlets}
+
+    def outlet_at(self, places: np.ndarray) -> np.ndarray:
+        """Number of the outlet that each place (n, 3; m) is in, or nearest to being in."""
+        return np.argmax([opening.inset(*places.T[:2]) for opening in self.openings.values()], axis=0)
+
+    def over_outlets(self, places: np.ndarray) -> np.ndarray:
+        """Which places (n, 3; m) stand over an outlet."""
+        return np.max([opening.inset(*places.T[:2]) for opening in self.openings.values()], axis=0) > 0.0
 
     def walls(self, cells: tuple[int, int] = (1, 1)) -> tuple[Surface, ...]:
         """Its surfaces: the bottom, closed, then the walls and the lid.
@@ -120,46 +139,33 @@ class SpaceSilo:
         flat, plan = self.silo.hopper is None, self.plan
         walls = sides_between(WALL, plan, self.bottom, plan, self.top, cells, not self.slotted, self.lid)
         lid = (level(LID, plan, self.top, cells),) if self.lid else ()
-        return (*(self._floor(cells) if flat else self._hopper(cells)), *walls, *lid)
-
-    @property
-    def waiting(self) -> tuple[str, ...]:
-        """Names of the surfaces that stand where the floor was, once the outlet is open."""
-        return tuple(surface.name for surface in self.walls() if not surface.live)
+        return (*((self._floor(cells),) if flat else self._hopper(cells)), *walls, *lid)
 
     @property
     def slotted(self) -> bool:
-        """Whether the outlet of a flat floor runs from wall to wall, so that the walls end in edges there."""
-        plan, opening = self.plan, self.opening
-        return self.silo.hopper is None and opening is not None and opening.half[1] == plan.half[1]
+        """Whether an outlet of a flat floor runs from wall to wall, so that the walls end in edges there."""
+        rooms = [hole.half[1] == self.plan.half[1] for hole in self.openings.values()]
+        return self.silo.hopper is None and any(rooms)
 
-    def _floor(self, cells: tuple[int, int]) -> tuple[Surface, ...]:
-        whole, hole = level(FLOOR, self.plan, 0.0, cells), self.opening
-        if hole is None:
-            return (whole,)
-        sides = () if hole.sides == CIRCLE else (0, 2) if self.slotted else range(4)
-        rims = (Rim(name=f"{RIM}_{k + 1}", height=0.0, hole=hole, side=k, cells=(1, cells[1]), live=False) for k in sides)
-        return (whole, level(AROUND, self.plan, 0.0, cells, hole), *rims)
+    def _floor(self, cells: tuple[int, int]) -> Surface:
+        holes = tuple(Hole(name=name, outline=outline) for name, outline in self.openings.items())
+        return level(FLOOR, self.plan, 0.0, cells, holes)
 
     def _hopper(self, cells: tuple[int, int]) -> tuple[Surface, ...]:
         opening = self.opening
         assert opening is not None
-        opens = min(opening.half) > 0.0
+        opens = bool(self.openings)
         faces = sides_between(HOPPER, opening, 0.0, self.plan, self.bottom, cells, not opens, True)
-        return (level(FLOOR, opening, 0.0, cells), *faces) if opens else faces
+        plug = (Hole(name=OUTLET, outline=opening),) if self.gated else ()
+        return (level(FLOOR, opening, 0.0, cells, plug), *faces) if opens else faces
 
 
-def level(name: str, outline: Outline, height: float, cells: tuple[int, int], hole: Outline | None = None) -> Surface:
-    """A level surface joined to others all around; with a hole it waits for an outlet to open."""
-    live = hole is None
-    about_axis = hole is None or (hole.sides == CIRCLE and hole.middle == outline.middle)
-    if outline.sides == CIRCLE and about_axis:
-        inner = hole.half[0] if hole else 0.0
-        return TurnedLine(
-            name=name, start=(inner, height), end=(outline.half[0], height), axis=outline.middle, joined=(live, True),
-            cells=cells, live=live,
-        )  # fmt: skip
-    return LevelPiece(name=name, height=height, outline=outline, hole=hole, cells=cells, live=live)
+def level(name: str, outline: Outline, height: float, cells: tuple[int, int], holes: tuple[Hole, ...] = ()) -> Surface:
+    """A level surface joined to others all around, its holes shut."""
+    if outline.sides == CIRCLE and not holes:
+        start, end = (0.0, height), (outline.half[0], height)
+        return TurnedLine(name=name, start=start, end=end, axis=outline.middle, joined=(True, True), cells=cells)
+    return LevelPiece(name=name, height=height, outline=outline, holes=holes, cells=cells)
 
 
 def sides_between(

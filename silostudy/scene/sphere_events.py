@@ -4,12 +4,13 @@ from silostudy.config.moves import OF_LID
 from silostudy.config.sphere_events import SphereEventConfig
 from silostudy.config.spheres import SphereScene
 from silostudy.dem.events import TRIGGERS, Event
+from silostudy.dem.space.level import LevelPiece
 from silostudy.dem.space.surfaces import CIRCLE
-from silostudy.dem.space.walls import TurnedLine
+from silostudy.dem.space.walls import Surface, TurnedLine
 from silostudy.errors import BadInput
 from silostudy.scene.dem import walls_of_event
 from silostudy.scene.lid import lid_action
-from silostudy.scene.space_silo import AROUND, FLOOR, SpaceSilo
+from silostudy.scene.space_silo import FLOOR, SpaceSilo
 
 
 def sphere_events(scene: SphereScene, space: SpaceSilo, mass: float, where: str = "") -> tuple[Event, ...]:
@@ -30,27 +31,34 @@ def _action(event: SphereEventConfig, space: SpaceSilo, mass: float) -> tuple[st
     if event.do == "set_friction":
         return "friction", (event.sphere_friction, event.wall_friction)
     if event.do == "rotate":
-        return "turn", (event.spin_rad_s, *turned(event, space))
+        return "turn", (event.spin_rad_s, *event.surfaces)
     if event.do == "feed":
         return "feed", (event.rate_kg_s,)
     if event.do in OF_LID:
         return lid_action(event, space.plan.area, mass, space.bottom, space.top)
-    return ("open", (FLOOR, *space.waiting)) if event.do == "open_outlet" else ("stop", ())
+    if event.do == "open_outlet":
+        if space.opening and not space.gated:
+            return "open", (FLOOR,)
+        return "open holes", (FLOOR, event.outlets or tuple(space.openings), event.speed_m_s or 0.0)
+    return "stop", ()
 
 
-def turned(event: SphereEventConfig, space: SpaceSilo) -> tuple[str, ...]:
-    """Names of the engine's surfaces that turn; those about an outlet turn with the floor."""
-    return (*event.surfaces, *([AROUND] if "floor" in event.surfaces and AROUND in space.waiting else []))
+def turns_in_place(surface: Surface | None) -> bool:
+    """Whether a surface stays where it is when it turns about the upright axis x = y = 0."""
+    if isinstance(surface, LevelPiece):
+        outlines = (surface.outline, *(hole.outline for hole in surface.holes))
+        return all(outline.sides == CIRCLE and outline.middle == (0.0, 0.0) for outline in outlines)
+    return isinstance(surface, TurnedLine)
 
 
 def check_turning(scene: SphereScene, space: SpaceSilo, where: str) -> None:
     """BadInput for surfaces that a silo does not have, or that do not stay where they are when they turn."""
     surfaces = {surface.name: surface for surface in space.walls()}
     for number, event in enumerate(scene.events):
-        key, names = f"events.{number}.surfaces", turned(event, space)
-        for name in names:
+        key = f"events.{number}.surfaces"
+        for name in event.surfaces:
             if name not in surfaces and space.plan.sides == CIRCLE:
                 raise BadInput(key, name, f"the silo has none; it has {', '.join(surfaces)}", where)
-        if not all(isinstance(surfaces.get(name), TurnedLine) for name in names):
+        if not all(turns_in_place(surfaces.get(name)) for name in event.surfaces):
             allowed = "turn about the axis of a circular silo alone, whose outlet, if any, is round and in its middle"
             raise BadInput(key, ", ".join(event.surfaces), allowed, where)

@@ -17,6 +17,7 @@ from silostudy.dem.rain import Rain
 from silostudy.dem.varied import Varied
 from silostudy.errors import BadInput
 from silostudy.scene.dem import walls_contact
+from silostudy.scene.lid import slides
 from silostudy.scene.silo_from import silo_of
 from silostudy.scene.space_silo import Outlet, SpaceSilo
 from silostudy.scene.surfaces import parts_of
@@ -30,9 +31,15 @@ def space_silo_of(scene: SphereScene, where: str = "") -> SpaceSilo:
     """The silo in space; BadInput for one that has no surfaces, or a heap that grains make of themselves."""
     if scene.silo.heap_at_repose or scene.silo.top_cone_height_m:
         raise BadInput("silo.top_cone_height_m", scene.silo.top_cone_height_m, "spheres make their heap themselves", where)
-    outlet = Outlet(width=scene.outlet.width_m, length=scene.outlet.length_m) if scene.outlet else None
+    outlets = tuple(Outlet(width=one.width_m, length=one.length_m, middle=one.middle_m, name=one.name) for one in scene.outlets)
     try:
-        return SpaceSilo(silo=silo_of(scene.silo, nan, where, ""), outlet=outlet, wedge=scene.wedge, lid=scene.lid)
+        return SpaceSilo(
+            silo=silo_of(scene.silo, nan, where, ""),
+            outlets=outlets,
+            wedge=scene.wedge,
+            lid=scene.lid,
+            gated=slides(scene.events),
+        )
     except BadInput as error:
         raise BadInput(error.field, error.value, error.allowed, error.where or where) from None
 

@@ -139,8 +139,7 @@ def shares(scene: SphereScene, model: SphereModel) -> list[str]:
 
 def warnings(scene: SphereScene, model: SphereModel) -> list[str]:
     """What is likely to be a mistake, a line each."""
-    narrowed = narrow(space_silo_of(scene), model.radius)
-    return [narrowed] if narrowed else []
+    return narrow(space_silo_of(scene), model.radius)
 
 
 def sphere_effects(scene: SphereScene) -> tuple[Effect, ...]:
@@ -160,6 +159,7 @@ def sphere_effects(scene: SphereScene) -> tuple[Effect, ...]:
         Effect("rain", FILLINGS[scene.filling.kind].rains, f"filling.kind: {scene.filling.kind}"),
         Effect("wall pressures every step", record.wall_force_window_s is not None, "record.wall_force_window_s"),
         Effect("energy ledger", record.energy, f"record.energy: {record.energy}"),
+        Effect("several outlets", len(scene.outlets) > 1, f"outlets: {len(scene.outlets)}"),
         Effect("hopper", scene.silo.hopper is not None, "silo.hopper"),
         Effect("walls that move", moves(scene.events), "events: lower_lid, press_lid, move_lid, rotate"),
         Effect("events", len(scene.events) > 1, ", ".join(event.do for event in scene.events)),

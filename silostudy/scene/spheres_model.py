@@ -16,7 +16,7 @@ from silostudy.scene.dem import DEEPEST
 from silostudy.scene.dem_model import step_of
 from silostudy.scene.lid import check_lid, lid_of, moves
 from silostudy.scene.mixture import drawn
-from silostudy.scene.space_silo import SpaceSilo
+from silostudy.scene.space_silo import OUTLET, SpaceSilo
 from silostudy.scene.sphere_events import check_turning, sphere_events
 from silostudy.scene.spheres import contacts_of, grain_of, plane_of_rain, space_silo_of
 
@@ -81,19 +81,24 @@ def check_frictions(scene: SphereScene, where: str) -> None:
 
 def check_outlet(space: SpaceSilo, radii: np.ndarray, where: str) -> None:
     """BadInput where the largest sphere does not pass an outlet, or does not fit the silo at all."""
-    largest, opening = float(radii.max()), space.opening
+    largest = float(radii.max())
     if min(space.plan.half) < largest:
         raise BadInput("sizes", 2e3 * largest, f"mm: a sphere wider than the silo, {2e3 * min(space.plan.half):g} mm", where)
-    if opening is not None and 0.0 < min(opening.half) < largest:
-        raise BadInput("sizes", 2e3 * largest, f"mm: does not pass the outlet, {2e3 * min(opening.half):g} mm", where)
+    for name, opening in space.openings.items():
+        if min(opening.half) < largest:
+            told = f"mm: does not pass the {_called(name)}, {2e3 * min(opening.half):g} mm"
+            raise BadInput("sizes", 2e3 * largest, told, where)
 
 
-def narrow(space: SpaceSilo, radii: np.ndarray) -> str:
-    """A warning where an outlet is so narrow that spheres arch over it; empty where it is not."""
-    opening = space.opening
-    if opening is None or not 0.0 < (across := min(opening.half) / float(radii.max())) < FLOWS:
-        return ""
-    return f"the outlet is {across:.2g} of the largest diameters wide: below {FLOWS:g} or so spheres arch over it and stay"
+def narrow(space: SpaceSilo, radii: np.ndarray) -> list[str]:
+    """A warning for each outlet that is so narrow that spheres arch over it."""
+    across = {name: min(opening.half) / float(radii.max()) for name, opening in space.openings.items()}
+    told = f"of the largest diameters wide: below {FLOWS:g} or so spheres arch over it and stay"
+    return [f"the {_called(name)} is {wide:.2g} {told}" for name, wide in across.items() if wide < FLOWS]
+
+
+def _called(name: str) -> str:
+    return name if name == OUTLET else f"outlet {name}"
 
 
 def check_rain(scene: SphereScene, space: SpaceSilo, radii: np.ndarray, where: str) -> None:

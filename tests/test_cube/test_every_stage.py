@@ -143,7 +143,8 @@ def test_wall_forces_are_selected_by_time_and_wall(paths):
         assert cube.wall_shear_force_max.plot() is not None
         at_slit = cube.where((cube.contact_on_wall == 0) & (cube.contact_snapshot == 1), drop=True)
         assert 0 < at_slit.sizes["contact"] < cube.sizes["contact"]
-        assert cube.stress.sel(way="y", of="y").dims == ("snapshot", "cell_y", "cell_x")
+        upright = cube.field_contact_stress.sel(field_way="y", field_of="y")
+        assert upright.set_index(field_cell=["field_x", "field_y"]).unstack().sizes["field_time"] == 4
     plt.close("all")
 
 

@@ -20,7 +20,7 @@ SMALL = {
     "walls": {"normal_stiffness_N_m2": 1.89e7, "normal_damping_N_s_m2": 7955, "sliding_friction": 0.176},
     "march": {"step_s": 2.5e-5, "limit_s": 1.0},
     "events": [{"when": "time", "value": 0.05, "do": "open_slit"}, {"when": "after", "value": 0.15, "do": "stop"}],
-    "record": {"wall_force_window_s": 0.01, "snapshots_s": [0.05, 0.2], "stress_cells": [3, 5]},
+    "record": {"wall_force_window_s": 0.01, "snapshots_s": [0.05, 0.2], "fields": {"cells": [3, 5], "every_s": 0.05}},
 }
 
 

@@ -26,8 +26,14 @@ REFUSED = {
     "two dampings": ({"discs__damping_ratio": 0.5}, "not more than one"),
     "too many across": ({"packing__across": 9}, "do not fit"),
     "no such file": ({"packing": {"kind": "given", "file": "none.nc"}}, "none.nc"),
-    "no stress cells": ({"record": {"stress_cells": [0, 3]}}, "must be greater than or equal to 1"),
-    "too many stress cells": ({"record": {"stress_cells": [3, 100_000]}}, "must be less than or equal to 1000"),
+    "no cells of fields": ({"record": {"fields": {"cells": [0, 3], "every_s": 0.1}}}, "must be greater than or equal to 1"),
+    "too many cells a way": (
+        {"record": {"fields": {"cells": [3, 9999], "every_s": 0.1}}},
+        "must be less than or equal to 1000",
+    ),
+    "too many cells": ({"record": {"fields": {"cells": [900, 900], "every_s": 0.1}}}, "must be 100000 at most together"),
+    "cells in space": ({"record": {"fields": {"cells": [3, 3, 3], "every_s": 0.1}}}, "must be two, across and up"),
+    "fields too late": ({"record": {"fields": {"cells": [3, 3], "every_s": 99}}}, "must not be longer than march.limit_s"),
     "rest has no value": (
         {"events": [{"when": "rest", "value": 3.0, "do": "stop"}]},
         "value must be left out where when is rest",

@@ -11,6 +11,7 @@ from silostudy.accuracy import cube as accuracy
 from silostudy.choice.expand import expand
 from silostudy.compute.axes import sweep_of
 from silostudy.compute.dem_cube import cube_of as dem_cube
+from silostudy.compute.observers import grid_of
 from silostudy.config.load import read_yaml
 from silostudy.cube.assemble import assemble
 from silostudy.scene.expand import Expansion
@@ -118,7 +119,7 @@ def flow_cube(study: str) -> xr.Dataset:
     expansion = expansion_of(study)
     shape = tuple(len(axis.settings()) for axis in expansion.study.sweep)
     scenes = [case.scene.config for case in expansion.cases]
-    width = np.array([scene.outlet.width_m for scene in scenes])
+    width = np.array([scene.outlets[0].width_m for scene in scenes])
     diameter = np.array([1e-3 * scene.sizes.diameter_mm for scene in scenes])
     flow = (1.0 + 0.02 * np.sin(np.arange(len(width)))) * 2700.0 * (width - 1.5 * diameter) ** 2.5
     numbers = {"mean_mass_flow": flow.reshape(shape), "mean_grain_diameter": diameter.reshape(shape)}
@@ -158,7 +159,8 @@ def cube_of(study: str, stage: str) -> xr.Dataset:
 @cache
 def bin_cube() -> xr.Dataset:
     """The cube of a bin of spheres whose run is made up, so that no kernel is compiled: it rests, opens, and flows."""
-    scene = scene_of(filling={"kind": "loose", "count": 120})
+    asked = {"cells": [4, 6], "every_s": 0.02}
+    scene = scene_of(filling={"kind": "loose", "count": 120}, record__fields=asked)
     task, random = run(scene), np.random.default_rng(1)
     record, model = task.recording, task.engine.model
     cells = len(task.engine.record.window)
@@ -171,6 +173,12 @@ def bin_cube() -> xr.Dataset:
         none = np.empty((0, 8))
         record.snapshots.append(
             {"time": np.array(time), "label": np.arange(120), "motion": motion, "pairs": none, "walls": none}
+        )
+    (fields, *_), cells = task.observers, grid_of(scene, scene.record.fields, model).cells
+    for number in range(4):
+        shapes = (cells,), (cells, 3), (cells, 3, 3), (cells, 3, 3), (cells, 3)
+        record.readings.setdefault(fields.name, []).append(
+            (0.02 * (number + 1), tuple(random.uniform(0.5, 1.0, shape) for shape in shapes))
         )
     return dem_cube(task, scene)
 

@@ -116,4 +116,6 @@ def test_every_output_has_its_file():
             "identification",
             "earthquake",
             "prices",
+            "rings",
+            "only_spheres",
         }

@@ -18,8 +18,9 @@ class Sheet:
         self.bottom = (one.diameter - hopper.outlet_width) / 2 / tan(hopper.half_angle) if hopper else 0.0
         self.top, self.aside = self.bottom + one.wall_depth, one.outlet_eccentricity
         self.low = self.high - (one.diameter - hopper.outlet_width) / 2 * np.array([1, not of.wedge]) if hopper else self.high
-        self.hole = np.array([of.outlet.width, of.outlet.length or of.outlet.width]) / 2 if of.outlet else None
-        self.round = of.outlet is not None and of.outlet.length is None
+        outlet = of.outlets[0] if of.outlets else None
+        self.hole = np.array([outlet.width, outlet.length or outlet.width]) / 2 if outlet else None
+        self.round = outlet is not None and outlet.length is None
         self.opened = opened
 
     def half_at(self, z):

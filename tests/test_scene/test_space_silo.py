@@ -10,11 +10,11 @@ from hypothesis import strategies as st
 from scipy.spatial import cKDTree
 
 from silostudy.dem.space.felt import flat_frame, turned_frame
-from silostudy.dem.space.surfaces import OUT_OF_REACH, TURNED, nearest
-from silostudy.dem.space.walls import walls_of
+from silostudy.dem.space.surfaces import FLAT, NEXT, OUT_OF_REACH, TURNED, nearest, piece_of
+from silostudy.dem.space.walls import FlatPiece, walls_of
 from silostudy.errors import BadInput
 from silostudy.scene.silo import Hopper, Silo
-from silostudy.scene.space_silo import AROUND, FLOOR, LID, Outlet, SpaceSilo
+from silostudy.scene.space_silo import FLOOR, LID, Outlet, SpaceSilo
 from tests.test_scene.sheet import Sheet
 
 WIDE, DEEP, BALL, PRESSED = 0.2, 0.15, 0.01, 0.0098  # m: the silos, a sphere, and its distance from what it is pressed on
@@ -28,7 +28,14 @@ def silo(plan="circular", hopper=None, **changes) -> Silo:
 
 
 def space(plan="circular", hopper=None, outlet=None, wedge=False, **changes) -> SpaceSilo:
-    return SpaceSilo(silo=silo(plan, hopper, **changes), outlet=outlet, wedge=wedge, lid=True)
+    outlets = (outlet,) if outlet else ()
+    return SpaceSilo(silo=silo(plan, hopper, **changes), outlets=outlets, wedge=wedge, lid=True)
+
+
+def floor_with(*outlets) -> SpaceSilo:
+    """A round silo whose flat floor has outlets of a name, width, length and middle."""
+    return SpaceSilo(silo=silo(), outlets=tuple(
+        Outlet(name=name, width=width, length=length, middle=middle) for name, width, length, middle in outlets))  # fmt: skip
 
 
 SPACES = {
@@ -54,17 +61,27 @@ every_silo = pytest.mark.parametrize("of", SPACES.values(), ids=SPACES)
 
 
 def shape_of(of: SpaceSilo, opened: bool) -> np.ndarray:
-    """Rows of the surfaces that stand: at the start, or once the outlet is open."""
-    return walls_of([wall for wall in of.walls() if (wall.name != FLOOR if opened else wall.live)]).shape
+    """Rows of the surfaces that stand: at the start, or once the outlets are open; one row a sheet."""
+    surfaces = [wall for wall in of.walls() if not (opened and of.opening and wall.name == FLOOR)]
+    walls = walls_of(surfaces)
+    for surface, row in zip(surfaces, walls.shape, strict=True):
+        if opened and surface.name == FLOOR and of.outlets:
+            surface.opened(row, tuple(of.openings))
+    return walls.shape
 
 
 def opens(of: SpaceSilo) -> bool:
-    return of.opening is not None and min(of.opening.half) > 0.0
+    return bool(of.openings)
+
+
+def firsts(shape) -> np.ndarray:
+    """Numbers of the surfaces that push: of a sheet the first piece, which stands for all."""
+    return np.setdiff1d(np.arange(len(shape)), [row[NEXT] for row in shape if row[0] == FLAT and row[NEXT]])
 
 
 def vectors(shape, point) -> list[np.ndarray]:
     """Vectors (m) from the nearest points of the surfaces that can be touched from a point."""
-    found = [np.array(nearest(shape, q, *point)[:3]) for q in range(len(shape))]
+    found = [np.array(nearest(shape, q, *point)[:3]) for q in firsts(shape)]
     return [away for away in found if away[0] != OUT_OF_REACH]
 
 
@@ -194,6 +211,8 @@ WAYS = {
     "rim of an eccentric hole": (SPACES["eccentric hole"], arc(0.08, pi / 2, 3 * pi / 2)),
     "rim of a slot": (SPACES["slot in a circle"], np.concatenate([line((0.07, 0.0, PRESSED), (0.055, 0.0, PRESSED)),
                                                                  arc(0.055, pi / 2, 3 * pi / 2)])),
+    "beside the corner of a slot": (SPACES["slot in a circle"], line(
+        (0.07, 0.049, PRESSED), (0.0541, 0.049, PRESSED))),
     "edge of a pyramid": (SPACES["square, pyramid"], line(
         (INNER, INNER, BOTTOM + 0.02), (INNER, INNER, JOINT), (LOW_CORNER, LOW_CORNER, PRESSED * sin(BETA)),
         (LOW_CORNER, LOW_CORNER, -0.01))),
@@ -232,8 +251,9 @@ def test_push_has_no_jump_over_joints(of, way):
         ("square, pyramid", False, (INNER, INNER, JOINT), 4),
         ("square, pyramid", True, (LOW_CORNER, LOW_CORNER, PRESSED * sin(BETA)), 2),
         ("square, wedge", True, (0.0, INNER, BOTTOM + 1e-9), 1),
-        ("slot in a circle", True, (0.055 - 0.007, 0.05 - 0.007, -0.005), 2),
+        ("slot in a circle", True, (0.055 - 0.007, 0.05 - 0.007, -0.005), 1),
         ("slot in a circle", True, (0.055, 0.0, PRESSED), 1),
+        ("slot in a circle", True, (0.055 - 1e-6, 0.05 - 1e-6, PRESSED), 1),
         ("square, pyramid", True, (0.042, 0.03, -0.004), 1),  # from below, outside the rim
         ("square, pyramid", True, (0.042, 0.043, -0.004), 0),  # and outside its corner
         ("octagon, hole", False, (0.0, 0.0, PRESSED), 1),
@@ -245,13 +265,64 @@ def test_as_many_surfaces_push_as_a_sphere_touches(name, opened, point, count):
     assert sum(np.linalg.norm(away) < BALL for away in vectors(shape, point)) == count
 
 
+@pytest.mark.parametrize("inward", [(0.0, 0.0), (1e-12, 1e-12), (1e-4, 3e-4), (3e-4, 1e-4), (-1e-4, 1e-4), (-1e-4, -1e-4)])
+def test_the_corner_of_a_hole_pushes_from_one_nearest_point(inward):
+    """A sphere beside the corner at (0.055, 0.05): from below itself over the floor, else from the nearer side."""
+    shape = shape_of(SPACES["slot in a circle"], True)
+    x, y = np.subtract((0.055, 0.05), inward)
+    nearer = np.zeros(2) if min(inward) <= 0.0 else np.array([-inward[0], 0.0] if inward[0] <= inward[1] else [0.0, -inward[1]])
+    found = push(shape, (x, y, PRESSED))
+    away = np.array([*nearer, PRESSED])
+    assert found == pytest.approx(away * (BALL / np.linalg.norm(away) - 1.0), rel=1e-9)
+
+
+def slanted(*corners) -> tuple[float, ...]:
+    """Corners on a plane that no axis lies in, no number of theirs round."""
+    frame = np.linalg.qr(np.array([(0.3, 0.5, 0.7), (0.2, -0.6, 0.1), (0.9, 0.4, -0.3)]))[0]
+    return [tuple(float(v) for v in frame @ (x, y, 0.02)) for x, y in corners]
+
+
+A, B, C, D = slanted((0.0, 0.0), (0.1, 0.013), (0.11, 0.1), (0.004, 0.09))
+
+
+def test_pieces_of_one_plane_push_once_along_their_joint():
+    """Over the diagonal of a quadrangle of two triangles, where rounding would have it on both or on neither."""
+    shape = walls_of([FlatPiece(name="one", corners=(A, B, C)), FlatPiece(name="two", corners=(A, C, D))]).shape
+    whole = walls_of([FlatPiece(name="whole", corners=(A, B, C, D))]).shape
+    normal = np.cross(np.subtract(B, A), np.subtract(D, A))
+    normal /= np.linalg.norm(normal)
+    for share in np.linspace(0.0, 1.0, 501):
+        point = np.array(A) + share * np.subtract(C, A) + PRESSED * normal
+        assert push(shape, point) == pytest.approx((BALL - PRESSED) * normal, rel=1e-9)
+    for point in np.random.default_rng(3).uniform(-0.02, 0.13, (500, 3)):
+        assert nearest(shape, 0, *point) == pytest.approx(nearest(whole, 0, *point), abs=1e-12)
+
+
+def test_a_floor_of_several_outlets():
+    """Each opens alone; a point over the floor is as far from it as from the nearest point that is left."""
+    of = floor_with(("round", 0.05, None, (-0.05, 0.0)), ("slot", 0.03, 0.08, (0.02, 0.01)), ("small", 0.02, None, (0.07, 0.0)))
+    surface, rows, points = of.walls()[0], walls_of(of.walls()).shape, np.random.default_rng(5).uniform(-0.07, 0.07, (300, 3))
+    holes = {"round": lambda x, y: hypot(x + 0.05, y) < 0.025,
+             "slot": lambda x, y: abs(x - 0.02) < 0.015 and abs(y - 0.01) < 0.04,
+             "small": lambda x, y: hypot(x - 0.07, y) < 0.01}  # fmt: skip
+    grid = np.array([(x, y) for x in np.arange(-0.1, 0.1, 0.0013) for y in np.arange(-0.1, 0.1, 0.0013) if hypot(x, y) < 0.1])
+    for opened in ((), ("slot",), ("slot", "round", "small")):
+        surface.opened(rows[0], opened)
+        left = np.array([not any(holes[name](*point) for name in opened) for point in grid])
+        tree = cKDTree(np.c_[grid[left], np.zeros(left.sum())])
+        for point in points:
+            away = np.array(nearest(rows, 0, *point)[:3])
+            assert tree.query(point)[0] == pytest.approx(np.linalg.norm(away), abs=0.0015)
+            x, y, z = point - away
+            assert z == 0.0
+            assert not any(holes[name](x * (1.0 - 1e-9), y) and holes[name](x * (1.0 + 1e-9), y) for name in opened)
+
+
 def test_names_of_the_surfaces():
     names = {name: [wall.name for wall in of.walls()] for name, of in SPACES.items()}
     assert names["cone"] == [FLOOR, "hopper", "wall", LID]
     assert names["cone to its apex"] == ["hopper", "wall", LID]
-    assert names["square, hole"] == [FLOOR, AROUND, *(f"wall_{k}" for k in range(1, 5)), LID]
-    assert SPACES["slot in a circle"].waiting == (AROUND, "rim_1", "rim_2", "rim_3", "rim_4")
-    assert SPACES["cone"].waiting == ()
+    assert names["square, hole"] == [FLOOR, *(f"wall_{k}" for k in range(1, 5)), LID]
     assert {wall.cells for wall in SPACES["square, pyramid"].walls((3, 5))} == {(3, 5)}
 
 
@@ -261,11 +332,12 @@ def test_cells_cover_the_surfaces(of):
     walls = of.walls()
     shape, random = walls_of(walls).shape, np.random.default_rng(7)
     for point in random.uniform((-0.1, -0.1, 0.0), (0.1, 0.1, of.top), (40, 3)):
-        for q in range(len(walls)):
+        for q in firsts(shape):
             away = np.array(nearest(shape, q, *point)[:3])
             if away[0] != OUT_OF_REACH:
                 frame = turned_frame if shape[q, 0] == TURNED else flat_frame
-                first, second, up = frame(shape, q, *(point - away))
+                piece = piece_of(shape, q, *point) if shape[q, 0] == FLAT else q
+                first, second, up = frame(shape, piece, *(point - away))
                 assert min(first, second) >= -1e-9
                 assert max(first, second) <= 1.0 + 1e-9
                 assert np.linalg.norm(up) == pytest.approx(1.0)
@@ -288,13 +360,21 @@ def test_cells_cover_the_surfaces(of):
         (lambda: space("square", CONE, outlet_eccentricity=0.058), "silo.hopper = .* 1.1 degrees off the wall above it"),
         (lambda: space(hopper=CONE, wedge=True), "wedge = True: stands below a square or rectangular plan, not a circular one"),
         (lambda: space(wedge=True), "wedge = True: is a hopper's"),
-        (lambda: space(hopper=CONE, outlet=Outlet(width=0.05)), "outlet = .* the hopper has its own"),
-        (lambda: space(outlet=Outlet(width=0.2)), "outlet.width = 0.2: must be above 0 and below .* 0.2 m"),
-        (lambda: space(outlet=Outlet(width=0.0)), "outlet.width = 0.0: must be above 0"),
-        (lambda: space("square", outlet=Outlet(width=0.1, length=0.21)), "outlet.length = 0.21: .* below .* 0.2 m"),
+        (lambda: space(hopper=CONE, outlet=Outlet(width=0.05)), "outlets = .* the hopper has its own"),
+        (lambda: space(outlet=Outlet(width=0.2)), "outlets.0.width_m = 0.2: must be above 0 and below .* 0.2 m"),
+        (lambda: space(outlet=Outlet(width=0.0)), "outlets.0.width_m = 0.0: must be above 0"),
+        (lambda: space("square", outlet=Outlet(width=0.1, length=0.21)), "outlets.0.length_m = 0.21: .* below .* 0.2 m"),
         (lambda: space(outlet=Outlet(width=0.1), outlet_eccentricity=0.05), "eccentricity = 0.05: .* leave the floor"),
         (lambda: space(outlet=Outlet(width=0.15, length=0.15)), "the outlet must not leave the floor"),
         (lambda: space("square", outlet=Outlet(width=0.1, length=0.2), outlet_eccentricity=0.06), "must not leave the floor"),
+        (lambda: floor_with(("a", 0.04, None, (0.07, 0.05))),
+         "outlets.0.middle_m = .0.07, 0.05.: the outlet must not leave the floor, .* 0.006"),
+        (lambda: floor_with(("a", 0.04, None, (0.0, 0.0)), ("b", 0.04, None, (0.03, 0.0))),
+         "outlets = 'a, b': must not overlap or touch, and do by 0.01 m"),
+        (lambda: floor_with(("a", 0.04, None, (0.0, 0.0)), ("b", 0.04, 0.02, (0.03, 0.02))),
+         "outlets = 'a, b': must not overlap or touch, and do by 0.005858 m"),
+        (lambda: floor_with(("a", 0.04, None, (0.0, 0.0)), ("a", 0.02, None, (0.05, 0.0))),
+         "each outlet needs a name of its own"),
         (lambda: space(wall_depth=0.0), "silo.wall_depth = 0.0: the vertical walls must have a height"),
     ],
 )  # fmt: skip

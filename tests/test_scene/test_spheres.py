@@ -22,6 +22,10 @@ from tests.conftest import ROOT
 from tests.test_spheres.small import content, scene_of
 
 STOP = {"when": "rest", "do": "stop"}
+OPEN = {"when": "rest", "do": "open_outlet"}
+TWO = {"silo__hopper": None,
+       "outlets": [{"name": "a", "width_m": 0.02, "middle_m": [0.015, 0.0]},
+                   {"name": "b", "width_m": 0.018, "length_m": 0.02, "middle_m": [-0.015, 0.0]}]}  # fmt: skip
 OUTLET = Outlet(width=0.1)
 CONE = Hopper(half_angle=radians(30.0), outlet_width=0.08)
 
@@ -133,10 +137,9 @@ def test_a_sieve_curve_gives_its_shares_of_mass():
         (SpaceSilo(silo=Silo(plan="circular", diameter=0.2, wall_depth=0.3, hopper=CONE)), "wall", pi * 0.2 * 0.3),
         (SpaceSilo(silo=Silo(plan="circular", diameter=0.2, wall_depth=0.3, hopper=CONE)), "hopper", pi * 0.14 * 0.12),
         (SpaceSilo(silo=Silo(plan="square", diameter=0.2, wall_depth=0.3, hopper=CONE)), "hopper_1", 0.14 * 0.12),
-        (SpaceSilo(silo=Silo(plan="square", diameter=0.2, wall_depth=0.3), outlet=OUTLET), "floor_around",
-         0.04 - pi * 0.0025),
-        (SpaceSilo(silo=Silo(plan="circular", diameter=0.2, wall_depth=0.3, outlet_eccentricity=0.02), outlet=OUTLET),
-         "floor_around", pi * (0.01 - 0.0025)),
+        (SpaceSilo(silo=Silo(plan="square", diameter=0.2, wall_depth=0.3), outlets=(OUTLET,)), "floor", 0.04),
+        (SpaceSilo(silo=Silo(plan="circular", diameter=0.2, wall_depth=0.3, outlet_eccentricity=0.02), outlets=(OUTLET,)),
+         "floor", pi * 0.01),
         (SpaceSilo(silo=Silo(plan="polygonal", diameter=0.2, wall_depth=0.3, sides=6)), "floor", 6 * 0.01 * tan(pi / 6)),
     ],
 )  # fmt: skip
@@ -172,8 +175,15 @@ def test_the_example_scene_is_valid(capsys):
     ("changes", "message"),
     [
         ({"silo__hopper__outlet_width_m": 0.07}, "silo.hopper.outlet_width_m = 0.07: must be smaller than the silo's width"),
-        ({"silo__hopper": None, "outlet": {"width_m": 0.07}}, "outlet.width = 0.07: must be above 0 and below"),
+        ({"silo__hopper": None, "outlets": [{"width_m": 0.07}]}, "outlets.0.width_m = 0.07: must be above 0 and below"),
         ({"silo__hopper": None}, "open_outlet needs an outlet"),
+        (TWO | {"events": [{"when": "rest", "do": "open_outlet", "outlets": ["c"]}, STOP]},
+         "events.0.outlets: c is unknown; known: a, b"),
+        (TWO | {"events": [OPEN, {"when": "after", "do": "open_outlet", "outlets": ["b"]}, STOP]}, "events.1 opens nothing"),
+        ({"events": [OPEN, OPEN, STOP]}, "events.1 opens nothing: open by then"),
+        ({"events": [{"when": "rest", "do": "open_outlet", "outlets": ["a"]}, STOP]}, "a is unknown; known: none by name"),
+        (TWO | {"events": [{"when": "rest", "do": "stop", "outlets": ["b"]}]}, "stop takes no outlets; it takes nothing"),
+        (TWO | {"sizes__diameter_mm": 19}, "sizes = 19.0: mm: does not pass the outlet b, 18 mm"),
         ({"filling__height_m": 0.2}, "filling.height_m = 0.2: must be from 0.004 to .* the plane lies outside the silo"),
         ({"filling__height_m": 0.001}, "filling.height_m = 0.001: must be from"),
         ({"filling__count": 2000}, "filling.count = 2000: no room below the plane for more than 797 of these spheres"),

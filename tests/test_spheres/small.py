@@ -26,7 +26,13 @@ SMALL = {
     "march": {"limit_s": 1.0},
     "rest": {"criterion": "unbalanced-force", "below": 2e-3},
     "events": [{"when": "rest", "do": "open_outlet"}, {"when": "after", "value": 0.15, "do": "stop"}],
-    "record": {"wall_force_window_s": 0.02, "pressure_cells": [4, 6], "snapshots_s": [0.05, 0.2]},
+    "record": {
+        "wall_force_window_s": 0.02,
+        "pressure_cells": [4, 6],
+        "snapshots_s": [0.05, 0.2],
+        "fields": {"cells": [3, 24], "every_s": 0.05},
+        "contact_statistics": {"every_s": 0.05},
+    },
 }
 
 

@@ -6,6 +6,7 @@ import pytest
 from silostudy.contact import elastic
 from silostudy.dem.engine import Engine
 from silostudy.dem.space.surfaces import nearest
+from silostudy.dem.space.walls import FlatPiece
 from silostudy.scene.silo import Hopper, Silo
 from silostudy.scene.space_silo import FLOOR, SpaceSilo
 from tests.test_spheres.scenes import INERTIA, MASS, MODULUS, POISSON, RADIUS, contact, rows, spheres
@@ -57,3 +58,26 @@ def test_over_joint_and_rim(friction):
         assert np.ptp(energy) < 1e-3 * fallen
     size, change = np.linalg.norm(force, axis=1), np.linalg.norm(np.diff(force, axis=0), axis=1)
     assert change.max() < 0.05 * size.max()
+
+
+def test_rolling_over_a_joint_in_one_plane():
+    """As on the undivided plane: no jump in force, the whole history kept, and each piece feels what acts on it."""
+    a, b, c, d = ((-0.01, -0.02, 0.0), (0.05, -0.02, 0.0), (0.05, 0.02, 0.0), (-0.01, 0.02, 0.0))
+    halves = FlatPiece(name="one", corners=(a, b, c)), FlatPiece(name="two", corners=(a, c, d))
+    touch, start = contact(friction=0.5), (0.0, -0.010, 0.999 * RADIUS)
+    whole, parted = (
+        Engine(spheres([start], walls=walls, wall_contact=touch, gravity=tuple(PULL), dt=4e-6))
+        for walls in ((FlatPiece(name="whole", corners=(a, b, c, d)),), halves)
+    )
+    over = []
+    for step in range(2500, 25001, 2500):
+        whole.step_to(step)
+        parted.step_to(step)
+        (row,), (same,) = rows(parted), rows(whole)
+        assert row == pytest.approx(same, rel=1e-9, abs=1e-12)
+        over.append((row[1] - a[1]) / (row[0] - a[0]) > 0.04 / 0.06)
+    assert over[0]
+    assert not over[-1]
+    felt, all_of_it = (engine.record.window[:, :, 0] for engine in (parted, whole))
+    assert (felt[:, 0] > 0.2 * all_of_it[0, 0]).all()
+    assert felt[:, 0].sum() == pytest.approx(all_of_it[0, 0], rel=1e-9)

@@ -18,7 +18,8 @@ from silostudy.tables.constants import ROUNDED_GRAVITY as GRAVITY
 from tests.test_spheres.small import carried, content, run, scene_of
 
 pytestmark = pytest.mark.long
-SAME = ("grain_x", "grain_spin_y", "outflow_time", "outflow_mass", "wall_pressure_max", "surface_cross_force", "contact_load_z")
+SAME = ("grain_x", "grain_spin_y", "outflow_time", "outflow_mass", "wall_pressure_max", "surface_cross_force", "contact_load_z",
+        "field_contact_stress", "field_velocity", "contact_fabric", "contact_sliding")  # fmt: skip
 
 
 @pytest.fixture(scope="module")
@@ -53,6 +54,31 @@ def test_cells_add_up_to_surfaces_and_pressures_are_forces_over_areas(cube):
     assert np.allclose(force.transpose("window_time", "wall_name"), total, rtol=1e-12, atol=0.0)
     assert (cube.wall_pressure_max >= cube.wall_pressure_mean).all()
     assert float(cube.wall_pressure_min.min()) == 0.0
+
+
+def test_fields_hold_the_mass_and_balance_in_every_slice(cube):
+    """At rest the stress across a slice is the weight above it less what walls and floor bear."""
+    rest = cube.sel(field_time=float(cube.event_time[0]), method="ffill").set_index(field_cell=["field_z", "field_r"])
+    rest = rest.unstack("field_cell")
+    volume, weight = rest.field_cell_volume, GRAVITY * float(cube.grain_mass.sum())
+    assert float((rest.field_density * volume).sum()) == pytest.approx(float(cube.grain_mass.sum()), rel=1e-12)
+    load = ((rest.field_density * GRAVITY - rest.field_wall_force.sel(field_way="z")) * volume).sum("field_r")
+    assert abs(float(load.sum())) < 3e-3 * weight
+    above = load[::-1].cumsum("field_z")[::-1] - 0.5 * load
+    high = float(rest.field_z[1] - rest.field_z[0])
+    stress = rest.field_contact_stress + rest.field_kinetic_stress
+    carried = (stress.sel(field_way="z", field_of="z") * volume).sum("field_r") / high
+    assert float(np.abs(carried - above).max()) < 0.02 * weight
+    assert float(carried.max()) > 0.3 * weight
+
+
+def test_statistics_of_contacts(cube):
+    assert np.allclose(np.trace(cube.contact_fabric, axis1=1, axis2=2)[1:], 1.0)
+    rest = cube.sel(statistics_time=float(cube.event_time[0]), method="ffill")
+    assert 3.5 < float(rest.contact_coordination) < 6.5
+    assert float(rest.contact_held_coordination) > float(rest.contact_coordination) - 1e-12
+    assert float(rest.contact_sliding) < 0.1 < float(cube.contact_sliding[-1])
+    assert 0.0 < float(rest.contact_mean_overlap) < float(rest.contact_deepest_overlap) < 0.05
 
 
 def test_the_meter_counts_spheres_at_the_outlet(cube, small):
@@ -175,3 +201,51 @@ def test_spheres_of_many_sizes_come_to_rest_and_carry_their_weight(sizes):
     assert not whole.trouble
     load = cube_of(whole, scene).surface_load.sum("surface")
     assert float(load[-1]) == pytest.approx(GRAVITY * whole.engine.mass.sum(), rel=5e-3)
+
+
+TWO = {
+    "silo__hopper": None,
+    "silo__diameter_m": 0.08,
+    "outlets": [
+        {"name": "round", "width_m": 0.034, "middle_m": [0.02, 0.0]},
+        {"name": "slot", "width_m": 0.03, "length_m": 0.04, "middle_m": [-0.018, 0.0]},
+    ],
+    "events": [
+        {"when": "rest", "do": "open_outlet", "outlets": ["slot"]},
+        {"when": "after", "value": 0.1, "do": "open_outlet", "outlets": ["round"]},
+        {"when": "after", "value": 0.1, "do": "stop"},
+    ],
+    "record__snapshots_s": [0.1],
+}
+
+
+@pytest.fixture(scope="module")
+def two():
+    scene = scene_of(**TWO)
+    whole = carried(scene)
+    assert not whole.trouble
+    return cube_of(whole, scene)
+
+
+def test_outlets_open_by_name_and_each_has_its_meter(two):
+    slot, later, _ = two.event_time.values
+    assert two.event_action.values.tolist()[:2] == ["rest: open slot", "after: open round"]
+    assert two.outlet_opened.sel(outlet=["slot", "round"]).values.tolist() == [slot, later]
+    assert np.allclose(two.outlet_outflow_mass.sum("outlet"), two.outflow_mass, rtol=1e-12)
+    through = two.outlet_outflow_mass.sel(outlet="round")
+    assert float(through.where(two.outflow_time < later).max()) == 0.0
+    mass = float(two.grain_mass[0])
+    assert float(through[-1]) > 8.0 * mass
+    assert float(two.outlet_outflow_mass.sel(outlet="slot").where(two.outflow_time < later).max()) > 8.0 * mass
+    assert float(two.surface_load.sel(surface="floor")[-1]) > 0.0
+
+
+@pytest.mark.parametrize(("threads", "later"), [(2, -0.01), (1, 0.05)])  # before the first opens, and between both
+def test_outlets_in_any_way_of_carrying_out(two, threads, later):
+    scene = scene_of(**TWO)
+    begun, resumed = run(scene), run(scene, threads=threads)
+    begun.go(until=round((float(two.event_time[0]) + later) / begun.engine.model.dt))
+    assert len(begun.recording.happened) == (later > 0.0)
+    resumed.restore(pickle.loads(pickle.dumps(begun.checkpoint())))
+    resumed.go()
+    same(two, cube_of(resumed, scene))

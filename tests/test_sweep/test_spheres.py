@@ -23,10 +23,10 @@ OUTLETS = ROOT / "config/studies/wheat-bin-outlets.yaml"
 
 def save(folder, outlets=(0.03, 0.05), seeds=(1, 2), **changes):
     """A sweep of the tests' small bin with a flat floor, over its outlet and the filling."""
-    scene = copy.deepcopy(SMALL) | {"outlet": {"width_m": 0.03}} | changes
+    scene = copy.deepcopy(SMALL) | {"outlets": [{"width_m": 0.03}]} | changes
     scene["silo"] = {"plan": "circular", "diameter_m": 0.06, "cylinder_depth_m": 0.1}
     scene["record"] = {"wall_force_window_s": 0.02}
-    axes = [{"axis": "outlet_width", "values": {"outlet.width_m": list(outlets)}},
+    axes = [{"axis": "outlet_width", "values": {"outlets.0.width_m": list(outlets)}},
             {"axis": "filling", "values": {"seed": list(seeds)}}]  # fmt: skip
     path = folder / "bins.yaml"
     path.write_text(yaml.safe_dump({"kind": "scenes", "title": "bins", "scene": scene, "sweep": axes}))
@@ -48,8 +48,20 @@ def test_mistakes_are_told_by_the_keys_of_the_scene(tmp_path):
 
 def test_an_axis_may_be_any_key_of_the_scene():
     cases = expand_file(OUTLETS).cases
-    assert [case.scene.config.outlet.width_m for case in cases[::3]] == [0.036, 0.042, 0.048, 0.054, 0.06]
+    assert [case.scene.config.outlets[0].width_m for case in cases[::3]] == [0.036, 0.042, 0.048, 0.054, 0.06]
     assert {case.scene.config.seed for case in cases} == {1, 2, 3}
+
+
+def test_an_axis_may_lead_into_a_list(tmp_path):
+    path = save(tmp_path)
+    for key, said in (
+        ("outlets.1.width_m", "1 is no group of keys"),
+        ("outlets.0", "0 is no key of the scene: it stands in a list"),
+    ):
+        path.write_text(path.read_text().replace("outlets.0.width_m", key))
+        with pytest.raises(BadInput, match=said):
+            expand_file(path)
+        save(tmp_path)
 
 
 @pytest.mark.long

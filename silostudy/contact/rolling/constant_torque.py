@@ -26,4 +26,5 @@ ROW = RollingLaw(
     law=law,
     coefficients=(spring_slider.FRICTION,),
     dissipates=("dashpot",),
+    restless=True,
 )

@@ -14,6 +14,7 @@ ROW = TwistingLaw(
     source=constant_torque.ROW.source,
     locator="model A, about the normal",
     law=constant_torque.law,
+    restless=True,
     coefficients=(FRICTION,),
     dissipates=constant_torque.ROW.dissipates,
 )

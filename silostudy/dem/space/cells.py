@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from silostudy.dem.space.level import LevelPiece, Outline, Rim
+from silostudy.dem.space.level import LevelPiece, Outline
 from silostudy.dem.space.surfaces import ACROSS, CIRCLE, NORMAL, UPWARD
 from silostudy.dem.space.walls import FlatPiece, TurnedLine
 
@@ -28,7 +28,7 @@ def _(surface: TurnedLine) -> np.ndarray:
 
 
 @middles.register
-def _(surface: FlatPiece | LevelPiece | Rim) -> np.ndarray:
+def _(surface: FlatPiece | LevelPiece) -> np.ndarray:
     up, across, origin = _plane(surface)
     along, around = (middle.ravel() for middle in np.meshgrid(*map(_parts, surface.cells), indexing="ij"))
     return origin + np.outer(up[3] + along * up[4], up[:3]) + np.outer(across[3] + around * across[4], across[:3])
@@ -36,8 +36,8 @@ def _(surface: FlatPiece | LevelPiece | Rim) -> np.ndarray:
 
 @singledispatch
 def areas(surface: Any) -> np.ndarray:
-    """Area (m2) of each cell, as middles are counted; nan for a line, which has none."""
-    return np.full(int(np.prod(surface.cells)), np.nan)
+    """Area (m2) of each cell, as middles are counted; of a floor with its outlets shut."""
+    raise TypeError(type(surface))
 
 
 @areas.register
@@ -60,26 +60,20 @@ def _(surface: FlatPiece) -> np.ndarray:
 @areas.register
 def _(surface: LevelPiece) -> np.ndarray:
     up, across, _ = _plane(surface)
-
-    def within(outline: Outline) -> np.ndarray:
-        corners = polygon(outline)[:, ::-1] - [up[3], across[3]]
-        return _in_cells(corners, up[4], across[4], surface.cells)
-
-    return within(surface.outline) - (within(surface.hole) if surface.hole else 0.0)
+    corners = polygon(surface.outline)[:, ::-1] - [up[3], across[3]]
+    return _in_cells(corners, up[4], across[4], surface.cells)
 
 
 def uprightness(surface: Any, roof: bool = False) -> tuple[float, float]:
-    """Vertical components (1) of the normal towards the solid, and of the upward direction along the surface; nan of a line."""
+    """Vertical components (1) of the normal towards the solid, and of the upward direction along the surface."""
     if isinstance(surface, TurnedLine):
         (r0, z0), (r1, z1) = surface.start, surface.end
         length = float(np.hypot(r1 - r0, z1 - z0))
         return (-1.0 if roof else (r1 - r0) / length), abs(z1 - z0) / length
     if isinstance(surface, LevelPiece):
         return (-1.0 if roof else 1.0), 0.0
-    if isinstance(surface, FlatPiece):
-        row = surface.shape
-        return float(row[NORMAL + 2]), float(row[UPWARD + 2])
-    return np.nan, np.nan
+    row = surface.shape
+    return float(row[NORMAL + 2]), float(row[UPWARD + 2])
 
 
 def polygon(outline: Outline) -> np.ndarray:
@@ -96,7 +90,7 @@ def _parts(count: int) -> np.ndarray:
     return (np.arange(count) + 0.5) / count
 
 
-def _plane(surface: FlatPiece | LevelPiece | Rim) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+def _plane(surface: FlatPiece | LevelPiece) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Of a flat surface: unit vector, least coordinate and length (m) upward and across, and its point nearest the origin."""
     row = surface.shape
     up, across = row[UPWARD : UPWARD + 5], row[ACROSS : ACROSS + 5]

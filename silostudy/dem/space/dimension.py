@@ -42,7 +42,7 @@ from silostudy.dem.space.motion import (
     whole,
 )
 from silostudy.dem.space.network import all_from_wall, bent, densest, tangents
-from silostudy.dem.space.surfaces import RISE, height_of, lift, motion_of, nearest
+from silostudy.dem.space.surfaces import RISE, height_of, lift, motion_of, nearest, widen
 from silostudy.dem.space.walls import beside, cell_count, extents, walls_of
 
 SPACE = Dimension(
@@ -70,6 +70,7 @@ SPACE = Dimension(
     rise=RISE,
     height_of=height_of,
     motion_of=motion_of,
+    widen=widen,
     lift=lift,
     walls_of=walls_of,
     cell_count=cell_count,

@@ -30,6 +30,7 @@ from silostudy.dem.space.surfaces import (
     ALONG_Z,
     AXIS_X,
     AXIS_Y,
+    FLAT,
     LENGTH,
     RISE,
     START_R,
@@ -38,6 +39,7 @@ from silostudy.dem.space.surfaces import (
     TURNED,
     UPWARD,
     nearest,
+    piece_of,
 )
 
 force_of = three(FORCE_X)  # N, on the sphere
@@ -138,6 +140,7 @@ def note_walls(rows, walls, near, start, count, force, record, part):
         if walls.shape[q, 0] == TURNED:
             share, turn, (ux, uy, uz) = turned_frame(walls.shape, q, px, py, pz)
         else:
+            q = piece_of(walls.shape, q, x, y, z) if walls.shape[q, 0] == FLAT else q
             share, turn, (ux, uy, uz) = flat_frame(walls.shape, q, px, py, pz)
         fx, fy, fz = (
             force[0, FORCE_X * STRETCH + k],

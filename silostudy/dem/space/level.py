@@ -1,26 +1,30 @@
-"""Level surfaces of a scene of spheres: pieces inside an outline and outside a hole, and the rims of rectangular holes."""
+"""Level surfaces of a scene of spheres: pieces inside an outline and outside their holes."""
 
 from dataclasses import dataclass
-from math import cos, hypot, pi, sin, tan
+from math import cos, hypot, nan, pi, sin, sqrt, tan
 
 import numpy as np
 
 from silostudy.dem.space.surfaces import (
     ACROSS,
     CIRCLE,
-    COLUMNS,
+    FULL,
+    GROWTH,
     HEIGHT,
-    HOLE,
+    HOLES,
     LEVEL,
-    NO_HOLE,
+    MORE,
+    OPEN,
     OUTLINE,
+    PER_HOLE,
     RECTANGLE,
     RIM,
     UPWARD,
-    WAY,
 )
 from silostudy.dem.space.walls import Surface
 from silostudy.errors import BadInput
+
+ENDLESS = 1e9  # m: half length of a hole that runs from wall to wall
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -93,6 +97,22 @@ class Outline:
             return self.half[0] - hypot(*other.middle) - other.half[0]
         return self.half[0] - max(hypot(*corner) for corner in other.corners)
 
+    def gap_to(self, other: "Outline") -> float:
+        """Distance (m) to another circle or rectangle beside it; negative where they overlap, when it is no distance."""
+        apart = np.abs(np.subtract(self.middle, other.middle))
+        cores = [0.0 if of.sides == CIRCLE else np.array(of.half) for of in (self, other)]
+        beyond = apart - cores[0] - cores[1]
+        away = float(np.hypot(*np.maximum(beyond, 0.0))) or float(beyond.max())
+        return away - sum(of.half[0] for of in (self, other) if of.sides == CIRCLE)
+
+    @property
+    def chord(self) -> tuple[float, float]:
+        """Where the x axis cuts a circle or a rectangle (m); nan where it does not."""
+        (x, y), (a, b) = self.middle, self.half
+        inside = a * a - y * y if self.sides == CIRCLE else (a * a if abs(y) < b else -1.0)
+        half = sqrt(inside) if inside > 0.0 else nan
+        return x - half, x + half
+
     @property
     def box(self) -> np.ndarray:
         """Opposite corners (2, 2) of a box around it, m."""
@@ -101,60 +121,45 @@ class Outline:
         return np.array([(x - a, y - b), (x + a, y + b)])
 
 
-def framed(row: np.ndarray, upward: tuple, heights: tuple, across: tuple, widths: tuple) -> np.ndarray:
-    """The row with the unit vectors that its cells run along, each with the least coordinate and the length (m) along it."""
-    row[UPWARD : UPWARD + 5], row[ACROSS : ACROSS + 5] = (*upward, *heights), (*across, *widths)
-    return row
+@dataclass(frozen=True, kw_only=True)
+class Hole:
+    """A hole in a level piece, shut until it is opened."""
+
+    name: str
+    outline: Outline
 
 
 @dataclass(frozen=True, kw_only=True)
 class LevelPiece(Surface):
-    """What lies in a level plane inside an outline, all of it joined to other surfaces, and outside a hole.
+    """What lies in a level plane inside an outline, all of it joined to other surfaces, and outside its open holes.
 
-    A circular hole pushes as an edge; the sides of a rectangular one are rims.  Cells along run with y, cells around with x.
+    A hole as long as the outline runs from wall to wall: it has no ends.  Cells along run with y, cells around with x.
     """
 
     height: float
     outline: Outline
-    hole: Outline | None = None
+    holes: tuple[Hole, ...] = ()
 
     @property
     def shape(self) -> np.ndarray:
         """Its row."""
-        row, ((x, y), (right, back)) = np.zeros(COLUMNS), self.outline.box
-        row[0], row[HEIGHT], row[OUTLINE : OUTLINE + 5] = LEVEL, self.height, self.outline.row
-        row[HOLE : HOLE + 5] = self.hole.row if self.hole else NO_HOLE
-        return framed(row, (0.0, 1.0, 0.0), (y, back - y), (1.0, 0.0, 0.0), (x, right - x))
+        row, ((x, y), (right, back)) = np.zeros(MORE + PER_HOLE * len(self.holes)), self.outline.box
+        row[0], row[HEIGHT], row[OUTLINE : OUTLINE + 5], row[HOLES] = LEVEL, self.height, self.outline.row, len(self.holes)
+        holes = row[MORE:].reshape(-1, PER_HOLE)
+        for of, hole in zip(holes, (hole.outline for hole in self.holes), strict=True):
+            of[RIM : RIM + 5], of[FULL] = hole.row, hole.half[0]
+            of[RIM + 4] = ENDLESS if hole.half[1] >= self.outline.half[1] else of[RIM + 4]
+        row[UPWARD : UPWARD + 5], row[ACROSS : ACROSS + 5] = (0.0, 1.0, 0.0, y, back - y), (1.0, 0.0, 0.0, x, right - x)
+        return row
+
+    def opened(self, row: np.ndarray, names: tuple[str, ...], speed: float) -> None:
+        """Open the holes of these names in its row: at a speed (m/s) of their width along x, or at once where that is none."""
+        for of, hole in zip(row[MORE:].reshape(-1, PER_HOLE), self.holes, strict=False):
+            if hole.name in names:
+                of[OPEN], of[GROWTH] = 1.0, speed / 2.0
+                of[RIM + 3] = 0.0 if speed > 0.0 else hole.outline.half[0]
 
     @property
     def corners(self) -> np.ndarray:
         """Corners (n, 3) of a box around it, m."""
         return np.column_stack([self.outline.box, [self.height] * 2])
-
-
-@dataclass(frozen=True, kw_only=True)
-class Rim(Surface):
-    """One side of a rectangular hole in a level piece: a line that pushes spheres whose middle is over the hole.
-
-    side: 0 the one that faces x, the others counter-clockwise.  Cells around run along it.
-    """
-
-    height: float
-    hole: Outline
-    side: int
-
-    @property
-    def shape(self) -> np.ndarray:
-        """Its row."""
-        row, way = np.zeros(COLUMNS), ((1.0, 0.0), (0.0, 1.0), (-1.0, 0.0), (0.0, -1.0))[self.side]
-        row[0], row[HEIGHT], row[HOLE : HOLE + 5] = RIM, self.height, self.hole.row
-        row[WAY : WAY + 3] = *way, self.hole.half[self.side % 2]
-        along, length = (-way[1], way[0], 0.0), 2.0 * self.hole.half[1 - self.side % 2]
-        first = along[0] * self.hole.middle[0] + along[1] * self.hole.middle[1] - 0.5 * length
-        return framed(row, (0.0, 0.0, 1.0), (self.height, 1.0), along, (first, length))
-
-    @property
-    def corners(self) -> np.ndarray:
-        """Its two ends, m."""
-        ends = [self.hole.corners[self.side], self.hole.corners[(self.side + 1) % 4]]
-        return np.column_stack([ends, [self.height] * 2])

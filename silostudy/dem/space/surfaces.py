@@ -1,13 +1,14 @@
-"""Walls of space: surfaces of a straight line turned about an upright axis, flat pieces, level pieces and their rims; a sphere
+"""Walls of space: surfaces of a straight line turned about an upright axis, flat pieces, and level pieces with holes; a sphere
 is pushed from their nearest point.
 
 A turned line is a cylinder, a cone, a ring or a disc by where it stands; its ends are circles, which push in any direction
-that they are touched from.  Flat pieces are convex polygons of three or four corners.  A level piece is what lies inside an
-outline and outside a hole; each side of a rectangular hole is a rim of its own, since a sphere may lie on two of them.
+that they are touched from.  Flat pieces are convex polygons; those that meet in one plane are one sheet, which pushes a sphere
+once and keeps its history over their joints.  A level piece is what lies inside an outline and outside its open holes, which
+do not overlap: it pushes once too, from its plane or from the nearest point of a hole's rim.
 
 Passages are smooth but for two: a joint of surfaces that differ by an angle t in direction, once a sphere is pressed in by more
-than 1/cos(t) - 1 of its radius; and a corner of a rectangular hole, where a sphere that comes from the level piece finds the
-second rim at once if that is nearer than the radius of its contact.
+than 1/cos(t) - 1 of its radius; and the corner of a rectangular hole, where the direction turns at once from one side's to the
+other's at equal distances from both.
 """
 
 from math import atan2, cos, floor, pi, sin, sqrt
@@ -17,16 +18,17 @@ from numba import njit
 
 from silostudy.dem.cache import OPTIONS
 
-TURNED, FLAT, LEVEL, RIM = 0.0, 1.0, 2.0, 3.0  # kinds of surface, in the first column of their shapes
+TURNED, FLAT, LEVEL = 0.0, 1.0, 2.0  # kinds of surface, in the first column of their shapes
 JOINED, OUT_OF_REACH = 1.0, 1e30
 AXIS_X, AXIS_Y, START_R, START_Z, ALONG_R, ALONG_Z, LENGTH, START_END, END_END = range(1, 10)  # columns of a turned line
-COUNT, NORMAL, CORNERS, SIDES = 1, 2, 5, 17  # columns of a flat piece: corners, unit normal, their places, joined sides
-ACROSS, UPWARD = 21, 26  # of a flat piece: unit vectors in its plane, each followed by its least coordinate and its length
-HEIGHT, OUTLINE, HOLE = 1, 4, 9  # of a level piece: its height, then outlines of five numbers; of a rim: height, hole
-WAY = 14  # of a rim: unit vector (x, y) from the hole's middle across it, and its distance from there
-RISE, TURN = 31, 32  # of any surface: its speed upward (m/s), and its spin about the upright axis x = y = 0 (rad/s)
-COLUMNS = 33
-CIRCLE, RECTANGLE, NO_HOLE = 0.0, 4.0, -1.0  # numbers of sides of an outline; others are regular polygons, one side facing x
+COUNT, NORMAL, NEXT = 1, 2, 5  # of a flat piece: corners, unit normal, the next piece of its sheet (0: none)
+HEIGHT, OUTLINE, HOLES = 1, 4, 9  # of a level piece: its height, an outline of five numbers, how many holes it has
+ACROSS, UPWARD = 10, 15  # of both: unit vectors in the plane, each followed by its least coordinate and its length
+RISE, TURN = 20, 21  # of any surface: its speed upward (m/s), and its spin about the upright axis x = y = 0 (rad/s)
+MORE = 22  # first column of what a flat piece says of each side, and a level piece of each hole
+SIDE, PER_SIDE = 3, 4  # of a side: the corner that it starts from, then whether it is joined
+OPEN, RIM, GROWTH, FULL, PER_HOLE = 0, 1, 6, 7, 8  # of a hole: whether it is open, its outline; half width to come (m/s, m)
+CIRCLE, RECTANGLE = 0.0, 4.0  # numbers of sides of an outline; others are regular polygons, one side facing x
 
 
 @njit(**OPTIONS)
@@ -39,11 +41,9 @@ def nearest(shape, wall, x, y, z):
     if shape[wall, 0] == TURNED:
         return nearest_turned(shape, wall, x, y, z)
     if shape[wall, 0] == FLAT:
-        dx, dy, dz = nearest_flat(shape, wall, x, y, z)
-    elif shape[wall, 0] == LEVEL:
-        dx, dy, dz = nearest_level(shape, wall, x, y, z)
+        dx, dy, dz = nearest_flat(shape, piece_of(shape, wall, x, y, z), x, y, z)
     else:
-        dx, dy, dz = nearest_rim(shape, wall, x, y, z)
+        dx, dy, dz = nearest_level(shape, wall, x, y, z)
     return dx, dy, dz, 0.0
 
 
@@ -69,16 +69,46 @@ def nearest_turned(shape, wall, x, y, z):
 
 
 @njit(**OPTIONS)
-def nearest_flat(shape, wall, x, y, z):
-    """Of a convex polygon: its plane where the point stands over it, else the nearest of its sides.
+def piece_of(shape, wall, x, y, z):
+    """Which piece of a sheet, that begins with this one, is nearest to a point."""
+    if shape[wall, NEXT] == 0.0:
+        return wall
+    nearer, at = wall, wall
+    least, joined = apart_from(shape, wall, x, y, z)
+    while shape[at, NEXT] > 0.0:
+        at = int(shape[at, NEXT])
+        square, ends = apart_from(shape, at, x, y, z)
+        if square < least or (square == least and ends and not joined):
+            nearer, least, joined = at, square, ends
+    return nearer
 
-    A corner of a joined side and another is the joined side's: it does not push.
+
+@njit(**OPTIONS)
+def apart_from(shape, wall, x, y, z):
+    """Square of the distance (m2) of a point from a flat piece, and whether what is nearest is joined to another surface."""
+    side, dx, dy, dz = side_of(shape, wall, x, y, z)
+    return dx * dx + dy * dy + dz * dz, side >= 0 and shape[wall, MORE + PER_SIDE * side + SIDE] == JOINED
+
+
+@njit(**OPTIONS)
+def nearest_flat(shape, wall, x, y, z):
+    """Of a convex polygon: its plane where the point stands over it, else the nearest of its sides."""
+    side, dx, dy, dz = side_of(shape, wall, x, y, z)
+    if side >= 0 and shape[wall, MORE + PER_SIDE * side + SIDE] == JOINED:
+        return OUT_OF_REACH, OUT_OF_REACH, OUT_OF_REACH
+    return dx, dy, dz
+
+
+@njit(**OPTIONS)
+def side_of(shape, wall, x, y, z):
+    """Number of a polygon's side that is nearest to a point, -1 where that stands over it, and the vector (m) from there.
+
+    A corner of a joined side and another is the joined side's.
     """
-    count, best, found = int(shape[wall, COUNT]), np.inf, (OUT_OF_REACH, OUT_OF_REACH, OUT_OF_REACH)
+    count, best, nearer, found = int(shape[wall, COUNT]), np.inf, -1, (0.0, 0.0, 0.0)
     nx, ny, nz = shape[wall, NORMAL], shape[wall, NORMAL + 1], shape[wall, NORMAL + 2]
-    over = True
     for k in range(count):
-        a, b = CORNERS + 3 * k, CORNERS + 3 * ((k + 1) % count)
+        a, b = MORE + PER_SIDE * k, MORE + PER_SIDE * ((k + 1) % count)
         sx, sy, sz = (
             shape[wall, b] - shape[wall, a],
             shape[wall, b + 1] - shape[wall, a + 1],
@@ -88,20 +118,18 @@ def nearest_flat(shape, wall, x, y, z):
         inward = nx * (sy * pz - sz * py) + ny * (sz * px - sx * pz) + nz * (sx * py - sy * px)
         if inward >= 0.0:
             continue
-        over = False
         share = min(max((px * sx + py * sy + pz * sz) / (sx * sx + sy * sy + sz * sz), 0.0), 1.0)
         dx, dy, dz = px - share * sx, py - share * sy, pz - share * sz
         if share == 1.0:  # to the bit as the next side says it, or one corner would have two distances
             dx, dy, dz = x - shape[wall, b], y - shape[wall, b + 1], z - shape[wall, b + 2]
-        square, joined = dx * dx + dy * dy + dz * dz, shape[wall, SIDES + k] == JOINED
-        if square < best or (square == best and joined):
-            best = square
-            found = (OUT_OF_REACH, OUT_OF_REACH, OUT_OF_REACH) if joined else (dx, dy, dz)
-    if over:
-        px, py, pz = x - shape[wall, CORNERS], y - shape[wall, CORNERS + 1], z - shape[wall, CORNERS + 2]
-        height = px * nx + py * ny + pz * nz
-        return height * nx, height * ny, height * nz
-    return found
+        square = dx * dx + dy * dy + dz * dz
+        if square < best or (square == best and shape[wall, a + SIDE] == JOINED):
+            best, nearer, found = square, k, (dx, dy, dz)
+    if nearer >= 0:
+        return nearer, found[0], found[1], found[2]
+    px, py, pz = x - shape[wall, MORE], y - shape[wall, MORE + 1], z - shape[wall, MORE + 2]
+    height = px * nx + py * ny + pz * nz
+    return nearer, height * nx, height * ny, height * nz
 
 
 @njit(**OPTIONS)
@@ -120,33 +148,31 @@ def margin(shape, wall, outline, x, y):
 
 @njit(**OPTIONS)
 def nearest_level(shape, wall, x, y, z):
-    """Of a level piece, whose outline is joined: its plane, or the circle of its hole where the point stands over that.
-
-    The sides of a rectangular hole are rims.
-    """
+    """Of a level piece, whose outline is joined: its plane, or the rim of an open hole that the point stands over."""
     height = z - shape[wall, HEIGHT]
     if margin(shape, wall, OUTLINE, x, y) < 0.0:
         return OUT_OF_REACH, OUT_OF_REACH, OUT_OF_REACH
-    inside = margin(shape, wall, HOLE, x, y) if shape[wall, HOLE] != NO_HOLE else 0.0
-    if inside <= 0.0:
-        return 0.0, 0.0, height
-    if shape[wall, HOLE] != CIRCLE:
-        return OUT_OF_REACH, OUT_OF_REACH, OUT_OF_REACH
-    x, y = x - shape[wall, HOLE + 1], y - shape[wall, HOLE + 2]
-    off = sqrt(x * x + y * y)
-    if off > 0.0:
-        return -inside * x / off, -inside * y / off, height
-    return -inside, 0.0, height  # over the middle every direction is as near
+    for k in range(int(shape[wall, HOLES])):
+        hole = MORE + PER_HOLE * k
+        if shape[wall, hole + OPEN] == 1.0 and margin(shape, wall, hole + RIM, x, y) > 0.0:
+            dx, dy = nearest_rim(shape, wall, hole + RIM, x, y)
+            return dx, dy, height
+    return 0.0, 0.0, height
 
 
 @njit(**OPTIONS)
-def nearest_rim(shape, wall, x, y, z):
-    """Of a rim: its line, for points over the hole; others stand over the level piece about it."""
-    if margin(shape, wall, HOLE, x, y) <= 0.0:
-        return OUT_OF_REACH, OUT_OF_REACH, OUT_OF_REACH
-    across, along = shape[wall, WAY], shape[wall, WAY + 1]
-    off = (x - shape[wall, HOLE + 1]) * across + (y - shape[wall, HOLE + 2]) * along - shape[wall, WAY + 2]
-    return off * across, off * along, z - shape[wall, HEIGHT]
+def nearest_rim(shape, wall, outline, x, y):
+    """Level vector (m) from the nearest point of a circle or a rectangle to a point inside it."""
+    inside, half = margin(shape, wall, outline, x, y), shape[wall, outline + 3]
+    x, y = x - shape[wall, outline + 1], y - shape[wall, outline + 2]
+    if shape[wall, outline] == RECTANGLE:
+        if half - abs(x) == inside:
+            return (-inside if x > 0.0 else inside), 0.0
+        return 0.0, (-inside if y > 0.0 else inside)
+    off = sqrt(x * x + y * y)
+    if off > 0.0:
+        return -inside * x / off, -inside * y / off
+    return -inside, 0.0  # over the middle every direction is as near
 
 
 @njit(**OPTIONS)
@@ -159,6 +185,26 @@ def height_of(shape, wall):
 def lift(shape, wall, way):
     """Move a level surface up by a way (m)."""
     shape[wall, START_Z if shape[wall, 0] == TURNED else HEIGHT] += way
+
+
+@njit(**OPTIONS)
+def widen(shape, wall, dt):
+    """Widen the holes of a level piece that grow, by a step (s); whether one has taken the whole piece away.
+
+    The piece recedes and stands still: it drags nothing with it, and what has not touched it does not come to.
+    """
+    if shape[wall, 0] != LEVEL:
+        return False
+    gone = False
+    for k in range(int(shape[wall, HOLES])):
+        hole = MORE + PER_HOLE * k
+        if shape[wall, hole + GROWTH] > 0.0:
+            half = min(shape[wall, hole + RIM + 3] + shape[wall, hole + GROWTH] * dt, shape[wall, hole + FULL])
+            shape[wall, hole + RIM + 3] = half
+            if half == shape[wall, hole + FULL]:
+                shape[wall, hole + GROWTH] = 0.0
+                gone = gone or half >= shape[wall, OUTLINE + 3]
+    return gone
 
 
 def motion_of(shape: np.ndarray) -> np.ndarray:

@@ -1,6 +1,7 @@
 """Surfaces of a scene of spheres as users of the engine write them: turned lines and flat pieces, each with a name."""
 
 from dataclasses import dataclass
+from itertools import combinations
 from math import hypot
 
 import numpy as np
@@ -9,19 +10,21 @@ from silostudy.dem.arrays import Walls
 from silostudy.dem.drive import standing
 from silostudy.dem.space.surfaces import (
     ACROSS,
-    COLUMNS,
-    CORNERS,
     COUNT,
     FLAT,
     JOINED,
+    MORE,
+    NEXT,
     NORMAL,
-    SIDES,
+    PER_SIDE,
+    SIDE,
     TURNED,
     UPWARD,
 )
 from silostudy.errors import BadInput
 
 LEVEL = 1e-9  # height of a unit vector: a piece whose normal is more upright than this is level
+EVEN = 1e-12  # of the cosine between two normals: pieces that differ by less are of one plane
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -70,7 +73,7 @@ class TurnedLine(Surface):
         (r0, z0), (r1, z1) = self.start, self.end
         length = hypot(r1 - r0, z1 - z0)
         ends = [JOINED if joined else 0.0 for joined in self.joined]
-        row = np.zeros(COLUMNS)
+        row = np.zeros(MORE)
         row[:10] = [TURNED, *self.axis, r0, z0, (r1 - r0) / length, (z1 - z0) / length, length, *ends]
         return row
 
@@ -109,14 +112,23 @@ class FlatPiece(Surface):
         return np.cross(corners[1] - corners[0], corners[-1] - corners[0])
 
     @property
+    def normal(self) -> np.ndarray:
+        """Unit vector towards the solid."""
+        return self._across / np.linalg.norm(self._across)
+
+    @property
+    def sides(self) -> list[tuple[tuple[float, ...], tuple[float, ...]]]:
+        """Its sides: from each corner to the next."""
+        return list(zip(self.corners, (*self.corners[1:], self.corners[0]), strict=True))
+
+    @property
     def shape(self) -> np.ndarray:
         """Its row."""
-        corners, row = np.array(self.corners), np.zeros(COLUMNS)
-        normal = self._across / np.linalg.norm(self._across)
-        row[0], row[COUNT] = FLAT, len(corners)
-        row[NORMAL : NORMAL + 3] = normal
-        row[CORNERS : CORNERS + corners.size] = corners.ravel()
-        row[SIDES : SIDES + len(self.joined)] = [JOINED if joined else 0.0 for joined in self.joined]
+        corners, normal = np.array(self.corners), self.normal
+        row = np.zeros(MORE + PER_SIDE * len(corners))
+        row[0], row[COUNT], row[NORMAL : NORMAL + 3] = FLAT, len(corners), normal
+        sides = row[MORE:].reshape(-1, PER_SIDE)
+        sides[:, :3], sides[: len(self.joined), SIDE] = corners, [JOINED if joined else 0.0 for joined in self.joined]
         steep = np.array([0.0, 0.0, 1.0]) - normal[2] * normal
         upward = steep / np.linalg.norm(steep) if np.linalg.norm(steep) > LEVEL else np.array([0.0, 1.0, 0.0])
         for column, way in ((UPWARD, upward), (ACROSS, np.cross(upward, normal))):
@@ -126,15 +138,44 @@ class FlatPiece(Surface):
 
 
 def walls_of(surfaces) -> Walls:
-    """The surfaces as arrays; cells: first cell, cells along, cells around."""
+    """The surfaces as arrays; cells: first cell, cells along, cells around.
+
+    Of pieces that are a sheet the first is live and stands for all.
+    """
     counts = np.array([surface.cells for surface in surfaces], np.int64).reshape(-1, 2)
     total = counts.prod(axis=1)
-    return Walls(
-        np.array([surface.shape for surface in surfaces], float).reshape(-1, COLUMNS),
-        np.array([surface.live for surface in surfaces], bool),
-        np.column_stack([np.cumsum(total) - total, counts]).reshape(-1, 3),
-        standing(len(counts)),
-    )
+    rows = [surface.shape for surface in surfaces]
+    shape = np.zeros((len(rows), max(MORE, *map(len, rows)) if rows else MORE))
+    live = np.array([surface.live for surface in surfaces], bool)
+    for number, row in enumerate(rows):
+        shape[number, : len(row)] = row
+    for sheet in sheets(surfaces):
+        live[sheet[1:]] = False
+        shape[sheet[:-1], NEXT] = sheet[1:]
+    for one, other, side, others in level_joints(surfaces):
+        shape[one, MORE + PER_SIDE * side + SIDE] = shape[other, MORE + PER_SIDE * others + SIDE] = 0.0
+    cells = np.column_stack([np.cumsum(total) - total, counts]).reshape(-1, 3)
+    return Walls(shape, live, cells, standing(len(rows)))
+
+
+def level_joints(surfaces) -> list[tuple[int, int, int, int]]:
+    """Where flat pieces of one plane share a side: numbers of both, and of the side in both."""
+    flat = [number for number, surface in enumerate(surfaces) if isinstance(surface, FlatPiece) and surface.live]
+    found = []
+    for one, other in combinations(flat, 2):
+        if surfaces[one].normal @ surfaces[other].normal > 1.0 - EVEN:
+            back = [(end, start) for start, end in surfaces[other].sides]
+            found += [(one, other, k, back.index(side)) for k, side in enumerate(surfaces[one].sides) if side in back]
+    return found
+
+
+def sheets(surfaces) -> list[list[int]]:
+    """Numbers of the flat pieces of each sheet of two or more, in order."""
+    found: list[set[int]] = []
+    for one, other, *_ in level_joints(surfaces):
+        touched = [sheet for sheet in found if sheet & {one, other}]
+        found = [sheet for sheet in found if sheet not in touched] + [{one, other}.union(*touched)]
+    return [sorted(sheet) for sheet in found]
 
 
 def extents(surfaces) -> list[np.ndarray]:

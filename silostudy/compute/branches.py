@@ -1,0 +1,47 @@
+"""The end of a discrete-element run on disk, and scenes that go on from it."""
+
+from pathlib import Path
+from typing import Any
+
+from silostudy.compute.checkpoints import program, read_whole, write_whole
+from silostudy.config.grain_scenes import AnyScene
+from silostudy.cube.netcdf import is_file
+from silostudy.dem.branch import differences, end_of
+from silostudy.dem.model import Model
+from silostudy.dem.run import Run
+from silostudy.errors import BadInput
+
+KEY = "start_from"
+
+
+def keep_end(run: Run, path: Path) -> None:
+    """Write where a run ended, for scenes that go on from there."""
+    write_whole((KEY, program(), end_of(run)), path)
+
+
+def end_for(scene: AnyScene, model: Model, folder: Path, where: str) -> dict[str, Any]:
+    """The end that a scene goes on from; BadInput where there is none, or it is of another scene than this one's model."""
+    assert scene.start_from is not None
+    end = _read(scene.start_from, folder, where)
+    if other := next(differences(model, end), None):
+        raise BadInput(KEY, scene.start_from, f"is the end of a run with {other}", where)
+    then = int(end["engine"]["step"]) * model.dt
+    if scene.march.limit_s <= then:
+        raise BadInput(
+            "march.limit_s", scene.march.limit_s, f"must be above {then:.6g} s, where {scene.start_from} ends", where
+        )
+    return end
+
+
+def _read(file: str, folder: Path, where: str) -> dict[str, Any]:
+    if not is_file(folder / file):
+        raise BadInput(KEY, file, "there is no such file: a run with record.keep_end writes it beside its cube", where)
+    try:
+        key, code, end = read_whole(folder / file)
+        if key != KEY:
+            raise ValueError("of another kind")
+    except Exception as error:  # a file cut short or of another kind fails in any way
+        raise BadInput(KEY, file, f"is no whole end of a run ({error})", where) from None
+    if code != program():
+        raise BadInput(KEY, file, "was written by another version of the program: run its scene again", where)
+    return end

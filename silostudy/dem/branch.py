@@ -1,0 +1,175 @@
+"""Branches: where a run ended, and another run that goes on from there with other events, another outlet, a later end.
+
+The clock goes on, and so do what springs hold, frictions and gravity as events left them, walls in motion, a feeder, and the
+mass that has left; records begin anew.
+"""
+
+from collections.abc import Iterator, Mapping
+from typing import Any
+
+import numpy as np
+
+from silostudy.dem.arrays import Memory
+from silostudy.dem.checkpoint import checkpoint, restore
+from silostudy.dem.contacts import Contact
+from silostudy.dem.drive import MASS
+from silostudy.dem.model import Model
+from silostudy.dem.neighbours import LOW, SHIFT
+from silostudy.dem.varied import Varied
+
+NUMBER = "1"  # unit of coefficients that a branch may change: frictions
+Contacts = tuple[Contact | Varied, Contact | Varied]
+Values = dict[tuple[str, int, str], float]  # a wall's name, or none; a kind, or a pair's number; a coefficient's name
+
+
+def end_of(run) -> dict[str, Any]:
+    """Where a run stands, and what of its model a run that goes on from there must have too, or may change."""
+    model, engine = run.engine.model, run.engine
+    return {
+        "engine": checkpoint(engine),
+        "come": run.come,
+        "came": run.came,
+        "gone": run.gone + run.dropped,
+        "fed": (run.feeder.rate, run.feeder.owed) if run.feeder else None,
+        "fixed": fixed(model),
+        "walls": walls(model),
+        "stated": values(model, (model.pair_contact, model.wall_contact)),
+        "held": values(model, engine.contacts),
+        "gravity": model.gravity,
+    }
+
+
+def fixed(model: Model) -> dict[str, Any]:
+    """What a branch cannot change, by the words of a scene."""
+    contacts = (model.pair_contact, model.wall_contact)
+    columns = (model.place, model.radius, model.mass, *([] if model.kind is None else [model.kind]))
+    return {
+        "grains (sizes, density, packing, seed)": tuple(np.ascontiguousarray(column).tobytes() for column in columns),
+        "contact laws, or surfaces that differ": repr([(contact.laws, isinstance(contact, Varied)) for contact in contacts]),
+        "march.integrator": model.integrator,
+        "march.step_s": model.dt,
+    }
+
+
+def walls(model: Model) -> dict[str, tuple[float, ...]]:
+    """Shape of each wall at the start, by its name, in their order."""
+    shapes = model.space.walls_of(model.walls).shape
+    return {wall.name: tuple(map(float, shape)) for wall, shape in zip(model.walls, shapes, strict=True)}
+
+
+def values(model: Model, contacts: Contacts) -> Values:
+    """Every coefficient of contacts: of pairs by their number, at walls by the wall and the kind."""
+    return {
+        (*of, name): float(value)
+        for pairs, contact in zip((True, False), contacts, strict=True)
+        for number, one in enumerate(contact.sets)
+        for of in _meant(model, number, pairs=pairs, varied=isinstance(contact, Varied))
+        for name, value in one.coefficients.items()
+    }
+
+
+def _meant(model: Model, number: int, *, pairs: bool, varied: bool) -> list[tuple[str, int]]:
+    """What a set of coefficients is of: a wall and a kind of bodies, or no wall and a pair; all walls where they are alike."""
+    if pairs:
+        return [("", number)]
+    kind, wall = divmod(number, len(model.walls)) if varied else (0, None)
+    return [(one.name, kind) for place, one in enumerate(model.walls) if wall in (None, place)]
+
+
+def differences(model: Model, end: Mapping[str, Any]) -> Iterator[str]:
+    """What of a model does not agree with the end that it is to go on from, in words."""
+    yield from _other_walls(model, end)
+    for name, now in fixed(model).items():
+        then = end["fixed"][name]
+        if then != now:
+            yield f"other {name}" + (f": {then} there, {now} here" if name.startswith("march") else "")
+            return
+    units = {one.name: one.unit for contact in (model.pair_contact, model.wall_contact) for row in contact.rows
+             for one in row.coefficients}  # fmt: skip
+    for key, now in values(model, (model.pair_contact, model.wall_contact)).items():
+        then, unit = end["stated"].get(key, now), units[key[-1]]
+        if then != now and unit != NUMBER:
+            yield f"other {key[-1]}: {then:.6g} {unit} there, {now:.6g} here"
+
+
+def _other_walls(model: Model, end: Mapping[str, Any]) -> Iterator[str]:
+    """Walls that stand there and are others here, or that stand here alone; those that wait to stand may differ."""
+    shapes, live = walls(model), dict(zip(end["walls"], end["engine"]["live"], strict=True))
+    for name, stands in live.items():
+        if stands and shapes.get(name) != end["walls"][name]:
+            yield f"another wall {name}: an outlet that is open, and the silo's body, stay as they are"
+    for wall in model.walls:
+        if wall.live and wall.name not in live:
+            yield f"no wall {wall.name}, which stands here"
+    speeds = end["engine"]["shape"][:, _speeds(model, end)]
+    if (speeds.any() or (end["engine"]["drive"][:, MASS] > 0.0).any()) and not model.moving:
+        yield "walls in motion: an event here must move them too"
+
+
+def _speeds(model: Model, end: Mapping[str, Any]) -> slice:
+    """Columns of a wall's shape that hold how fast it moves."""
+    return slice(model.space.rise, end["engine"]["shape"].shape[1])
+
+
+def go_on(run, end: Mapping[str, Any]) -> None:
+    """Let a run that has not begun go on from an end of a model that agrees with its own."""
+    engine = run.engine
+    restore(engine, end["engine"] | _here(engine, end))
+    run.come, run.came, run.gone = end["come"], end["came"], end["gone"]
+    run.began = run.since = run.opened = engine.step
+    if run.feeder and end["fed"]:
+        run.feeder.rate, run.feeder.owed = end["fed"]
+
+
+def _here(engine, end: Mapping[str, Any]) -> dict[str, np.ndarray]:
+    """Those parts of a checkpoint that an engine of other walls, records or frictions takes otherwise."""
+    model, saved = engine.model, end["engine"]
+    account = saved["account"] if saved["account"].shape == engine.ledger.account.shape else engine.ledger.account
+    same = model.gravity == end["gravity"]
+    return {
+        **_walls_here(engine, end),
+        **_memories_here(engine, end),
+        "window": engine.record.window,
+        "account": account,
+        "gravity": saved["gravity"] if same else np.array(model.gravity),
+        "coefficients": np.array(_coefficients_here(engine, end)),
+    }
+
+
+def _walls_here(engine, end: Mapping[str, Any]) -> dict[str, np.ndarray]:
+    """Which walls stand, where, and what moves them: of those that stood there, or may have, as there."""
+    here = {name: getattr(engine.walls, name).copy() for name in ("live", "shape", "drive")}
+    numbers = {wall.name: number for number, wall in enumerate(engine.model.walls)}
+    for then, name in enumerate(end["walls"]):
+        stands = end["engine"]["live"][then]
+        if name in numbers:
+            here["live"][numbers[name]] = stands
+        if stands:
+            for column in ("shape", "drive"):
+                here[column][numbers[name]] = end["engine"][column][then]
+    return here
+
+
+def _memories_here(engine, end: Mapping[str, Any]) -> dict[str, np.ndarray]:
+    """Histories at walls, under the numbers that these have here."""
+    saved, model = end["engine"], engine.model
+    live = dict(zip(end["walls"], saved["live"], strict=True))
+    number = np.array([model.wall_number(name) if stands else 0 for name, stands in live.items()])
+    near = Memory(*(saved[f"wall_{name}"] for name in Memory._fields))
+    key = (near.key >> SHIFT) << SHIFT | number[near.key & LOW]
+    order = np.argsort(key, kind="stable")
+    return {f"wall_{name}": column for name, column in near.picked(order, key[order])._asdict().items()}
+
+
+def _coefficients_here(engine, end: Mapping[str, Any]) -> list[float]:
+    """Coefficients in the order of a checkpoint: as they stand there, where both models state the same, else as stated here."""
+    model, found = engine.model, []
+    for pairs, contact in zip((True, False), engine.contacts, strict=True):
+        for number, one in enumerate(contact.sets):
+            of = _meant(model, number, pairs=pairs, varied=isinstance(contact, Varied))[0]
+            for row in one.rows:
+                for name in (coefficient.name for coefficient in row.coefficients):
+                    now = one.coefficients[name]
+                    agreed = end["stated"].get((*of, name)) == now
+                    found.append(end["held"][(*of, name)] if agreed else now)
+    return found

@@ -1,0 +1,130 @@
+"""Fields of a bin of spheres over distance from the axis and height: at rest left of the axis, in discharge right of it."""
+
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+import xarray as xr
+from matplotlib.axes import Axes
+from matplotlib.collections import QuadMesh
+from matplotlib.patches import Polygon
+
+from silostudy.errors import BadInput
+from silostudy.figures import bin as bins
+from silostudy.figures.style import AID, plt, save
+
+CM, KPA = 100.0, 1e3
+THIN, FILLED = 0.1, 0.5  # of the largest solid fraction: cells with less are empty, or have no ratio of stresses
+SHOWN = {
+    "solid_fraction": ("solid fraction (volume over volume)", "viridis"),
+    "speed_m_s": ("speed (m/s)", "YlOrRd"),
+    "vertical_stress_kPa": ("vertical stress (kPa)", "cividis"),
+    "stress_ratio": ("lateral over vertical stress", "magma_r"),
+}
+PHASES = ("at rest", "in discharge")
+
+
+def draw(cube: xr.Dataset, stem: Path) -> None:
+    """Writes the figure and the fields of both phases as CSV."""
+    cells = phases(cube)
+    figure, panels = plt.subplots(1, len(SHOWN), figsize=(2.6 * len(SHOWN), 6.2), sharey=True)
+    half, top = (float(cube.attrs[name]) * CM for name in ("half_width_m", "top_height_m"))
+    high = min(top, 1.1 * float(cells["height_cm"][cells["solid_fraction"].notna()].max()))
+    for panel, (name, (label, colours)) in zip(panels, SHOWN.items(), strict=True):
+        found = _halves(panel, cells, name, colours, bins.outline_of(cube))
+        bins.outline(panel, cube)
+        panel.set(xlabel="distance from the axis (cm)", xlim=(-half - 0.3, half + 0.3), ylim=(-0.3, high), aspect="equal")
+        panel.xaxis.set_major_formatter(lambda value, _: f"{abs(value):g}")
+        panel.axvline(0.0, color="white", linewidth=0.8, gid=AID)
+        panel.set_title("at rest | in discharge", fontsize=8)
+        panel.grid(False)
+        figure.colorbar(found, ax=panel, location="bottom", label=label, shrink=0.9)
+    panels[0].set_ylabel("height above the outlet (cm)")
+    figure.suptitle(f"{cube.attrs['title']}\n{_message(cube, cells)}", fontsize=10)
+    figure.supxlabel(
+        f"within {_reach(cube):.1f} cm of walls and surface the kernel reaches beyond them: fields fade", fontsize=7
+    )
+    save(figure, cells, stem)
+
+
+def phases(cube: xr.Dataset) -> pd.DataFrame:
+    """A row a cell and phase: place, solid fraction, speed, vertical stress, lateral over vertical stress.
+
+    At rest: the last reading before the outlet opened, or of the run; discharge: the mean of all readings after.
+    """
+    if "field_r" not in cube:
+        raise BadInput("record.fields.cells", "three numbers", "must be two, of distance and height, for this figure")
+    time, opened = cube["field_time"].values, bins.opened_at(cube)
+    rest, flow = np.flatnonzero(time <= opened)[-1:], np.flatnonzero(time > opened)
+    if not len(rest):
+        raise BadInput("record.fields.every_s", float(time[0]), "must be short enough for a reading at rest")
+    tables = [_phase(cube.isel(field_time=rest), PHASES[0])]
+    tables += [_phase(cube.isel(field_time=flow), PHASES[1])] if len(flow) else []
+    return pd.concat(tables, ignore_index=True)
+
+
+def _phase(cube: xr.Dataset, name: str) -> pd.DataFrame:
+    """The cells of some readings on average: velocities by mass, stresses by volume."""
+    density = cube["field_density"]
+    momentum = (density * cube["field_velocity"].fillna(0.0)).mean("field_time")
+    mean, fraction = density.mean("field_time"), cube["field_solid_fraction"].mean("field_time").values
+    stress = (cube["field_contact_stress"] + cube["field_kinetic_stress"]).mean("field_time")
+    across, upright = (stress.sel(field_way=way, field_of=way).values for way in ("r", "z"))
+    there, bulk = fraction > THIN * fraction.max(), (fraction > FILLED * fraction.max()) & (upright > 0.02 * upright.max())
+    speed = np.sqrt((momentum**2).sum("field_way")) / mean.where(mean > 0.0)
+    return pd.DataFrame({
+        "phase": name,
+        "distance_cm": cube["field_r"].values * CM,
+        "height_cm": cube["field_z"].values * CM,
+        "solid_fraction": np.where(there, fraction, np.nan),
+        "speed_m_s": np.where(there, speed, np.nan),
+        "vertical_stress_kPa": np.where(there, upright / KPA, np.nan),
+        "stress_ratio": np.divide(across, upright, out=np.full_like(upright, np.nan), where=bulk),
+        "volume_cm3": cube["field_cell_volume"].values * CM**3,
+    })  # fmt: skip
+
+
+def _halves(panel: Axes, cells: pd.DataFrame, name: str, colours: str, inside: np.ndarray) -> QuadMesh:
+    """Cells of the phases left and right of the axis, cut off at the walls; without a discharge both sides are at rest."""
+    r, z = np.unique(cells["distance_cm"]), np.unique(cells["height_cm"])
+    sides = [part[name].to_numpy().reshape(len(r), len(z)).T for _, part in cells.groupby("phase", sort=False)]
+    edges = _edges(r)
+    found = panel.pcolormesh(
+        np.append(-edges[:0:-1], edges), _edges(z), np.hstack([sides[0][:, ::-1], sides[-1]]), cmap=colours,
+        vmin=0.0, vmax=float(cells[name].quantile(0.99)),
+    )  # fmt: skip
+    found.set_clip_path(Polygon(inside * CM, transform=panel.transData))
+    return found
+
+
+def _edges(middles: np.ndarray) -> np.ndarray:
+    """Edges of equal cells from their middles."""
+    half = 0.5 * (middles[1] - middles[0]) if len(middles) > 1 else middles[0]
+    return np.append(middles - half, middles[-1] + half)
+
+
+def _message(cube: xr.Dataset, cells: pd.DataFrame) -> str:
+    """What the figure shows, in a sentence: means over the bulk between the upright walls, away from them."""
+    low, half = (float(cube.attrs[name]) * CM for name in ("transition_height_m", "half_width_m"))
+    inner = (cells["height_cm"] > low) & (cells["distance_cm"] < max(half - _reach(cube), 0.5 * half))
+    parts = [part for _, part in cells[inner & cells["stress_ratio"].notna()].groupby("phase", sort=False)]
+    ratios = [np.average(part["stress_ratio"], weights=part["vertical_stress_kPa"] * part["volume_cm3"]) for part in parts]
+    fractions = [np.average(part["solid_fraction"], weights=part["volume_cm3"]) for part in parts]
+    ratio = "the ratio of lateral to vertical stress between the upright walls"
+    if len(parts) < len(PHASES):
+        told = [f"{values[0]:.2f}" if values else "unknown" for values in (ratios, fractions)]
+        return f"At rest {ratio} is {told[0]}, the solid fraction {told[1]}"
+    return f"In discharge {ratio} {_went(ratios)}, the solid fraction {_went(fractions)}"
+
+
+def _went(values: list) -> str:
+    """How a number changed, in words."""
+    before, after = (f"{value:.2f}" for value in values)
+    if before == after:
+        return f"stays at {before}"
+    return f"{'rises' if values[1] > values[0] else 'falls'} from {before} to {after}"
+
+
+def _reach(cube: xr.Dataset) -> float:
+    """How far (cm) the kernel spreads what a grain has."""
+    return 2.0 * float(cube.attrs["field_width_m"]) * CM

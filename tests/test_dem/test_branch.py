@@ -1,0 +1,141 @@
+"""Branches of runs of discs: the same bits as in one go, another outlet or friction, and ends that do not fit."""
+
+import copy
+
+import numpy as np
+import pytest
+import yaml
+
+from silostudy.__main__ import main
+from silostudy.compute.branches import keep_end
+from silostudy.compute.dem import run_of, scene_model
+from silostudy.cube.io import read
+from silostudy.errors import BadInput
+from tests.test_dem.small import SMALL, carried, scene_of
+
+pytestmark = pytest.mark.long
+OPENS = {"when": "time", "value": 0.05, "do": "open_slit"}
+AT_ONCE = {"when": "after", "value": 0.0, "do": "open_slit"}
+PLAIN = {"record__stress_cells": None, "record__snapshots_s": []}
+
+
+def stop(time):
+    return {"when": "time", "value": time, "do": "stop"}
+
+
+def ended(folder, *events, name="first.end", **changes):
+    """A run whose end is kept, and its scene."""
+    run = carried(scene_of(events=[*events], **PLAIN | changes))
+    keep_end(run, folder / name)
+    return run
+
+
+def branched(folder, *events, **changes):
+    """A run that goes on from that end."""
+    scene = scene_of(events=[*events], start_from="first.end", **PLAIN | changes)
+    run = run_of(scene, scene_model(scene, folder, "branch.yaml"))
+    run.go()
+    return run
+
+
+def same_motion(one, other):
+    return np.array_equal(one.engine.labels, other.engine.labels) and np.array_equal(
+        one.engine.bodies.rows[: one.engine.n], other.engine.bodies.rows[: other.engine.n]
+    )
+
+
+@pytest.mark.parametrize("stopped", [0.0301, 0.12])  # while it rests, and while it flows
+def test_a_run_and_its_branch_have_the_bits_of_one_run(stopped, tmp_path):
+    whole = carried(scene_of(events=[OPENS, stop(0.2)], **PLAIN))
+    events = [event for event in (OPENS, stop(stopped)) if event["value"] <= stopped]
+    first = ended(tmp_path, *events)
+    branch = branched(tmp_path, *([OPENS] if stopped < 0.05 else []), stop(0.2))
+    assert same_motion(branch, whole)
+    assert branch.engine.time == whole.engine.time
+    assert first.dropped + branch.dropped == pytest.approx(whole.dropped, rel=1e-12)
+    assert branch.recording.window_time[-1] == whole.recording.window_time[-1]
+    assert np.array_equal(branch.recording.window[-1], whole.recording.window[-1])
+
+
+def test_another_outlet_and_another_friction(tmp_path):
+    """As if the filling had been of the wider slit all along; a friction of its own holds from the branch on."""
+    ended(tmp_path, stop(0.05))
+    wide = {"silo__slit_width_m": 0.1}
+    whole, branch = carried(scene_of(events=[OPENS, stop(0.2)], **PLAIN | wide)), branched(tmp_path, AT_ONCE, stop(0.2), **wide)
+    assert same_motion(branch, whole)
+    rubbing = branched(tmp_path, AT_ONCE, stop(0.2), walls__sliding_friction=0.5)
+    asked = {"when": "time", "value": 0.05, "do": "set_friction", "wall_friction": 0.5}
+    assert same_motion(rubbing, carried(scene_of(events=[asked, OPENS, stop(0.2)], **PLAIN)))
+
+
+def test_what_events_changed_stays(tmp_path):
+    changes = [{"when": "time", "value": 0.01, "do": "set_friction", "disc_friction": 0.3},
+               {"when": "time", "value": 0.02, "do": "set_gravity", "gravity_m_s2": [1.0, -9.0]}]  # fmt: skip
+    ended(tmp_path, *changes, stop(0.04))
+    branch = branched(tmp_path, stop(0.08))
+    assert same_motion(branch, carried(scene_of(events=[*changes, stop(0.08)], **PLAIN)))
+
+
+def test_what_has_left_before_counts_towards_a_share(tmp_path):
+    first = ended(tmp_path, OPENS, stop(0.25), silo__slit_width_m=0.1)
+    branch = branched(tmp_path, {"when": "discharged", "value": 0.2, "do": "stop"}, silo__slit_width_m=0.1)
+    assert 0.1 * first.full < first.dropped < 0.2 * first.full <= first.dropped + branch.dropped < 0.3 * first.full
+    assert branch.recording.left["discharged"] == first.engine.n - branch.engine.n
+
+
+@pytest.mark.parametrize(
+    ("changes", "told"),
+    [
+        ({"radius_m": 0.009}, "is the end of a run with"),
+        ({"density_kg_m3": 2000}, "other grains"),
+        ({"discs__normal_stiffness_N_m2": 9e6}, "other normal_stiffness: 9.46e+06 N m-2 there, 9e+06 here"),
+        ({"discs__tangential": "spring-slider-total"}, "other contact laws"),
+        ({"march__step_s": 2e-5}, "other march.step_s: 2.5e-05 there, 2e-05 here"),
+        ({"silo__height_m": 0.5}, "another wall left"),
+        ({"silo__lid": True}, "another wall left"),
+        ({"march__limit_s": 0.03}, "march.limit_s = 0.03: must be above 0.05 s, where first.end ends"),
+    ],
+)
+def test_an_end_of_another_scene_is_refused(changes, told, tmp_path):
+    ended(tmp_path, stop(0.05))
+    with pytest.raises(BadInput, match=r"branch\.yaml") as caught:
+        branched(tmp_path, stop(0.02), record__wall_force_window_s=None, **changes)
+    assert told in str(caught.value)
+    assert "\n" not in str(caught.value)
+
+
+def test_an_open_outlet_stays_as_it_is(tmp_path):
+    ended(tmp_path, OPENS, stop(0.1))
+    with pytest.raises(BadInput, match="another wall floor_left: an outlet that is open"):
+        branched(tmp_path, stop(0.2), silo__slit_width_m=0.08)
+
+
+@pytest.mark.parametrize("content", [b"", b"CDF", None])
+def test_a_file_that_is_no_end_is_refused(content, tmp_path):
+    if content is not None:
+        (tmp_path / "first.end").write_bytes(content)
+    with pytest.raises(BadInput, match=r"start_from = 'first\.end'"):
+        branched(tmp_path, stop(0.2))
+
+
+def test_the_command_keeps_an_end_and_says_what_it_goes_on_from(tmp_path, capsys):
+    first = copy.deepcopy(SMALL) | {"events": [stop(0.05)], "record": {"keep_end": True}}
+    (tmp_path / "first.yaml").write_text(yaml.safe_dump(first))
+    again = copy.deepcopy(SMALL) | {
+        "start_from": "first.end",
+        "events": [AT_ONCE, stop(0.1)],
+        "record": {"snapshots_s": [0, 0.1]},
+    }
+    (tmp_path / "again.yaml").write_text(yaml.safe_dump(again))
+    assert main(["dem", str(tmp_path / "first.yaml"), str(tmp_path / "first.nc")]) == 0
+    assert main(["check", str(tmp_path / "again.yaml")]) == 0
+    assert "goes on from first.end at 0.05 s" in capsys.readouterr().out
+    assert main(["dem", str(tmp_path / "again.yaml"), str(tmp_path / "again.nc")]) == 0
+    said = capsys.readouterr()
+    assert "2000 steps of 2.5e-05 s" in said.out
+    assert "no snapshots at 0 s: the run goes on from 0.05 s" in said.err
+    assert read(tmp_path / "again.nc")["event_time"].values.tolist() == pytest.approx([0.05, 0.1])
+    first["start_from"] = "first.end"
+    (tmp_path / "first.yaml").write_text(yaml.safe_dump(first))
+    assert main(["dem", str(tmp_path / "first.yaml"), str(tmp_path / "first.nc")]) == 2  # it would write over what it reads
+    capsys.readouterr()

@@ -1,0 +1,87 @@
+"""Branches of runs of spheres: rain, spins, springs and the meter go on; one filling is opened in several ways."""
+
+import copy
+
+import numpy as np
+import pytest
+import yaml
+
+from silostudy.compute.branches import keep_end
+from silostudy.compute.dem import run_of, scene_model
+from silostudy.compute.dem_cube import cube_of
+from silostudy.cube.io import read
+from silostudy.errors import BadInput
+from silostudy.sweep.merge import merge
+from tests.test_spheres.small import carried, content, scene_of
+from tests.test_sweep.sweeps import compute
+
+pytestmark = pytest.mark.long
+FLAT = {"silo": {"plan": "circular", "diameter_m": 0.06, "cylinder_depth_m": 0.1}, "outlet": {"width_m": 0.04}}
+FLAT |= {"record__snapshots_s": []}
+OPENS, AT_ONCE = {"when": "rest", "do": "open_outlet"}, {"when": "after", "value": 0.0, "do": "open_outlet"}
+
+
+def stop(time):
+    return {"when": "time", "value": time, "do": "stop"}
+
+
+def ended(folder, *events, **changes):
+    scene = scene_of(events=[*events], **copy.deepcopy(FLAT) | changes)
+    run = carried(scene)
+    keep_end(run, folder / "first.end")
+    return run, cube_of(run, scene)
+
+
+def branched(folder, *events, threads=1, **changes):
+    scene = scene_of(events=[*events], start_from="first.end", **copy.deepcopy(FLAT) | changes)
+    run = run_of(scene, scene_model(scene, folder, "branch.yaml"), threads=threads)
+    run.go()
+    return run, cube_of(run, scene)
+
+
+def same_motion(one, other):
+    return np.array_equal(one.engine.labels, other.engine.labels) and np.array_equal(
+        one.engine.bodies.rows[: one.engine.n], other.engine.bodies.rows[: other.engine.n]
+    )
+
+
+@pytest.fixture(scope="module")
+def whole():
+    scene = scene_of(events=[OPENS, stop(0.7)], **FLAT)
+    run = carried(scene)
+    return run, cube_of(run, scene)
+
+
+@pytest.mark.parametrize("stopped", [0.0501, 0.4, 0.6])  # while they rain in, while they settle, while they flow out
+def test_a_run_and_its_branch_have_the_bits_of_one_run(stopped, whole, tmp_path):
+    opened = float(whole[1].event_time[0])
+    assert 0.4 < opened < 0.6
+    _, before = ended(tmp_path, *([OPENS] if stopped > opened else []), stop(stopped))
+    branch, after = branched(tmp_path, *([] if stopped > opened else [OPENS]), stop(0.7), threads=2)
+    assert same_motion(branch, whole[0])
+    assert branch.come == 150
+    passed = np.r_[before.get("outflow_time", []), after.outflow_time]
+    assert np.array_equal(passed, whole[1].outflow_time)
+
+
+def test_one_filling_is_opened_in_several_ways(tmp_path):
+    """A study of branches: as many cases, one filling; each is what it would be if filled for itself."""
+    ended(tmp_path, {"when": "rest", "do": "stop"}, outlet=None)
+    scene = content(events=[AT_ONCE, {"when": "after", "value": 0.1, "do": "stop"}], start_from="first.end", **FLAT)
+    study = {"kind": "scenes", "title": "one filling", "scene": scene,
+             "sweep": [{"axis": "outlet_width", "values": {"outlet.width_m": [0.03, 0.05]}}]}  # fmt: skip
+    (tmp_path / "ways.yaml").write_text(yaml.safe_dump(study))
+    compute(tmp_path / "ways.yaml", tmp_path / "parts")
+    merge(tmp_path / "ways.yaml", tmp_path / "parts", tmp_path / "scenes.nc")
+    flow = read(tmp_path / "scenes.nc")["mean_mass_flow"]
+    assert 0.0 < float(flow[0]) < float(flow[1])
+    alone = scene_of(events=[OPENS, {"when": "after", "value": 0.1, "do": "stop"}], **FLAT | {"outlet": {"width_m": 0.05}})
+    assert cube_of(carried(alone), alone).attrs["mean_outflow_kg_s"] == float(flow[1])
+
+
+def test_another_silo_or_another_material_is_refused(tmp_path):
+    ended(tmp_path, stop(0.02))
+    with pytest.raises(BadInput, match="another wall floor"):
+        branched(tmp_path, stop(0.1), silo__diameter_m=0.061)
+    with pytest.raises(BadInput, match="other hertz_stiffness"):
+        branched(tmp_path, stop(0.1), wall__youngs_modulus_MPa=99)
