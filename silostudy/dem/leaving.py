@@ -28,6 +28,15 @@ def below(engine, floor: float) -> np.ndarray:
     return gone
 
 
+def number_of(engine, what: tuple) -> int | None:
+    """The engine's number of a disc given by its label, or by a place (m) that it is nearest to; None: it is gone."""
+    if len(what) == 1:
+        found = np.flatnonzero(engine.labels == what[0])
+        return int(found[0]) if len(found) else None
+    place = engine.bodies.rows[: engine.n, engine.space.place]
+    return int(np.argmin(length(place - np.asarray(what)))) if len(place) else None
+
+
 def spilt(engine) -> np.ndarray:
     """Which bodies are beside the silo: they went over its walls."""
     return engine.space.beside(engine.model.walls, engine.bodies.rows[: engine.n, engine.space.place])

@@ -6,7 +6,6 @@ oscillators do that have at most the largest stiffness, at most the largest damp
 least damped contact gives to their stiffness (eqs. 17, 19 need some).
 """
 
-from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 from math import floor, log10, sqrt
@@ -16,11 +15,11 @@ from scipy.sparse import csr_matrix, diags, vstack
 from scipy.sparse.linalg import eigsh
 from scipy.spatial import cKDTree
 
-from silostudy.contact.family import Touch
 from silostudy.dem.contacts import Contact
 from silostudy.dem.integrate import INTEGRATORS
 from silostudy.dem.model import Model
 from silostudy.dem.snapshot import length
+from silostudy.dem.strength import damping_of, springs, stiffness_of
 from silostudy.dem.varied import set_of_pair
 from silostudy.errors import BadInput
 
@@ -31,7 +30,6 @@ SAFETY = 0.5  # of the bound, when the engine chooses the step: flow makes conta
 DENSEST = 0.8  # of the bound of six contacts a disc: the most that a start without contacts will come to
 HOPELESS = 1e-4  # of the step that undamped springs bear with an integrator that keeps their energy
 NEAR = 0.05  # of a radius: gaps smaller than this count as contacts, since they close at once
-DEEP = 0.02  # of a radius: the overlap at which a curved law's slope is taken
 
 
 @dataclass(frozen=True)
@@ -105,9 +103,9 @@ def _undamped(model: Model) -> list[str]:
         f"{f'{model.space.body}s' if other is not None else 'walls'} {row.key}"
         for contact, one, other in _lone(model)
         for row, k, d in zip(
-            _springs(contact.rows),
-            _stiffness(contact, model, one, other, 0.0),
-            _damping(contact, model, one, other, 0.0),
+            springs(contact.rows),
+            stiffness_of(contact, model, one, other, 0.0),
+            damping_of(contact, model, one, other, 0.0),
             strict=True,
         )
         if k.any() and not d.any()
@@ -223,7 +221,7 @@ def _lone(model: Model) -> list[tuple]:
 
 def _extremes(model: Model, network: list[tuple], dt: float) -> Extremes:
     """Extremes of the network and of lone contacts of the lightest bodies, at this step."""
-    stiff, damp, lone = partial(_stiffness, dt=dt), partial(_damping, dt=dt), _lone(model)
+    stiff, damp, lone = partial(stiffness_of, dt=dt), partial(damping_of, dt=dt), _lone(model)
     ratios = [
         d.min() / k.min()
         for contact, i, j, *_ in (*network, *lone)
@@ -282,29 +280,3 @@ def _rows(strength, body, along, turn, n):
     ways = values.shape[1]
     columns = body[:, None] + n * np.arange(ways)
     return csr_matrix((values.ravel(), columns.ravel(), ways * np.arange(len(body) + 1)), shape=(len(body), ways * n))
-
-
-def _springs(of_rows: Sequence) -> Sequence:
-    """Those of the rows of a contact's laws, or of their coefficients, that may hold springs: all but cohesion."""
-    normal, tangential, rolling, _, twisting = of_rows
-    return normal, tangential, rolling, twisting
-
-
-def _stiffness(contact: Contact, model: Model, i, j, dt):
-    """Normal, tangential (N/m per m), rolling and twisting (N m per m) stiffness of each contact."""
-    touch, depth = _touch(model, i, j, dt), DEEP * float(model.radius.max())
-    ways = zip(_springs(contact.rows), _springs(contact.ordered), strict=True)
-    return [np.ones(len(i)) * row.stiffness(depth, touch, c) for row, c in ways]
-
-
-def _damping(contact: Contact, model: Model, i, j, dt):
-    """Normal, tangential (N s/m per m), rolling and twisting damping of each contact, as its dashpots act at this step."""
-    touch = _touch(model, i, j, dt)
-    ways = zip(_springs(contact.rows), _springs(contact.ordered), strict=True)
-    return [row.damping(touch, c) for row, c in ways]
-
-
-def _touch(model: Model, i, j, dt) -> Touch:
-    """Reduced mass and radius of each contact."""
-    mass, radius = (of[i] if j is None else 1.0 / (1.0 / of[i] + 1.0 / of[j]) for of in (model.mass, model.radius))
-    return Touch(mass, radius, dt, DEEP * float(model.radius.max()))

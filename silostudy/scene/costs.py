@@ -13,7 +13,7 @@ from silostudy.config.grain_scenes import AnyScene
 from silostudy.config.spheres import SphereScene
 from silostudy.contact.family import Touch
 from silostudy.dem.contacts import Contact
-from silostudy.dem.stability import DEEP
+from silostudy.dem.strength import DEEP
 from silostudy.dem.varied import set_of_pair
 from silostudy.packing import PACKINGS
 from silostudy.packing.filling import FILLINGS

@@ -64,7 +64,7 @@ def test_events_that_lack_or_have_too_much(events, changes, said):
             "events.0.surfaces = 'hopper': unknown; known: floor, wall, lid",
         ),
         (
-            {"do": "rotate", "spin_rad_s": 1.0, "surfaces": ["wall"]}, {"silo": SQUARE},
+            {"do": "rotate", "spin_rad_s": 1.0, "surfaces": ["wall"]}, {"silo": SQUARE, "record": {}},
             "turn about the axis of a circular silo alone",
         ),
     ],
