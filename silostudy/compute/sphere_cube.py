@@ -7,7 +7,7 @@ from silostudy.config.spheres import SphereScene
 from silostudy.dem.ledger import ENTRIES
 from silostudy.dem.model import Model
 from silostudy.dem.run import Run
-from silostudy.dem.space.cells import areas, middles, uprightness
+from silostudy.dem.space.cells import areas, faces, middles
 from silostudy.dem.space.felt import TORQUE
 from silostudy.scene.space_silo import LID
 from silostudy.scene.spheres import space_silo_of
@@ -104,7 +104,8 @@ def _windows(run: Run) -> dict[str, np.ndarray]:
         data |= {"ledger_energy": np.array(record.energy), "energy_entry": np.array(ENTRIES)}
     data |= _felt(np.array(record.window), model) if model.watched else {}
     if model.moving and model.watched:
-        data |= {"surface_spin": np.array(record.motion)[:, :, SPIN]}
+        walls = [face.wall for face in faces(model.walls, LID)]
+        data |= {"surface_spin": np.array(record.motion)[:, walls, SPIN]}
     return data | lid_arrays(run)
 
 
@@ -115,22 +116,24 @@ def _felt(force: np.ndarray, model: Model) -> dict[str, np.ndarray]:
         for k, what in enumerate(("mean", "min", "max")):
             data[f"cell_{name}_force_{what}"] = force[:, :, way, k]
             data[f"wall_{stress}_{what}"] = force[:, :, way, k] / data["wall_cell_area"]
-    total = np.add.reduceat(force[:, :, :, 0], model.space.walls_of(model.walls).cells[:, 0], axis=1)
-    lean = np.array([uprightness(wall, wall.name == LID) for wall in model.walls])
+    seen = faces(model.walls, LID)
+    counts, lean = np.array([face.count for face in seen]), np.array([face.lean for face in seen])
+    total = np.add.reduceat(force[:, :, :, 0], np.cumsum(counts) - counts, axis=1)
     data |= {f"surface_{name}_force": total[:, :, way] for way, (name, _) in enumerate(FELT)}
     data |= {"surface_load": (total[:, :, :2] * lean).sum(axis=2)}
     data |= {"surface_torque": total[:, :, TORQUE]} if model.moving else {}
-    return data | {"surface": np.array([wall.name for wall in model.walls])}
+    return data | {"surface": np.array([face.name for face in seen])}
 
 
 def _cells(model: Model) -> dict[str, np.ndarray]:
     """Surface, middle, area of each cell, and its angle about the axis."""
-    x, y, z = np.vstack([middles(wall) for wall in model.walls]).T
-    names = [wall.name for wall in model.walls for _ in range(int(np.prod(wall.cells)))]
+    seen = faces(model.walls, LID)
+    x, y, z = np.vstack([middles(model.walls[face.wall]) for face in seen]).T
+    names = np.repeat([face.name for face in seen], [face.count for face in seen])
     return {
-        "wall_cell": np.arange(len(names)), "wall_name": np.array(names), "wall_cell_x": x, "wall_cell_y": y, "wall_cell_z": z,
+        "wall_cell": np.arange(len(names)), "wall_name": names, "wall_cell_x": x, "wall_cell_y": y, "wall_cell_z": z,
         "wall_cell_turn": np.arctan2(y, x) % (2.0 * np.pi),
-        "wall_cell_area": np.concatenate([areas(wall) for wall in model.walls]),
+        "wall_cell_area": np.concatenate([areas(model.walls[face.wall]) for face in seen]),
     }  # fmt: skip
 
 

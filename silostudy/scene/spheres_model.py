@@ -108,6 +108,11 @@ def check_rain(scene: SphereScene, space: SpaceSilo, radii: np.ndarray, where: s
     if not largest < height <= space.top - largest:
         allowed = f"must be from {largest:.4g} to {space.top - largest:.4g} m: the plane lies outside the silo"
         raise BadInput("filling.height_m", height, allowed, where)
+    for number, insert in enumerate(space.inserts):
+        heights = np.array(insert.corners)[:, 2]  # type: ignore[attr-defined]
+        if heights.min() - largest < height < heights.max() + largest:
+            told = f"stands in the plane that spheres come in on, at {height:.4g} m"
+            raise BadInput(f"inserts.{number}", insert.name, told, where)
     if filling.width_m is not None and filling.width_m < 2.0 * largest:
         raise BadInput(
             "filling.width_m", filling.width_m, f"must be {2.0 * largest:.4g} m or more, the largest diameter", where

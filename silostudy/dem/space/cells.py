@@ -1,5 +1,6 @@
 """Cells of surfaces of spheres: their middles (m), areas (m2), and how what they feel stands to the vertical."""
 
+from dataclasses import dataclass
 from functools import singledispatch
 from itertools import pairwise
 from typing import Any
@@ -11,6 +12,31 @@ from silostudy.dem.space.surfaces import ACROSS, CIRCLE, NORMAL, UPWARD
 from silostudy.dem.space.walls import FlatPiece, TurnedLine
 
 CORNERS = 720  # of the polygon that stands for a circle
+
+
+@dataclass(frozen=True)
+class Face:
+    """One face of a surface that has cells of its own: the surface's name, or that and `_back`.
+
+    wall: number of the surface; count: of cells; lean: vertical components (1) of the normal that presses it and of the upward
+    direction along it.
+    """
+
+    name: str
+    wall: int
+    count: int
+    lean: tuple[float, float]
+
+
+def faces(surfaces, roof: str) -> list[Face]:
+    """Faces of surfaces in the order of their cells; roof: name of the one that the solid is below."""
+    found = []
+    for number, surface in enumerate(surfaces):
+        normal, along = uprightness(surface, surface.name == roof)
+        for back in range(surface.faces):
+            name, lean = f"{surface.name}_back" if back else surface.name, (-normal if back else normal, along)
+            found.append(Face(name, number, int(np.prod(surface.cells)), lean))
+    return found
 
 
 @singledispatch

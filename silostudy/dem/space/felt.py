@@ -38,6 +38,8 @@ from silostudy.dem.space.surfaces import (
     TURN,
     TURNED,
     UPWARD,
+    facing,
+    facing_turned,
     nearest,
     piece_of,
 )
@@ -137,10 +139,14 @@ def note_walls(rows, walls, near, start, count, force, record, part):
         distance = sqrt(dx * dx + dy * dy + dz * dz)
         nx, ny, nz = dx / distance, dy / distance, dz / distance
         px, py, pz = x - dx, y - dy, z - dz
+        front = 1.0
         if walls.shape[q, 0] == TURNED:
+            front = facing_turned(walls.shape, q, x, y, z, dx, dy, dz)
             share, turn, (ux, uy, uz) = turned_frame(walls.shape, q, px, py, pz)
         else:
-            q = piece_of(walls.shape, q, x, y, z) if walls.shape[q, 0] == FLAT else q
+            if walls.shape[q, 0] == FLAT:
+                q = piece_of(walls.shape, q, x, y, z)
+                front = facing(walls.shape, q, dx, dy, dz)
             share, turn, (ux, uy, uz) = flat_frame(walls.shape, q, px, py, pz)
         fx, fy, fz = (
             force[0, FORCE_X * STRETCH + k],
@@ -156,4 +162,5 @@ def note_walls(rows, walls, near, start, count, force, record, part):
             spin = force[0, (FIRST_X + 2) * STRETCH + k] - lever * (fx * ny - fy * nx)
             record.force[part, at, TORQUE] = py * fx - px * fy - spin
         along, around = walls.cells[q, 1], walls.cells[q, 2]
-        record.cell[part, at] = walls.cells[q, 0] + cell_of_share(share, along) * around + cell_of_share(turn, around)
+        first = walls.cells[q, 0] + (walls.cells[q, 3] if front < 0.0 else 0)
+        record.cell[part, at] = first + cell_of_share(share, along) * around + cell_of_share(turn, around)
