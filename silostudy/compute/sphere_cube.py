@@ -7,7 +7,7 @@ from silostudy.config.spheres import SphereScene
 from silostudy.dem.ledger import ENTRIES
 from silostudy.dem.model import Model
 from silostudy.dem.run import Run
-from silostudy.dem.space.cells import areas, faces, middles
+from silostudy.dem.space.cells import areas, cuts, faces, middles
 from silostudy.dem.space.felt import TORQUE
 from silostudy.scene.space_silo import LID
 from silostudy.scene.spheres import space_silo_of
@@ -21,13 +21,13 @@ SPIN = 2  # of what is recorded of a surface that moves
 MOTION = ("x", "y", "z", "u", "v", "w", "spin_x", "spin_y", "spin_z")
 
 
-def sphere_arrays(run: Run) -> dict[str, np.ndarray]:
+def sphere_arrays(run: Run, scene: SphereScene) -> dict[str, np.ndarray]:
     """Arrays of the cube by name."""
     model = run.engine.model
     data = {"grain": np.arange(len(model.x)), "grain_radius": np.array(model.radius), "grain_mass": model.mass}
     if model.kind is not None:
         data |= {"grain_kind": np.asarray(model.kind, np.int32)}
-    return data | _windows(run) | _snapshots(run) | _meter(run)
+    return data | _windows(run) | _snapshots(run) | _meter(run) | outlet_arrays(run, scene) | insert_arrays(scene)
 
 
 def sphere_notes(scene: SphereScene) -> dict[str, float | str]:
@@ -45,6 +45,15 @@ def sphere_notes(scene: SphereScene) -> dict[str, float | str]:
         "gravity_m_s2": -scene.gravity_m_s2[2],
         **({"grain_kinds": ", ".join(scene.grain_kinds)} if scene.other_grains else {}),
     }
+
+
+def insert_arrays(scene: SphereScene) -> dict[str, np.ndarray]:
+    """Lines (m) in which the slice through the axis along x cuts the inserts, one after the other with a gap after each."""
+    lines = [line for insert in space_silo_of(scene).inserts for line in cuts(insert)]
+    if not lines:
+        return {}
+    x, z = np.vstack([np.vstack([line, (np.nan, np.nan)]) for line in lines]).T
+    return {"insert_point": np.arange(len(x)), "insert_x": x, "insert_z": z}
 
 
 def passages(run: Run) -> tuple[np.ndarray, np.ndarray, np.ndarray]:

@@ -45,8 +45,8 @@ class SpaceSilo:
 
     outlets: of a flat floor, none: a closed one; inserts: surfaces of names of their own inside; wedge: the hopper of a square
     or rectangular plan slopes on two sides only, else on all four, equally steep; freeboard: height (m) of the walls above the
-    highest contact with the solid; gated: whether outlets open at a speed, when the plug of a hopper is a level piece whose hole
-    grows.
+    highest contact with the solid; gated: whether outlets open at a speed, when the plug of a hopper is a level piece whose
+    hole grows.
     """
 
     silo: Silo

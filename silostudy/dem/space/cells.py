@@ -11,6 +11,7 @@ from silostudy.dem.space.level import LevelPiece, Outline
 from silostudy.dem.space.surfaces import ACROSS, CIRCLE, NORMAL, UPWARD
 from silostudy.dem.space.walls import FlatPiece, TurnedLine
 
+CUT = 33  # points of a line that a plane cuts a turned surface in
 CORNERS = 720  # of the polygon that stands for a circle
 
 
@@ -109,6 +110,30 @@ def polygon(outline: Outline) -> np.ndarray:
     turn = 2.0 * np.pi * np.arange(CORNERS) / CORNERS
     wide = outline.half[0] * np.sqrt(2.0 * np.pi / (CORNERS * np.sin(2.0 * np.pi / CORNERS)))
     return np.column_stack([outline.middle[0] + wide * np.cos(turn), outline.middle[1] + wide * np.sin(turn)])
+
+
+@singledispatch
+def cuts(surface: Any) -> list[np.ndarray]:
+    """Lines (n, 2; m) in which the plane of y = 0 cuts a surface: x and z."""
+    raise TypeError(type(surface))
+
+
+@cuts.register
+def _(surface: TurnedLine) -> list[np.ndarray]:
+    share = np.linspace(0.0, 1.0, CUT)[:, None]
+    r, z = (np.array(surface.start) * (1.0 - share) + np.array(surface.end) * share).T
+    half = np.sqrt(np.maximum(r**2 - surface.axis[1] ** 2, 0.0))
+    there = r >= abs(surface.axis[1])
+    return [np.column_stack([surface.axis[0] + side * half, z])[there] for side in (-1.0, 1.0) if there.any()]
+
+
+@cuts.register
+def _(surface: FlatPiece) -> list[np.ndarray]:
+    found = []
+    for a, b in (np.array(side) for side in surface.sides):
+        if (a[1] < 0.0) != (b[1] < 0.0):
+            found.append((a + a[1] / (a[1] - b[1]) * (b - a))[[0, 2]])
+    return [np.array(found)] if found else []
 
 
 def _parts(count: int) -> np.ndarray:

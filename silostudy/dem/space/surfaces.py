@@ -167,15 +167,6 @@ def facing(shape, wall, dx, dy, dz):
 
 
 @njit(**OPTIONS)
-def facing_turned(shape, wall, x, y, z, dx, dy, dz):
-    """The same of a turned line that is nearest to (x, y, z): its front is on the left of its way."""
-    ax, ay = x - dx - shape[wall, AXIS_X], y - dy - shape[wall, AXIS_Y]
-    off = sqrt(ax * ax + ay * ay)
-    dr = (dx * ax + dy * ay) / off if off > 0.0 else sqrt(dx * dx + dy * dy)
-    return dz * shape[wall, ALONG_R] - dr * shape[wall, ALONG_Z]
-
-
-@njit(**OPTIONS)
 def nearest_level(shape, wall, x, y, z):
     """Of a level piece, whose outline is joined: its plane, or the rim of an open hole that the point stands over."""
     height = z - shape[wall, HEIGHT]
