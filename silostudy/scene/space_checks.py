@@ -112,9 +112,10 @@ def require_outlet(space: SpaceSilo, field: str, outlet: Outlet) -> None:
 def require_inserts(space: SpaceSilo) -> None:
     """BadInput for an insert without a name of its own, or that leaves the silo, or that folds on others at one side."""
     named = [surface.name for surface in replace(space, inserts=()).walls()] if space.inserts else []
+    parts = {name.partition("_")[0] for name in named}
     for number, insert in enumerate(space.inserts):
         field = f"inserts.{number}"
-        if insert.name in named:
+        if insert.name in named or insert.name.partition("_")[0] in parts:
             raise BadInput(f"{field}.name", insert.name, f"is taken; taken by then: {', '.join(named)}")
         named.append(insert.name)
         for z, outline in brims(insert):

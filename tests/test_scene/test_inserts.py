@@ -1,5 +1,6 @@
 """Inserts of a silo of spheres: one push from their nearest point, on either side and round their rims and ridges."""
 
+from dataclasses import replace
 from itertools import pairwise
 from math import cos, hypot, pi, radians, sin, sqrt
 
@@ -126,6 +127,13 @@ def test_cells_of_both_faces():
     assert areas(walls[2]).sum() == pytest.approx(pi * 0.03 * hypot(0.03, 0.02))
 
 
+def test_pieces_of_one_plane_but_unlike_coefficients_are_no_sheet():
+    corners = ((0.0, 0.0, 0.1), (0.04, 0.0, 0.1), (0.04, 0.04, 0.1), (0.0, 0.04, 0.1))
+    one, other = (polygon(name, (*corners[k:], *corners[:k])[:3], "both") for name, k in (("one", 0), ("other", 2)))
+    assert walls_of((one, other)).live.tolist() == [True, False]
+    assert walls_of((one, replace(other, coat=1))).live.tolist() == [True, True]
+
+
 SQUARE = ((0.0, 0.0, 0.1), (0.04, 0.0, 0.1), (0.04, 0.04, 0.1), (0.0, 0.04, 0.1))
 CONE = {"plan": "circular", "diameter": 0.2, "wall_depth": 0.1, "hopper": Hopper(half_angle=radians(30.0), outlet_width=0.08)}
 
@@ -141,6 +149,7 @@ CONE = {"plan": "circular", "diameter": 0.2, "wall_depth": 0.1, "hopper": Hopper
         (lambda: silo(disc("ring", 0.05, 0.01, 0.0, (0.0, 0.0)), **CONE), "leaves the silo at x 0, y 0, z 0 m"),
         (lambda: silo(HAT, HAT), "inserts.1.name = 'hat': is taken; taken by then: floor, wall, hat"),
         (lambda: silo(cylinder("wall", 0.03, (0.1, 0.2), AXIS)), "inserts.0.name = 'wall': is taken"),
+        (lambda: silo(cylinder("wall_2", 0.03, (0.1, 0.2), AXIS)), "inserts.0.name = 'wall_2': is taken"),
         (lambda: polygon("plate", (*SQUARE[:3], (0.03, 0.01, 0.1)), "both"), "plate = .* must be convex, its corners in order"),
         (lambda: polygon("plate", tuple(SQUARE[k] for k in (0, 2, 1, 3)), "both"), "must be convex, its corners in order"),
         (lambda: polygon("plate", SQUARE[:2], "both"), "three finite corners or more"),

@@ -261,7 +261,7 @@ HAT = {
     "filling__rate_1_s": 3000,
     "silo__cylinder_depth_m": 0.16,
     "events": [{"when": "rest", "do": "open_outlet"}, {"when": "after", "value": 0.04, "do": "stop"}],
-    "record__snapshots_s": [0.05],
+    "record__snapshots_s": [0.13],
 }  # fmt: skip
 
 

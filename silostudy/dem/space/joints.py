@@ -63,8 +63,8 @@ def sheets(surfaces) -> list[list[int]]:
 
 
 def level(one: Any, other: Any) -> bool:
-    """Whether two flat pieces that share a side are of one plane."""
-    return bool(abs(one.normal @ other.normal) > 1.0 - EVEN)
+    """Whether two flat pieces that share a side are of one plane and of the same coefficients."""
+    return bool(abs(one.normal @ other.normal) > 1.0 - EVEN) and one.coat == other.coat
 
 
 def flat_joints(surfaces) -> list[Joint]:

@@ -33,13 +33,14 @@ STRAIGHT = 1e-12  # of its square: how much a corner may turn inward
 class Surface:
     """What every surface has: a name, equal cells along and around that have their force recorded, whether it stands.
 
-    faces: 2 where its back has cells of its own.
+    faces: 2 where its back has cells of its own; coat: number of its coefficients, that pieces of one sheet share.
     """
 
     name: str
     cells: tuple[int, int] = (1, 1)
     live: bool = True
     faces: int = 1
+    coat: int = 0
 
     def __post_init__(self):
         if min(self.cells) < 1:
