@@ -9,24 +9,13 @@ from silostudy.catalogue import Family
 from silostudy.config.contact import LawsConfig
 from silostudy.config.fields import Strict, described
 from silostudy.config.own import key_of
-from silostudy.contact import NO_COHESION, NO_ROLLING, NO_TWISTING, SPHERE_LAWS
+from silostudy.contact import NO_COHESION, NO_ROLLING, NO_TWISTING, SPHERE_LAWS, Law
 from silostudy.contact.normal import hertz
 from silostudy.contact.tangential import mindlin
 from silostudy.tables.materials import MATERIALS
 
-OF_MATERIALS = {"materials", "restitution", "sliding_friction"}  # fields that a scene of spheres has for laws to share
-LAWS: Mapping[str, Family] = {
-    name: Family(
-        family.name,
-        (
-            row
-            for row in family.values()
-            if all(one.own or {f for g in one.fields for f in g} <= OF_MATERIALS for one in row.coefficients)
-        ),
-        family.takes,
-    )
-    for name, family in SPHERE_LAWS.items()
-}
+LAWS: Mapping[str, Family] = SPHERE_LAWS
+OF_PAIR = ("materials", "restitution", "sliding_friction")  # what the pair of materials says where a section does not
 MaterialKey: TypeAlias = Literal[tuple(MATERIALS)]  # type: ignore[valid-type]
 NormalKey: TypeAlias = key_of(LAWS["normal"])  # type: ignore[valid-type]
 TangentialKey: TypeAlias = key_of(LAWS["tangential"])  # type: ignore[valid-type]
@@ -76,3 +65,39 @@ class TouchConfig(LawsConfig):
         "speed after over speed before a head-on impact; null: of the pair of materials", gt=1e-3, le=1, default=None
     )
     sliding_friction: float | None = described("friction coefficient; null: of the pair of materials", ge=0, default=None)
+    normal_stiffness_N_m: float | None = described(
+        "normal stiffness of laws with linear springs, of any two bodies; materials say nothing of it",
+        "N m-1",
+        gt=0,
+        default=None,
+    )
+    stiffness_ratio: float = described(
+        "tangential over normal stiffness of linear springs; dashpots have its root", ge=0, default=0.25
+    )
+
+    @model_validator(mode="after")
+    def _what_the_laws_need(self) -> Self:
+        laws = list(self.laws.values())
+        taken = [(field, law) for law in laws for one in law.coefficients for group in one.fields for field in group]
+        for field, law in taken:
+            if field in type(self).model_fields and field not in OF_PAIR and getattr(self, field) is None:
+                raise ValueError(f"the law {law.key} needs the key {field}")
+        if self.normal_stiffness_N_m is not None and "normal_stiffness_N_m" not in dict(taken):
+            raise ValueError(f"normal_stiffness_N_m: no law here has linear springs: {self.normal} takes the materials' moduli")
+        return self
+
+    @model_validator(mode="after")
+    def _dashpots_of_one_spring(self) -> Self:
+        """Dashpots that follow from a restitution do so for one kind of normal spring."""
+        normal, springs = self.laws["normal"], _behind_dashpots(self.laws["normal"])
+        for name, law in self.laws.items():
+            if _behind_dashpots(law) and springs - _behind_dashpots(law):
+                fitting = [row.key for row in self.choices[name].values() if not springs - (_behind_dashpots(row) or springs)]
+                raise ValueError(f"the {name} law {law.key} does not go with {normal.key}: take {' or '.join(fitting)}")
+        return self
+
+
+def _behind_dashpots(law: Law) -> set[str]:
+    """Fields that a law's dashpots follow from, where they follow from a restitution; none where they do not."""
+    groups = (one.fields for one in law.coefficients if ("restitution",) in one.fields)
+    return {field for fields in groups for group in fields for field in group}

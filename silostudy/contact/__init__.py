@@ -1,6 +1,6 @@
 """The contact laws: families of plain functions of floats, one file a law; a scene picks one of each."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 
 from silostudy.catalogue import Family
 from silostudy.contact.cohesion import COHESION
@@ -23,16 +23,19 @@ FAMILIES: Mapping[str, Family] = {
 }
 
 
-def of_grains(grains: str) -> Mapping[str, Family]:
-    """The laws of `discs` or of `spheres`, by the names of their families here; not of a family that has none for them."""
+def of_grains(grains: str, told: Callable[[Law], Law]) -> Mapping[str, Family]:
+    """The laws of `discs` or of `spheres`, by the names of their families here; not of a family that has none for them.
+
+    told: what a law says of itself in scenes of these grains.
+    """
     found = {
-        name: Family(family.name, (row for row in family.values() if grains in row.grains), family.takes)
+        name: Family(family.name, (told(row) for row in family.values() if grains in row.grains), family.takes)
         for name, family in FAMILIES.items()
     }
     return {name: family for name, family in found.items() if family}
 
 
-LAWS, SPHERE_LAWS = of_grains("discs"), of_grains("spheres")
+LAWS, SPHERE_LAWS = of_grains("discs", lambda row: row), of_grains("spheres", lambda row: row.of_spheres)
 NO_TANGENTIAL, NO_ROLLING, NO_COHESION = frictionless.ROW.key, no_rolling.ROW.key, no_cohesion.ROW.key
 NO_TWISTING = no_twisting.ROW.key
 # what a contact has whose section in a scene names no law

@@ -1,7 +1,7 @@
 """The coefficients of contact laws: what they are made from in a scene, and in which range they lie."""
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import isfinite
 from typing import TYPE_CHECKING, Any
 
@@ -26,6 +26,10 @@ class Given:
     wall: bool = False
     uneven: bool = False
 
+    def get(self, field: str) -> Any:
+        """What a field gives; nothing where it is not given, or sections of these grains do not have it."""
+        return self.fields.get(field)
+
     def __getitem__(self, field: str) -> Any:
         if field not in self.fields:
             raise unknown("contact field", field, self.fields)
@@ -49,6 +53,15 @@ class Coefficient:
     default: float | None = None
     stiffness_power: float = 0.0  # of the factor by which a contact's springs are made stiffer
     damping_power: float = 0.0  # of the factor by which its dashpots are made stronger
+    in_space: tuple[str, tuple[tuple[str, ...], ...]] | None = None  # unit and fields of spheres, where they are others
+
+    @property
+    def of_spheres(self) -> "Coefficient":
+        """The coefficient with the unit and the fields that it has in scenes of spheres."""
+        if self.in_space is None:
+            return self
+        unit, fields = self.in_space
+        return replace(self, unit=unit, fields=fields, in_space=None)
 
     @property
     def own(self) -> bool:

@@ -3,10 +3,10 @@
 import hashlib
 from abc import abstractmethod
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path
-from typing import Any, ClassVar, NamedTuple
+from typing import Any, ClassVar, NamedTuple, Self
 
 from numba import njit
 from numba.core.registry import cpu_target
@@ -128,6 +128,11 @@ class Law(Row):
     def tried(self, made: Callable[[Callable], Callable], c: tuple[float, ...]) -> None:
         """Calls the law on a usual contact; made: what is made of its functions before they are called."""
         float(made(self.stiffness)(1e-6, USUAL, c))
+
+    @property
+    def of_spheres(self) -> Self:
+        """The law with the units and fields that its coefficients have in scenes of spheres."""
+        return replace(self, coefficients=tuple(one.of_spheres for one in self.coefficients))
 
     @property
     def at_rest(self) -> str:

@@ -14,13 +14,14 @@ from silostudy.contact.curve import PRINTED_CONSTANTS, secant
 STIFFNESS = ("normal_stiffness_N_m2", "line_contact")  # fields of which one is given
 DAMPING = ("normal_damping_N_s_m2", "damping_ratio", "restitution")
 RATIO = ("stiffness_ratio",)
+IN_SPACE = ("normal_stiffness_N_m",), ("restitution",)  # what spheres have in place of stiffness and damping
 
 
 def normal_stiffness(given: Given) -> float:
-    """Normal stiffness (N/m per m): the scene's own, or the secant of its line contact."""
-    line = given["line_contact"]
+    """Normal stiffness (N/m per m; of spheres N/m): the scene's own, or the secant of its line contact."""
+    line = given.get("line_contact")
     if line is None:
-        return given["normal_stiffness_N_m2"]
+        return given.get("normal_stiffness_N_m") or given["normal_stiffness_N_m2"]
     constant = PRINTED_CONSTANTS[line["constant"]]
     elastic = {"youngs_modulus": line["youngs_modulus_Pa"], "poissons_ratio": line["poissons_ratio"]}
     return secant(given.radius, load=line["load_N_m"], constant=constant, **elastic)
@@ -28,7 +29,7 @@ def normal_stiffness(given: Given) -> float:
 
 def normal_damping(given: Given) -> float:
     """Normal dashpot (N s/m per m): the scene's own, or of equal discs its ratio to the critical one of their mass."""
-    direct, ratio = given["normal_damping_N_s_m2"], given["damping_ratio"] or 0.0
+    direct, ratio = given.get("normal_damping_N_s_m2"), given.get("damping_ratio") or 0.0
     if direct is not None or given.uneven:
         return direct or 0.0
     mass = given.density * pi * given.radius**2
@@ -40,7 +41,7 @@ def normal_damping_root(given: Given) -> float:
 
     A damping ratio is of a disc's mass: the reduced one at a wall, and twice the reduced one between discs.
     """
-    restitution, ratio = given["restitution"], given["damping_ratio"] if given.uneven else None
+    restitution, ratio = given["restitution"], given.get("damping_ratio") if given.uneven else None
     if restitution is not None:
         assert given.normal.damped is not None  # the configuration asks
         return 2.0 * given.normal.damped(restitution) * sqrt(normal_stiffness(given))
@@ -68,18 +69,32 @@ def friction(given: Given) -> float:
 
 
 DASHPOT = (
-    Coefficient(name="normal_damping", unit="N s m-2", fields=(DAMPING,), prepare=normal_damping, damping_power=1.0),
+    Coefficient(
+        name="normal_damping",
+        unit="N s m-2",
+        fields=(DAMPING,),
+        prepare=normal_damping,
+        damping_power=1.0,
+        in_space=("N s m-1", IN_SPACE),
+    ),
     Coefficient(
         name="normal_damping_root",
         unit="N s m-2 (kg m-1)-1/2",
         fields=(DAMPING,),
         prepare=normal_damping_root,
         damping_power=1.0,
+        in_space=("N s m-1 kg-1/2", IN_SPACE),
     ),
 )
 NORMAL = (
     Coefficient(
-        name="normal_stiffness", unit="N m-2", fields=(STIFFNESS,), prepare=normal_stiffness, positive=True, stiffness_power=1.0
+        name="normal_stiffness",
+        unit="N m-2",
+        fields=(STIFFNESS,),
+        prepare=normal_stiffness,
+        positive=True,
+        stiffness_power=1.0,
+        in_space=("N m-1", IN_SPACE[:1]),
     ),
     *DASHPOT,
 )
@@ -90,6 +105,7 @@ DRAG = (
         fields=(DAMPING, RATIO),
         prepare=tangential_damping,
         damping_power=1.0,
+        in_space=("N s m-1", (*IN_SPACE, RATIO)),
     ),
     Coefficient(
         name="tangential_damping_root",
@@ -97,6 +113,7 @@ DRAG = (
         fields=(DAMPING, RATIO),
         prepare=tangential_damping_root,
         damping_power=1.0,
+        in_space=("N s m-1 kg-1/2", (*IN_SPACE, RATIO)),
     ),
 )
 FRICTION = Coefficient(name="sliding_friction", unit="1", fields=(("sliding_friction",),), prepare=friction)
@@ -107,6 +124,7 @@ SLIDER = (
         fields=(STIFFNESS, RATIO),
         prepare=tangential_stiffness,
         stiffness_power=1.0,
+        in_space=("N m-1", (IN_SPACE[0], RATIO)),
     ),
     *DRAG,
     FRICTION,

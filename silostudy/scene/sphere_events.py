@@ -43,7 +43,7 @@ def _action(event: SphereEventConfig, space: SpaceSilo, mass: float) -> tuple[st
     return "stop", ()
 
 
-def turns_in_place(surface: Surface | None) -> bool:
+def turns_in_place(surface: Surface) -> bool:
     """Whether a surface stays where it is when it turns about the upright axis x = y = 0."""
     if isinstance(surface, LevelPiece):
         outlines = (surface.outline, *(hole.outline for hole in surface.holes))
@@ -52,13 +52,10 @@ def turns_in_place(surface: Surface | None) -> bool:
 
 
 def check_turning(scene: SphereScene, space: SpaceSilo, where: str) -> None:
-    """BadInput for surfaces that a silo does not have, or that do not stay where they are when they turn."""
+    """BadInput for surfaces that do not stay where they are when they turn."""
     surfaces = {surface.name: surface for surface in space.walls()}
     for number, event in enumerate(scene.events):
-        key = f"events.{number}.surfaces"
-        for name in event.surfaces:
-            if name not in surfaces and space.plan.sides == CIRCLE:
-                raise BadInput(key, name, f"the silo has none; it has {', '.join(surfaces)}", where)
-        if not all(turns_in_place(surfaces.get(name)) for name in event.surfaces):
+        turned = walls_of_event(event.surfaces, list(surfaces), number, where) if event.do == "rotate" else ()
+        if not all(turns_in_place(surfaces[name]) for name in turned):
             allowed = "turn about the axis of a circular silo alone, whose outlet, if any, is round and in its middle"
-            raise BadInput(key, ", ".join(event.surfaces), allowed, where)
+            raise BadInput(f"events.{number}.surfaces", ", ".join(event.surfaces), allowed, where)

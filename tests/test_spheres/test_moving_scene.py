@@ -61,7 +61,7 @@ def test_events_that_lack_or_have_too_much(events, changes, said):
         ),
         (
             {"do": "rotate", "spin_rad_s": 1.0, "surfaces": ["hopper"]}, {},
-            "events.0.surfaces = 'hopper'.* it has floor, wall, lid",
+            "events.0.surfaces = 'hopper': unknown; known: floor, wall, lid",
         ),
         (
             {"do": "rotate", "spin_rad_s": 1.0, "surfaces": ["wall"]}, {"silo": SQUARE},

@@ -152,7 +152,7 @@ class LevelPiece(Surface):
         row[UPWARD : UPWARD + 5], row[ACROSS : ACROSS + 5] = (0.0, 1.0, 0.0, y, back - y), (1.0, 0.0, 0.0, x, right - x)
         return row
 
-    def opened(self, row: np.ndarray, names: tuple[str, ...], speed: float) -> None:
+    def opened(self, row: np.ndarray, names: tuple[str, ...], speed: float = 0.0) -> None:
         """Open the holes of these names in its row: at a speed (m/s) of their width along x, or at once where that is none."""
         for of, hole in zip(row[MORE:][: PER_HOLE * len(self.holes)].reshape(-1, PER_HOLE), self.holes, strict=True):
             if hole.name in names:
