@@ -8,6 +8,7 @@ from silostudy.dem.events import TRIGGERS
 from silostudy.dem.integrate import INTEGRATORS
 from silostudy.dem.outcomes import OUTCOMES
 from silostudy.dem.rest import REST
+from silostudy.dem.space.inserts import INSERTS
 from silostudy.packing import PACKINGS
 from silostudy.packing.filling import FILLINGS
 from silostudy.packing.sizes import SIZES
@@ -15,6 +16,7 @@ from silostudy.packing.sizes import SIZES
 PARTS: dict[str, Family] = {
     "packings": PACKINGS,
     "fillings": FILLINGS,
+    "inserts": INSERTS,
     "sizes": SIZES,
     "integrators": INTEGRATORS,
     "triggers": TRIGGERS,
@@ -24,12 +26,12 @@ PARTS: dict[str, Family] = {
 
 
 def explanation(row) -> list[str]:
-    """The lines that explain a packing, an integrator, a trigger, a criterion of rest or a quantity."""
+    """The lines that explain a packing, an insert, an integrator, a trigger, a criterion of rest or a quantity."""
     from silostudy.tables.references import with_locator
 
     part = next(name for name, family in PARTS.items() if row in family.values())
     lines = [f"{row.title} ({row.key}, of {part})"]
-    for function in ("advance", "measure", "place", "draw", "find"):
+    for function in ("advance", "measure", "place", "make", "draw", "find"):
         if (told := getattr(row, function, None)) is not None:
             lines.append(f"  gives     {told.__doc__.splitlines()[0]}")
     for asked in getattr(row, "asks", ()):

@@ -7,7 +7,7 @@ from silostudy.choice.promise import Choice, promises
 from silostudy.compute.expected import notes_of, verdicts
 from silostudy.compute.lid_cube import lid_arrays
 from silostudy.compute.observers import SOURCES, observed, observers_notes
-from silostudy.compute.sphere_cube import mean_outflow, outlet_arrays, sphere_arrays, sphere_notes
+from silostudy.compute.sphere_cube import mean_outflow, sphere_arrays, sphere_notes
 from silostudy.config.dem import DemScene
 from silostudy.config.grain_scenes import AnyScene
 from silostudy.config.spheres import SphereScene
@@ -22,7 +22,7 @@ def cube_of(run: Run, scene: AnyScene, choice: Choice | None = None) -> xr.Datas
     """The cube of everything that a run recorded; choice: that of its settings, where the scene asked for an accuracy."""
     model, record = run.engine.model, run.recording
     body = model.space.body
-    data = disc_arrays(run) if isinstance(scene, DemScene) else sphere_arrays(run) | outlet_arrays(run, scene)
+    data = disc_arrays(run) if isinstance(scene, DemScene) else sphere_arrays(run, scene)
     data |= observed(run, scene) | {
         "event_time": np.array([time for time, _, _ in record.happened], float),
         "event_action": np.array([f"{trigger}: {action}" for _, trigger, action in record.happened], dtype=str),

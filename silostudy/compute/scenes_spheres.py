@@ -6,7 +6,7 @@ from silostudy.compute.scenes_windows import Numbers, Swept, at_rest_and_largest
 from silostudy.compute.sphere_cube import mean_outflow, passages
 from silostudy.dem.leaving import SPILT
 from silostudy.dem.run import Run
-from silostudy.dem.space.cells import uprightness
+from silostudy.dem.space.cells import faces
 from silostudy.scene.space_silo import FLOOR, HOPPER, LID, WALL
 
 BODIES = {"walls": (WALL,), "hopper": (HOPPER,), "floor": (FLOOR,)}
@@ -35,8 +35,8 @@ def felt(run: Run) -> dict[str, np.ndarray]:
         missing = np.full((len(record.window), len(BODIES)), np.nan)
         return {"body_normal_force": missing, "body_load": missing}
     force = np.array(record.window)[:, :, :2, 0]
-    lean = np.repeat([uprightness(wall, wall.name == LID) for wall in model.walls],
-                     [int(np.prod(wall.cells)) for wall in model.walls], axis=0)  # fmt: skip
+    seen = faces(model.walls, LID)
+    lean = np.repeat([face.lean for face in seen], [face.count for face in seen], axis=0)
     return {
         "body_normal_force": by_body(run, force[:, :, 0], BODIES),
         "body_load": by_body(run, (force * lean).sum(axis=2), BODIES),

@@ -7,7 +7,7 @@ from silostudy.config.spheres import SphereScene
 from silostudy.dem.ledger import ENTRIES
 from silostudy.dem.model import Model
 from silostudy.dem.run import Run
-from silostudy.dem.space.cells import areas, middles, uprightness
+from silostudy.dem.space.cells import areas, cuts, faces, middles
 from silostudy.dem.space.felt import TORQUE
 from silostudy.scene.space_silo import LID
 from silostudy.scene.spheres import space_silo_of
@@ -21,13 +21,13 @@ SPIN = 2  # of what is recorded of a surface that moves
 MOTION = ("x", "y", "z", "u", "v", "w", "spin_x", "spin_y", "spin_z")
 
 
-def sphere_arrays(run: Run) -> dict[str, np.ndarray]:
+def sphere_arrays(run: Run, scene: SphereScene) -> dict[str, np.ndarray]:
     """Arrays of the cube by name."""
     model = run.engine.model
     data = {"grain": np.arange(len(model.x)), "grain_radius": np.array(model.radius), "grain_mass": model.mass}
     if model.kind is not None:
         data |= {"grain_kind": np.asarray(model.kind, np.int32)}
-    return data | _windows(run) | _snapshots(run) | _meter(run)
+    return data | _windows(run) | _snapshots(run) | _meter(run) | outlet_arrays(run, scene) | insert_arrays(scene)
 
 
 def sphere_notes(scene: SphereScene) -> dict[str, float | str]:
@@ -45,6 +45,15 @@ def sphere_notes(scene: SphereScene) -> dict[str, float | str]:
         "gravity_m_s2": -scene.gravity_m_s2[2],
         **({"grain_kinds": ", ".join(scene.grain_kinds)} if scene.other_grains else {}),
     }
+
+
+def insert_arrays(scene: SphereScene) -> dict[str, np.ndarray]:
+    """Lines (m) in which the slice through the axis along x cuts the inserts, one after the other with a gap after each."""
+    lines = [line for insert in space_silo_of(scene).inserts for line in cuts(insert)]
+    if not lines:
+        return {}
+    x, z = np.vstack([np.vstack([line, (np.nan, np.nan)]) for line in lines]).T
+    return {"insert_point": np.arange(len(x)), "insert_x": x, "insert_z": z}
 
 
 def passages(run: Run) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
@@ -104,7 +113,8 @@ def _windows(run: Run) -> dict[str, np.ndarray]:
         data |= {"ledger_energy": np.array(record.energy), "energy_entry": np.array(ENTRIES)}
     data |= _felt(np.array(record.window), np.array(record.whole), model) if model.watched else {}
     if model.moving and model.watched:
-        data |= {"surface_spin": np.array(record.motion)[:, :, SPIN]}
+        walls = [face.wall for face in faces(model.walls, LID)]
+        data |= {"surface_spin": np.array(record.motion)[:, walls, SPIN]}
     return data | lid_arrays(run)
 
 
@@ -115,25 +125,27 @@ def _felt(force: np.ndarray, whole: np.ndarray, model: Model) -> dict[str, np.nd
         for k, what in enumerate(("mean", "min", "max")):
             data[f"cell_{name}_force_{what}"] = force[:, :, way, k]
             data[f"wall_{stress}_{what}"] = force[:, :, way, k] / data["wall_cell_area"]
-    total = np.add.reduceat(force[:, :, :, 0], model.space.walls_of(model.walls).cells[:, 0], axis=1)
-    lean = np.array([uprightness(wall, wall.name == LID) for wall in model.walls])
+    seen = faces(model.walls, LID)
+    counts, lean = np.array([face.count for face in seen]), np.array([face.lean for face in seen])
+    total = np.add.reduceat(force[:, :, :, 0], np.cumsum(counts) - counts, axis=1)
     data |= {f"surface_{name}_force": total[:, :, way] for way, (name, _) in enumerate(FELT)}
     for way, (name, _) in enumerate(FELT):
         for k, what in enumerate(("min", "max")):
             data[f"surface_{name}_force_{what}"] = whole[:, :, way, k]
     data |= {"surface_load": (total[:, :, :2] * lean).sum(axis=2)}
     data |= {"surface_torque": total[:, :, TORQUE]} if model.moving else {}
-    return data | {"surface": np.array([wall.name for wall in model.walls])}
+    return data | {"surface": np.array([face.name for face in seen])}
 
 
 def _cells(model: Model) -> dict[str, np.ndarray]:
     """Surface, middle, area of each cell, and its angle about the axis."""
-    x, y, z = np.vstack([middles(wall) for wall in model.walls]).T
-    names = [wall.name for wall in model.walls for _ in range(int(np.prod(wall.cells)))]
+    seen = faces(model.walls, LID)
+    x, y, z = np.vstack([middles(model.walls[face.wall]) for face in seen]).T
+    names = np.repeat([face.name for face in seen], [face.count for face in seen])
     return {
-        "wall_cell": np.arange(len(names)), "wall_name": np.array(names), "wall_cell_x": x, "wall_cell_y": y, "wall_cell_z": z,
+        "wall_cell": np.arange(len(names)), "wall_name": names, "wall_cell_x": x, "wall_cell_y": y, "wall_cell_z": z,
         "wall_cell_turn": np.arctan2(y, x) % (2.0 * np.pi),
-        "wall_cell_area": np.concatenate([areas(wall) for wall in model.walls]),
+        "wall_cell_area": np.concatenate([areas(model.walls[face.wall]) for face in seen]),
     }  # fmt: skip
 
 

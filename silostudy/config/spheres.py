@@ -14,6 +14,7 @@ from silostudy.config.scene import Silo
 from silostudy.config.sphere_events import SphereEventConfig
 from silostudy.config.surfaces import in_place
 from silostudy.contact import SPHERE_LAWS
+from silostudy.dem.space.inserts import INSERTS
 from silostudy.packing.filling import FILLINGS
 from silostudy.tables.constants import ROUNDED_GRAVITY
 from silostudy.tables.outputs import OUTPUTS
@@ -21,8 +22,10 @@ from silostudy.tables.outputs import OUTPUTS
 OutputKey: TypeAlias = Literal[tuple(key for key, row in OUTPUTS.items() if row.stage == "dem")]  # type: ignore[valid-type]
 if TYPE_CHECKING:
     FillingConfig = Any
+    InsertConfig = Any
 else:
     FillingConfig = one_of(FILLINGS, "Filling")
+    InsertConfig = one_of(INSERTS, "Insert")
 
 
 class OutletConfig(Strict):
@@ -57,6 +60,7 @@ class SphereScene(GrainScene):
         "",
     )
     outlets: tuple[OutletConfig, ...] = described("outlets of a flat floor; none: closed, or the hopper's", "", default=())
+    inserts: tuple[InsertConfig, ...] = described("surfaces inside, that push on both sides", "", default=())
     wedge: bool = described("whether the hopper of a square or rectangle slopes on two sides only", "", default=False)
     lid: bool = described("whether a lid closes the top", "", default=False)
     grain: GrainConfig = described("material of the spheres", "")

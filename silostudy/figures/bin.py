@@ -36,6 +36,8 @@ def outline(panel: Axes, cube: xr.Dataset) -> list[tuple[Line2D, float]]:
     """Draws the silo where the plane through the axis cuts it (cm); gives what shuts each outlet, and when (s) that goes."""
     x, z = 100.0 * outline_of(cube).T
     looks: dict[str, Any] = {"color": "black", "linewidth": 1, "gid": AID}
+    if "insert_x" in cube:
+        panel.plot(100.0 * cube["insert_x"], 100.0 * cube["insert_z"], **looks)
     if "outlet" not in cube:
         for part in (slice(3), slice(3, 6)):
             panel.plot(x[part], z[part], **looks)

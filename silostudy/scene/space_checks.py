@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from itertools import combinations
 from math import atan2, degrees, pi, radians
 from typing import TYPE_CHECKING
 
+from silostudy.dem.space.joints import ends, flat_joints
+from silostudy.dem.space.level import Outline
 from silostudy.dem.space.surfaces import CIRCLE, RECTANGLE
+from silostudy.dem.space.walls import FlatPiece, Surface, TurnedLine
 from silostudy.errors import BadInput
 
 if TYPE_CHECKING:
@@ -32,6 +36,7 @@ def require_surfaces(space: SpaceSilo) -> None:
         require_hopper(space)
     else:
         require_floor(space)
+    require_inserts(space)
 
 
 def require_hopper(space: SpaceSilo) -> None:
@@ -102,3 +107,33 @@ def require_outlet(space: SpaceSilo, field: str, outlet: Outlet) -> None:
         key = "silo.outlet_eccentricity" if outlet.middle is None else f"{field}.middle_m"
         allowed = f"the outlet must not leave the floor, and stands out by {-room:g} m"
         raise BadInput(key, opening.middle[0] if outlet.middle is None else outlet.middle, allowed)
+
+
+def require_inserts(space: SpaceSilo) -> None:
+    """BadInput for an insert without a name of its own, or that leaves the silo, or that folds on others at one side."""
+    named = [surface.name for surface in replace(space, inserts=()).walls()] if space.inserts else []
+    parts = {name.partition("_")[0] for name in named}
+    for number, insert in enumerate(space.inserts):
+        field = f"inserts.{number}"
+        if insert.name in named or insert.name.partition("_")[0] in parts:
+            raise BadInput(f"{field}.name", insert.name, f"is taken; taken by then: {', '.join(named)}")
+        named.append(insert.name)
+        for z, outline in brims(insert):
+            inside = space.outline(z)
+            (x, y), (mx, my) = outline.middle, inside.middle
+            around = replace(outline, middle=(x - mx, y - my))
+            if not (0.0 <= z <= space.top and inside.room_for(around) > -FLATTEST * space.silo.diameter):
+                raise BadInput(field, insert.name, f"leaves the silo at x {x:.4g}, y {y:.4g}, z {z:.4g} m")
+    sides = [side for one, other, k, n in flat_joints(space.inserts) for side in ((one, k), (other, n))]
+    for number, side in sides:
+        if sides.count((number, side)) > 1:
+            told = f"meets more than one polygon along its side {side + 1}"
+            raise BadInput(f"inserts.{number}", space.inserts[number].name, told)
+
+
+def brims(insert: Surface) -> list[tuple[float, Outline]]:
+    """Heights (m) and circles that span an insert: of a polygon its corners, circles of no radius."""
+    if isinstance(insert, TurnedLine):
+        return [(z, Outline(sides=int(CIRCLE), half=(r, r), middle=insert.axis)) for r, z in ends(insert)]
+    assert isinstance(insert, FlatPiece)
+    return [(z, Outline(sides=int(CIRCLE), half=(0.0, 0.0), middle=(x, y))) for x, y, z in insert.corners]

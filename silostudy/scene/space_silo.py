@@ -5,7 +5,7 @@ longer side along y.  Every surface has a name; of a plan with corners one for e
 side that faces x: wall_1, wall_2, ...
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -43,13 +43,15 @@ class Outlet:
 class SpaceSilo:
     """A silo as the codes know it, and what only grains need.
 
-    outlets: of a flat floor, none: a closed one; wedge: the hopper of a square or rectangular plan slopes on two sides only,
-    else on all four, equally steep; freeboard: height (m) of the walls above the highest contact with the solid; gated: whether
-    outlets open at a speed, when the plug of a hopper is a level piece whose hole grows.
+    outlets: of a flat floor, none: a closed one; inserts: surfaces of names of their own inside; wedge: the hopper of a square
+    or rectangular plan slopes on two sides only, else on all four, equally steep; freeboard: height (m) of the walls above the
+    highest contact with the solid; gated: whether outlets open at a speed, when the plug of a hopper is a level piece whose
+    hole grows.
     """
 
     silo: Silo
     outlets: tuple[Outlet, ...] = ()
+    inserts: tuple[Surface, ...] = ()
     wedge: bool = False
     freeboard: float = 0.0
     lid: bool = False
@@ -132,14 +134,15 @@ class SpaceSilo:
         return np.max([opening.inset(*places.T[:2]) for opening in self.openings.values()], axis=0) > 0.0
 
     def walls(self, cells: tuple[int, int] = (1, 1)) -> tuple[Surface, ...]:
-        """Its surfaces: the bottom, closed, then the walls and the lid.
+        """Its surfaces: the bottom, closed, then the walls, the lid and the inserts.
 
         cells: equal parts along and around of each whose force is recorded.
         """
         flat, plan = self.silo.hopper is None, self.plan
         walls = sides_between(WALL, plan, self.bottom, plan, self.top, cells, not self.slotted, self.lid)
         lid = (level(LID, plan, self.top, cells),) if self.lid else ()
-        return (*((self._floor(cells),) if flat else self._hopper(cells)), *walls, *lid)
+        inserts = (replace(insert, cells=cells) for insert in self.inserts)
+        return (*((self._floor(cells),) if flat else self._hopper(cells)), *walls, *lid, *inserts)
 
     @property
     def slotted(self) -> bool:

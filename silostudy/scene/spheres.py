@@ -14,6 +14,8 @@ from silostudy.contact.rolling import spring_slider
 from silostudy.dem.contacts import Contact
 from silostudy.dem.pieces import Laws
 from silostudy.dem.rain import Rain
+from silostudy.dem.space.inserts import INSERTS
+from silostudy.dem.space.walls import Surface
 from silostudy.dem.varied import Varied
 from silostudy.errors import BadInput
 from silostudy.scene.dem import walls_contact
@@ -36,12 +38,22 @@ def space_silo_of(scene: SphereScene, where: str = "") -> SpaceSilo:
         return SpaceSilo(
             silo=silo_of(scene.silo, nan, where, ""),
             outlets=outlets,
+            inserts=tuple(inserted(number, one) for number, one in enumerate(scene.inserts)),
             wedge=scene.wedge,
             lid=scene.lid,
             gated=slides(scene.events),
         )
     except BadInput as error:
         raise BadInput(error.field, error.value, error.allowed, error.where or where) from None
+
+
+def inserted(number: int, config: Any) -> Surface:
+    """The surface of an insert; BadInput for one that cannot be."""
+    row = INSERTS[config.kind]
+    try:
+        return row.make(**row.arguments(config))
+    except BadInput as error:
+        raise BadInput(f"inserts.{number}", config.name, f"{error.allowed}") from None
 
 
 def material_of(config: MaterialConfig) -> Material:

@@ -162,6 +162,7 @@ def sphere_effects(scene: SphereScene) -> tuple[Effect, ...]:
         Effect("wall pressures every step", record.wall_force_window_s is not None, "record.wall_force_window_s"),
         Effect("energy ledger", record.energy, f"record.energy: {record.energy}"),
         Effect("several outlets", len(scene.outlets) > 1, f"outlets: {len(scene.outlets)}"),
+        Effect("inserts", bool(scene.inserts), f"inserts: {len(scene.inserts)}"),
         Effect("hopper", scene.silo.hopper is not None, "silo.hopper"),
         Effect("walls that move", moves(scene.events), "events: lower_lid, press_lid, move_lid, rotate"),
         Effect("events", len(scene.events) > 1, ", ".join(event.do for event in scene.events)),

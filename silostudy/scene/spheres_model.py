@@ -9,7 +9,10 @@ from scipy.spatial import cKDTree
 
 from silostudy.config.spheres import SphereScene
 from silostudy.contact import spring
+from silostudy.dem.contacts import Contact
 from silostudy.dem.space.model import SphereModel
+from silostudy.dem.space.walls import Surface
+from silostudy.dem.varied import Varied
 from silostudy.errors import BadInput
 from silostudy.packing.filling import FILLINGS
 from silostudy.scene.dem import DEEPEST
@@ -49,7 +52,7 @@ def sphere_model(scene: SphereScene, given: Start | None, where: str = "") -> Sp
     dense = np.array([grain_of(scene, where, name).density for name in scene.grain_kinds])
     density = float(dense[0]) if kind is None else dense[kind]
     model = SphereModel(
-        x=x, y=y, z=z, radius=radii, density=density, walls=space.walls(scene.record.pressure_cells),
+        x=x, y=y, z=z, radius=radii, density=density, walls=coated(space.walls(scene.record.pressure_cells), contacts[1]),
         pair_contact=contacts[0], wall_contact=contacts[1], dt=scene.march.step_s or 1.0, gravity=scene.gravity_m_s2,
         integrator=scene.march.integrator, watched=scene.record.wall_force_window_s is not None,
         booked=scene.record.energy, waiting=len(radii) if row.rains else 0, moving=moves(scene.events),
@@ -58,6 +61,15 @@ def sphere_model(scene: SphereScene, given: Start | None, where: str = "") -> Sp
     touching = space.plan.area / (2.0 * sqrt(3.0) * float(radii.min()) ** 2)  # in rows, each sphere in the gap of two
     model = replace(model, lid=lid_of(scene.events, space.plan.area, touching, float(model.mass.sum())))
     return replace(model, dt=step_of(scene, model, where))
+
+
+def coated(walls: tuple[Surface, ...], contact: Contact | Varied) -> tuple[Surface, ...]:
+    """The surfaces, each with the number of the first of those that have the same coefficients."""
+    if not isinstance(contact, Varied):
+        return walls
+    sets = [contact.numbered(number) for number in range(len(contact.sets))]
+    of_wall = [sets[number :: len(walls)] for number in range(len(walls))]
+    return tuple(replace(wall, coat=of_wall.index(own)) for wall, own in zip(walls, of_wall, strict=True))
 
 
 def _started(scene: SphereScene, space: SpaceSilo, random: np.random.Generator) -> Start:
@@ -108,6 +120,11 @@ def check_rain(scene: SphereScene, space: SpaceSilo, radii: np.ndarray, where: s
     if not largest < height <= space.top - largest:
         allowed = f"must be from {largest:.4g} to {space.top - largest:.4g} m: the plane lies outside the silo"
         raise BadInput("filling.height_m", height, allowed, where)
+    for number, insert in enumerate(space.inserts):
+        heights = np.array(insert.corners)[:, 2]  # type: ignore[attr-defined]
+        if heights.min() - largest < height < heights.max() + largest:
+            told = f"stands in the plane that spheres come in on, at {height:.4g} m"
+            raise BadInput(f"inserts.{number}", insert.name, told, where)
     if filling.width_m is not None and filling.width_m < 2.0 * largest:
         raise BadInput(
             "filling.width_m", filling.width_m, f"must be {2.0 * largest:.4g} m or more, the largest diameter", where

@@ -66,7 +66,7 @@ def shape_of(of: SpaceSilo, opened: bool) -> np.ndarray:
     walls = walls_of(surfaces)
     for surface, row in zip(surfaces, walls.shape, strict=True):
         if opened and surface.name == FLOOR and of.outlets:
-            surface.opened(row, tuple(of.openings))
+            surface.opened(row, tuple(of.openings), 0.0)
     return walls.shape
 
 
@@ -307,7 +307,7 @@ def test_a_floor_of_several_outlets():
              "small": lambda x, y: hypot(x - 0.07, y) < 0.01}  # fmt: skip
     grid = np.array([(x, y) for x in np.arange(-0.1, 0.1, 0.0013) for y in np.arange(-0.1, 0.1, 0.0013) if hypot(x, y) < 0.1])
     for opened in ((), ("slot",), ("slot", "round", "small")):
-        surface.opened(rows[0], opened)
+        surface.opened(rows[0], opened, 0.0)
         left = np.array([not any(holes[name](*point) for name in opened) for point in grid])
         tree = cKDTree(np.c_[grid[left], np.zeros(left.sum())])
         for point in points:

@@ -183,6 +183,15 @@ def test_the_example_scene_is_valid(capsys):
         ({"events": [OPEN, OPEN, STOP]}, "events.1 opens nothing: open by then"),
         ({"events": [{"when": "rest", "do": "open_outlet", "outlets": ["a"]}, STOP]}, "a is unknown; known: none by name"),
         (TWO | {"events": [{"when": "rest", "do": "stop", "outlets": ["b"]}]}, "stop takes no outlets; it takes nothing"),
+        ({"inserts": [{"kind": "disc", "name": "plate", "radius_m": 0.02, "height_m": 0.112}]},
+         "inserts.0 = 'plate': stands in the plane that spheres come in on, at 0.1131 m"),
+        ({"inserts": [{"kind": "disc", "name": "plate", "radius_m": 0.031, "height_m": 0.05}]},
+         "inserts.0 = 'plate': leaves the silo"),
+        ({"inserts": [{"kind": "cone", "name": "hat", "radii_m": [0.01, 0.01], "heights_m": [0.05, 0.05]}]},
+         "inserts.0 = 'hat': a surface must have an extent"),
+        ({"inserts": [{"kind": "sieve", "name": "plate"}]}, "inserts.0.kind = 'sieve': unknown; known: "),
+        ({"inserts": [{"kind": "polygon", "name": "plate", "corners_m": [[0, 0, 0.05], [0.01, 0, 0.05], [0, 0.01, 0.05]],
+                       "side": "left"}]}, "inserts.0.side = 'left': must be 'both' or 'front'"),
         (TWO | {"sizes__diameter_mm": 19}, "sizes = 19.0: mm: does not pass the outlet b, 18 mm"),
         ({"filling__height_m": 0.2}, "filling.height_m = 0.2: must be from 0.004 to .* the plane lies outside the silo"),
         ({"filling__height_m": 0.001}, "filling.height_m = 0.001: must be from"),
@@ -205,7 +214,7 @@ def test_the_example_scene_is_valid(capsys):
          "sizes.least_mm = 7.0: next to nothing of this distribution"),
         ({"sizes": {"kind": "sieve", "openings_mm": [4, 8], "passing": [0, 0.9]}}, "sizes.passing = .*: must rise from 0"),
         ({"sizes": None}, "sizes is missing, where filling.kind is rain"),
-        ({"silo": {"plan": "slot", "width_m": 0.06, "cylinder_depth_m": 0.1}, "events": [STOP]},
+        ({"silo": {"plan": "slot", "width_m": 0.06, "cylinder_depth_m": 0.1}, "events": [STOP], "record": {}},
          "silo.plan = 'slot': has no end walls"),
         ({"silo__top_cone_height_m": 0.01}, "silo.top_cone_height_m = 0.01: spheres make their heap themselves"),
         pytest.param({"march__step_s": 1e-3}, "march.step_s = 0.001: beyond the stability bound", marks=pytest.mark.long),
@@ -244,7 +253,15 @@ def test_starts_that_cannot_be(place, message, tmp_path):
         scene_model(scene, tmp_path)
 
 
-@pytest.mark.long
+def test_a_hopper_of_its_own_friction_is_no_sheet_with_the_wall_above_it():
+    """The ends of a wedge stand in the walls' planes."""
+    silo = {"silo__plan": "square", "silo__width_m": 0.06, "silo__diameter_m": None, "wedge": True, "record": {}}
+    like, unlike = scene_of(**silo), scene_of(**silo, surfaces={"hopper": {"sliding_friction": 0.1}})
+    coats = [[wall.coat for wall in scene_model(scene, ROOT).walls] for scene in (like, unlike)]
+    assert coats[0] == [0] * 9
+    assert coats[1] == [0, 1, 1, 1, 1, 0, 0, 0, 0]
+
+
 def test_a_narrow_outlet_is_warned_of(tmp_path, capsys):
     path = tmp_path / "bin.yaml"
     path.write_text(yaml.safe_dump(content(silo__hopper__outlet_width_m=0.02)))

@@ -1,5 +1,6 @@
 """Cells of surfaces of spheres: their middles (m), areas (m2), and how what they feel stands to the vertical."""
 
+from dataclasses import dataclass
 from functools import singledispatch
 from itertools import pairwise
 from typing import Any
@@ -10,7 +11,33 @@ from silostudy.dem.space.level import LevelPiece, Outline
 from silostudy.dem.space.surfaces import ACROSS, CIRCLE, NORMAL, UPWARD
 from silostudy.dem.space.walls import FlatPiece, TurnedLine
 
+CUT = 33  # points of a line that a plane cuts a turned surface in
 CORNERS = 720  # of the polygon that stands for a circle
+
+
+@dataclass(frozen=True)
+class Face:
+    """One face of a surface that has cells of its own: the surface's name, or that and `_back`.
+
+    wall: number of the surface; count: of cells; lean: vertical components (1) of the normal that presses it and of the upward
+    direction along it.
+    """
+
+    name: str
+    wall: int
+    count: int
+    lean: tuple[float, float]
+
+
+def faces(surfaces, roof: str) -> list[Face]:
+    """Faces of surfaces in the order of their cells; roof: name of the one that the solid is below."""
+    found = []
+    for number, surface in enumerate(surfaces):
+        normal, along = uprightness(surface, surface.name == roof)
+        for back in range(surface.faces):
+            name, lean = f"{surface.name}_back" if back else surface.name, (-normal if back else normal, along)
+            found.append(Face(name, number, int(np.prod(surface.cells)), lean))
+    return found
 
 
 @singledispatch
@@ -83,6 +110,30 @@ def polygon(outline: Outline) -> np.ndarray:
     turn = 2.0 * np.pi * np.arange(CORNERS) / CORNERS
     wide = outline.half[0] * np.sqrt(2.0 * np.pi / (CORNERS * np.sin(2.0 * np.pi / CORNERS)))
     return np.column_stack([outline.middle[0] + wide * np.cos(turn), outline.middle[1] + wide * np.sin(turn)])
+
+
+@singledispatch
+def cuts(surface: Any) -> list[np.ndarray]:
+    """Lines (n, 2; m) in which the plane of y = 0 cuts a surface: x and z."""
+    raise TypeError(type(surface))
+
+
+@cuts.register
+def _(surface: TurnedLine) -> list[np.ndarray]:
+    share = np.linspace(0.0, 1.0, CUT)[:, None]
+    r, z = (np.array(surface.start) * (1.0 - share) + np.array(surface.end) * share).T
+    half = np.sqrt(np.maximum(r**2 - surface.axis[1] ** 2, 0.0))
+    there = r >= abs(surface.axis[1])
+    return [np.column_stack([surface.axis[0] + side * half, z])[there] for side in (-1.0, 1.0) if there.any()]
+
+
+@cuts.register
+def _(surface: FlatPiece) -> list[np.ndarray]:
+    found = []
+    for a, b in (np.array(side) for side in surface.sides):
+        if (a[1] < 0.0) != (b[1] < 0.0):
+            found.append((a + a[1] / (a[1] - b[1]) * (b - a))[[0, 2]])
+    return [np.array(found)] if found else []
 
 
 def _parts(count: int) -> np.ndarray:

@@ -32,6 +32,7 @@ from silostudy.dem.space.surfaces import (
     AXIS_Y,
     FLAT,
     LENGTH,
+    NORMAL,
     RISE,
     START_R,
     START_Z,
@@ -41,6 +42,8 @@ from silostudy.dem.space.surfaces import (
     nearest,
     piece_of,
 )
+
+STRAIGHT = 1.0 - 1e-9  # cosine between a contact's normal and its surface's: below it an edge pushes
 
 force_of = three(FORCE_X)  # N, on the sphere
 TORQUE = 3  # of what a wall feels where walls move: about the axis x = y = 0 (N m)
@@ -119,6 +122,23 @@ def flat_frame(shape, wall, x, y, z):
 
 
 @njit(**OPTIONS)
+def turned_normal(shape, wall, x, y):
+    """Unit normal of a turned line's front, on the left of its way, at a place on it."""
+    ax, ay = x - shape[wall, AXIS_X], y - shape[wall, AXIS_Y]
+    off = sqrt(ax * ax + ay * ay)
+    ax, ay = (ax / off, ay / off) if off > 0.0 else (1.0, 0.0)
+    return -shape[wall, ALONG_Z] * ax, -shape[wall, ALONG_Z] * ay, shape[wall, ALONG_R]
+
+
+@njit(**OPTIONS)
+def flat_normal(shape, wall):
+    """Unit normal of a flat or level piece's front."""
+    if shape[wall, 0] == FLAT:
+        return shape[wall, NORMAL], shape[wall, NORMAL + 1], shape[wall, NORMAL + 2]
+    return 0.0, 0.0, 1.0
+
+
+@njit(**OPTIONS)
 def cell_of_share(share, count):
     """Number of the equal part that a share lies in, the outer parts taking whatever lies beyond."""
     return min(max(int(share * count), 0), count - 1)
@@ -128,7 +148,8 @@ def cell_of_share(share, count):
 def note_walls(rows, walls, near, start, count, force, record, part):
     """Note each wall contact's force: pressing, along the wall upward (carrying positive), and across both.
 
-    Where walls move, also its torque about the axis on the wall.
+    An edge's force is taken apart as the surface stands there, so that a surface's three tell its load.  Where walls move, also
+    its torque about the axis on the wall.
     """
     for k in range(count):
         i, q, at = near.first[start + k], near.second[start + k], start + k
@@ -138,17 +159,22 @@ def note_walls(rows, walls, near, start, count, force, record, part):
         nx, ny, nz = dx / distance, dy / distance, dz / distance
         px, py, pz = x - dx, y - dy, z - dz
         if walls.shape[q, 0] == TURNED:
+            mx, my, mz = turned_normal(walls.shape, q, px, py)
             share, turn, (ux, uy, uz) = turned_frame(walls.shape, q, px, py, pz)
         else:
             q = piece_of(walls.shape, q, x, y, z) if walls.shape[q, 0] == FLAT else q
+            mx, my, mz = flat_normal(walls.shape, q)
             share, turn, (ux, uy, uz) = flat_frame(walls.shape, q, px, py, pz)
+        front = nx * mx + ny * my + nz * mz
+        sign, edge = 1.0 if front >= 0.0 else -1.0, abs(front) < STRAIGHT
+        mx, my, mz = (sign * mx, sign * my, sign * mz) if edge else (nx, ny, nz)
         fx, fy, fz = (
             force[0, FORCE_X * STRETCH + k],
             force[0, (FORCE_X + 1) * STRETCH + k],
             force[0, (FORCE_X + 2) * STRETCH + k],
         )
-        cx, cy, cz = ny * uz - nz * uy, nz * ux - nx * uz, nx * uy - ny * ux
-        record.force[part, at, 0] = fx * nx + fy * ny + fz * nz
+        cx, cy, cz = my * uz - mz * uy, mz * ux - mx * uz, mx * uy - my * ux
+        record.force[part, at, 0] = fx * mx + fy * my + fz * mz
         record.force[part, at, 1] = fx * ux + fy * uy + fz * uz
         record.force[part, at, 2] = fx * cx + fy * cy + fz * cz
         if record.force.shape[2] > TORQUE:
@@ -156,4 +182,5 @@ def note_walls(rows, walls, near, start, count, force, record, part):
             spin = force[0, (FIRST_X + 2) * STRETCH + k] - lever * (fx * ny - fy * nx)
             record.force[part, at, TORQUE] = py * fx - px * fy - spin
         along, around = walls.cells[q, 1], walls.cells[q, 2]
-        record.cell[part, at] = walls.cells[q, 0] + cell_of_share(share, along) * around + cell_of_share(turn, around)
+        first = walls.cells[q, 0] + (walls.cells[q, 3] if sign < 0.0 else 0)
+        record.cell[part, at] = first + cell_of_share(share, along) * around + cell_of_share(turn, around)

@@ -154,7 +154,7 @@ class LevelPiece(Surface):
 
     def opened(self, row: np.ndarray, names: tuple[str, ...], speed: float = 0.0) -> None:
         """Open the holes of these names in its row: at a speed (m/s) of their width along x, or at once where that is none."""
-        for of, hole in zip(row[MORE:].reshape(-1, PER_HOLE), self.holes, strict=False):
+        for of, hole in zip(row[MORE:][: PER_HOLE * len(self.holes)].reshape(-1, PER_HOLE), self.holes, strict=True):
             if hole.name in names:
                 of[OPEN], of[GROWTH] = 1.0, speed / 2.0
                 of[RIM + 3] = 0.0 if speed > 0.0 else hole.outline.half[0]

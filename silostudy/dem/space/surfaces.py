@@ -19,14 +19,15 @@ from numba import njit
 from silostudy.dem.cache import OPTIONS
 
 TURNED, FLAT, LEVEL = 0.0, 1.0, 2.0  # kinds of surface, in the first column of their shapes
-JOINED, OUT_OF_REACH = 1.0, 1e30
+JOINED, MEETS, OUT_OF_REACH = 1.0, 2.0, 1e30  # an edge where two meet at an angle is one of theirs, for what is over neither
 AXIS_X, AXIS_Y, START_R, START_Z, ALONG_R, ALONG_Z, LENGTH, START_END, END_END = range(1, 10)  # columns of a turned line
-COUNT, NORMAL, NEXT = 1, 2, 5  # of a flat piece: corners, unit normal, the next piece of its sheet (0: none)
+START_WAY, END_WAY = 10, 12  # of a turned line: unit vector (r, z) into what its end meets
+COUNT, NORMAL, NEXT, FRONT = 1, 2, 5, 6  # of a flat piece: corners, unit normal, next of its sheet (0: none), one side alone
 HEIGHT, OUTLINE, HOLES = 1, 4, 9  # of a level piece: its height, an outline of five numbers, how many holes it has
 ACROSS, UPWARD = 10, 15  # of both: unit vectors in the plane, each followed by its least coordinate and its length
 RISE, TURN = 20, 21  # of any surface: its speed upward (m/s), and its spin about the upright axis x = y = 0 (rad/s)
 MORE = 22  # first column of what a flat piece says of each side, and a level piece of each hole
-SIDE, PER_SIDE = 3, 4  # of a side: the corner that it starts from, then whether it is joined
+SIDE, SIDE_WAY, PER_SIDE = 3, 4, 7  # of a side: where it starts, its kind, unit vector into what it meets
 OPEN, RIM, GROWTH, FULL, PER_HOLE = 0, 1, 6, 7, 8  # of a hole: whether it is open, its outline; half width to come (m/s, m)
 CIRCLE, RECTANGLE = 0.0, 4.0  # numbers of sides of an outline; others are regular polygons, one side facing x
 
@@ -54,11 +55,13 @@ def nearest_turned(shape, wall, x, y, z):
     off = sqrt(ax * ax + ay * ay)
     dr, dz = off - shape[wall, START_R], z - shape[wall, START_Z]
     along, length = dr * shape[wall, ALONG_R] + dz * shape[wall, ALONG_Z], shape[wall, LENGTH]
-    if (along < 0.0 and shape[wall, START_END] == JOINED) or (along > length and shape[wall, END_END] == JOINED):
-        return OUT_OF_REACH, OUT_OF_REACH, OUT_OF_REACH, 0.0
-    inner = 0.0 <= along <= length
+    inner, start = 0.0 <= along <= length, along < 0.0
     along = min(max(along, 0.0), length)
     dr, dz = dr - along * shape[wall, ALONG_R], dz - along * shape[wall, ALONG_Z]
+    if not inner:
+        kind, way = shape[wall, START_END if start else END_END], START_WAY if start else END_WAY
+        if kind == JOINED or (kind == MEETS and dr * shape[wall, way] + dz * shape[wall, way + 1] >= 0.0):
+            return OUT_OF_REACH, OUT_OF_REACH, OUT_OF_REACH, 0.0
     radius = shape[wall, START_R] + along * shape[wall, ALONG_R]
     if off > 0.0:
         ax, ay = ax / off, ay / off
@@ -87,14 +90,25 @@ def piece_of(shape, wall, x, y, z):
 def apart_from(shape, wall, x, y, z):
     """Square of the distance (m2) of a point from a flat piece, and whether what is nearest is joined to another surface."""
     side, dx, dy, dz = side_of(shape, wall, x, y, z)
-    return dx * dx + dy * dy + dz * dz, side >= 0 and shape[wall, MORE + PER_SIDE * side + SIDE] == JOINED
+    return dx * dx + dy * dy + dz * dz, passes_on(shape, wall, side, dx, dy, dz)
+
+
+@njit(**OPTIONS)
+def passes_on(shape, wall, side, dx, dy, dz):
+    """Whether what is nearest to a point, on a side of a flat piece, is another surface's to push from."""
+    if side < 0:
+        return False
+    kind, way = shape[wall, MORE + PER_SIDE * side + SIDE], MORE + PER_SIDE * side + SIDE_WAY
+    over = dx * shape[wall, way] + dy * shape[wall, way + 1] + dz * shape[wall, way + 2] >= 0.0
+    return kind == JOINED or (kind == MEETS and over)
 
 
 @njit(**OPTIONS)
 def nearest_flat(shape, wall, x, y, z):
     """Of a convex polygon: its plane where the point stands over it, else the nearest of its sides."""
     side, dx, dy, dz = side_of(shape, wall, x, y, z)
-    if side >= 0 and shape[wall, MORE + PER_SIDE * side + SIDE] == JOINED:
+    behind = shape[wall, FRONT] == 1.0 and facing(shape, wall, dx, dy, dz) < 0.0
+    if behind or passes_on(shape, wall, side, dx, dy, dz):
         return OUT_OF_REACH, OUT_OF_REACH, OUT_OF_REACH
     return dx, dy, dz
 
@@ -144,6 +158,12 @@ def margin(shape, wall, outline, x, y):
     part = 2.0 * pi / sides
     facing = part * floor(atan2(y, x) / part + 0.5)
     return half - (x * cos(facing) + y * sin(facing))
+
+
+@njit(**OPTIONS)
+def facing(shape, wall, dx, dy, dz):
+    """Component (m) towards a flat piece's front of a vector from its nearest point."""
+    return dx * shape[wall, NORMAL] + dy * shape[wall, NORMAL + 1] + dz * shape[wall, NORMAL + 2]
 
 
 @njit(**OPTIONS)

@@ -1,17 +1,18 @@
 """Surfaces of a scene of spheres as users of the engine write them: turned lines and flat pieces, each with a name."""
 
 from dataclasses import dataclass
-from itertools import combinations
 from math import hypot
 
 import numpy as np
 
 from silostudy.dem.arrays import Walls
 from silostudy.dem.drive import standing
+from silostudy.dem.space.joints import join, sheets
 from silostudy.dem.space.surfaces import (
     ACROSS,
     COUNT,
     FLAT,
+    FRONT,
     JOINED,
     MORE,
     NEXT,
@@ -24,16 +25,22 @@ from silostudy.dem.space.surfaces import (
 from silostudy.errors import BadInput
 
 LEVEL = 1e-9  # height of a unit vector: a piece whose normal is more upright than this is level
-EVEN = 1e-12  # of the cosine between two normals: pieces that differ by less are of one plane
+FLAT_ENOUGH = 1e-6  # of a piece's extent: distance of its corners from its plane
+STRAIGHT = 1e-12  # of its square: how much a corner may turn inward
 
 
 @dataclass(frozen=True, kw_only=True)
 class Surface:
-    """What every surface has: a name, equal cells along and around that have their force recorded, whether it stands."""
+    """What every surface has: a name, equal cells along and around that have their force recorded, whether it stands.
+
+    faces: 2 where its back has cells of its own; coat: number of its coefficients, that pieces of one sheet share.
+    """
 
     name: str
     cells: tuple[int, int] = (1, 1)
     live: bool = True
+    faces: int = 1
+    coat: int = 0
 
     def __post_init__(self):
         if min(self.cells) < 1:
@@ -91,20 +98,30 @@ class TurnedLine(Surface):
 
 @dataclass(frozen=True, kw_only=True)
 class FlatPiece(Surface):
-    """A convex polygon of three or four corners (m), counter-clockwise as the solid sees them.
+    """A convex polygon of three corners (m) or more, counter-clockwise as the solid sees them.
 
     A side, from each corner to the next, that is joined to another surface does not push as an edge.
     """
 
     corners: tuple[tuple[float, float, float], ...]
     joined: tuple[bool, ...] = ()
+    front_only: bool = False
 
     def __post_init__(self):
         super().__post_init__()
-        if len(self.corners) not in (3, 4) or not np.isfinite(self.corners).all():
-            raise BadInput(self.name, self.corners, "a flat piece has three or four finite corners")
+        if len(self.corners) < 3 or not np.isfinite(self.corners).all():
+            raise BadInput(self.name, self.corners, "a flat piece has three finite corners or more")
         if not np.linalg.norm(self._across) > 0.0:
             raise BadInput(self.name, self.corners, "a surface must have an extent")
+        corners = np.array(self.corners)
+        size, off = np.ptp(corners, axis=0).max(), np.abs((corners - corners[0]) @ self.normal).max()
+        if off > FLAT_ENOUGH * size:
+            raise BadInput(self.name, self.corners, f"its corners must lie in one plane, and do not by {off:.3g} m")
+        along = np.roll(corners, -1, axis=0) - corners
+        turns = np.cross(along, np.roll(along, -1, axis=0)) @ self.normal
+        angles = np.arctan2(turns, (along * np.roll(along, -1, axis=0)).sum(axis=1))
+        if turns.min() < -STRAIGHT * size**2 or angles.sum() > 3.0 * np.pi:
+            raise BadInput(self.name, self.corners, "must be convex, its corners in order round it")
 
     @property
     def _across(self) -> np.ndarray:
@@ -126,7 +143,7 @@ class FlatPiece(Surface):
         """Its row."""
         corners, normal = np.array(self.corners), self.normal
         row = np.zeros(MORE + PER_SIDE * len(corners))
-        row[0], row[COUNT], row[NORMAL : NORMAL + 3] = FLAT, len(corners), normal
+        row[0], row[COUNT], row[NORMAL : NORMAL + 3], row[FRONT] = FLAT, len(corners), normal, self.front_only
         sides = row[MORE:].reshape(-1, PER_SIDE)
         sides[:, :3], sides[: len(self.joined), SIDE] = corners, [JOINED if joined else 0.0 for joined in self.joined]
         steep = np.array([0.0, 0.0, 1.0]) - normal[2] * normal
@@ -138,12 +155,12 @@ class FlatPiece(Surface):
 
 
 def walls_of(surfaces) -> Walls:
-    """The surfaces as arrays; cells: first cell, cells along, cells around.
+    """The surfaces as arrays; cells: first cell, cells along, cells around, and how many before those of its back, if any.
 
     Of pieces that are a sheet the first is live and stands for all.
     """
-    counts = np.array([surface.cells for surface in surfaces], np.int64).reshape(-1, 2)
-    total = counts.prod(axis=1)
+    counts = np.array([(*surface.cells, surface.faces) for surface in surfaces], np.int64).reshape(-1, 3)
+    total, back = counts.prod(axis=1), counts[:, 0] * counts[:, 1] * (counts[:, 2] > 1)
     rows = [surface.shape for surface in surfaces]
     shape = np.zeros((len(rows), max(MORE, *map(len, rows)) if rows else MORE))
     live = np.array([surface.live for surface in surfaces], bool)
@@ -152,30 +169,9 @@ def walls_of(surfaces) -> Walls:
     for sheet in sheets(surfaces):
         live[sheet[1:]] = False
         shape[sheet[:-1], NEXT] = sheet[1:]
-    for one, other, side, others in level_joints(surfaces):
-        shape[one, MORE + PER_SIDE * side + SIDE] = shape[other, MORE + PER_SIDE * others + SIDE] = 0.0
-    cells = np.column_stack([np.cumsum(total) - total, counts]).reshape(-1, 3)
+    join(shape, surfaces)
+    cells = np.column_stack([np.cumsum(total) - total, counts[:, :2], back]).reshape(-1, 4)
     return Walls(shape, live, cells, standing(len(rows)))
-
-
-def level_joints(surfaces) -> list[tuple[int, int, int, int]]:
-    """Where flat pieces of one plane share a side: numbers of both, and of the side in both."""
-    flat = [number for number, surface in enumerate(surfaces) if isinstance(surface, FlatPiece) and surface.live]
-    found = []
-    for one, other in combinations(flat, 2):
-        if surfaces[one].normal @ surfaces[other].normal > 1.0 - EVEN:
-            back = [(end, start) for start, end in surfaces[other].sides]
-            found += [(one, other, k, back.index(side)) for k, side in enumerate(surfaces[one].sides) if side in back]
-    return found
-
-
-def sheets(surfaces) -> list[list[int]]:
-    """Numbers of the flat pieces of each sheet of two or more, in order."""
-    found: list[set[int]] = []
-    for one, other, *_ in level_joints(surfaces):
-        touched = [sheet for sheet in found if sheet & {one, other}]
-        found = [sheet for sheet in found if sheet not in touched] + [{one, other}.union(*touched)]
-    return [sorted(sheet) for sheet in found]
 
 
 def extents(surfaces) -> list[np.ndarray]:
@@ -193,4 +189,4 @@ def beside(surfaces, places: np.ndarray) -> np.ndarray:
 
 def cell_count(surfaces) -> int:
     """How many cells the surfaces have."""
-    return sum(surface.cells[0] * surface.cells[1] for surface in surfaces)
+    return sum(surface.cells[0] * surface.cells[1] * surface.faces for surface in surfaces)
