@@ -10,14 +10,14 @@ from silostudy.dem.checkpoint import checkpoint, restore
 from silostudy.dem.engine import Engine, Explosion
 from silostudy.dem.events import TRIGGERS, Event
 from silostudy.dem.feeder import Feeder
-from silostudy.dem.leaving import DISCHARGED, REMOVED, SPILT, OutletAt, below, drawn, lowest, passing, spilt
+from silostudy.dem.leaving import DISCHARGED, REMOVED, SPILT, OutletAt, below, drawn, lowest, number_of, passing, spilt
 from silostudy.dem.ledger import ENTRIES, carry_out, change_gravity, take_springs
 from silostudy.dem.moves import MOVES, OF_LID, lid_meets, lid_standing
 from silostudy.dem.observer import Observer, read_due
 from silostudy.dem.rain import Rain, pour
 from silostudy.dem.recording import Recording
 from silostudy.dem.rest import PAPER, Look, Rest
-from silostudy.dem.snapshot import held_energy, length, snapshot
+from silostudy.dem.snapshot import held_energy, snapshot
 from silostudy.errors import BadInput
 
 CHECK_EVERY = 200  # steps between looks at rest, discharge and drop-outs: counted from the start, so chunks do not matter
@@ -214,7 +214,7 @@ class Run:
 
     def _remove(self, what: tuple) -> str:
         """Take a disc out; says what happened, which is nothing where the disc has left before."""
-        disc = self._disc(what)
+        disc = number_of(self.engine, what)
         if disc is None:
             return "remove nothing: the disc had left"
         gone = np.arange(self.engine.n) == disc
@@ -229,14 +229,6 @@ class Run:
         before = held_energy(self.engine)
         change()
         take_springs(self.engine, before - held_energy(self.engine))
-
-    def _disc(self, what: tuple) -> int | None:
-        """The engine's number of a disc given by its label, or by a place (m) that it is nearest to; None: it is gone."""
-        if len(what) == 1:
-            found = np.flatnonzero(self.engine.labels == what[0])
-            return int(found[0]) if len(found) else None
-        place = self.engine.bodies.rows[: self.engine.n, self.engine.space.place]
-        return int(np.argmin(length(place - np.asarray(what)))) if len(place) else None
 
     def _drop(self) -> None:
         """Count and drop discs wholly below the floor that touch nothing any more."""
