@@ -52,10 +52,20 @@ def fixed(model: Model) -> dict[str, Any]:
     }
 
 
-def walls(model: Model) -> dict[str, tuple[float, ...]]:
-    """Shape of each wall at the start, by its name, in their order."""
-    shapes = model.space.walls_of(model.walls).shape
-    return {wall.name: tuple(map(float, shape)) for wall, shape in zip(model.walls, shapes, strict=True)}
+def walls(model: Model) -> dict[str, tuple[bytes, np.ndarray]]:
+    """Box around each wall, and its shape at the start, by its name, in their order."""
+    shapes, boxes = model.space.walls_of(model.walls).shape, model.space.extents(model.walls)
+    rows = zip(model.walls, boxes, shapes, strict=True)
+    return {wall.name: (np.ascontiguousarray(box).tobytes(), np.trim_zeros(shape, "b")) for wall, box, shape in rows}
+
+
+def changed(end: Mapping[str, Any], name: str) -> bool:
+    """Whether a wall has been moved, or an outlet in it opened, by then."""
+    return not np.array_equal(np.trim_zeros(_shape_then(end, name), "b"), end["walls"][name][1])
+
+
+def _shape_then(end: Mapping[str, Any], name: str) -> np.ndarray:
+    return end["engine"]["shape"][list(end["walls"]).index(name)]
 
 
 def values(model: Model, contacts: Contacts) -> Values:
@@ -94,22 +104,19 @@ def differences(model: Model, end: Mapping[str, Any]) -> Iterator[str]:
 
 
 def _other_walls(model: Model, end: Mapping[str, Any]) -> Iterator[str]:
-    """Walls that stand there and are others here, or that stand here alone; those that wait to stand may differ."""
-    shapes, live = walls(model), dict(zip(end["walls"], end["engine"]["live"], strict=True))
+    """Walls that stand there and are others here, or that stand here alone; what waits to stand or to open may differ."""
+    here, live = walls(model), dict(zip(end["walls"], end["engine"]["live"], strict=True))
     for name, stands in live.items():
-        if stands and shapes.get(name) != end["walls"][name]:
+        box, shape = here.get(name, (b"", np.empty(0)))
+        other = box != end["walls"][name][0] or (changed(end, name) and not np.array_equal(shape, end["walls"][name][1]))
+        if stands and other:
             yield f"another wall {name}: an outlet that is open, and the silo's body, stay as they are"
     for wall in model.walls:
         if wall.live and wall.name not in live:
             yield f"no wall {wall.name}, which stands here"
-    speeds = end["engine"]["shape"][:, _speeds(model, end)]
-    if (speeds.any() or (end["engine"]["drive"][:, MASS] > 0.0).any()) and not model.moving:
+    moves = model.space.motion_of(end["engine"]["shape"])[:, 1:].any() or (end["engine"]["drive"][:, MASS] > 0.0).any()
+    if moves and not model.moving:
         yield "walls in motion: an event here must move them too"
-
-
-def _speeds(model: Model, end: Mapping[str, Any]) -> slice:
-    """Columns of a wall's shape that hold how fast it moves."""
-    return slice(model.space.rise, end["engine"]["shape"].shape[1])
 
 
 def go_on(run, end: Mapping[str, Any]) -> None:
@@ -138,7 +145,7 @@ def _here(engine, end: Mapping[str, Any]) -> dict[str, np.ndarray]:
 
 
 def _walls_here(engine, end: Mapping[str, Any]) -> dict[str, np.ndarray]:
-    """Which walls stand, where, and what moves them: of those that stood there, or may have, as there."""
+    """Which walls stand, where, and what moves them: of those that have changed by then, as there."""
     here = {name: getattr(engine.walls, name).copy() for name in ("live", "shape", "drive")}
     numbers = {wall.name: number for number, wall in enumerate(engine.model.walls)}
     for then, name in enumerate(end["walls"]):
@@ -146,8 +153,11 @@ def _walls_here(engine, end: Mapping[str, Any]) -> dict[str, np.ndarray]:
         if name in numbers:
             here["live"][numbers[name]] = stands
         if stands:
-            for column in ("shape", "drive"):
-                here[column][numbers[name]] = end["engine"][column][then]
+            here["drive"][numbers[name]] = end["engine"]["drive"][then]
+        if stands and changed(end, name):
+            shape, row = end["engine"]["shape"][then], here["shape"][numbers[name]]
+            most = min(len(shape), len(row))  # rows are as long as the walls with most holes or sides ask for
+            row[:most] = shape[:most]
     return here
 
 

@@ -16,7 +16,7 @@ from tests.test_dem.small import SMALL, carried, scene_of
 pytestmark = pytest.mark.long
 OPENS = {"when": "time", "value": 0.05, "do": "open_slit"}
 AT_ONCE = {"when": "after", "value": 0.0, "do": "open_slit"}
-PLAIN = {"record__stress_cells": None, "record__snapshots_s": []}
+PLAIN = {"record__fields": None, "record__snapshots_s": []}
 
 
 def stop(time):
@@ -92,7 +92,7 @@ def test_what_has_left_before_counts_towards_a_share(tmp_path):
         ({"discs__tangential": "spring-slider-total"}, "other contact laws"),
         ({"march__step_s": 2e-5}, "other march.step_s: 2.5e-05 there, 2e-05 here"),
         ({"silo__height_m": 0.5}, "another wall left"),
-        ({"silo__lid": True}, "another wall left"),
+        ({"silo__lid": True}, "no wall lid, which stands here"),
         ({"march__limit_s": 0.03}, "march.limit_s = 0.03: must be above 0.05 s, where first.end ends"),
     ],
 )

@@ -16,8 +16,8 @@ from tests.test_spheres.small import carried, content, scene_of
 from tests.test_sweep.sweeps import compute
 
 pytestmark = pytest.mark.long
-FLAT = {"silo": {"plan": "circular", "diameter_m": 0.06, "cylinder_depth_m": 0.1}, "outlet": {"width_m": 0.04}}
-FLAT |= {"record__snapshots_s": []}
+FLAT = {"silo": {"plan": "circular", "diameter_m": 0.06, "cylinder_depth_m": 0.1}, "outlets": [{"width_m": 0.04}]}
+FLAT |= {"record__snapshots_s": [], "record__fields": None, "record__contact_statistics": None}
 OPENS, AT_ONCE = {"when": "rest", "do": "open_outlet"}, {"when": "after", "value": 0.0, "do": "open_outlet"}
 
 
@@ -66,16 +66,16 @@ def test_a_run_and_its_branch_have_the_bits_of_one_run(stopped, whole, tmp_path)
 
 def test_one_filling_is_opened_in_several_ways(tmp_path):
     """A study of branches: as many cases, one filling; each is what it would be if filled for itself."""
-    ended(tmp_path, {"when": "rest", "do": "stop"}, outlet=None)
+    ended(tmp_path, {"when": "rest", "do": "stop"}, outlets=[])
     scene = content(events=[AT_ONCE, {"when": "after", "value": 0.1, "do": "stop"}], start_from="first.end", **FLAT)
     study = {"kind": "scenes", "title": "one filling", "scene": scene,
-             "sweep": [{"axis": "outlet_width", "values": {"outlet.width_m": [0.03, 0.05]}}]}  # fmt: skip
+             "sweep": [{"axis": "outlet_width", "values": {"outlets.0.width_m": [0.03, 0.05]}}]}  # fmt: skip
     (tmp_path / "ways.yaml").write_text(yaml.safe_dump(study))
     compute(tmp_path / "ways.yaml", tmp_path / "parts")
     merge(tmp_path / "ways.yaml", tmp_path / "parts", tmp_path / "scenes.nc")
     flow = read(tmp_path / "scenes.nc")["mean_mass_flow"]
     assert 0.0 < float(flow[0]) < float(flow[1])
-    alone = scene_of(events=[OPENS, {"when": "after", "value": 0.1, "do": "stop"}], **FLAT | {"outlet": {"width_m": 0.05}})
+    alone = scene_of(events=[OPENS, {"when": "after", "value": 0.1, "do": "stop"}], **FLAT | {"outlets": [{"width_m": 0.05}]})
     assert cube_of(carried(alone), alone).attrs["mean_outflow_kg_s"] == float(flow[1])
 
 
