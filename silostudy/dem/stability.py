@@ -6,7 +6,7 @@ oscillators do that have at most the largest stiffness, at most the largest damp
 least damped contact gives to their stiffness (eqs. 17, 19 need some).
 """
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import partial
 from math import floor, log10, sqrt
 
@@ -15,9 +15,9 @@ from scipy.sparse import csr_matrix, diags, vstack
 from scipy.sparse.linalg import eigsh
 from scipy.spatial import cKDTree
 
-from silostudy.dem.contacts import Contact
 from silostudy.dem.integrate import INTEGRATORS
 from silostudy.dem.model import Model
+from silostudy.dem.packed import differing, least_of_kind, packings
 from silostudy.dem.snapshot import length
 from silostudy.dem.strength import damping_of, springs, stiffness_of
 from silostudy.dem.varied import set_of_pair
@@ -25,7 +25,6 @@ from silostudy.errors import BadInput
 
 HALVINGS = 50
 SOFTEST = 1e-3  # of the largest stiffness: a slow mode
-REACH = 4.5  # radii: size of the densest packing whose bound is taken
 SAFETY = 0.5  # of the bound, when the engine chooses the step: flow makes contacts that the start does not have
 DENSEST = 0.8  # of the bound of six contacts a disc: the most that a start without contacts will come to
 HOPELESS = 1e-4  # of the step that undamped springs bear with an integrator that keeps their energy
@@ -77,14 +76,14 @@ def chosen_step(model: Model) -> float:
 
     Rounded down to two digits: the last bits of an eigenvalue differ between machines and must not reach the run.
     """
-    step = min(SAFETY * standing(model, longest_step(model)), DENSEST * min(map(longest_step, _densest(model))))
+    step = min(SAFETY * standing(model, longest_step(model)), DENSEST * min(map(longest_step, packings(model))))
     unit = 10.0 ** (floor(log10(step)) - 1)
     return float(f"{floor(0.999 * step / unit) * unit:.2g}")
 
 
 def packed_bound(model: Model) -> float:
     """Longest stable time step (s) of a scene whatever its bodies come to: of its start, and of the densest packing."""
-    return standing(model, min(map(longest_step, (model, *_densest(model)))))
+    return standing(model, min(map(longest_step, (model, *packings(model)))))
 
 
 def standing(model: Model, bound: float) -> float:
@@ -111,41 +110,6 @@ def _undamped(model: Model) -> list[str]:
         if k.any() and not d.any()
     ]
     return list(dict.fromkeys(found))
-
-
-def _densest(model: Model) -> list[Model]:
-    """Of each kind the smallest bodies in the densest order on a floor, with each contact that the kind has; larger ones are
-    heavier, or touch fewer of them."""
-    found = []
-    for kind in range(model.kinds):
-        smallest = _least_of_kind(model, model.radius, kind)
-        pairs = [model.between(kind, other) for other in range(model.kinds)]
-        walls = [model.at_wall(kind, wall) for wall in range(len(model.walls))] or [model.wall_contact.numbered(0)]
-        found += [_packed(model, smallest, pair, wall) for pair in _differing(pairs) for wall in _differing(walls)]
-    return found
-
-
-def _packed(model: Model, one: int, pair: Contact, wall: Contact) -> Model:
-    """Bodies that are all like one of a model in the densest order on a floor."""
-    r, space = float(model.radius[one]), model.space
-    place = r * space.densest()
-    place = place[length(place) < REACH * r]
-    walls = (model.level_wall(2.0 * REACH * r, float(place[:, -1].min()) - r),)
-    columns = dict(zip(model.columns, place.T, strict=False)) | dict.fromkeys(model.columns[space.ways + 1 :])
-    contacts = {"pair_contact": pair, "wall_contact": wall}
-    alike = {"radius": np.full(len(place), r), "density": float(np.broadcast_to(model.density, len(model.x))[one])}
-    return replace(model, **(columns | alike | contacts | {"walls": walls, "waiting": 0, "kind": None}))
-
-
-def _least_of_kind(model: Model, values: np.ndarray, kind: int) -> int:
-    """Number of the body of a kind that has the least of these values."""
-    own = np.arange(len(values)) if model.kind is None else np.flatnonzero(model.kind == kind)
-    return int(own[np.argmin(values[own])])
-
-
-def _differing(contacts: list[Contact]) -> list[Contact]:
-    """Those contacts that no other before them equals."""
-    return [one for number, one in enumerate(contacts) if one not in contacts[:number]]
 
 
 def check_step(model: Model) -> float:
@@ -211,11 +175,11 @@ def _network(model: Model) -> list[tuple]:
 def _lone(model: Model) -> list[tuple]:
     """Lone contacts of the lightest body of each kind, with those of its own and of other kinds and with each wall."""
     found: list[tuple] = []
-    light = [np.array([_least_of_kind(model, model.mass, kind)]) for kind in range(model.kinds)]
+    light = [np.array([least_of_kind(model, model.mass, kind)]) for kind in range(model.kinds)]
     for kind, one in enumerate(light):
         walls = [model.at_wall(kind, wall) for wall in range(len(model.walls))] or [model.wall_contact.numbered(0)]
         found += [(model.between(kind, other), one, light[other]) for other in range(kind + 1)]
-        found += [(wall, one, None) for wall in _differing(walls)]
+        found += [(wall, one, None) for wall in differing(walls)]
     return found
 
 
