@@ -35,9 +35,7 @@ def flying(place, velocity) -> Instant:
     """Grains that touch nothing."""
     place = np.asarray(place, float)
     speed = np.broadcast_to(np.asarray(velocity, float), place.shape)
-    return Instant(
-        np.full(len(place), MASS), np.full(len(place), VOLUME), place, speed, NOTHING, NOTHING, NOTHING, NOTHING, NOTHING
-    )
+    return Instant(*bodies(len(place)), place, speed, NOTHING, NOTHING, NOTHING, NOTHING, NOTHING)
 
 
 def stack(count: int, x=0.0) -> Instant:
@@ -47,9 +45,7 @@ def stack(count: int, x=0.0) -> Instant:
     end, branch, force = place - [0.0, 0.0, 2.0 * RADIUS], np.tile([0.0, 0.0, 2.0 * RADIUS], (count, 1)), np.zeros((count, 3))
     end[0, 2], branch[0, 2] = 0.0, RADIUS
     force[:, 2] = MASS * GRAVITY * (count - np.arange(count))
-    return Instant(
-        np.full(count, MASS), np.full(count, VOLUME), place, np.zeros_like(place), end, branch, force, end[:1], force[:1]
-    )
+    return Instant(*bodies(count), place, np.zeros_like(place), end, branch, force, end[:1], force[:1])
 
 
 def summed(grid, values):
