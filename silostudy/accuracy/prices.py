@@ -7,6 +7,7 @@ steps that are timed are so short that nothing moves: contacts, lists and forces
 import time
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 
@@ -66,12 +67,22 @@ def _bare(contact: Contact) -> Contact:
     return _less(contact, "tangential", "rolling")
 
 
-def still(model: Model) -> Model:
-    """The model near rest, with a step in which nothing moves."""
+def still(model: Model, settling: float = SETTLING) -> Model:
+    """The model near rest, after so many particle-steps, with a step in which nothing moves."""
     engine = Engine(replace(model, booked=False))
-    engine.step_to(max(1, int(SETTLING / len(model.x))))
-    x, y = engine.places.T
-    return replace(model, x=x, y=y, dt=SHORT, u=None, v=None, w=None)
+    engine.step_to(max(1, int(settling / len(model.x))))
+    columns = model.columns
+    moved: dict[str, Any] = dict(zip(columns, engine.places.T, strict=False))
+    moved |= dict.fromkeys(columns[model.space.ways + 1 :])  # which are speeds
+    return replace(model, **moved, dt=SHORT)
+
+
+def price_of_step(model: Model, settling: float, turns: int = TURNS) -> tuple[float, float]:
+    """(CPU seconds, bytes of memory) of a body in a step of a model, near rest after so many particle-steps."""
+    engine = Engine(still(model, settling))
+    steps = _steps(engine)
+    readings = [_seconds_a_step(engine, steps) for _ in range(turns)]
+    return float(np.median(readings)) / engine.n, engine.nbytes / engine.n
 
 
 def prices(model: Model, turns: int = TURNS) -> tuple[float, dict[str, Price]]:

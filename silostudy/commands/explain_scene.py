@@ -44,7 +44,7 @@ def explanation(row) -> list[str]:
 
 
 def scene_explanation(name: str) -> list[str]:
-    """Each effect of a discrete-element scene: on or off, why, and of discs its measured share of a step."""
+    """Each effect of a discrete-element scene: on or off, why, and of discs its measured share of a step; what it costs."""
     from silostudy.choice.dem import load
     from silostudy.compute.dem import scene_model
     from silostudy.config.spheres import SphereScene
@@ -57,6 +57,8 @@ def scene_explanation(name: str) -> list[str]:
 
 def _of_spheres(scene, model) -> list[str]:
     """Materials, coefficients, softening, times and effects of a scene of spheres."""
+    from silostudy.accuracy.prices import price_of_step
+    from silostudy.accuracy.sample_of_spheres import SETTLING, sample
     from silostudy.dem.stability import packed_bound
     from silostudy.scene.coefficients import coefficient_lines
     from silostudy.scene.spheres_about import materials, shares, softening, sphere_effects, warnings, wave_times
@@ -70,8 +72,25 @@ def _of_spheres(scene, model) -> list[str]:
         f"  step {model.dt:.3g} s; stability bound of the densest packing {packed_bound(model):.3g} s; Rayleigh time of the "
         f"smallest sphere {wave_times(scene, model)}; integrator {model.integrator}"
     )
+    each, memory = price_of_step(sample(model), SETTLING)
+    lines.append(f"  {run_cost(scene, model, each, memory)}")
     lines += [f"  {effect.name:30}{'on ' if effect.on else 'off'}  {effect.why}" for effect in sphere_effects(scene)]
     return lines + [f"  warning: {line}" for line in warnings(scene, model)]
+
+
+def run_cost(scene, model, each: float, memory: float) -> str:
+    """What a run costs at most, from the CPU time (s) of a body's step and the memory (bytes) of a body."""
+    from math import ceil
+
+    from silostudy.scene.costs import duration
+
+    began = model.end["engine"]["step"] if model.end else 0
+    count, steps, body = len(model.x), max(0, ceil(duration(scene) / model.dt) - int(began)), model.space.body
+    minutes, megabytes = count * steps * each / 60.0, count * memory / 1e6
+    return (
+        f"at most {steps:,} steps of {count:,} {body}s, {each * 1e9:.1f} ns each here and now: about {minutes:.2g} min of one "
+        f"core, looks and records apart; {memory:.0f} bytes a {body}, {megabytes:.3g} MB"
+    )
 
 
 def surfaces(model) -> str:
@@ -83,16 +102,18 @@ def surfaces(model) -> str:
 
 def _of_discs(scene, model) -> list[str]:
     from silostudy.accuracy.prices import prices
+    from silostudy.dem.engine import Engine
     from silostudy.dem.stability import longest_step
     from silostudy.scene.coefficients import coefficient_lines
     from silostudy.scene.dem import effects
 
     whole, share = prices(model)
+    cost = run_cost(scene, model, whole / len(model.x), Engine(model).nbytes / len(model.x))
     lines = [f"{scene.title}: {len(model.x)} discs, {whole / len(model.x) * 1e9:.1f} ns a particle-step"]
     lines.append(
         f"  step {model.dt:.3g} s; stability bound of this start {longest_step(model):.3g} s; integrator {model.integrator}"
     )
-    lines += [f"  {line}" for line in (*coefficient_lines(model), surfaces(model))]
+    lines += [f"  {line}" for line in (cost, *coefficient_lines(model), surfaces(model))]
     for effect in effects(scene):
         price = priced(share.get(effect.name))
         lines.append(f"  {effect.name:30}{'on ' if effect.on else 'off'}  {price:42}{effect.why}")

@@ -24,7 +24,7 @@ def made_of(run: Run, scene: AnyScene) -> dict[str, str]:
         "scene": scene.model_dump_json(),
         "program": program(),
         "laws": repr(model.pieces),
-        "grains": _digest(*model.place.T, model.radius),
+        "grains": _digest(*model.place.T, model.radius, *([] if model.kind is None else [model.kind])),
         "acceleration of the box": "" if model.quake is None else _digest(model.quake),
         "end that it goes on from": "" if model.end is None else _digest(model.end["engine"]["rows"]),
     }

@@ -75,10 +75,20 @@ def _windows(run: Run) -> dict[str, np.ndarray]:
             for k, what in enumerate(("mean", "min", "max")):
                 data[f"wall_{name}_force_{what}"] = force[:, :, way, k]
                 data[f"wall_{stress}_{what}"] = force[:, :, way, k] / length
-        data |= cells
+        data |= cells | _wholes(force[:, :, :, 0], np.array(record.whole), model)
     if model.booked:
         data |= {"energy": np.array(record.energy), "energy_entry": np.array(ENTRIES)}
     return data | lid_arrays(run)
+
+
+def _wholes(mean: np.ndarray, extremes: np.ndarray, model: Model) -> dict[str, np.ndarray]:
+    """Forces (N/m) on whole walls, from mean forces of cells (windows, cells, ways), and least and largest of walls."""
+    total = np.add.reduceat(mean, model.space.walls_of(model.walls).cells[:, 0], axis=1)
+    data = {"surface": np.array([wall.name for wall in model.walls])}
+    for way, name in enumerate(("normal", "shear")):
+        for what, values in (("mean", total), ("min", extremes[..., 0]), ("max", extremes[..., 1])):
+            data[f"whole_{name}_force_{what}"] = values[:, :, way]
+    return data
 
 
 def _cells(model: Model) -> dict[str, np.ndarray]:

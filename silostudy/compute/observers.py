@@ -7,13 +7,14 @@ import numpy as np
 
 from silostudy.config.dem import DemScene
 from silostudy.config.grain_scenes import AnyScene
-from silostudy.config.observers import FieldsConfig
+from silostudy.config.observers import MOST, FieldsConfig
 from silostudy.dem.coarse import KERNEL, LINES, POINTS, Fields, fields_now
 from silostudy.dem.contact_statistics import Statistics, statistics
 from silostudy.dem.grid import Grid
 from silostudy.dem.model import Model
 from silostudy.dem.observer import Observer
 from silostudy.dem.run import Run
+from silostudy.errors import BadInput
 from silostudy.scene.spheres import space_silo_of
 
 FIELDS, STATISTICS = "fields", "contact_statistics"
@@ -25,7 +26,13 @@ def observers_of(scene: AnyScene, model: Model) -> tuple[Observer, ...]:
     """The observers that a scene asks for."""
     found = []
     if asked := scene.record.fields:
-        read = partial(fields_now, grid=grid_of(scene, asked, model), width=width_of(asked, model))
+        width, grid = width_of(asked, model), grid_of(scene, asked, model)
+        if grid.cells > MOST:
+            told = (
+                f"spreads over {grid.cells} cells with those beyond the walls; at most {MOST}: a smaller width, or fewer cells"
+            )
+            raise BadInput("record.fields.width_mm", 1e3 * width, told)
+        read = partial(fields_now, grid=grid, width=width)
         found.append(Observer(FIELDS, _steps(asked.every_s, model.dt), read))
     if scene.record.contact_statistics is not None:
         found.append(Observer(STATISTICS, _steps(scene.record.contact_statistics.every_s, model.dt), statistics))
@@ -76,7 +83,7 @@ def _fields(times: np.ndarray, read: list[np.ndarray], grid: Grid, model: Model)
     data = {f"field_{name}": values for name, values in zip(Fields._fields, read, strict=True)}
     data |= {f"field_{name}": column for name, column in zip(grid.coordinates, grid.middles.T, strict=True)}
     data |= {"field_time": times, "field_cell": np.arange(grid.cells), "field_way": ways, "field_of": ways}
-    return data | {volume: grid.volumes, "field_solid_fraction": data["field_density"] / model.density}
+    return data | {volume: grid.volumes}
 
 
 def _statistics(times: np.ndarray, read: list[np.ndarray], ways: int) -> dict[str, np.ndarray]:

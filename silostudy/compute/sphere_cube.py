@@ -111,15 +111,15 @@ def _windows(run: Run) -> dict[str, np.ndarray]:
     data = {"window_time": np.array(record.window_time)}
     if model.booked:
         data |= {"ledger_energy": np.array(record.energy), "energy_entry": np.array(ENTRIES)}
-    data |= _felt(np.array(record.window), model) if model.watched else {}
+    data |= _felt(np.array(record.window), np.array(record.whole), model) if model.watched else {}
     if model.moving and model.watched:
         walls = [face.wall for face in faces(model.walls, LID)]
         data |= {"surface_spin": np.array(record.motion)[:, walls, SPIN]}
     return data | lid_arrays(run)
 
 
-def _felt(force: np.ndarray, model: Model) -> dict[str, np.ndarray]:
-    """Forces (N; windows, cells, ways, mean and least and largest), pressures and totals of surfaces."""
+def _felt(force: np.ndarray, whole: np.ndarray, model: Model) -> dict[str, np.ndarray]:
+    """Forces (N; windows, cells, ways, mean and least and largest), pressures and totals of surfaces (least and largest)."""
     data = _cells(model)
     for way, (name, stress) in enumerate(FELT):
         for k, what in enumerate(("mean", "min", "max")):
@@ -129,6 +129,9 @@ def _felt(force: np.ndarray, model: Model) -> dict[str, np.ndarray]:
     counts, lean = np.array([face.count for face in seen]), np.array([face.lean for face in seen])
     total = np.add.reduceat(force[:, :, :, 0], np.cumsum(counts) - counts, axis=1)
     data |= {f"surface_{name}_force": total[:, :, way] for way, (name, _) in enumerate(FELT)}
+    for way, (name, _) in enumerate(FELT):
+        for k, what in enumerate(("min", "max")):
+            data[f"surface_{name}_force_{what}"] = whole[:, :, way, k]
     data |= {"surface_load": (total[:, :, :2] * lean).sum(axis=2)}
     data |= {"surface_torque": total[:, :, TORQUE]} if model.moving else {}
     return data | {"surface": np.array([face.name for face in seen])}

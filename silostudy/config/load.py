@@ -115,6 +115,8 @@ def _allowed(item: Any) -> str:
         return "unknown key" + _unit_hint(str(item["loc"][-1]), None)
     if item["type"] == "too_short":
         return f"must hold {item['ctx']['min_length']} or more"
+    if item["type"] == "too_long":
+        return f"must hold {item['ctx']['max_length']} at most"
     return item["msg"].removeprefix("Value error, ").replace("Input should be", "must be")
 
 

@@ -54,13 +54,16 @@ class Contacts(NamedTuple):
 
 
 class Record(NamedTuple):
-    """What the walls feel: every wall contact of this step, thread by thread, and the cells' sums over a window of steps."""
+    """What the walls feel: every wall contact of this step, thread by thread, and sums of cells and walls over a window."""
 
     force: np.ndarray  # (threads, contacts, 2) along the inner normal (pressing positive), along the wall (carrying positive)
     cell: np.ndarray  # (threads, contacts)
     counts: np.ndarray  # (threads,)
     now: np.ndarray  # (cells, 2) this step
     window: np.ndarray  # (cells, 2, 3) sum, least, largest since the window began
+    owner: np.ndarray  # (cells,) wall of the cell
+    whole_now: np.ndarray  # (walls, 2) this step, over the whole of each wall
+    whole: np.ndarray  # (walls, 2, 3) as of cells
 
 
 class Memory(NamedTuple):

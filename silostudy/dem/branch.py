@@ -30,6 +30,7 @@ def end_of(run) -> dict[str, Any]:
         "come": run.come,
         "came": run.came,
         "gone": run.gone + run.dropped,
+        "looked": run.looked,
         "fed": (run.feeder.rate, run.feeder.owed) if run.feeder else None,
         "fixed": fixed(model),
         "walls": walls(model),
@@ -115,7 +116,7 @@ def go_on(run, end: Mapping[str, Any]) -> None:
     """Let a run that has not begun go on from an end of a model that agrees with its own."""
     engine = run.engine
     restore(engine, end["engine"] | _here(engine, end))
-    run.come, run.came, run.gone = end["come"], end["came"], end["gone"]
+    run.come, run.came, run.gone, run.looked = (end[name] for name in ("come", "came", "gone", "looked"))
     run.began = run.since = run.opened = engine.step
     if run.feeder and end["fed"]:
         run.feeder.rate, run.feeder.owed = end["fed"]

@@ -23,6 +23,7 @@ def checkpoint(engine: Engine) -> dict[str, np.ndarray]:
         "drive": engine.walls.drive.copy(),
         "gravity": np.array(engine.gravity),
         "window": engine.record.window.copy(),
+        "whole": engine.record.whole.copy(),
         "account": engine.ledger.account.copy(),
         "coefficients": np.array(
             [value for contact in engine.contacts for one in contact.sets for law in one.ordered for value in law]
@@ -40,7 +41,7 @@ def restore(engine: Engine, saved: dict[str, np.ndarray]) -> None:
     engine.bodies.held[: engine.n] = saved["held"]
     for name in ("live", "shape", "drive"):
         getattr(engine.walls, name)[:] = saved[name]
-    engine.record.window[:] = saved["window"]
+    engine.record.window[:], engine.record.whole[:] = saved["window"], saved["whole"]
     engine.ledger.account[:] = saved["account"]
     engine.gravity = tuple(float(part) for part in saved["gravity"])
     engine.contacts = _contacts_from(engine, list(saved["coefficients"]))

@@ -28,11 +28,12 @@ KERNEL = "Lucy: (1 + 3 q) (1 - q)^3 up to q = 1, q the distance over twice the w
 class Instant(NamedTuple):
     """What fields are made of.
 
-    Mass (kg/m, kg), place (m) and velocity (m/s) of the grains; end (m) of every contact, branch from there to a grain's centre
-    (m) and force on that grain (N/m, N); where walls push (m), and how much (N/m, N).
+    Mass (kg/m, kg), volume (m2, m3), place (m) and velocity (m/s) of the grains; end (m) of every contact, branch from there to
+    a grain's centre (m) and force on that grain (N/m, N); where walls push (m), and how much (N/m, N).
     """
 
     mass: np.ndarray
+    volume: np.ndarray
     place: np.ndarray
     velocity: np.ndarray
     end: np.ndarray
@@ -43,12 +44,14 @@ class Instant(NamedTuple):
 
 
 class Fields(NamedTuple):
-    """Averages over cells: density (kg/m3), velocity (m/s; NaN where nothing is), stresses (Pa), walls' force (N/m3) on grains.
+    """Averages over cells.
 
+    Density (kg/m3), solid fraction (1), velocity (m/s; NaN where nothing is), stresses (Pa), walls' force on grains (N/m3).
     Compression is positive; the first component is that of the branch, the second that of the force.
     """
 
     density: np.ndarray
+    solid_fraction: np.ndarray
     velocity: np.ndarray
     contact_stress: np.ndarray
     kinetic_stress: np.ndarray
@@ -90,8 +93,9 @@ def instant(engine) -> Instant:
     """The engine's grains and contacts now."""
     rows, space, pairs, walls = engine.bodies.rows[: engine.n], engine.space, pair_contacts(engine), wall_contacts(engine)
     end, branch, force = branches(engine, pairs, walls)
-    moving = engine.mass, rows[:, space.place], rows[:, space.velocity]
-    return Instant(*moving, end, branch, force, walls.place, walls.force)
+    volume = engine.mass / np.broadcast_to(engine.model.density, engine.most)[engine.labels]
+    moving = rows[:, space.place], rows[:, space.velocity]
+    return Instant(engine.mass, volume, *moving, end, branch, force, walls.place, walls.force)
 
 
 def branches(engine, pairs: Contacts, walls: Contacts) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
@@ -105,12 +109,13 @@ def fields(now: Instant, grid: Grid, width: float) -> Fields:
     """Averages over cells of what is spread by a kernel of a width (m)."""
     volume, ways, reach = grid.volumes[:, None, None], now.place.shape[1], 2.0 * width
     lump, momentum, flow = spread(grid, reach, now.place, None, now.mass, now.velocity, now.velocity)
+    solid, _, _ = spread(grid, reach, now.place, None, now.volume, now.velocity, now.velocity)
     _, _, stress = spread(grid, reach, now.end, now.branch, np.ones(len(now.end)), now.branch, now.force)
     _, push, _ = spread(grid, reach, now.wall_place, None, np.ones(len(now.wall_place)), now.wall_force, now.wall_force)
     there = lump[:, None] > 0.0
     mean = np.divide(momentum, lump[:, None], out=np.full_like(momentum, np.nan), where=there)
     kinetic = np.where(there[:, None], flow - momentum[:, :, None] * mean[:, None, :], 0.0) / volume
-    found = lump / volume[:, 0, 0], mean, stress / volume, kinetic, push / volume[:, 0]
+    found = lump / volume[:, 0, 0], solid / volume[:, 0, 0], mean, stress / volume, kinetic, push / volume[:, 0]
     return Fields(*(values[(slice(None), *[slice(ways)] * (values.ndim - 1))] for values in found))
 
 

@@ -27,6 +27,7 @@ from silostudy.dem.neighbours import harvest
 from silostudy.dem.part import Part
 from silostudy.dem.sweep import EXPLODED, FRESH, REMEMBERED, SHORT_OF_ROOM, STALE
 from silostudy.dem.varied import Varied
+from silostudy.dem.watch import NOTHING, first_of_faces, owners, record_of
 from silostudy.dem.wide import GHOSTS, KEPT_PAIRS, KEPT_WALLS
 from silostudy.errors import BadInput
 
@@ -108,14 +109,9 @@ class Engine:
     def _record(self) -> Record:
         room = max(part.wall_room for part in self.parts)
         watched = self.model.pieces.watched
-        cells, felt = self.space.cell_count(self.model.walls) if watched else 0, self._felt
-        return Record(
-            force=np.zeros((self.threads, room, felt)),
-            cell=np.zeros((self.threads, room), np.int32),
-            counts=np.zeros(self.threads, np.int64),
-            now=np.zeros((cells, felt)),
-            window=np.zeros((cells, felt, 3)) + np.array([0.0, np.inf, -np.inf]),
-        )
+        cells = self.space.cell_count(self.model.walls) if watched else 0
+        first = first_of_faces(self.walls.cells) if watched else np.zeros(0, int)
+        return record_of(owners(first, cells), len(first), self._felt, self.threads, room)
 
     @property
     def _felt(self) -> int:
@@ -293,4 +289,4 @@ class Engine:
 
     def clear_window(self) -> None:
         """Begin a new window of wall forces."""
-        self.record.window[:] = 0.0, np.inf, -np.inf
+        self.record.window[:] = self.record.whole[:] = NOTHING

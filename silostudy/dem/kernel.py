@@ -18,7 +18,7 @@ from silostudy.dem.neighbours import harvest, list_pairs, list_walls
 from silostudy.dem.pieces import Pieces
 from silostudy.dem.sweep import EXPLODED, FRESH, REMEMBERED, SHORT_OF_ROOM, STALE, sweep_pass
 from silostudy.dem.threads import meet
-from silostudy.dem.walls import add_to_window
+from silostudy.dem.watch import add_to_window
 from silostudy.dem.wide import GHOSTS, PRESSED, allow, allow_wide, list_wide, wide_holds
 
 

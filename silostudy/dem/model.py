@@ -121,7 +121,12 @@ class Model:
         self._check_sets()
 
     def _check_sets(self) -> None:
-        """BadInput where contacts that differ are not as many as pairs of kinds, or as kinds at walls."""
+        """BadInput for bodies without a kind where pairs differ, and where contacts are not as many as pairs of kinds, or as
+        kinds at walls."""
+        if self.kind is not None and not (np.shape(self.kind) == np.shape(self.x) and np.min(self.kind) >= 0):
+            raise BadInput("kind", np.shape(self.kind), f"must be a number from 0 for each {self.space.body}")
+        if self.kind is None and isinstance(self.pair_contact, Varied):
+            raise BadInput("kind", None, f"must be given for each {self.space.body}: contacts of pairs differ")
         for name, contact, many in (
             ("pair_contact", self.pair_contact, set_of_pair(self.kinds - 1, self.kinds - 1) + 1),
             ("wall_contact", self.wall_contact, self.kinds * len(self.walls)),

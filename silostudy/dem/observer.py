@@ -13,10 +13,13 @@ class Observer:
     every: int
     read: Callable[[Any], tuple]
 
-    def due(self, step: int) -> bool:
-        """Whether it reads at a step."""
-        return step % self.every == 0
-
     def after(self, step: int) -> int:
         """The next step at which it reads."""
         return (step // self.every + 1) * self.every
+
+
+def read_due(observers: tuple[Observer, ...], engine, readings: dict[str, list[tuple[float, tuple]]]) -> None:
+    """Keep what those observers read that are due at the engine's step, each with the time (s)."""
+    for observer in observers:
+        if engine.step % observer.every == 0 and engine.n:
+            readings.setdefault(observer.name, []).append((engine.time, observer.read(engine)))

@@ -15,6 +15,7 @@ class Recording:
 
     window_time: list[float] = field(default_factory=list)  # s, end of each window; the last may be shorter
     window: list[np.ndarray] = field(default_factory=list)  # (cells, 2, 3): mean, least, largest
+    whole: list[np.ndarray] = field(default_factory=list)  # (walls, 2, 2): least, largest of every wall, with each window
     motion: list[np.ndarray] = field(default_factory=list)  # (walls, 3) height (m), rise (m/s), turn (rad/s), with each window
     energy: list[np.ndarray] = field(default_factory=list)  # J/m, entries of the ledger, with each window
     discharge_time: list[float] = field(default_factory=list)

@@ -13,7 +13,7 @@ from silostudy.dem.feeder import Feeder
 from silostudy.dem.leaving import DISCHARGED, REMOVED, SPILT, OutletAt, below, drawn, lowest, passing, spilt
 from silostudy.dem.ledger import ENTRIES, carry_out, change_gravity, take_springs
 from silostudy.dem.moves import MOVES, OF_LID, lid_meets, lid_standing
-from silostudy.dem.observer import Observer
+from silostudy.dem.observer import Observer, read_due
 from silostudy.dem.rain import Rain, pour
 from silostudy.dem.recording import Recording
 from silostudy.dem.rest import PAPER, Look, Rest
@@ -143,9 +143,7 @@ class Run:
             self._close_window()
         if step in self.snapshots:
             self.recording.snapshots.append(snapshot(self.engine))
-        for observer in self.observers:
-            if observer.due(step) and self.engine.n:
-                self.recording.readings.setdefault(observer.name, []).append((self.engine.time, observer.read(self.engine)))
+        read_due(self.observers, self.engine, self.recording.readings)
         if step % CHECK_EVERY == 0:
             self._drop()
             self._feed()
@@ -209,7 +207,9 @@ class Run:
         elif action in MOVES:
             MOVES[action](engine, *event.what)
         self.recording.happened.append((engine.time, event.trigger, action))
-        self.since, self.looked = engine.step, None
+        self.since = engine.step
+        if action != "stop":  # after which a branch may look on
+            self.looked = None
         self.next_event += 1
 
     def _remove(self, what: tuple) -> str:
@@ -280,6 +280,7 @@ class Run:
         window[:, :, 0] /= steps
         self.recording.window_time.append(self.engine.time)
         self.recording.window.append(window)
+        self.recording.whole.append(self.engine.record.whole[:, :, 1:].copy())
         if self.engine.model.moving:
             self.recording.motion.append(self.engine.space.motion_of(self.engine.walls.shape))
         self.recording.energy.append(self.engine.ledger.account[: len(ENTRIES)].copy())

@@ -124,23 +124,6 @@ def note_walls(rows, walls, near, start, count, force, record, part):
         record.cell[part, at] = walls.cells[q, 0] + place
 
 
-@njit(**OPTIONS)
-def add_to_window(record):
-    """Add this step's wall forces to the window, contact by contact in the order of the discs."""
-    now, window = record.now, record.window
-    now[:] = 0.0
-    for part in range(record.counts.size):
-        for k in range(record.counts[part]):
-            for way in range(now.shape[1]):
-                now[record.cell[part, k], way] += record.force[part, k, way]
-    for c in range(now.shape[0]):
-        for way in range(now.shape[1]):
-            value = now[c, way]
-            window[c, way, 0] += value
-            window[c, way, 1] = min(window[c, way, 1], value)
-            window[c, way, 2] = max(window[c, way, 2], value)
-
-
 def walls_of(walls) -> Walls:
     """The walls as arrays."""
     return Walls(shape_of(walls), np.array([wall.live for wall in walls], bool), cells_of(walls), standing(len(walls)))

@@ -12,7 +12,9 @@ from silostudy.config.dem import DemScene
 from silostudy.config.grain_scenes import AnyScene
 from silostudy.config.spheres import SphereScene
 from silostudy.contact.family import Touch
+from silostudy.dem.contacts import Contact
 from silostudy.dem.stability import DEEP
+from silostudy.dem.varied import set_of_pair
 from silostudy.packing import PACKINGS
 from silostudy.packing.filling import FILLINGS
 from silostudy.packing.sizes import SIZES
@@ -76,14 +78,17 @@ def _spheres(scene: SphereScene, folder: Path) -> float:
 
 def _sphere_step(scene: SphereScene) -> float:
     """From the smallest sphere's mass and the stiffness of two of them at the overlap at which the engine takes it."""
-    radii, sizes = UNKNOWN, scene.sizes
-    if sizes is not None:
-        radii = SIZES[sizes.kind].radii(np.random.default_rng(0), DRAWN, sizes)
+    between, _ = contacts_of(scene)
+    kinds = zip(scene.grain_kinds, (scene.sizes, *(kind.sizes for kind in scene.other_grains.values())), strict=True)
+    return min(_step_of_kind(scene, name, sizes, between.numbered(set_of_pair(k, k))) for k, (name, sizes) in enumerate(kinds))
+
+
+def _step_of_kind(scene: SphereScene, name: str, sizes, between: Contact) -> float:
+    radii = UNKNOWN if sizes is None else SIZES[sizes.kind].radii(np.random.default_rng(0), DRAWN, sizes)
     least, most = float(radii.min()), float(radii.max())
-    mass, (between, _) = grain_of(scene).density * 4.0 / 3.0 * pi * least**3, contacts_of(scene)
-    touch, c = Touch(mass / 2.0, least / 2.0, 1.0), between.numbered(0).ordered[0]
-    stiffness = float(between.laws.normal.stiffness(DEEP * most, touch, c))
-    return 0.09 * sqrt(mass / stiffness)
+    mass = grain_of(scene, kind=name).density * 4.0 / 3.0 * pi * least**3
+    touch, c = Touch(mass / 2.0, least / 2.0, 1.0), between.ordered[0]
+    return 0.09 * sqrt(mass / float(between.laws.normal.stiffness(DEEP * most, touch, c)))
 
 
 def _in_file(path: Path) -> float:

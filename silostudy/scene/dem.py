@@ -193,6 +193,19 @@ def surfaces_effect(scene: AnyScene) -> Effect:
     return Effect("walls of several coefficients", bool(scene.surfaces), f"surfaces: {', '.join(scene.surfaces) or 'none'}")
 
 
+def reading_effects(scene: AnyScene) -> tuple[Effect, ...]:
+    """What is read between steps, and what rest is waited for."""
+    record, rests = scene.record, any(event.when == "rest" for event in scene.events)
+    every = f"every {record.snapshots_every_s:g} s" if record.snapshots_every_s else f"{len(record.snapshots_s)} times"
+    cells = " x ".join(map(str, record.fields.cells)) if record.fields else "none"
+    return (
+        Effect("rest", rests, f"rest: {rest_of(scene)}"),
+        Effect("snapshots", bool(record.snapshots_s or record.snapshots_every_s), f"record.snapshots: {every}"),
+        Effect("fields", record.fields is not None, f"record.fields.cells: {cells}"),
+        Effect("statistics of contacts", record.contact_statistics is not None, "record.contact_statistics"),
+    )
+
+
 def effects(scene: DemScene) -> tuple[Effect, ...]:
     """Every effect the engine knows: whether this scene calls for it, and the key that says so."""
     contacts = dict(zip(("discs", "walls"), contacts_of(scene, np.array([scene.radius_m])), strict=True))
@@ -211,5 +224,5 @@ def effects(scene: DemScene) -> tuple[Effect, ...]:
         Effect("hopper", scene.silo.hopper_half_angle_deg is not None, "silo.hopper_half_angle_deg"),
         Effect("walls that move", moves(scene.events), "events: lower_lid, press_lid, move_lid"),
         Effect("events", len(scene.events) > 1, ", ".join(event.do for event in scene.events)),
-        Effect("snapshots", bool(record.snapshots_s), f"record.snapshots_s: {len(record.snapshots_s)} times"),
+        *reading_effects(scene),
     )

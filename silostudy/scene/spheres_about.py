@@ -9,7 +9,7 @@ from silostudy.config.spheres import SphereScene
 from silostudy.dem.space.model import SphereModel
 from silostudy.packing.filling import FILLINGS
 from silostudy.packing.sizes import SIZES
-from silostudy.scene.dem import Effect, law_effect, surfaces_effect
+from silostudy.scene.dem import Effect, law_effect, reading_effects, surfaces_effect
 from silostudy.scene.lid import moves
 from silostudy.scene.spheres import MPA, contacts_of, grain_of, material_of, plane_of_rain, space_silo_of
 from silostudy.scene.spheres_model import narrow
@@ -166,5 +166,5 @@ def sphere_effects(scene: SphereScene) -> tuple[Effect, ...]:
         Effect("hopper", scene.silo.hopper is not None, "silo.hopper"),
         Effect("walls that move", moves(scene.events), "events: lower_lid, press_lid, move_lid, rotate"),
         Effect("events", len(scene.events) > 1, ", ".join(event.do for event in scene.events)),
-        Effect("snapshots", bool(record.snapshots_s), f"record.snapshots_s: {len(record.snapshots_s)} times"),
+        *reading_effects(scene),
     )

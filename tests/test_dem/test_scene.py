@@ -37,6 +37,11 @@ def test_the_cube_holds_what_was_asked(small, tmp_path):
     assert cube["event_action"].to_numpy().tolist() == ["time: open", "after: stop"]
     shear = cube["wall_shear_force_min"].where(cube["wall_name"].isin(["left", "right"]))
     assert float(shear.min()) < 0.0  # negative wall friction stays visible
+    left = cube["wall_normal_force_mean"].where(cube["wall_name"] == "left").sum("wall_cell")
+    whole = cube[[f"whole_normal_force_{what}" for what in ("mean", "min", "max")]].sel(surface="left")
+    assert np.allclose(whole.whole_normal_force_mean, left, rtol=1e-12)
+    assert (whole.whole_normal_force_min <= whole.whole_normal_force_mean * (1.0 + 1e-12)).all()
+    assert float((whole.whole_normal_force_max - whole.whole_normal_force_mean).max()) > 0.0
     lost = np.isnan(cube["disc_x"].to_numpy()).sum(axis=1)
     assert lost[0] == 0
     assert lost[1] == round(float(cube["discharged_mass"][-1]) / float(cube["disc_mass"][0]))

@@ -166,6 +166,7 @@ def bin_cube() -> xr.Dataset:
     cells = len(task.engine.record.window)
     for number in range(4):
         record.window.append(random.uniform(0.01, 0.1, (cells, 3, 1)) * [1.0, 0.5, 2.0])
+        record.whole.append(random.uniform(0.01, 0.1, (len(model.walls), 3, 2)))
         record.window_time.append(0.02 * (number + 1))
     record.happened = [(0.04, "rest", "open"), (0.08, "after", "stop")]
     for time in (0.0, 0.04, 0.08):
@@ -176,7 +177,7 @@ def bin_cube() -> xr.Dataset:
         )
     (fields, *_), cells = task.observers, grid_of(scene, scene.record.fields, model).cells
     for number in range(4):
-        shapes = (cells,), (cells, 3), (cells, 3, 3), (cells, 3, 3), (cells, 3)
+        shapes = (cells,), (cells,), (cells, 3), (cells, 3, 3), (cells, 3, 3), (cells, 3)
         record.readings.setdefault(fields.name, []).append(
             (0.02 * (number + 1), tuple(random.uniform(0.5, 1.0, shape) for shape in shapes))
         )

@@ -1,5 +1,6 @@
 """Scenes of several kinds of spheres: how many there are of each, which coefficients pairs have, and what is refused."""
 
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -9,12 +10,13 @@ import xarray as xr
 from silostudy.compute.dem import scene_model
 from silostudy.compute.dem_files import given_spheres
 from silostudy.contact import elastic
-from silostudy.dem.varied import set_of_pair
+from silostudy.dem.varied import Varied, set_of_pair
 from silostudy.errors import BadInput
 from silostudy.scene.coefficients import coefficient_lines
 from silostudy.scene.mixture import drawn, whole
 from silostudy.scene.spheres import contacts_of
 from silostudy.scene.spheres_about import shares, wave_times
+from tests.test_spheres.scenes import contact, spheres
 from tests.test_spheres.small import scene_of
 
 STONES = {
@@ -26,7 +28,9 @@ BEANS = {name: value for name, value in STONES.items() if name != "mass_share"} 
 
 
 def mixture(**changes):
-    return scene_of(**({"other_grains": {"stones": STONES}} | changes))
+    """The small bin with stones; its dashpots follow from the restitution by a formula."""
+    pulling = {} if "spheres" in changes else {"spheres__normal": "hertz-tension", "walls__normal": "hertz-tension"}
+    return scene_of(**({"other_grains": {"stones": STONES}} | pulling | changes))
 
 
 def changed(**values):
@@ -86,16 +90,43 @@ def test_pairs_say_what_differs_and_else_sections_do():
     assert friction == [0.3, 0.1, 0.3, 0.06, 0.05, 0.06]  # of grain and of stones at floor, hopper and wall
     dampings = [one.coefficients["hertz_damping"] / one.coefficients["hertz_stiffness"] ** 0.5 for one in between.sets]
     assert dampings[0] == pytest.approx(dampings[2])
-    assert dampings[1] == pytest.approx(elastic.damping_where_cut(0.8))
+    assert dampings[1] == pytest.approx(elastic.damping_where_pulled(0.8))
+
+
+def test_laws_bring_their_fields_to_pairs_and_surfaces():
+    rolls = {
+        "normal": "hertz-tension",
+        "rolling": "spring-slider",
+        "rolling_stiffness_N": 1e-3,
+        "restitution": 0.3,
+        "sliding_friction": 0.5,
+    }
+    scene = mixture(
+        spheres=rolls | {"rolling_friction": 0.1}, walls=rolls | {"rolling_friction": 0.2},
+        surfaces={"hopper": {"rolling_friction": 0.3}}, pairs=[{"between": ["grain", "stones"], "rolling_friction": 0.4}],
+    )  # fmt: skip
+    between, walls = contacts_of(scene)
+    assert [one.coefficients["rolling_friction"] for one in between.sets] == [0.1, 0.4, 0.1]
+    assert [one.coefficients["rolling_friction"] for one in walls.sets] == [0.2, 0.3, 0.2] * 2
+
+
+def test_a_model_says_of_which_kind_each_sphere_is():
+    model = spheres([(0.0, 0.0, 0.1), (0.0, 0.0, 0.2)])
+    with pytest.raises(BadInput, match="kind = None: must be given for each sphere"):
+        replace(model, pair_contact=Varied((contact(),)))
+    with pytest.raises(BadInput, match="pair_contact = 1: must be 3 sets"):
+        replace(model, pair_contact=Varied((contact(),)), kind=np.array([0, 1]))
+    with pytest.raises(BadInput, match=r"kind = .*must be a number from 0 for each"):
+        replace(model, kind=np.array([0, -1]))
 
 
 def test_pairs_of_materials_of_the_table():
     """What no section says is that of the pair; a pair that no table holds must be told."""
-    material = {"material": "dosta-m1"}
-    scene = scene_of(grain=material, wall={"material": "dosta-steel"}, spheres={}, walls={})
+    material, law = {"material": "dosta-m1"}, {"normal": "hertz-tension"}
+    scene = scene_of(grain=material, wall={"material": "dosta-steel"}, spheres=law, walls=law)
     assert contacts_of(scene)[0].coefficients["sliding_friction"] == 0.3
     with pytest.raises(BadInput, match=r"spheres.restitution = None: must be given: no table .* M2 and .* M1"):
-        contacts_of(scene_of(grain=material, wall=material, spheres={}, walls={}, other_grains={"two": OF_TABLE}))
+        contacts_of(scene_of(grain=material, wall=material, spheres=law, walls=law, other_grains={"two": OF_TABLE}))
 
 
 @pytest.mark.long
@@ -139,6 +170,7 @@ def test_mixtures_that_are_none(changes, message):
         scene_model(mixture(**changes), Path())
 
 
+@pytest.mark.long
 def test_kinds_from_a_file(tmp_path):
     held = {name: ("grain", np.array([0.0, np.nan, 0.01])) for name in ("grain_x", "grain_y", "grain_z")}
     held |= {"grain_radius": ("grain", np.full(3, 0.001)), "grain_kind": ("grain", np.array([0, 0, 1]))}

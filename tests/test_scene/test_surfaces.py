@@ -33,6 +33,11 @@ def discs(**changes) -> DemScene:
     return validated(DemScene, copy.deepcopy(DISCS) | changes, "slit.yaml")
 
 
+def pulling(**changes):
+    """The small bin of spheres with dashpots that follow from the restitution by a formula."""
+    return scene_of(spheres__normal="hertz-tension", walls__normal="hertz-tension", **changes)
+
+
 def at_discs_walls(scene: DemScene) -> dict:
     _, walls = contacts_of_discs(scene, np.array([0.01]))
     names = wall_names(scene)
@@ -41,7 +46,7 @@ def at_discs_walls(scene: DemScene) -> dict:
 
 def test_a_scene_that_does_not_ask_has_one_set_of_coefficients():
     assert not isinstance(at_discs_walls(discs())[""], Varied)
-    assert not isinstance(contacts_of(scene_of())[1], Varied)
+    assert not isinstance(contacts_of(pulling())[1], Varied)
 
 
 def test_discs_have_what_a_surface_says_and_else_what_walls_say():
@@ -67,7 +72,7 @@ def test_friction_at_one_surface_keeps_the_law_that_smooth_walls_leave_out():
 
 
 def test_the_modulus_of_a_surface_enters_its_pair():
-    scene = scene_of(surfaces={"hopper": {"youngs_modulus_MPa": 7.0, "restitution": 0.6}})
+    scene = pulling(surfaces={"hopper": {"youngs_modulus_MPa": 7.0, "restitution": 0.6}})
     floor, hopper, wall = contacts_of(scene)[1].sets
     assert hopper.coefficients["hertz_stiffness"] == pytest.approx(4 / 3 * elastic.contact_modulus(5e6, 0.25, 7e6, 0.25))
     assert hopper.coefficients["mindlin_stiffness"] == pytest.approx(8 * elastic.contact_shear_modulus(5e6, 0.25, 7e6, 0.25))
@@ -77,7 +82,7 @@ def test_the_modulus_of_a_surface_enters_its_pair():
 
 def test_a_material_of_the_table_is_whole():
     """Its Poisson's ratio is not that of the wall that it stands in for."""
-    scene = scene_of(surfaces={"floor": {"material": "dosta-steel"}}, wall__poissons_ratio=0.4)
+    scene = pulling(surfaces={"floor": {"material": "dosta-steel"}}, wall__poissons_ratio=0.4)
     floor, _, wall = contacts_of(scene)[1].sets
     assert floor.coefficients["hertz_stiffness"] == pytest.approx(4 / 3 * elastic.contact_modulus(5e6, 0.25, 210e9, 0.2))
     assert wall.coefficients["hertz_stiffness"] == pytest.approx(4 / 3 * elastic.contact_modulus(5e6, 0.25, 1e8, 0.4))

@@ -5,13 +5,17 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
+from silostudy.compute.observers import observers_of
 from silostudy.dem import coarse
 from silostudy.dem.coarse import Instant, fields, sample
 from silostudy.dem.contact_statistics import coordination, fabric_of
 from silostudy.dem.grid import Grid
 from silostudy.dem.snapshot import Contacts
+from silostudy.errors import BadInput
+from tests.test_spheres.small import scene_of
 
 RADIUS, MASS, GRAVITY = 0.004, 0.002, 9.81
+VOLUME = 4.0 / 3.0 * np.pi * RADIUS**3
 NOTHING = np.empty((0, 3))
 BOXES = Grid((-0.05, -0.05, -0.05), (0.02, 0.02, 0.01), (5, 5, 20))
 RINGS = Grid((0.0, -0.05), (0.01, 0.01), (7, 20), round=True)
@@ -22,11 +26,18 @@ def in_python(monkeypatch):
     monkeypatch.setattr(coarse, "share", coarse.share.py_func)
 
 
+def bodies(count: int) -> tuple[np.ndarray, np.ndarray]:
+    """Masses and volumes."""
+    return np.full(count, MASS), np.full(count, VOLUME)
+
+
 def flying(place, velocity) -> Instant:
     """Grains that touch nothing."""
     place = np.asarray(place, float)
     speed = np.broadcast_to(np.asarray(velocity, float), place.shape)
-    return Instant(np.full(len(place), MASS), place, speed, NOTHING, NOTHING, NOTHING, NOTHING, NOTHING)
+    return Instant(
+        np.full(len(place), MASS), np.full(len(place), VOLUME), place, speed, NOTHING, NOTHING, NOTHING, NOTHING, NOTHING
+    )
 
 
 def stack(count: int, x=0.0) -> Instant:
@@ -36,7 +47,9 @@ def stack(count: int, x=0.0) -> Instant:
     end, branch, force = place - [0.0, 0.0, 2.0 * RADIUS], np.tile([0.0, 0.0, 2.0 * RADIUS], (count, 1)), np.zeros((count, 3))
     end[0, 2], branch[0, 2] = 0.0, RADIUS
     force[:, 2] = MASS * GRAVITY * (count - np.arange(count))
-    return Instant(np.full(count, MASS), place, np.zeros_like(place), end, branch, force, end[:1], force[:1])
+    return Instant(
+        np.full(count, MASS), np.full(count, VOLUME), place, np.zeros_like(place), end, branch, force, end[:1], force[:1]
+    )
 
 
 def summed(grid, values):
@@ -50,6 +63,7 @@ def test_mass_and_stress_add_up_to_those_of_grains_and_contacts(grid, count):
     now = stack(count, x=0.013)
     found = fields(now, grid, 0.006)
     assert summed(grid, found.density) == pytest.approx(count * MASS, rel=1e-12)
+    assert summed(grid, found.solid_fraction) == pytest.approx(count * VOLUME, rel=1e-12)
     carried = (now.branch[:, :, None] * now.force[:, None, :]).sum(axis=0)
     assert summed(grid, found.contact_stress)[2, 2] == pytest.approx(carried[2, 2], rel=1e-12)
     assert summed(grid, found.wall_force)[2] == pytest.approx(count * MASS * GRAVITY, rel=1e-12)
@@ -75,7 +89,7 @@ def test_a_translation_is_one_velocity_without_kinetic_stress():
 
 
 def test_a_rotation_is_found_again():
-    z, y, x = (axis.ravel() for axis in np.meshgrid([-0.006, 0.0, 0.006], *[np.arange(-5, 6) * 0.006] * 2, indexing="ij"))
+    z, y, x = (axis.ravel() for axis in np.meshgrid([-0.006, 0.0, 0.006], *[np.arange(-4, 5) * 0.006] * 2, indexing="ij"))
     place = np.column_stack([x, y, z])
     found = fields(flying(place, 30.0 * np.column_stack([-y, x, 0.0 * z])), RINGS, 0.004)
     speed, r = found.velocity.reshape(7, 20, 3), RINGS.middles[:, 0].reshape(7, 20)
@@ -98,7 +112,7 @@ def test_momentum_flow_is_that_of_the_grains():
 def test_every_slice_of_a_stack_carries_what_is_above_less_what_the_floor_gives(monkeypatch):
     """The boundary term closes the balance also where the kernel reaches through the floor; a fine sample, for one stack."""
     fine = sample.__wrapped__
-    monkeypatch.setattr(coarse, "POINTS", 512)
+    monkeypatch.setattr(coarse, "POINTS", 256)
     monkeypatch.setattr(coarse, "LINES", 16)
     monkeypatch.setattr(coarse, "sample", fine)
     now, high = stack(5), 0.001
@@ -115,9 +129,8 @@ def test_every_slice_of_a_stack_carries_what_is_above_less_what_the_floor_gives(
 def test_discs_have_the_same_sums():
     grid = Grid((-0.05, -0.05), (0.01, 0.01), (10, 20))
     place, branch, force = np.array([[[0.013, RADIUS]], [[0.0, RADIUS]], [[1.0, 5.0]]])
-    found = fields(
-        Instant(np.array([MASS]), place, 0.0 * place, place - branch, branch, force, place - branch, force), grid, 0.01
-    )
+    end = place - branch
+    found = fields(Instant(*bodies(1), place, 0.0 * place, end, branch, force, end, force), grid, 0.01)
     assert summed(grid, found.contact_stress) == pytest.approx(np.outer(branch, force), rel=1e-12)
     assert summed(grid, found.density) == pytest.approx(MASS, rel=1e-12)
     assert summed(grid, found.wall_force) == pytest.approx(force[0], rel=1e-12)
@@ -152,3 +165,25 @@ def test_a_grain_of_one_contact_is_a_rattler():
     walls = Contacts(np.array([0, 1, 2]), np.zeros(3, int), np.zeros((3, 3)), np.ones((3, 3)))
     mean, held, rattlers = coordination(SimpleNamespace(n=5, most=5), pairs, walls)
     assert (mean, held, rattlers) == pytest.approx((11 / 5, 3.0, 0.4))
+
+
+REFUSED = {
+    "one cell": ({"cells": [4], "every_s": 0.1}, "record.fields.cells = \\[4\\]: must hold 2 or more"),
+    "four cells": ({"cells": [4, 4, 4, 4], "every_s": 0.1}, "must hold 3 at most"),
+    "too late": ({"cells": [4, 4], "every_s": 9.0}, "every_s = 9 must not be longer than march.limit_s = 1"),
+    "rings of a square": ({"cells": [4, 4], "every_s": 0.1}, "must be three, along x, y and z"),
+    "a wide kernel": ({"cells": [4, 4, 4], "width_mm": 1000, "every_s": 0.1}, "width_mm = 1000.0: spreads over"),
+}
+
+
+@pytest.mark.parametrize("case", REFUSED)
+def test_what_cannot_be_is_refused_in_one_line(case):
+    fields, told = REFUSED[case]
+    square = {"plan": "square", "width_m": 0.06, "cylinder_depth_m": 0.1}
+
+    def asked():
+        scene = scene_of(record__fields=fields, silo=square, events=[{"when": "rest", "do": "stop"}])
+        return observers_of(scene, SimpleNamespace(radius=np.array([RADIUS]), dt=1e-5))
+
+    with pytest.raises(BadInput, match=told):
+        asked()

@@ -18,8 +18,8 @@ from silostudy.tables.constants import ROUNDED_GRAVITY as GRAVITY
 from tests.test_spheres.small import carried, content, run, scene_of
 
 pytestmark = pytest.mark.long
-SAME = ("grain_x", "grain_spin_y", "outflow_time", "outflow_mass", "wall_pressure_max", "surface_cross_force", "contact_load_z",
-        "field_contact_stress", "field_velocity", "contact_fabric", "contact_sliding")  # fmt: skip
+SAME = ("grain_x", "grain_spin_y", "outflow_time", "outflow_mass", "wall_pressure_max", "surface_cross_force_max",
+        "contact_load_z", "field_contact_stress", "field_velocity", "contact_fabric", "contact_sliding")  # fmt: skip
 
 
 @pytest.fixture(scope="module")
@@ -53,6 +53,11 @@ def test_cells_add_up_to_surfaces_and_pressures_are_forces_over_areas(cube):
     total = cube.surface_normal_force.rename(surface="wall_name").sel(wall_name=force.wall_name)
     assert np.allclose(force.transpose("window_time", "wall_name"), total, rtol=1e-12, atol=0.0)
     assert (cube.wall_pressure_max >= cube.wall_pressure_mean).all()
+    highest = cube.cell_normal_force_max.groupby("wall_name").sum().rename(wall_name="surface").sel(surface=cube.surface)
+    assert (cube.surface_normal_force_max <= highest.transpose("window_time", "surface") * (1.0 + 1e-12)).all()
+    assert (cube.surface_normal_force_min <= cube.surface_normal_force * (1.0 + 1e-12)).all()
+    assert (cube.surface_shear_force_max >= cube.surface_shear_force - 1e-12).all()
+    assert float((cube.surface_normal_force_max - cube.surface_normal_force).max()) > 0.0
     assert float(cube.wall_pressure_min.min()) == 0.0
 
 
