@@ -27,7 +27,7 @@ from silostudy.dem.neighbours import harvest
 from silostudy.dem.part import Part
 from silostudy.dem.sweep import EXPLODED, FRESH, REMEMBERED, SHORT_OF_ROOM, STALE
 from silostudy.dem.varied import Varied
-from silostudy.dem.watch import NOTHING, owners, record_of
+from silostudy.dem.watch import NOTHING, first_of_faces, owners, record_of
 from silostudy.dem.wide import GHOSTS, KEPT_PAIRS, KEPT_WALLS
 from silostudy.errors import BadInput
 
@@ -110,8 +110,8 @@ class Engine:
         room = max(part.wall_room for part in self.parts)
         watched = self.model.pieces.watched
         cells = self.space.cell_count(self.model.walls) if watched else 0
-        owner = owners(self.walls.cells[:, 0] if watched else np.zeros(0, int), cells)
-        return record_of(owner, len(self.model.walls) if watched else 0, self._felt, self.threads, room)
+        first = first_of_faces(self.walls.cells) if watched else np.zeros(0, int)
+        return record_of(owners(first, cells), len(first), self._felt, self.threads, room)
 
     @property
     def _felt(self) -> int:

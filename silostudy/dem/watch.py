@@ -24,8 +24,14 @@ def record_of(owner: np.ndarray, walls: int, felt: int, threads: int, room: int)
     )
 
 
+def first_of_faces(cells: np.ndarray) -> np.ndarray:
+    """First cell of each face of walls: of each its own, of surfaces in space that of the back too, where they have one."""
+    first, back = cells[:, 0], cells[:, 3] if cells.shape[1] > 3 else np.zeros(len(cells), int)
+    return np.sort(np.concatenate([first, (first + back)[back > 0]]))
+
+
 def owners(first: np.ndarray, cells: int) -> np.ndarray:
-    """Wall of every cell, from the first cell of each wall."""
+    """Face of every cell, from the first cell of each face."""
     return np.repeat(np.arange(len(first), dtype=np.int32), np.diff(first, append=cells))
 
 
