@@ -29,7 +29,7 @@ def below(engine, floor: float) -> np.ndarray:
 
 
 def number_of(engine, what: tuple) -> int | None:
-    """The engine's number of a disc given by its label, or by a place (m) that it is nearest to; None: it is gone."""
+    """The engine's number of a body given by its label, or by a place (m) that it is nearest to; None: it is gone."""
     if len(what) == 1:
         found = np.flatnonzero(engine.labels == what[0])
         return int(found[0]) if len(found) else None
@@ -62,12 +62,3 @@ def drawn(engine, which: np.ndarray, outlet_at: OutletAt) -> list[tuple[float, f
 def _listed(engine, which, times, places, outlet_at: OutletAt) -> list[tuple[float, float, int]]:
     outlet = outlet_at(places) if outlet_at else np.zeros(engine.n, int)
     return [(float(times[i]), float(engine.mass[i]), int(outlet[i])) for i in np.flatnonzero(which)]
-
-
-def number_of(engine, what: tuple) -> int | None:
-    """The engine's number of a body given by its label, or by a place (m) that it is nearest to; None: it is gone."""
-    if len(what) == 1:
-        found = np.flatnonzero(engine.labels == what[0])
-        return int(found[0]) if len(found) else None
-    place = engine.bodies.rows[: engine.n, engine.space.place]
-    return int(np.argmin(length(place - np.asarray(what)))) if len(place) else None
