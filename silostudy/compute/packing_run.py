@@ -94,7 +94,7 @@ def discharge(
     then loses the highest disc of the arch.  Once all is still the run ends, and its last sample stands for the rest.
     """
     engine = Engine(replace(rested.model, walls=packing_walls(config.silo)))
-    restore(engine, rested.saved)
+    restore(engine, {**rested.saved, "shape": engine.walls.shape.copy()})  # the slit is the case's own
     engine.clear_window()
     window = round(WINDOW / engine.model.dt)
     run = Run(engine, (Event("time", NEVER, "stop"),), limit=NEVER, window=window)

@@ -114,7 +114,7 @@ def marched(march: dict, step: float) -> dict:
 
 
 def may_ask(kind) -> bool:
-    scene = kind.study.model_fields["scene"].annotation if kind.builder else None
+    scene = kind.study.scene_model({}, "") if kind.builder else None
     return issubclass(kind.study, Asked) or "accuracy" in getattr(scene, "model_fields", {})
 
 

@@ -206,7 +206,7 @@ def test_the_example_scene_is_valid(capsys):
         ({"grain__density_kg_m3": None}, "grain.density_kg_m3 = None: must be given"),
         ({"grain": {"material": "straw"}}, "grain.material = 'straw': must be 'dosta-m1'"),
         ({"spheres": {"sliding_friction": 0.5}}, "spheres.restitution = None: must be given: no table holds the pair"),
-        ({"spheres__normal": "spring-dashpot"}, "spheres.normal = 'spring-dashpot': unknown; known: hertz"),
+        ({"spheres__normal": "spring-dashpot"}, "spheres: the law spring-dashpot needs the key normal_stiffness_N_m"),
         ({"sizes__diameter_mm": 45}, "sizes = 45.0: mm: does not pass the outlet, 40 mm"),
         ({"sizes__diameter_mm": 65}, "sizes = 65.0: mm: a sphere wider than the silo, 60 mm"),
         ({"sizes": {"kind": "uniform", "least_mm": 5, "largest_mm": 4}}, "sizes.largest_mm = 4.0: must not be below least_mm"),

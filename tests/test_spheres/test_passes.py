@@ -135,7 +135,7 @@ def test_places_on_a_surface():
         (lambda: TurnedLine(name="c", start=(-0.3, 0.0), end=(0.3, 0.0)), "distances from the axis and heights must be finite"),
         (lambda: TurnedLine(name="c", start=(0.3, 0.0), end=(0.3, 1.0), cells=(0, 1)), "c.cells = .* must be 1 or more"),
         (lambda: FlatPiece(name="p", corners=((0, 0, 0), (1, 0, 0), (2, 0, 0))), "must have an extent"),
-        (lambda: FlatPiece(name="p", corners=((0, 0, 0), (1, 0, 0))), "three or four"),
+        (lambda: FlatPiece(name="p", corners=((0, 0, 0), (1, 0, 0))), "three finite corners or more"),
     ],
 )
 def test_surfaces_that_are_none(make, message):
