@@ -32,6 +32,7 @@ def head_on(speed, pair, dt, steps, radius=RADIUS, **changes):
     return engine
 
 
+@pytest.mark.long
 def test_mass_ratio_of_a_million():
     radii = np.array([RADIUS, RADIUS / 1e3])
     heavy, light = DENSITY * pi * radii**2

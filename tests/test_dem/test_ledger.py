@@ -24,9 +24,8 @@ def booked(integrator="17-18", dt=2.5e-5, flow=True):
     return engine, start, run
 
 
-@pytest.mark.parametrize(
-    "integrator", ["17-18", *(pytest.param(key, marks=pytest.mark.long) for key in ("17-19", "velocity-verlet"))]
-)
+@pytest.mark.long
+@pytest.mark.parametrize("integrator", ["17-18", "17-19", "velocity-verlet"])
 def test_the_ledger_closes(integrator):
     engine, start, run = booked(integrator, dt=1e-5)
     account = engine.ledger.account

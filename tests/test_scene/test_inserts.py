@@ -50,6 +50,7 @@ def strewn(of, pitch=0.0008) -> np.ndarray:
     return np.c_[-0.03 + 0.06 * v, sign * 0.03 * (1.0 - u), 0.1 + 0.02 * u]
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("inserts", [(HAT,), (HAT, SKIRT), ROOF], ids=["hat", "hat on a skirt", "roof"])
 def test_distances_against_a_search(inserts):
     """On both sides and past every edge: the least distance is that of the nearest strewn point."""
