@@ -142,10 +142,11 @@ def _cells(model: Model) -> dict[str, np.ndarray]:
     seen = faces(model.walls, LID)
     x, y, z = np.vstack([middles(model.walls[face.wall]) for face in seen]).T
     names = np.repeat([face.name for face in seen], [face.count for face in seen])
+    area = np.concatenate([areas(model.walls[face.wall]) for face in seen])
     return {
         "wall_cell": np.arange(len(names)), "wall_name": names, "wall_cell_x": x, "wall_cell_y": y, "wall_cell_z": z,
         "wall_cell_turn": np.arctan2(y, x) % (2.0 * np.pi),
-        "wall_cell_area": np.concatenate([areas(model.walls[face.wall]) for face in seen]),
+        "wall_cell_area": np.where(area > 0.0, area, np.nan),  # a round floor's box of cells has corners beyond it
     }  # fmt: skip
 
 

@@ -169,7 +169,7 @@ def test_floor_and_wall_carry_the_weight(settled):
     settled.step_to(settled.step + 4000)
     mean = settled.record.window[:, :, 0] / 4000
     cells = settled.walls.cells
-    floor, cylinder = (mean[first : first + along * around] for first, along, around in cells)
+    floor, cylinder = (mean[first : first + along * around] for first, along, around, *_ in cells)
     carried = floor[:, 0].sum() + cylinder[:, 1].sum()
     assert carried == pytest.approx(settled.n * MASS * GRAVITY, rel=1e-3)
     assert cylinder[:, 1].sum() > 0.01 * carried  # friction of the wall takes a part
