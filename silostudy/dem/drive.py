@@ -6,9 +6,9 @@ it presses bears its load.  The drag is taken at the end of the step, so that it
 """
 
 import numpy as np
-from numba import njit
+from numba.extending import register_jitable
 
-from silostudy.dem.cache import OPTIONS, piece
+from silostudy.dem.cache import piece
 from silostudy.dem.integrate import INTEGRATORS
 
 # columns: velocity of the integrator's own (m/s), load (N), mass (kg; 0: moves at its speed), drag (N s/m), and where it stops
@@ -22,7 +22,7 @@ def standing(count: int) -> np.ndarray:
     return drive
 
 
-@njit(**OPTIONS)
+@register_jitable
 def pressing(cells, now, wall):
     """Force (N, in the plane N/m) that presses a wall in this step."""
     last = cells[wall + 1, 0] if wall + 1 < cells.shape[0] else now.shape[0]

@@ -1,21 +1,28 @@
 """The compiled step: its Python twin, effects that are neutral, orders of convergence, the cache."""
 
 import ast
+import dis
 import os
 import subprocess
 import sys
 from pathlib import Path
+from types import FunctionType
 
 import numpy as np
 import pytest
+from numba.core.dispatcher import Dispatcher
 
 import silostudy.dem
+from silostudy.choice.dem import load
+from silostudy.compute.dem import scene_model
 from silostudy.dem.engine import Engine
 from silostudy.dem.integrate import INTEGRATORS
+from silostudy.dem.kernel import kernel
 from silostudy.dem.lanes import U, X
 from silostudy.dem.model import Contact, Wall
 from silostudy.dem.pieces import Laws
 from silostudy.errors import BadInput
+from tests.conftest import ROOT
 
 from .scenes import DENSITY, RADIUS, SLIDING, STIFFNESS, contact, free, rows, silo
 
@@ -144,6 +151,28 @@ def test_kernels_kept_by_two_processes_do_not_mix_in_a_third(tmp_path):
     assert both == {law: (motion, 1) for law, (motion, _) in alone.items()}  # found, and moving as when compiled
     assert [found for _, found in alone.values()] == [0, 0]
     assert len({motion for motion, _ in alone.values()}) == 2
+
+
+def closed_over(function, met):
+    """Everything that a kernel's inner functions close over or name; functions of a module are kept by their name alone."""
+    cells = [cell.cell_contents for cell in function.__closure__ or ()]
+    names = {one.argval for one in dis.get_instructions(function) if one.opname == "LOAD_GLOBAL"}
+    named = [function.__globals__[name] for name in names if name in function.__globals__]
+    for value in (*cells, *(named if met else [])):  # the kernel's own globals do not name it
+        if id(value) not in met:
+            met[id(value)] = value
+            if isinstance(value, FunctionType) and not hasattr(sys.modules[value.__module__], value.__qualname__):
+                closed_over(value, met)
+    return list(met.values())
+
+
+@pytest.mark.parametrize("scene", ["kiyama-17-18", "press", "wheat-bin"])
+def test_a_kernel_closes_over_plain_functions_only(scene):
+    """A compiled one has other bytes in every process: the kept kernel would never be found again."""
+    asked, _ = load(ROOT / f"config/scenes/{scene}.yaml")
+    inner = closed_over(kernel(scene_model(asked, ROOT).pieces).py_func, {})
+    assert len(inner) > 20
+    assert [value for value in inner if isinstance(value, Dispatcher)] == []
 
 
 def test_inner_functions_of_a_kernel_have_names_of_their_own():

@@ -15,6 +15,7 @@ from math import atan2, cos, floor, pi, sin, sqrt
 
 import numpy as np
 from numba import njit
+from numba.extending import register_jitable
 
 from silostudy.dem.cache import OPTIONS
 
@@ -195,19 +196,19 @@ def nearest_rim(shape, wall, outline, x, y):
     return -inside, 0.0  # over the middle every direction is as near
 
 
-@njit(**OPTIONS)
+@register_jitable
 def height_of(shape, wall):
     """Height (m) of a level surface."""
     return shape[wall, START_Z if shape[wall, 0] == TURNED else HEIGHT]
 
 
-@njit(**OPTIONS)
+@register_jitable
 def lift(shape, wall, way):
     """Move a level surface up by a way (m)."""
     shape[wall, START_Z if shape[wall, 0] == TURNED else HEIGHT] += way
 
 
-@njit(**OPTIONS)
+@register_jitable
 def widen(shape, wall, dt):
     """Widen the holes of a level piece that grow, by a step (s); whether one has taken the whole piece away.
 
