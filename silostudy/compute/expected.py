@@ -35,7 +35,8 @@ class Verdict:
 
 def verdicts(run: Run, scene: AnyScene) -> list[Verdict]:
     """What each number that the scene expects came to."""
-    return [_verdict(_looks(run), asked) for asked in scene.expected]
+    looks = _looks(run)
+    return [_verdict(looks, asked) for asked in scene.expected]
 
 
 def notes_of(found: list[Verdict]) -> dict[str, Any]:

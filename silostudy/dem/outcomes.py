@@ -61,7 +61,7 @@ def surface_angle(looks: Looks, along: str, start: float, end: float, after: flo
     slopes = [
         _slope(places[:, way], places @ looks.up + radii, start, end, 2.0 * radii.max())
         for places, radii, time in zip(looks.places, looks.radii, looks.times, strict=True)
-        if time >= after
+        if time >= after and len(radii)
     ]
     return float(np.mean(np.degrees(np.arctan(np.abs(slopes))))) if slopes else np.nan
 

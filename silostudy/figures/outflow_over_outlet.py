@@ -7,6 +7,7 @@ import pandas as pd
 import xarray as xr
 from scipy.stats import linregress
 
+from silostudy.errors import BadInput
 from silostudy.figures.style import plt, save
 
 POWER = 2.5  # Beverloo's
@@ -17,6 +18,8 @@ MM = 1e-3  # m
 def draw(cube: xr.Dataset, stem: Path) -> None:
     """Writes the figure and its numbers: a point for each filling, and the line through all of them."""
     table, diameter = flows(cube), float(cube["mean_grain_diameter"].mean())
+    if table["outlet_width_m"].nunique() < 2:
+        raise BadInput("outlet_width", len(table), "cases flowed, of fewer than two outlets: no line goes through them")
     slope, cut = line(table)
     low, high = (power(table, edge * diameter) for edge in EDGES)
     figure, panel = plt.subplots(figsize=(6.4, 4.6))

@@ -41,6 +41,13 @@ def test_angle_is_the_mean_of_the_snapshots_after_a_time():
     assert OUTCOMES["surface-angle"].find(surface, along="x", start=-0.09, end=0.09, after=1.0) == pytest.approx(25.0, abs=0.3)
 
 
+def test_an_emptied_silo_has_no_surface_and_costs_no_result():
+    surface = looks(heap(tan(radians(20.0))), np.empty((0, 3)))
+    assert OUTCOMES["surface-angle"].find(surface, along="x", start=-0.09, end=0.09, after=0.0) == pytest.approx(20.0, abs=0.3)
+    assert np.isnan(OUTCOMES["surface-angle"].find(surface, along="x", start=-0.09, end=0.09, after=1.0))
+    assert np.isnan(OUTCOMES["heap-height"].find(surface, floor=0.0))
+
+
 def test_angle_with_gravity_along_another_way():
     turned = heap(tan(radians(20.0)))[:, [2, 1, 0]]
     surface = looks(turned, up=np.array([1.0, 0.0, 0.0]))

@@ -4,7 +4,8 @@ import numpy as np
 import pandas as pd
 import pytest
 
-from silostudy.figures.outflow_over_outlet import flows, line, power
+from silostudy.errors import BadInput
+from silostudy.figures.outflow_over_outlet import draw, flows, line, power
 from tests.test_figures.small_cubes import flow_cube
 
 DIAMETER = 0.004  # m
@@ -26,6 +27,11 @@ def test_edge_and_power_are_those_of_the_law():
 
 def test_a_wider_edge_asks_for_a_smaller_power():
     assert power(made(), 1.0 * DIAMETER) > 2.5 > power(made(), 2.0 * DIAMETER)
+
+
+def test_no_line_through_one_outlet(tmp_path):
+    with pytest.raises(BadInput, match="of fewer than two outlets"):
+        draw(flow_cube("beverloo").isel(outlet_width=[0]), tmp_path / "flow")
 
 
 def test_no_power_where_nothing_is_free():

@@ -66,3 +66,14 @@ def rows(engine: Engine) -> np.ndarray:
     """Place, velocity and spin of every sphere by its number."""
     order = np.argsort(engine.labels)
     return engine.bodies.rows[: engine.n][order][:, [*PLACE, *VELOCITY, *SPIN]]
+
+
+def stepped(engine: Engine, steps: int) -> tuple[np.ndarray, np.ndarray]:
+    """Rows and window of wall forces after so many steps."""
+    engine.step_to(steps)
+    return rows(engine), engine.record.window.copy()
+
+
+def same(a, b) -> bool:
+    """Whether all arrays of two runs have the same bits."""
+    return all(np.array_equal(one, other) for one, other in zip(a, b, strict=True))

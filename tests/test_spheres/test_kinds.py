@@ -15,7 +15,7 @@ from silostudy.dem.ledger import DASHPOT, SLIDING, TURNOVER, balance
 from silostudy.dem.varied import Varied
 from silostudy.tables.constants import ROUNDED_GRAVITY as GRAVITY
 from tests.test_spheres import two_bodies
-from tests.test_spheres.scenes import DENSITY, RADIUS, contact, heap, rows, spheres
+from tests.test_spheres.scenes import DENSITY, RADIUS, contact, heap, rows, same, spheres, stepped
 from tests.test_spheres.small import carried, scene_of
 
 pytestmark = pytest.mark.long  # a kernel of its own
@@ -34,35 +34,26 @@ def mixed(**changes):
     return heap(**(settings | changes))
 
 
-def stepped(engine, steps=STEPS):
-    engine.step_to(steps)
-    return rows(engine), engine.record.window.copy()
-
-
-def same(a, b):
-    return all(np.array_equal(one, other) for one, other in zip(a, b, strict=True))
-
-
 @pytest.fixture(scope="module")
 def reference():
-    return stepped(Engine(mixed()))
+    return stepped(Engine(mixed()), STEPS)
 
 
 def test_one_kind_as_two_equal_ones_is_one_to_the_bit():
     pair, wall = contact(0.5), contact(0.5, 0.3)
-    two = stepped(Engine(mixed(pair_contact=Varied((pair,) * 3), wall_contact=Varied((wall,) * 4))))
-    assert same(two, stepped(Engine(mixed(pair_contact=pair, wall_contact=wall))))
+    two = stepped(Engine(mixed(pair_contact=Varied((pair,) * 3), wall_contact=Varied((wall,) * 4))), STEPS)
+    assert same(two, stepped(Engine(mixed(pair_contact=pair, wall_contact=wall)), STEPS))
 
 
 @pytest.mark.parametrize("number", range(3))
 def test_every_pair_of_kinds_counts(reference, number):
     other = Varied(tuple(OTHER if n == number else one for n, one in enumerate(BETWEEN.sets)))
-    assert not np.array_equal(stepped(Engine(mixed(pair_contact=other)))[0], reference[0])
+    assert not np.array_equal(stepped(Engine(mixed(pair_contact=other)), STEPS)[0], reference[0])
 
 
 @pytest.mark.parametrize("how", [{"skin": 0.5 * RADIUS}, {"threads": 2}], ids=str)
 def test_however_it_is_carried_out(reference, how):
-    assert same(stepped(Engine(mixed(), **how)), reference)
+    assert same(stepped(Engine(mixed(), **how), STEPS), reference)
 
 
 def test_any_number_of_threads_of_more_than_a_block():
@@ -78,7 +69,7 @@ def test_restart_after_a_change_of_friction():
     assert [one.coefficients["sliding_friction"] for one in whole.contacts[1].sets] == [0.3, 0.4, 0.1, 0.4]
     whole.step_to(2000)
     restore(after, checkpoint(whole))
-    assert same(stepped(after), stepped(whole))
+    assert same(stepped(after, STEPS), stepped(whole, STEPS))
 
 
 def test_python_twin():

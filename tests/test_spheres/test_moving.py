@@ -13,7 +13,7 @@ from silostudy.dem.moves import force_on_lid, lid_height, lid_rests, lower_lid, 
 from silostudy.dem.space.felt import TORQUE
 from silostudy.dem.space.lanes import P, U, X
 from silostudy.dem.space.walls import TurnedLine
-from tests.test_spheres.scenes import GRAVITY, INERTIA, MASS, RADIUS, bin_walls, contact, heap, rows, spheres
+from tests.test_spheres.scenes import GRAVITY, INERTIA, MASS, RADIUS, bin_walls, contact, heap, rows, same, spheres
 
 pytestmark = pytest.mark.long
 WIDE, HIGH = 6.2 * RADIUS, 0.035
@@ -202,10 +202,6 @@ def onward(engine, stops=(6000,)):
     for stop in stops:
         engine.step_to(stop)
     return rows(engine), engine.record.window.copy(), engine.walls.shape.copy(), engine.walls.drive.copy()
-
-
-def same(a, b):
-    return all(np.array_equal(first, second) for first, second in zip(a, b, strict=True))
 
 
 @pytest.fixture(scope="module")

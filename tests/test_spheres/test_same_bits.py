@@ -5,7 +5,7 @@ import pytest
 
 from silostudy.dem.checkpoint import checkpoint, restore
 from silostudy.dem.engine import Engine
-from tests.test_spheres.scenes import RADIUS, heap, rows
+from tests.test_spheres.scenes import RADIUS, heap, rows, same, stepped
 
 pytestmark = pytest.mark.long
 STEPS = 6000
@@ -13,16 +13,7 @@ STEPS = 6000
 
 @pytest.fixture(scope="module")
 def reference():
-    return stepped(Engine(heap()))
-
-
-def stepped(engine, steps=STEPS):
-    engine.step_to(steps)
-    return rows(engine), engine.record.window.copy()
-
-
-def same(a, b):
-    return all(np.array_equal(one, other) for one, other in zip(a, b, strict=True))
+    return stepped(Engine(heap()), STEPS)
 
 
 def test_the_scene_moves(reference):
@@ -32,7 +23,7 @@ def test_the_scene_moves(reference):
 
 @pytest.mark.parametrize("skin", [0.05, 0.5, 1.5])
 def test_any_skin(reference, skin):
-    assert same(stepped(Engine(heap(), skin=skin * RADIUS)), reference)
+    assert same(stepped(Engine(heap(), skin=skin * RADIUS), STEPS), reference)
 
 
 @pytest.mark.parametrize("threads", [2, 3])
@@ -45,7 +36,7 @@ def test_any_chunk_of_steps(reference):
     engine = Engine(heap())
     for step in range(0, STEPS, 37):
         engine.step_to(step)
-    assert same(stepped(engine), reference)
+    assert same(stepped(engine, STEPS), reference)
 
 
 @pytest.mark.parametrize("stop", [1237, 4000])
@@ -53,12 +44,12 @@ def test_restart_from_a_checkpoint(reference, stop):
     before, after = Engine(heap()), Engine(heap(), threads=2)
     before.step_to(stop)
     restore(after, checkpoint(before))
-    assert same(stepped(after), reference)
-    assert same(stepped(before), reference)  # taking a checkpoint disturbs nothing
+    assert same(stepped(after, STEPS), reference)
+    assert same(stepped(before, STEPS), reference)  # taking a checkpoint disturbs nothing
 
 
 def test_observers_change_no_bit(reference):
-    assert np.array_equal(stepped(Engine(heap(watched=False)))[0], reference[0])
+    assert np.array_equal(stepped(Engine(heap(watched=False)), STEPS)[0], reference[0])
 
 
 def test_unequal_spheres_of_nearly_equal_size_move_alike():

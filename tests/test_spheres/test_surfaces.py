@@ -14,7 +14,7 @@ from silostudy.dem.engine import Engine
 from silostudy.dem.ledger import DASHPOT, SLIDING, TURNOVER, balance
 from silostudy.dem.varied import Varied
 from silostudy.tables.constants import ROUNDED_GRAVITY as GRAVITY
-from tests.test_spheres.scenes import RADIUS, contact, heap, rows
+from tests.test_spheres.scenes import RADIUS, contact, heap, rows, same, stepped
 from tests.test_spheres.small import scene_of
 
 pytestmark = pytest.mark.long  # a kernel of its own
@@ -28,33 +28,26 @@ def narrow(**changes):
     return heap(wide=4.1 * RADIUS, **changes)
 
 
-def stepped(engine, steps=STEPS):
-    engine.step_to(steps)
-    return rows(engine), engine.record.window.copy()
-
-
-def same(a, b):
-    return all(np.array_equal(one, other) for one, other in zip(a, b, strict=True))
-
-
 @pytest.fixture(scope="module")
 def reference():
-    return stepped(Engine(narrow(wall_contact=DIFFERENT)))
+    return stepped(Engine(narrow(wall_contact=DIFFERENT)), STEPS)
 
 
 def test_equal_surfaces_are_one_to_the_bit():
     one = contact(0.5, 0.3)
-    assert same(stepped(Engine(narrow(wall_contact=Varied((one, one))))), stepped(Engine(narrow(wall_contact=one))))
+    assert same(
+        stepped(Engine(narrow(wall_contact=Varied((one, one)))), STEPS), stepped(Engine(narrow(wall_contact=one)), STEPS)
+    )
 
 
 def test_each_surface_pushes_as_its_own(reference):
     for other in (Varied((ROUGH, ROUGH)), Varied((SMOOTH, SMOOTH)), Varied((ROUGH, SMOOTH))):
-        assert not np.array_equal(stepped(Engine(narrow(wall_contact=other)))[0], reference[0])
+        assert not np.array_equal(stepped(Engine(narrow(wall_contact=other)), STEPS)[0], reference[0])
 
 
 @pytest.mark.parametrize("how", [{"skin": 0.5 * RADIUS}, {"threads": 2}], ids=str)
 def test_however_it_is_carried_out(reference, how):
-    assert same(stepped(Engine(narrow(wall_contact=DIFFERENT), **how)), reference)
+    assert same(stepped(Engine(narrow(wall_contact=DIFFERENT), **how), STEPS), reference)
 
 
 def test_restart_after_a_change_of_friction_at_one_surface():
@@ -66,7 +59,7 @@ def test_restart_after_a_change_of_friction_at_one_surface():
     whole.step_to(2000)
     restore(after, checkpoint(whole))
     assert after.contacts == whole.contacts
-    assert same(stepped(after), stepped(whole))
+    assert same(stepped(after, STEPS), stepped(whole, STEPS))
 
 
 def test_python_twin():
