@@ -1,0 +1,115 @@
+"""Outlets by name and inserts of a bin of spheres, from the file to the cube; the same bits however it is carried out."""
+
+import pickle
+
+import numpy as np
+import pytest
+
+from silostudy.compute.dem_cube import cube_of
+from silostudy.tables.constants import ROUNDED_GRAVITY as GRAVITY
+from tests.test_spheres.small import carried, check_same, run, scene_of
+
+pytestmark = pytest.mark.long
+TWO = {
+    "silo__hopper": None,
+    "silo__diameter_m": 0.08,
+    "outlets": [
+        {"name": "round", "width_m": 0.034, "middle_m": [0.02, 0.0]},
+        {"name": "slot", "width_m": 0.03, "length_m": 0.04, "middle_m": [-0.018, 0.0]},
+    ],
+    "events": [
+        {"when": "rest", "do": "open_outlet", "outlets": ["slot"]},
+        {"when": "after", "value": 0.1, "do": "open_outlet", "outlets": ["round"]},
+        {"when": "after", "value": 0.1, "do": "stop"},
+    ],
+    "record__snapshots_s": [0.1],
+}
+
+
+@pytest.fixture(scope="module")
+def two():
+    scene = scene_of(**TWO)
+    whole = carried(scene)
+    assert not whole.trouble
+    return cube_of(whole, scene)
+
+
+def test_outlets_open_by_name_and_each_has_its_meter(two):
+    slot, later, _ = two.event_time.values
+    assert two.event_action.values.tolist()[:2] == ["rest: open slot", "after: open round"]
+    assert two.outlet_opened.sel(outlet=["slot", "round"]).values.tolist() == [slot, later]
+    assert np.allclose(two.outlet_outflow_mass.sum("outlet"), two.outflow_mass, rtol=1e-12)
+    through = two.outlet_outflow_mass.sel(outlet="round")
+    assert float(through.where(two.outflow_time < later).max()) == 0.0
+    mass = float(two.grain_mass[0])
+    assert float(through[-1]) > 8.0 * mass
+    assert float(two.outlet_outflow_mass.sel(outlet="slot").where(two.outflow_time < later).max()) > 8.0 * mass
+    assert float(two.surface_load.sel(surface="floor")[-1]) > 0.0
+
+
+@pytest.mark.parametrize(("threads", "later"), [(2, -0.01), (1, 0.05)])  # before the first opens, and between both
+def test_outlets_in_any_way_of_carrying_out(two, threads, later):
+    scene = scene_of(**TWO)
+    begun, resumed = run(scene), run(scene, threads=threads)
+    begun.go(until=round((float(two.event_time[0]) + later) / begun.engine.model.dt))
+    assert len(begun.recording.happened) == (later > 0.0)
+    resumed.restore(pickle.loads(pickle.dumps(begun.checkpoint())))
+    resumed.go()
+    check_same(two, cube_of(resumed, scene))
+
+
+HAT = {
+    "inserts": [
+        {"kind": "cone", "name": "hat", "radii_m": [0.016, 0.0], "heights_m": [0.03, 0.042]},
+        {"kind": "polygon", "name": "plate",
+         "corners_m": [[0.008, -0.012, 0.045], [0.024, -0.012, 0.06], [0.024, 0.012, 0.06], [0.008, 0.012, 0.045]]},
+    ],
+    "filling__count": 300,
+    "filling__rate_1_s": 3000,
+    "silo__cylinder_depth_m": 0.16,
+    "events": [{"when": "rest", "do": "open_outlet"}, {"when": "after", "value": 0.04, "do": "stop"}],
+    "record__snapshots_s": [0.13],
+}  # fmt: skip
+
+
+@pytest.fixture(scope="module")
+def hat():
+    scene = scene_of(**HAT)
+    whole = carried(scene)
+    assert not whole.trouble
+    return cube_of(whole, scene), whole
+
+
+def test_inserts_bear_their_share_of_the_weight(hat):
+    """All surfaces carry the weight at rest; what presses the back of a face lifts it."""
+    cube, _ = hat
+    opened = float(cube.event_time[0])
+    rest = cube.sel(window_time=slice(opened - 0.06, opened))
+    weight = GRAVITY * float(cube.grain_mass.sum())
+    assert rest.surface_load.sum("surface").values == pytest.approx(weight, rel=3e-3)
+    assert {"hat", "hat_back", "plate", "plate_back"} <= set(rest.surface.values)
+    load = rest.surface_load.isel(window_time=-1)
+    assert float(load.sel(surface="hat")) > 0.02 * weight
+    assert float(load.sel(surface="hat_back")) <= 0.0
+    felt = rest.surface_normal_force.isel(window_time=-1)
+    assert float(felt.sel(surface="hat")) > float(felt.sel(surface="hat_back")) >= 0.0
+
+
+def test_no_sphere_is_where_an_insert_is(hat):
+    _, whole = hat
+    engine = whole.engine
+    for q, wall in enumerate(engine.model.walls):
+        if wall.name in ("hat", "plate"):
+            away = np.linalg.norm(engine.space.all_from_wall(engine.walls.shape, q, engine.bodies.rows[: engine.n, :3]), axis=1)
+            assert 0.9 * engine.radius.min() < away.min()
+
+
+@pytest.mark.parametrize(("threads", "later"), [(2, -0.02), (1, 0.02)])
+def test_inserts_in_any_way_of_carrying_out(hat, threads, later):
+    cube, _ = hat
+    scene = scene_of(**HAT)
+    begun, resumed = run(scene), run(scene, threads=threads)
+    begun.go(until=round((float(cube.event_time[0]) + later) / begun.engine.model.dt))
+    resumed.restore(pickle.loads(pickle.dumps(begun.checkpoint())))
+    resumed.go()
+    check_same(cube, cube_of(resumed, scene))
