@@ -112,6 +112,7 @@ class Scratch(NamedTuple):
     motion_bits: np.ndarray  # the same memory as unsigned integers: their maximum vectorises, and a NaN comes out largest
     cell_begin: np.ndarray
     order: np.ndarray
+    near: np.ndarray  # (4, n): x, y, z, reach (m) in that order
     found: np.ndarray  # neighbours of one body
     wide: np.ndarray  # the wide list: later bodies that may come near, body after body
     wide_begin: np.ndarray  # where those of each body begin

@@ -65,6 +65,7 @@ class Part:
             motion_bits=motion.view(np.uint64),
             cell_begin=np.zeros(engine.n + 1024, np.int32),
             order=np.zeros(engine.n, np.int32),
+            near=aligned(4, engine.n),
             found=np.zeros(1024, np.int32),
             wide=np.zeros(2 * self.room, np.int32),
             wide_begin=np.zeros(engine.n + 1, np.int64),
