@@ -138,17 +138,18 @@ def list_pairs(bodies, contacts, memory, blocks, scratch, gap, lo, hi, base):
     scratch.slot[:] = -1
     scratch.counts[GHOSTS] = 0
     scratch.counts[PRESSED] = 0
-    fill, at = 0, 0
+    fill, at, far = 0, 0, lo - 1
     for i in range(lo, hi):
         if (i - lo) % BLOCK == 0:
             fill = pad(contacts, fill, dummy, dummy + 1)
-            contacts.begin[(i - lo) // BLOCK] = fill
+            contacts.begin[(i - lo) // BLOCK], contacts.beyond[(i - lo) // BLOCK] = fill, far + 1
         begin, end = scratch.wide_begin[i - lo], scratch.wide_begin[i - lo + 1]
         if fill + end - begin > room:
             return False
         after = sieve(bodies, contacts, blocks.skin, gap, i, scratch, begin, end, fill)
         for k in range(fill, after):
             j = np.int64(contacts.second[k])
+            far = j if far < j < hi else far
             second = j if j < hi else ghost_of(j, scratch, base)
             if second < 0:
                 return False
@@ -157,7 +158,7 @@ def list_pairs(bodies, contacts, memory, blocks, scratch, gap, lo, hi, base):
         fill = after
     last = (hi - lo + BLOCK - 1) // BLOCK
     fill = pad(contacts, fill, dummy, dummy + 1)
-    contacts.begin[last] = fill
+    contacts.begin[last], contacts.beyond[last] = fill, far + 1
     fill = list_crossing(bodies, contacts, memory, blocks, scratch, gap, fill, base)
     contacts.begin[last + 1] = pad(contacts, fill, dummy, dummy + 1)
     return fill >= 0

@@ -46,6 +46,7 @@ class Part:
             mass=np.full(each, mass),
             which=np.zeros(room if varied else 1, np.int32),
             begin=np.zeros(self.engine.most // BLOCK + 3, np.int64),
+            beyond=np.zeros(self.engine.most // BLOCK + 3, np.int64),
         )
 
     def make_lists(self):

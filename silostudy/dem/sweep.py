@@ -11,6 +11,7 @@ from silostudy.dem.dimension import Dimension
 from silostudy.dem.force import force_pass
 from silostudy.dem.integrate import INTEGRATORS
 from silostudy.dem.pieces import Laws, Pieces
+from silostudy.dem.vectors import WIDTH as LINE_OF_NUMBERS, fetch
 
 FRESH, STALE, REMEMBERED, SHORT_OF_ROOM, EXPLODED = range(5)  # what a thread says of its list after a step
 
@@ -91,6 +92,11 @@ def sweep_pass(pieces: Pieces):
         pairs_between(shared, share.pairs, begin, end, share.scratch, march.dt, march.pair_coefficients, share.number)
 
     @piece(pieces)
+    def fetch_rows(rows, begin, end):
+        for line in range(begin * rows.shape[1], end * rows.shape[1], LINE_OF_NUMBERS):
+            fetch(rows, line)
+
+    @piece(pieces)
     def all_forces(shared, share, last, march):
         for b in range(last):
             block_forces(shared, share, b, march)
@@ -108,6 +114,7 @@ def sweep_pass(pieces: Pieces):
             all_forces(shared, share, last, march)
             book(shared, share, march, last, pull, kick)
         for b in range(last):
+            fetch_rows(shared.bodies.rows, pairs.beyond[min(b + 1, last)], pairs.beyond[min(b + 2, last)])
             if not booked:
                 block_forces(shared, share, b, march)
             stale = max(stale, block_moves(shared, share.scratch, share.lo // BLOCK + b, share.hi, pull, kick, march.dt))
