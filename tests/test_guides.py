@@ -2,6 +2,7 @@
 
 import contextlib
 import io
+import json
 import re
 from pathlib import Path
 from typing import Any
@@ -12,7 +13,8 @@ import yaml
 from silostudy.__main__ import main, parser
 from silostudy.choice.expand import expand
 from silostudy.config.grain_scenes import scene_class
-from silostudy.config.load import own_validated, read_yaml
+from silostudy.config.load import own_validated, read_yaml, study_of
+from silostudy.config.schema import study_schema
 from silostudy.stages import KINDS
 from tests.conftest import ROOT
 from tests.guides import GUIDES, blocks, commands, text_of
@@ -89,8 +91,10 @@ def test_commands_print_what_is_shown(folder, capsys, text):
 
 
 def merged(base: Any, change: Any) -> Any:
-    """A content with a fragment laid over it, section by section."""
+    """A content with a fragment laid over it, section by section; one of another kind or plan takes the section's place."""
     if not (isinstance(base, dict) and isinstance(change, dict)):
+        return change
+    if any(base.get(name) != change[name] for name in ("kind", "plan") if name in change):
         return change
     return base | {key: merged(base.get(key), value) for key, value in change.items()}
 
@@ -106,6 +110,31 @@ def test_examples_are_sound(tmp_path, guide, block):
         where = ROOT / block.mark.removeprefix("into ")
         content = merged(read_yaml(where), content)
     if content.get("kind", "dem") in KINDS:
-        expand(content, "example", guide, where.parent)
+        study = study_of(content, guide, where.parent)
+        assert block.mark or expand(content, "example", guide, where.parent).cases, study
     else:
         own_validated(scene_class(content, guide), content, guide, where.parent)
+
+
+def keys(content: Any) -> set[str]:
+    """Every key in a content, however deep, and the parts of dotted ones."""
+    inner = content.values() if isinstance(content, dict) else content if isinstance(content, list) else ()
+    own = {part for key in content for part in str(key).split(".")} if isinstance(content, dict) else set()
+    return own.union(*map(keys, inner))
+
+
+def known_keys(schema: Any) -> set[str]:
+    """The keys that a JSON schema knows, however deep."""
+    inner = schema.values() if isinstance(schema, dict) else schema if isinstance(schema, list) else ()
+    own = (
+        set(schema["properties"])
+        if isinstance(schema, dict) and schema.get("type") == "object" and "properties" in schema
+        else set()
+    )
+    return own.union(*map(known_keys, inner))
+
+
+def test_every_key_has_an_example():
+    files = [read_yaml(path) for path in (ROOT / "config").rglob("*.yaml")]
+    shown = keys([*files, *(yaml.safe_load(block.text) for _, block in EXAMPLES)])
+    assert known_keys(json.loads(study_schema())) - shown == set()
