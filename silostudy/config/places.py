@@ -10,8 +10,8 @@ Schema = Mapping[str, Any]
 
 def keys_at(model: type[BaseModel], path: Iterable[str | int]) -> list[str]:
     """Keys of the section that a path leads to; the path may name branches of unions, as pydantic's errors do."""
-    whole = model.model_json_schema()
-    nodes = [whole]
+    whole: Schema = model.model_json_schema()
+    nodes: list[Schema] = [whole]
     for part in path:
         nodes = list(_below(list(_plain(nodes, whole)), part, whole))
     return list(dict.fromkeys(key for node in _plain(nodes, whole) for key in node.get("properties", ())))
