@@ -100,13 +100,13 @@ def _pressed(case: LaboratoryCase, run: Run, pressed: list[Readings], stress: fl
         "tested_lateral_pressure_ratio": np.array(np.polyfit(vertical[part], horizontal[part], 1)[0]),
         "secant_lateral_pressure_ratio": np.array((horizontal / vertical)[-1]),
         "force_imbalance": _small("floor + wall - lid - weight", last.imbalance(weight, late), "of the load on the floor"),
-        "pressing_stress_error": _small("lid stress", last.vertical[late].mean() / stress - 1.0, "of the stress asked for"),
+        "pressing_stress_error": _small("lid stress", last.vertical[late].mean() / stress - 1.0, "of the stress"),
     }
 
 
 def _sheared(case: LaboratoryCase, run: Run, stress: float) -> Numbers:
     """Shear over normal stress of the solid in itself and on the plate of the wall, at a stress (Pa)."""
-    end, found = end_of(run), {}
+    end, found = end_of(run), Numbers()
     for name, surfaces in (("internal", SHEARING), ("wall", SLIDING)):
         test = f"{name} shear at {stress / KPA:g} kPa"
         scene = shearing(case, stress, run.engine.time, surfaces)
@@ -118,7 +118,7 @@ def _sheared(case: LaboratoryCase, run: Run, stress: float) -> Numbers:
             f"{name}_peak_shear_ratio": np.array(smooth.max()),
             f"{name}_steady_shear_ratio": np.array(ratio[late].mean()),
             f"{name}_torque_imbalance": _small("lid + floor + wall torque", read.twist(late), f"of the floor's in {test}"),
-            f"{name}_stress_error": _small("lid stress", read.vertical[late].mean() / stress - 1.0, f"of that asked for in {test}"),
+            f"{name}_stress_error": _small("lid stress", read.vertical[late].mean() / stress - 1.0, f"of the stress of {test}"),
         }
     return found
 

@@ -57,10 +57,10 @@ class LaboratoryStudy(SweepStudy):
     scene: LaboratoryScene = described("grains and wall", "")
     solid: SolidConfig = described("row of the solid that the tests give", "")
     stresses_kPa: tuple[Stress, ...] = described(
-        "normal stresses of all tests, rising: the cell is pressed from one to the next, and sheared at each", "kPa", min_length=1
+        "normal stresses of all tests, rising: cells are pressed from one to the next, and sheared at each", "kPa", min_length=1
     )
     vertical_kPa: float | None = described(
-        "one of the stresses: at which unit weight, lateral pressure ratio and internal friction enter the row; null: the largest",
+        "one of the stresses: at which unit weight, K and internal friction enter the row; null: the largest",
         "kPa",
         default=None,
     )

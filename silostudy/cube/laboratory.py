@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from math import atan, degrees, sin
+from math import degrees, sin
 
 import numpy as np
 import xarray as xr
@@ -27,7 +27,7 @@ class Found:
         """Of the fillings that were computed; BadInput for fewer than two."""
         kept = values.values[np.isfinite(values.values)]
         if len(kept) < 2:
-            raise BadInput("filling", len(kept), "filling(s) of the cell were computed: a scatter needs two (see the failed cases)")
+            raise BadInput("filling", len(kept), "filling(s) of a cell were computed: a scatter needs two")
         return cls(float(kept.mean()), float(kept.std(ddof=1)), len(kept))
 
     @property
@@ -41,7 +41,7 @@ class Found:
 
 @dataclass(frozen=True)
 class Solid:
-    """What the tests of one cell say of the solid: unit weights (N/m3), angle (rad), friction (1), lateral pressure ratio (1)."""
+    """What the tests of one cell say of the solid: unit weights (N/m3), angle (rad), friction, pressure ratio (1)."""
 
     loose: Found
     unit_weight: Found
@@ -60,7 +60,7 @@ class Solid:
         return cls(
             loose=Found.of(one["loose_unit_weight"]),
             unit_weight=Found.of(upright["tested_unit_weight"]),
-            friction_angle=Found.of(np.arctan(upright["internal_peak_shear_ratio"])),
+            friction_angle=Found.of(xr.apply_ufunc(np.arctan, upright["internal_peak_shear_ratio"])),
             wall_friction=Found.of(on_wall["wall_steady_shear_ratio"]),
             lateral_pressure_ratio=Found.of(upright["tested_lateral_pressure_ratio"]),
         )
@@ -68,6 +68,7 @@ class Solid:
     def row(self, cube: xr.Dataset) -> dict[str, str | float]:
         """The row of the solid, in the columns of the solids table."""
         fillings, width = self.loose.count, float(cube[CELL][-1])
+        vertical, horizontal = (1e-3 * float(cube[f"row_{way}_stress"]) for way in ("vertical", "horizontal"))
         return {
             "solid": str(cube["row_solid"].item()),
             "title": cube.attrs["title"],
@@ -82,8 +83,8 @@ class Solid:
             "a_mu": self.wall_friction.factor,
             "source": f"virtual laboratory of silostudy, study {cube.attrs['study_hash']}",
             "locator": f"{fillings} fillings of a cell {width:g} grains wide",
-            "remark": f"at {1e-3 * float(cube['row_vertical_stress']):g} kPa; wall friction steady at "
-            f"{1e-3 * float(cube['row_horizontal_stress']):g} kPa; lower unit weight as filled; factors a = 1 + {FRACTILE} deviation/mean",
+            "remark": f"at {vertical:g} kPa, wall friction steady at {horizontal:g} kPa; lower unit weight as filled; "
+            f"factors 1 + {FRACTILE} deviation/mean",
         }
 
 

@@ -8,7 +8,6 @@ engine are surfaces that turn in place.  A rough end holds what touches it again
 
 from collections.abc import Mapping
 from math import sqrt
-from typing import Any
 
 from silostudy.config.elastic import TouchConfig
 from silostudy.config.spheres import SphereScene
@@ -73,7 +72,8 @@ def _scene(
 ) -> SphereScene:  # fmt: skip
     """A scene of the cell; window: of wall forces (s), limit: latest end, lasts: time from the last event to the stop (s)."""
     config, fall = case.config, sqrt(2.0 * ROUNDED_GRAVITY * case.height)
-    rain = {"kind": "rain", "count": case.count, "speed_m_s": fall, "rate_1_s": case.count * FLUX * fall / (LOOSE * case.height)}
+    rate = case.count * FLUX * fall / (LOOSE * case.height)
+    rain = {"kind": "rain", "count": case.count, "speed_m_s": fall, "rate_1_s": rate}
     content = {
         "kind": "dem", "grains": config.grains, "title": "a cell of the laboratory", "methods_from": config.methods_from,
         "silo": {"plan": "circular", "diameter_m": case.width, "cylinder_depth_m": ROOM * case.height}, "lid": True,
@@ -96,4 +96,3 @@ def plate(case: LaboratoryCase) -> TouchConfig:
     values = walls.model_dump()
     stiffness = values.get(spring) or STIFF * case.modulus * float(case.radii.mean()) ** 3
     return walls.with_values({"rolling": law.key if holds else spring_slider.ROW.key, spring: stiffness})
-
