@@ -98,7 +98,7 @@ def _pressed(case: LaboratoryCase, run: Run, pressed: list[Readings], stress: fl
     return {
         "tested_unit_weight": np.array(_unit_weight(case, run, last.height[-1])),
         "tested_lateral_pressure_ratio": np.array(np.polyfit(vertical[part], horizontal[part], 1)[0]),
-        "secant_lateral_pressure_ratio": np.array((horizontal / vertical)[-1]),
+        "secant_lateral_pressure_ratio": np.array(horizontal[-1] / vertical[-1]),
         "force_imbalance": _small("floor + wall - lid - weight", last.imbalance(weight, late), "of the load on the floor"),
         "pressing_stress_error": _small("lid stress", last.vertical[late].mean() / stress - 1.0, "of the stress"),
     }

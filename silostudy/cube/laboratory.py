@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from math import degrees, sin
+from math import degrees, sin, tan
 
 import numpy as np
 import xarray as xr
@@ -107,16 +107,21 @@ class Check:
         return f"{self.what}: {self.value:.3g}, to be from {self.least:.3g} to {self.greatest:.3g}: {told}"
 
 
-def active_ratio(angle: float) -> float:
-    """Lateral pressure ratio (1) at which a solid of a friction angle (rad) yields: Rankine's active one."""
-    return (1.0 - sin(angle)) / (1.0 + sin(angle))
+def active_ratio(sine: float) -> float:
+    """Lateral pressure ratio (1) at which a solid of a friction angle of this sine yields: Rankine's active one."""
+    return (1.0 - sine) / (1.0 + sine)
 
 
 def checks(cube: xr.Dataset) -> Iterator[Check]:
-    """What must hold of the widest cell's tests."""
+    """What must hold of the widest cell's tests.
+
+    The row's angle is that of the largest shear over the normal stress on the sheared plane.  As that plane keeps its length,
+    the ratio is rather the angle's sine: no solid of that angle bears a smaller K.
+    """
     solid = Solid.of(cube)
     ratio, angle = solid.lateral_pressure_ratio.mean, solid.friction_angle.mean
-    yield Check("K over Rankine's active ratio", ratio / active_ratio(angle), 1.0, np.inf)
+    yield Check("K over Rankine's active ratio, tau/sigma taken for sin phi", ratio / active_ratio(tan(angle)), 1.0, np.inf)
+    yield Check("K over Rankine's active ratio, tau/sigma taken for tan phi", ratio / active_ratio(sin(angle)), 1.0, np.inf)
     yield Check("K over 1.1 (1 - sin phi)", ratio / (1.1 * (1.0 - sin(angle))), 0.0, 1.0)
     steady = cube.isel({CELL: -1})[["internal_steady_shear_ratio", "wall_steady_shear_ratio"]].mean(FILLING)
     for stress, inside, wall in zip(steady["normal_stress"].values, *(steady[name].values for name in steady), strict=True):

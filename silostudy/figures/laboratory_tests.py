@@ -69,7 +69,7 @@ def _shear(panel: Axes, wide: xr.Dataset) -> pd.DataFrame:
         table = ratio.to_dataframe().reset_index()
         tables.append(_numbers(table, f"{name} shear", "shear_strain", f"{name}_shear_ratio"))
     panel.set(xlabel="way of the lid at its mean radius over the height", ylabel="shear stress (kPa)", ylim=(0.0, None))
-    panel.set(title="shear at each normal stress: mean and standard deviation of fillings")
+    panel.set(title="shear: mean and standard deviation of fillings")
     panel.margins(x=0.1)
     panel.legend(loc="upper left")
     return pd.concat(tables, ignore_index=True)

@@ -23,6 +23,7 @@ LATE = 5.0  # times that a test may take over what it should at most
 PRESSED = 0.5  # strain that no pressing comes to
 BORNE = 10  # windows in which the pressed cell is looked at
 FINE = 0.002  # strain in a window of wall forces while a cell is pressed
+YIELDS = 20.0  # speed of a lid that nothing resists over that of the shear: it gives way to grains at its load
 SHEAR_WINDOWS = 60  # windows of wall forces in the shear
 STIFF = 0.1  # rotational stiffness at walls over E r^3: of a spring as Mindlin's on the radius as its arm, about
 ROUGH, SMOOTH = 5.0, 0.0  # sliding and rolling friction of what holds grains fast, and of what lets them slide
@@ -60,7 +61,7 @@ def shearing(case: LaboratoryCase, stress: float, now: float, surfaces: Mapping[
     speed = case.speed(stress)
     time = case.shear_strain * case.height / speed
     events = (
-        {"when": "time", "do": "press_lid", "stress_kPa": stress / KPA},
+        {"when": "time", "do": "press_lid", "stress_kPa": stress / KPA, "speed_m_s": YIELDS * speed},
         {"when": "after", "do": "rotate", "spin_rad_s": speed / case.lever, "surfaces": [LID]},
     )
     return _scene(case, surfaces, events, limit=now + LATE * time, window=time / SHEAR_WINDOWS, lasts=time)
