@@ -11,8 +11,9 @@ from silostudy.cube.laboratory import CELL, FILLING, Found, Solid, checks
 from silostudy.figures.style import plt, save
 
 KPA = 1e3  # Pa
-INSIDE, WALL, PATH = "#0072b2", "#d55e00", "#009e73"
-SHADES = (0.35, 0.65, 1.0)  # from the least stress to the largest
+INSIDE, WALL, STEADY = "#0072b2", "#d55e00", "#009e73"
+PALE = 0.35  # opacity of the least stress
+# what the width of the cell is looked at by: variable, and the stress at which it enters the row
 QUANTITIES = {
     "unit weight, pressed": ("tested_unit_weight", "row_vertical_stress"),
     "K": ("tested_lateral_pressure_ratio", "row_vertical_stress"),
@@ -20,109 +21,110 @@ QUANTITIES = {
     "internal friction, steady": ("internal_steady_shear_ratio", "row_vertical_stress"),
     "wall friction, steady": ("wall_steady_shear_ratio", "row_horizontal_stress"),
 }
+LOCI = {
+    "internal_peak_shear_ratio": ("o", INSIDE, "in the solid, peak"),
+    "internal_steady_shear_ratio": ("s", STEADY, "in the solid, steady"),
+    "wall_steady_shear_ratio": ("^", WALL, "on the wall, steady"),
+}
 
 
 def draw(cube: xr.Dataset, stem: Path) -> None:
-    """Writes the figure and its numbers; single fillings thin, means thick."""
+    """Writes the figure and its numbers: of the widest cell, and what the width does."""
     solid, wide = Solid.of(cube), cube.isel({CELL: -1})
-    figure, ((path, shear), (locus, width)) = plt.subplots(2, 2, figsize=(11.5, 8.2))
-    numbers = [_path(path, wide, solid), _shear(shear, wide), _locus(locus, wide, solid), _width(width, cube)]
-    failed = [f"does not hold: {one}".removesuffix(": does not hold") for one in checks(cube) if not one.holds]
+    figure, ((path, shear), (locus, width)) = plt.subplots(2, 2, figsize=(11.5, 8.4))
+    numbers = [*_path(path, wide, solid), *_shear(shear, wide), *_locus(locus, wide, solid), *_width(width, cube)]
+    failed = [str(one) for one in checks(cube) if not one.holds]
     about = f"cell {float(wide[CELL]):g} grains wide, {int(wide['tested_grains'][0])} grains, {solid.loose.count} fillings"
     figure.suptitle("\n".join([cube.attrs["title"], about, *failed]), fontsize=10)
     save(figure, pd.concat(numbers, ignore_index=True), stem)
 
 
-def _path(panel: Axes, wide: xr.Dataset, solid: Solid) -> pd.DataFrame:
+def _path(panel: Axes, wide: xr.Dataset, solid: Solid) -> list[pd.DataFrame]:
     """Horizontal over vertical stress at first loading."""
-    table = wide["path_horizontal_stress"].to_dataframe().reset_index()
-    for _, one in table.groupby(FILLING):
-        panel.plot(one["path_stress"] / KPA, one["path_horizontal_stress"] / KPA, color=PATH, linewidth=0.6, alpha=0.6)
-    mean = table.groupby("path_stress")["path_horizontal_stress"].mean()
-    panel.plot(mean.index / KPA, mean / KPA, color=PATH, linewidth=2.0, label="mean of fillings")
-    ratio, end = solid.lateral_pressure_ratio, float(wide["row_vertical_stress"])
-    top = float(np.interp(end, mean.index, mean))
+    vertical, horizontal = (
+        wide["path_stress"].values / KPA,
+        wide["path_horizontal_stress"].transpose(FILLING, "path_stress") / KPA,
+    )
+    curves = [("a filling", one.values, {"color": STEADY, "linewidth": 0.6, "alpha": 0.6}) for one in horizontal]
+    mean = horizontal.mean(FILLING).values
+    curves.append(("mean of fillings", mean, {"color": STEADY, "linewidth": 2.0}))
+    tables = []
+    for number, (label, values, look) in enumerate(curves):
+        panel.plot(vertical, values, label=label if number in (0, len(curves) - 1) else None, **look)
+        tables.append(pd.DataFrame({"vertical_stress_kPa": vertical, "horizontal_stress_kPa": values}).assign(curve=label))
+    ratio, end = solid.lateral_pressure_ratio, float(wide["row_vertical_stress"]) / KPA
     ends = np.array([0.5 * end, end])
-    panel.plot(ends / KPA, (top + ratio.mean * (ends - end)) / KPA, "k--", linewidth=1.2,
-               label=f"slope K = {ratio.mean:.3f} ± {ratio.deviation:.3f}")  # fmt: skip
+    slope = np.interp(end, vertical, mean) + ratio.mean * (ends - end)
+    told = f"slope K = {ratio.mean:.3f} ± {ratio.deviation:.3f}"
+    panel.plot(ends, slope, "k--", linewidth=1.2, label=told)
+    tables.append(pd.DataFrame({"vertical_stress_kPa": ends, "horizontal_stress_kPa": slope}).assign(curve=told))
     panel.set(xlabel="vertical stress (kPa)", ylabel="horizontal stress (kPa)", title="uniaxial compression, first loading")
     panel.set(xlim=(0.0, None), ylim=(0.0, None))
     panel.legend(loc="upper left")
-    return _numbers(table, "path", "path_stress", "path_horizontal_stress")
+    return [table.assign(panel="compression") for table in tables]
 
 
-def _shear(panel: Axes, wide: xr.Dataset) -> pd.DataFrame:
+def _shear(panel: Axes, wide: xr.Dataset) -> list[pd.DataFrame]:
     """Shear stress over the way, inside the solid and on the wall's plate, for each normal stress."""
-    tables, stresses = [], wide["normal_stress"].values
+    tables, stresses, way = [], wide["normal_stress"].values, wide["shear_strain"].values
     for name, colour, told in (("internal", INSIDE, "in the solid"), ("wall", WALL, "on the wall")):
-        ratio = wide[f"{name}_shear_ratio"]
-        for number, stress in enumerate(stresses):
-            each = (ratio.sel(normal_stress=stress) * stress / KPA).transpose(FILLING, "shear_strain")
-            alpha = np.interp(number, np.linspace(0, max(len(stresses) - 1, 1), len(SHADES)), SHADES)
-            mean, spread = each.mean(FILLING), each.std(FILLING, ddof=1)
-            label = told if number == len(stresses) - 1 else None
-            way = each["shear_strain"]
+        for stress, opacity in zip(stresses, np.linspace(PALE if len(stresses) > 1 else 1.0, 1.0, len(stresses)), strict=True):
+            each = wide[f"{name}_shear_ratio"].sel(normal_stress=stress) * stress / KPA
+            mean, spread = each.mean(FILLING).values, each.std(FILLING, ddof=1).values
             panel.fill_between(way, mean - spread, mean + spread, color=colour, alpha=0.15, linewidth=0)
-            panel.plot(way, mean, color=colour, alpha=alpha, linewidth=1.6, label=label)
-            panel.annotate(f"{stress / KPA:g} kPa", (float(way[-1]), float(mean[-1])), xytext=(4, -3), fontsize=8,
-                           textcoords="offset points", color=colour)  # fmt: skip
-        table = ratio.to_dataframe().reset_index()
-        tables.append(_numbers(table, f"{name} shear", "shear_strain", f"{name}_shear_ratio"))
-    panel.set(xlabel="way of the lid at its mean radius over the height", ylabel="shear stress (kPa)", ylim=(0.0, None))
-    panel.set(title="shear: mean and standard deviation of fillings")
-    panel.margins(x=0.1)
+            panel.plot(way, mean, color=colour, alpha=opacity, label=told if stress == stresses[-1] else None)
+            panel.annotate(f"{stress / KPA:g} kPa", (way[-1], mean[-1]), xytext=(4, -3), textcoords="offset points",
+                           fontsize=8, color=colour)  # fmt: skip
+            columns = {"shear_strain": way, "shear_stress_kPa": mean, "low_kPa": mean - spread, "high_kPa": mean + spread}
+            tables.append(pd.DataFrame(columns).assign(curve=told, normal_stress_kPa=stress / KPA))
+    panel.set(xlabel="way of the lid at its mean radius over the height", ylabel="shear stress (kPa)")
+    panel.set(title="shear: mean and standard deviation of fillings", xlim=(0.0, 1.15 * way[-1]), ylim=(0.0, None))
     panel.legend(loc="upper left")
-    return pd.concat(tables, ignore_index=True)
+    return [table.assign(panel="shear") for table in tables]
 
 
-def _locus(panel: Axes, wide: xr.Dataset, solid: Solid) -> pd.DataFrame:
+def _locus(panel: Axes, wide: xr.Dataset, solid: Solid) -> list[pd.DataFrame]:
     """Shear over normal stress: peak and steady inside the solid, steady on the wall, with the row's lines."""
-    stress = wide["normal_stress"].values
+    stress, tables = wide["normal_stress"].values / KPA, []
+    for name, (marker, colour, told) in LOCI.items():
+        shear = wide[name].transpose(FILLING, "normal_stress").values * stress
+        mean, spread = np.nanmean(shear, axis=0), np.nanstd(shear, axis=0, ddof=1)
+        panel.errorbar(stress, mean, spread, fmt=marker, color=colour, capsize=3, markersize=5, label=told)
+        columns = {"normal_stress_kPa": stress, "shear_stress_kPa": mean, "low_kPa": mean - spread, "high_kPa": mean + spread}
+        tables.append(pd.DataFrame(columns).assign(curve=told))
+    angle, friction, ends = solid.friction_angle, solid.wall_friction, np.array([0.0, 1.08 * stress[-1]])
     lines = {
-        "internal_peak_shear_ratio": ("o", INSIDE, "in the solid, peak"),
-        "internal_steady_shear_ratio": ("s", PATH, "in the solid, steady"),
-        "wall_steady_shear_ratio": ("^", WALL, "on the wall, steady"),
+        f"phi = {np.degrees(angle.mean):.1f} ± {np.degrees(angle.deviation):.1f} degrees": (np.tan(angle.mean), INSIDE),
+        f"mu = {friction.mean:.3f} ± {friction.deviation:.3f}": (friction.mean, WALL),
     }
-    tables, ends = [], np.array([0.0, 1.08 * stress[-1]])
-    for name, (marker, colour, told) in lines.items():
-        shear = wide[name] * stress / KPA
-        panel.errorbar(stress / KPA, shear.mean(FILLING), shear.std(FILLING, ddof=1), fmt=marker, color=colour, capsize=3,
-                       markersize=5, label=told)  # fmt: skip
-        tables.append(_numbers(wide[name].to_dataframe().reset_index(), told, "normal_stress", name))
-    angle, friction = solid.friction_angle, solid.wall_friction
-    panel.plot(ends / KPA, np.tan(angle.mean) * ends / KPA, color=INSIDE, linewidth=1.0,
-               label=f"phi = {np.degrees(angle.mean):.1f} ± {np.degrees(angle.deviation):.1f} deg")  # fmt: skip
-    panel.plot(ends / KPA, friction.mean * ends / KPA, color=WALL, linewidth=1.0,
-               label=f"mu = {friction.mean:.3f} ± {friction.deviation:.3f}")  # fmt: skip
+    for told, (slope, colour) in lines.items():
+        panel.plot(ends, slope * ends, color=colour, linewidth=1.0, label=told)
+        tables.append(pd.DataFrame({"normal_stress_kPa": ends, "shear_stress_kPa": slope * ends}).assign(curve=told))
     panel.set(xlabel="normal stress (kPa)", ylabel="shear stress (kPa)", title="yield locus and wall friction")
     panel.set(xlim=(0.0, None), ylim=(0.0, None))
     panel.legend(loc="upper left")
-    return pd.concat(tables, ignore_index=True)
+    return [table.assign(panel="loci") for table in tables]
 
 
-def _width(panel: Axes, cube: xr.Dataset) -> pd.DataFrame:
-    """Every quantity of every cell over that of the widest one: what the width of the cell does."""
-    rows, shown = [], list(QUANTITIES)
-    cells = cube[CELL].values
+def _width(panel: Axes, cube: xr.Dataset) -> list[pd.DataFrame]:
+    """Every quantity of every cell over that of the widest one."""
+    rows, cells = [], cube[CELL].values
     for place, (name, (variable, at)) in enumerate(QUANTITIES.items()):
-        values = cube[variable].sel(normal_stress=float(cube[at]))
-        base = Found.of(values.isel({CELL: -1})).mean
-        for number, cell in enumerate(cells):
-            found = Found.of(values.isel({CELL: number}))
-            y = place + 0.22 * (number - 0.5 * (len(cells) - 1))
-            panel.errorbar(found.mean / base, y, xerr=found.deviation / base, fmt="o", capsize=3, markersize=5,
-                           color=plt.cm.viridis(0.15 + 0.6 * number / max(len(cells) - 1, 1)),
-                           label=f"{cell:g} grains wide" if place == 0 else None)  # fmt: skip
-            rows.append({"panel": f"width: {name}", "x": cell, "value": found.mean, "deviation": found.deviation})
+        found = [Found.of(one) for one in cube[variable].sel(normal_stress=float(cube[at])).transpose(CELL, FILLING)]
+        for number, (cell, one) in enumerate(zip(cells, found, strict=True)):
+            value, spread = one.mean / found[-1].mean, one.deviation / found[-1].mean
+            rows.append({"curve": f"{cell:g} grains wide", "quantity": name, "over_widest": value, "low": value - spread,
+                         "high": value + spread, "place": place + 0.2 * (number - 0.5 * (len(cells) - 1))})  # fmt: skip
+    table = pd.DataFrame(rows)
+    for number, (told, one) in enumerate(table.groupby("curve", sort=False)):
+        spread = [one["over_widest"] - one["low"], one["high"] - one["over_widest"]]
+        colour = plt.get_cmap("viridis")(0.1 + 0.7 * number / max(len(cells) - 1, 1))
+        panel.errorbar(
+            one["over_widest"], one["place"], xerr=spread, fmt="o", capsize=3, markersize=5, color=colour, label=told
+        )
     panel.axvline(1.0, color="black", linewidth=0.8)
-    panel.set_yticks(range(len(shown)), shown)
-    panel.invert_yaxis()
+    panel.set_yticks(range(len(QUANTITIES)), list(QUANTITIES))
+    panel.set_ylim(len(QUANTITIES) - 0.5, -1.1)
     panel.set(xlabel="mean and standard deviation of fillings over the widest cell's mean", title="width of the cell")
-    panel.legend(loc="best")
-    return pd.DataFrame(rows)
-
-
-def _numbers(table: pd.DataFrame, panel: str, x: str, value: str) -> pd.DataFrame:
-    """Rows of the figure's table: the panel, filling and normal stress, and what is drawn over what, SI."""
-    kept = [name for name in (FILLING, "normal_stress") if name in table.columns]
-    return table[kept].assign(panel=panel, x=table[x], value=table[value])
+    panel.legend(loc="upper right", ncols=len(cells))
+    return [table.assign(panel="width")]
