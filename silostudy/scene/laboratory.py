@@ -10,9 +10,10 @@ from silostudy.errors import BadInput
 from silostudy.scene.costs import COSTS, START
 from silostudy.scene.laboratory_cell import KPA, LaboratoryCase
 from silostudy.scene.laboratory_scenes import filling
-from silostudy.scene.spheres import contacts_of, material_of
+from silostudy.scene.spheres import MPA, contacts_of, material_of
 
 FILLED = 0.6  # s: about what a filling takes to come to rest
+SOFT = 0.02  # stress over the grains' modulus beyond which they are pressed in by a tenth of their radius or so
 PRESSED = 0.05  # strain that a stress presses a cell by, about
 
 
@@ -24,6 +25,9 @@ def laboratory_builder(study: LaboratoryStudy, folder: Path, where: str) -> Call
         if isnan(material_of(config.grain).density):
             raise BadInput("scene.grain.density_kg_m3", None, "must be given: the material has none", where)
         case = LaboratoryCase(config, folder, stresses, study.shear_strain)
+        if stresses[-1] > SOFT * case.modulus:
+            told = f"kPa: more than {SOFT:.0%} of the grains' modulus, {case.modulus / MPA:g} MPa, presses them in too far"
+            raise BadInput("stresses_kPa", study.stresses_kPa[-1], told, where)
         contacts_of(filling(case), where)  # tells what neither sections nor tables say
         return case
 

@@ -17,6 +17,8 @@ from silostudy.scene.laboratory_scenes import SHEAR_WINDOWS
 from tests.conftest import ROOT
 
 SHIPPED = ROOT / "config/studies/wheat-laboratory.yaml"
+# a rolling law, without friction, so that tests with it need no kernel of their own
+ROLLING = {"restitution": 0.3, "rolling": "spring-slider", "rolling_stiffness_N": 0.01, "rolling_friction": 0.0}
 CONTENT: dict[str, Any] = {
     "kind": "laboratory",
     "title": "a small laboratory",
@@ -24,7 +26,7 @@ CONTENT: dict[str, Any] = {
         "grains": "spheres",
         "grain": {"youngs_modulus_MPa": 10, "poissons_ratio": 0.3, "density_kg_m3": 1350},
         "wall": {"youngs_modulus_MPa": 200000, "poissons_ratio": 0.3},
-        "spheres": {"restitution": 0.3, "sliding_friction": 0.45},
+        "spheres": ROLLING | {"sliding_friction": 0.45},
         "walls": {"restitution": 0.3, "sliding_friction": 0.2},
         "sizes": {"kind": "uniform", "least_mm": 4, "largest_mm": 5},
         "height_grains": 5,

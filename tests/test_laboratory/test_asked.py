@@ -21,6 +21,7 @@ WITHOUT_WALL = {key: value for key, value in CONTENT["scene"].items() if key != 
         ({"stresses_kPa": []}, "stresses_kPa = .*must hold 1 or more"),
         ({"vertical_kPa": 15}, "vertical_kPa = 15 must be one of stresses_kPa"),
         ({"cells": [4.5, 8]}, "cells.0 = 4.5: must be greater than or equal to 5"),
+        ({"stresses_kPa": [10, 300]}, "stresses_kPa = 300.0: kPa: more than 2% of the grains' modulus, 10 MPa"),
         ({"cells": [8, 6]}, "must all rise|cells must rise"),
         ({"fillings": 1}, "fillings = 1: must be greater than or equal to 2"),
         ({"scene": WITHOUT_WALL}, "scene.wall: is missing"),

@@ -3,9 +3,10 @@
 import numpy as np
 import pytest
 
+from silostudy.compute import laboratory
 from silostudy.compute.laboratory import OFF, measure
 from silostudy.errors import BadInput
-from tests.test_laboratory.made_up import expansion
+from tests.test_laboratory.made_up import ROLLING, expansion
 
 pytestmark = pytest.mark.long
 PLAIN = {"cells": [8], "fillings": 2, "stresses_kPa": [20]}
@@ -47,15 +48,14 @@ def test_the_same_filling_gives_the_same_bits_and_another_does_not(usual):
 
 
 def test_internal_friction_rises_with_friction_and_with_rolling_friction(usual):
-    slippery = numbers(scene__spheres={"restitution": 0.3, "sliding_friction": 0.1})
-    rolling = {"rolling": "spring-slider", "rolling_stiffness_N": 0.01, "rolling_friction": 0.3}
-    held = numbers(scene__spheres={"restitution": 0.3, "sliding_friction": 0.45} | rolling)
+    slippery = numbers(scene__spheres=ROLLING | {"sliding_friction": 0.1})
+    held = numbers(scene__spheres=ROLLING | {"sliding_friction": 0.45, "rolling_friction": 0.3})
     steady = [float(one["internal_steady_shear_ratio"][0]) for one in (slippery, usual, held)]
     assert steady[0] + 0.05 < steady[1]
     assert steady[1] + 0.05 < steady[2]
 
 
-def test_a_test_that_is_too_fast_is_told():
-    """A lid that cannot keep to its stress says so in place of a number."""
-    with pytest.raises(BadInput, match="lower inertial_number"):
-        numbers(scene__inertial_number=0.01, stresses_kPa=[2000])
+def test_what_is_off_is_told_in_place_of_a_number(monkeypatch):
+    monkeypatch.setattr(laboratory, "OFF", 1e-9)
+    with pytest.raises(BadInput, match=r"of the load on the floor: must be within 0%; .*lower inertial_number"):
+        numbers()
