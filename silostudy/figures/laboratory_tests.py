@@ -45,12 +45,12 @@ def _path(panel: Axes, wide: xr.Dataset, solid: Solid) -> list[pd.DataFrame]:
         wide["path_stress"].values / KPA,
         wide["path_horizontal_stress"].transpose(FILLING, "path_stress") / KPA,
     )
-    curves = [("a filling", one.values, {"color": STEADY, "linewidth": 0.6, "alpha": 0.6}) for one in horizontal]
     mean = horizontal.mean(FILLING).values
-    curves.append(("mean of fillings", mean, {"color": STEADY, "linewidth": 2.0}))
+    curves = [*(("a filling", one.values, 0.6) for one in horizontal), ("mean of fillings", mean, 2.0)]
     tables = []
-    for number, (label, values, look) in enumerate(curves):
-        panel.plot(vertical, values, label=label if number in (0, len(curves) - 1) else None, **look)
+    for number, (label, values, width) in enumerate(curves):
+        told = label if number in (0, len(curves) - 1) else None
+        panel.plot(vertical, values, label=told, color=STEADY, linewidth=width, alpha=0.6 if width < 1.0 else 1.0)
         tables.append(pd.DataFrame({"vertical_stress_kPa": vertical, "horizontal_stress_kPa": values}).assign(curve=label))
     ratio, end = solid.lateral_pressure_ratio, float(wide["row_vertical_stress"]) / KPA
     ends = np.array([0.5 * end, end])
@@ -117,11 +117,9 @@ def _width(panel: Axes, cube: xr.Dataset) -> list[pd.DataFrame]:
                          "high": value + spread, "place": place + 0.2 * (number - 0.5 * (len(cells) - 1))})  # fmt: skip
     table = pd.DataFrame(rows)
     for number, (told, one) in enumerate(table.groupby("curve", sort=False)):
-        spread = [one["over_widest"] - one["low"], one["high"] - one["over_widest"]]
+        bars = [one["over_widest"] - one["low"], one["high"] - one["over_widest"]]
         colour = plt.get_cmap("viridis")(0.1 + 0.7 * number / max(len(cells) - 1, 1))
-        panel.errorbar(
-            one["over_widest"], one["place"], xerr=spread, fmt="o", capsize=3, markersize=5, color=colour, label=told
-        )
+        panel.errorbar(one["over_widest"], one["place"], xerr=bars, fmt="o", capsize=3, markersize=5, color=colour, label=told)
     panel.axvline(1.0, color="black", linewidth=0.8)
     panel.set_yticks(range(len(QUANTITIES)), list(QUANTITIES))
     panel.set_ylim(len(QUANTITIES) - 0.5, -1.1)
