@@ -36,6 +36,8 @@ from tests.test_checks.studies import cube_of as checks_of
 from tests.test_checks.studies import study as checks_study
 from tests.test_dem.small import carried, scene_of
 from tests.test_figures.test_hopper_figures import BIN
+from tests.test_laboratory.made_up import cube_of as made_up
+from tests.test_laboratory.made_up import expansion as laboratory
 from tests.test_packing.test_study import CONTENT as PACKING
 from tests.test_seismic.conftest import quick
 from tests.test_seismic.test_grains import CONTENT as GRAINS
@@ -74,6 +76,7 @@ CUBES = {
     "seismic": lambda folder: seismic_cube(expanded(quick())),
     "dem": _energetic_scene,
     "grains": lambda folder: grains_cube(expanded(GRAINS | {"cycles": 1, "waited_cycles": 0})),
+    "laboratory": lambda folder: made_up(laboratory()),
     "packing": lambda folder: packing_cube(expanded(PACKING | FEW)),
     "motion": lambda folder: motion_cube(expanded(PACKING | FEW)),
     "profile": lambda folder: profile_cube(expanded(copy.deepcopy(RESTING) | ONE_NETWORK | {"silo": SILO})),

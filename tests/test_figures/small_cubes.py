@@ -18,6 +18,7 @@ from silostudy.scene.expand import Expansion
 from silostudy.stages import STAGES, called_for
 from silostudy.tables.outputs import OUTPUTS
 from tests.conftest import ROOT
+from tests.test_laboratory.made_up import cube_of as made_up
 from tests.test_spheres.small import run, scene_of
 
 # of two parts, in place of those that take minutes to measure
@@ -190,6 +191,8 @@ def cubes_of(output: str) -> list[xr.Dataset]:
         return [bin_cube()]
     if OUTPUTS[output].stage == "scenes":
         return [flow_cube(study_of(output))]
+    if OUTPUTS[output].stage == "laboratory":
+        return [made_up(expansion_of(study_of(output)))]
     row, study = OUTPUTS[output], study_of(output)
     also = [stage for stage in row.also if stage in called_for(expansion_of(study).study)]
     return [cube_of(study, stage) for stage in (row.stage, *also)]
