@@ -68,13 +68,12 @@ motion = word(_motion_of_disc, _motion_of_sphere)  # how many numbers of a row a
 
 
 def square_gap(bodies, shape, wall, i):
-    """Square of the distance (m2) of body i's centre from a wall's nearest point."""
+    """Square of the distance (m2) of body i's centre from a wall."""
     return (_gap_of_sphere if isinstance(bodies, Spheres) else _gap_of_disc)(bodies, shape, wall, i)
 
 
 def _gap_of_disc(bodies, shape, wall, i):
-    dx, dy, _ = plane_walls.nearest(shape, wall, bodies.rows[i, plane.X], bodies.rows[i, plane.Y])
-    return dx * dx + dy * dy
+    return plane_walls.square_gap(shape, wall, bodies.rows[i, plane.X], bodies.rows[i, plane.Y])
 
 
 def _gap_of_sphere(bodies, shape, wall, i):
