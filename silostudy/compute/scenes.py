@@ -35,8 +35,8 @@ def measure(study: ScenesStudy, case: SceneCase) -> Numbers:
     """The numbers of one case, by the names of the contract; Explosion or BadInput where it cannot be computed."""
     scene = case.config
     run = run_of(scene, scene_model(scene, case.folder))
-    kept = keeps_walls(scene)
-    if kept:
+    at_rest: Numbers = {}
+    if keeps_walls(scene):
         to_the_first_event(run)
         at_rest = contents_now(run, scene)
     carry_through(run, scene, None, lambda step: None)
@@ -50,5 +50,6 @@ def measure(study: ScenesStudy, case: SceneCase) -> Numbers:
         "end_time": np.array(run.engine.time),
         "limit_reached": np.array(float(run.recording.waiting is not None)),
         **SWEPT[scene.grains].numbers(run, opening),
-        **(at_rest | wall_numbers(run, scene, opening) if kept else {}),
+        **at_rest,
+        **(wall_numbers(run, scene, opening) if keeps_walls(scene) else {}),
     }

@@ -1,5 +1,7 @@
 """What the walls of a round silo of spheres feel, over height and angle: at rest, and window by window in flow."""
 
+from typing import TypeGuard
+
 import numpy as np
 
 from silostudy.compute.scenes_windows import Numbers, whole_windows
@@ -14,7 +16,7 @@ from silostudy.scene.spheres import space_silo_of
 ROUND = (WALL, HOPPER)  # surfaces whose cells are levels and turns
 
 
-def keeps_walls(scene: AnyScene) -> bool:
+def keeps_walls(scene: AnyScene) -> TypeGuard[SphereScene]:
     """Whether the pressures on the walls of a scene are kept: of spheres in a round silo whose wall forces are recorded."""
     return isinstance(scene, SphereScene) and scene.silo.plan == "circular" and scene.record.wall_force_window_s is not None
 
@@ -84,7 +86,7 @@ def _windows(run: Run, opening: float) -> tuple[np.ndarray, np.ndarray]:
 
 
 def _of_surface(stem: str, cells: np.ndarray, before: np.ndarray, after: np.ndarray, count: int) -> Numbers:
-    """Numbers of a surface from what its cells felt (windows, levels, turns, pressure and shear, mean and least and largest)."""
+    """Numbers of a surface by what its cells felt (windows, levels, turns, pressure and shear, mean and least and largest)."""
     shape = cells.shape[1:3]
     rest = cells[before[0]] if len(before) else np.full(cells.shape[1:], np.nan)
     flow = np.full((count, *cells.shape[1:]), np.nan)
