@@ -44,7 +44,7 @@ try:  # every mistake of every study is told before any job starts
     if workflow.is_main_process:  # and not in the jobs that it starts elsewhere
         check_writable(RESULTS)
         for name in STUDIES:
-            check_there(study_files(name))
+            check_there(file for file in study_files(name) if file not in made_here().values())
         for name in SCENES:
             check_there(scene_files(name))
         PLANS = {name: planned(expansion(name), RESULTS / name / "parts", AT_ONCE) for name in SWEEPS}
@@ -98,7 +98,7 @@ rule cases:
     output:
         RESULTS / "{study}/cases.csv",
     params:
-        holds=lambda wildcards: digest([(case.id, case.settings) for case in expansion(wildcards.study).cases]),
+        holds=lambda wildcards: cases_held(wildcards.study),
         given=held(study_files),
     log:
         RESULTS / "{study}/logs/cases.log",
