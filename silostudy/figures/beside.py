@@ -13,17 +13,20 @@ SURE = 0.95  # share of the intervals that hold the mean of all fillings
 
 
 def settings(cube: xr.Dataset) -> Iterator[tuple[dict[str, Any], xr.Dataset]]:
-    """What the axes set, and the cube there, setting by setting."""
+    """What the axes set, by the title of the scene where they set one, and the cube there, setting by setting."""
     axes = cube.attrs["sweep_axes"].split()
     for place in product(*(range(cube.sizes[axis]) for axis in axes)):
         one = cube.isel(dict(zip(axes, place, strict=True)))
-        yield {axis: one[axis].item() for axis in axes}, one
+        yield {axis: one.get(f"{axis}_title", one[axis]).item() for axis in axes}, one
 
 
 def told(setting: dict[str, Any]) -> str:
     """What the axes set, in words."""
-    return ", ".join(f"{name.replace('_', ' ')} {value:.4g}" if isinstance(value, float) else f"{name} {value}"
-                     for name, value in setting.items()) or "the silo"  # fmt: skip
+    return ", ".join(_worded(name, value) for name, value in setting.items()) or "the silo"
+
+
+def _worded(name: str, value: Any) -> str:
+    return value if isinstance(value, str) else f"{name.replace('_', ' ')} {value:.4g}"
 
 
 def interval(values: np.ndarray) -> tuple[float, float, float]:
