@@ -54,7 +54,8 @@ def felt(grains: xr.Dataset, wide: float) -> dict[str, xr.DataArray]:
     shear = shear.where(depth.notnull())
     largest = _by_phase(_largest(rest.expand_dims("flow_window")), _largest(flow))
     weight = grains["unit_weight_at_rest"]
-    carried = (shear.fillna(0.0) * step)[..., ::-1].cumsum("wall_level")[..., ::-1] / (wide / 4)
+    each = shear.fillna(0.0) * step / (wide / 4)
+    carried = each.isel(wall_level=slice(None, None, -1)).cumsum("wall_level").isel(wall_level=slice(None, None, -1)) - each / 2
     vertical = (weight * depth - carried.sel(phase="filling")).where(depth.notnull())
     return {
         "level_depth": depth,

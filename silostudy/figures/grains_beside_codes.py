@@ -29,7 +29,7 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
         row[0].set(ylabel="depth below the level surface (m)")
         row[0].invert_yaxis()
     handles = {text: line for panel in panels.flat for line, text in zip(*panel.get_legend_handles_labels(), strict=True)}
-    figure.legend(handles.values(), handles.keys(), loc="outside right upper", fontsize=8)
+    figure.legend(handles.values(), handles.keys(), loc="outside right center", fontsize=8)
     figure.suptitle(cube.attrs["title"])
     save(figure, pd.concat(numbers, ignore_index=True), stem)
 

@@ -29,7 +29,7 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     panel.set_xticks(range(len(names)), names)
     panel.set(xlabel="area that the pressure is the mean of, and the root of it over the diameter", ylim=(0.0, None))
     panel.set(ylabel="largest in flow over the ring's mean at rest", xlim=(-0.4, len(names) - 0.6))
-    figure.legend(loc="outside right upper", fontsize=8)
+    figure.legend(loc="outside right center", fontsize=8)
     figure.suptitle(f"{cube.attrs['title']}\nthe smaller the area, the larger the peak")
     save(figure, pd.concat([*numbers, codes], ignore_index=True), stem)
 

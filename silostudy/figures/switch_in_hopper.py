@@ -23,9 +23,9 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
         factor = one["hopper_switch_factor"].mean("filling")
         told_factor = f"largest over rest: {float(factor.max()):.2g}" if factor.notnull().any() else "nothing felt"
         panel.set(title=f"{told(setting)}\n{told_factor}", xlabel="pressure on the hopper (kPa)", xlim=(0.0, None))
-    panels[0, 0].set(ylabel="place on the hopper: 0 the outlet, 1 the transition")
+    panels[0, 0].set(ylabel="height above the outlet over that of the transition")
     handles = {text: line for panel in panels.flat for line, text in zip(*panel.get_legend_handles_labels(), strict=True)}
-    figure.legend(handles.values(), handles.keys(), loc="outside right upper", fontsize=8)
+    figure.legend(handles.values(), handles.keys(), loc="outside right center", fontsize=8)
     figure.suptitle(cube.attrs["title"])
     save(figure, pd.concat(numbers, ignore_index=True), stem)
 
