@@ -49,7 +49,8 @@ def _(scene: SphereScene, folder: Path, where: str) -> Model:
 
 @_started.register
 def _(scene: DemScene, folder: Path, where: str) -> Model:
-    discs = given_discs(scene.packing.file, folder) if PACKINGS[scene.packing.kind].from_file else placed(scene)
+    from_file = PACKINGS[scene.packing.kind].from_file
+    discs = (*given_discs(scene.packing.file, folder), None) if from_file else placed(scene)
     model = unshaken_scene_model(scene, discs, where)
     if scene.quake is None:
         return model

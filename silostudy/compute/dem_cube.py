@@ -42,6 +42,8 @@ def cube_of(run: Run, scene: AnyScene, choice: Choice | None = None) -> xr.Datas
     }
     if isinstance(scene, SphereScene):
         notes |= sphere_notes(scene) | mean_outflow(run)
+    elif scene.other_grains:
+        notes |= {"grain_kinds": ", ".join(scene.kinds)}
     if run.trouble:
         notes["stopped"] = run.trouble
     return assemble(scene, "dem", kept, sources=[*sources_of(model), *(SOURCES if scene.record.fields else ())], notes=notes)
@@ -51,6 +53,7 @@ def disc_arrays(run: Run) -> dict[str, np.ndarray]:
     """Arrays by name of a scene of discs."""
     model, record = run.engine.model, run.recording
     data = {"disc": np.arange(len(model.x)), "disc_radius": np.array(model.radius), "disc_mass": model.mass}
+    data |= {} if model.kind is None else {"disc_kind": np.asarray(model.kind, np.int32)}
     data |= _windows(run) | _snapshots(run)
     last = np.flatnonzero(np.diff(record.discharge_time, append=np.inf))  # those that leave at one instant count together
     return data | {

@@ -8,7 +8,9 @@ from pydantic import model_validator
 from silostudy.catalogue import Family
 from silostudy.config.asked import Asked
 from silostudy.config.contact import ContactConfig
+from silostudy.config.disc_mixture import DiscPairConfig, OtherDiscConfig, check_disc_kinds
 from silostudy.config.fields import Strict, described, one_of
+from silostudy.config.mixture import GRAIN, WALLS
 from silostudy.config.moves import MovingEvent, Takes
 from silostudy.config.run import GrainScene, Recorded
 from silostudy.config.surfaces import apart_from, in_place
@@ -112,8 +114,17 @@ class DemScene(Asked, GrainScene):
         default=(),
     )
     packing: PackingConfig = described("how the discs start", "")
-    radius_m: float = described("radius of the discs", "m", gt=0)
-    density_kg_m3: float = described("density of the discs", "kg m-3", gt=0)
+    radius_m: float = described("radius of the discs (of the kind `grain`)", "m", gt=0)
+    density_kg_m3: float = described("density of the discs (of the kind `grain`)", "kg m-3", gt=0)
+    other_grains: dict[str, OtherDiscConfig] = described(
+        "kinds of discs beside the one that radius_m and density_kg_m3 are of, by names of your own; each takes places of the "
+        "packing, laid for the largest of all",
+        "",
+        default={},
+    )
+    pairs: tuple[DiscPairConfig, ...] = described(
+        "two kinds, or a kind and a surface, whose contact differs from what discs, walls and surfaces say", "", default=()
+    )
     discs: ContactConfig = described("contact between discs", "")
     walls: ContactConfig | None = described("contact of discs and walls; null: as between discs", "", default=None)
     surfaces: dict[str, SurfaceConfig] = described(
@@ -139,14 +150,39 @@ class DemScene(Asked, GrainScene):
         return (*packed, *([self.quake.file] if self.quake else []), *self.branched_from)
 
     @property
-    def surface_contacts(self) -> dict[str, ContactConfig]:
-        """Contacts of the surfaces that are not like the other walls."""
-        walls = self.walls or self.discs
-        return {name: in_place(walls, surface.given, f"surfaces.{name}") for name, surface in self.surfaces.items()}
+    def kinds(self) -> tuple[str, ...]:
+        """Names of all kinds of discs, `grain` first."""
+        return GRAIN, *self.other_grains
+
+    def between(self, kind: str, other: str) -> ContactConfig:
+        """How two kinds of discs push each other."""
+        return self._apart(self.discs, kind, other)
+
+    def at_surfaces(self, kind: str = GRAIN) -> dict[str, ContactConfig]:
+        """Contacts of a kind of discs at surfaces that are not like the other walls; "": at those."""
+        walls = self._apart(self.walls or self.discs, kind, WALLS)
+        told = {
+            name: in_place(self.walls or self.discs, surface.given, f"surfaces.{name}")
+            for name, surface in self.surfaces.items()
+        }
+        named = {name for pair in self.pairs for name in pair.between if name not in self.kinds}
+        others = dict.fromkeys([*told, *sorted(named - {WALLS})])
+        return {"": walls, **{name: self._apart(told.get(name, walls), kind, name) for name in others}}
+
+    def _apart(self, contact: ContactConfig, *names: str) -> ContactConfig:
+        """A contact, or what a pair of these names says in its place."""
+        for number, pair in enumerate(self.pairs):
+            if sorted(pair.between) == sorted(names):
+                return in_place(contact, pair.given, f"pairs.{number}")
+        return contact
 
     @model_validator(mode="after")
-    def _surfaces_are_sound(self) -> Self:
-        self.surface_contacts  # noqa: B018  (each is made)
+    def _kinds_and_surfaces_are_sound(self) -> Self:
+        check_disc_kinds(self.other_grains, self.pairs, PACKINGS[self.packing.kind].from_file)
+        for kind in self.kinds:
+            self.at_surfaces(kind)  # each is made
+            for other in self.kinds:
+                self.between(kind, other)
         return self
 
     @model_validator(mode="after")
