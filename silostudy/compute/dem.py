@@ -73,9 +73,11 @@ def run_of(scene: AnyScene, model: Model, *, threads: int = 1) -> Run:
 
 def _of_discs(scene: DemScene, model: Model) -> dict[str, Any]:
     """Events and feeder of a scene of discs."""
+    silo = plane_silo_of(scene)
     return {
         "events": events_of(scene, float(model.mass.sum())),
-        "feeder": Feeder(plane_silo_of(scene).over_slit) if feeds(scene.events) else None,
+        "feeder": Feeder(silo.over_slit) if feeds(scene.events) else None,
+        "outlet_at": silo.slit_at if scene.outlets else None,
     }
 
 

@@ -41,6 +41,14 @@ class BoxConfig(Strict):
         return self
 
 
+class SlitConfig(Strict):
+    """A slit of a flat floor, by its name."""
+
+    name: str = described("name that events open it by", "", min_length=1)
+    width_m: float = described("width", "m", gt=0)
+    middle_m: float = described("distance of its middle from the left wall", "m", gt=0)
+
+
 if TYPE_CHECKING:
     PackingConfig = Any
     LineConfig = Any
@@ -54,7 +62,7 @@ class EventConfig(MovingEvent):
 
     takes: ClassVar[Mapping[str, Takes]] = {
         **MovingEvent.takes,
-        "open_slit": Takes(),
+        "open_slit": Takes(may=("outlets", "speed_m_s")),
         "remove_disc": Takes(may=("disc", "near_m")),
         "set_gravity": Takes(("gravity_m_s2",)),
         "set_friction": Takes(may=("disc_friction", "wall_friction", "surfaces")),
@@ -63,6 +71,13 @@ class EventConfig(MovingEvent):
     do: Literal[
         "open_slit", "remove_disc", "set_gravity", "set_friction", "lower_lid", "press_lid", "move_lid", "feed", "stop"
     ] = described("what happens", "")
+    speed_m_s: float | None = described(
+        "move_lid: downward, negative lifts the lid, 0 stops it; press_lid: where nothing resists, null: 0.1; open_slit: at "
+        "which an outlet's width grows from none to all, from its middle, in a floor at rest; null: at once",
+        "m s-1",
+        default=None,
+    )
+    outlets: tuple[str, ...] = described("open_slit: names of the outlets that open; none: all", "", default=())
     disc: int | None = described("number of the disc to remove", "", ge=0, default=None)
     near_m: tuple[float, float] | None = described("x, y of the place whose nearest disc to remove", "m", default=None)
     gravity_m_s2: tuple[float, float] | None = described("new gravity, x and y", "m s-2", default=None)
@@ -108,6 +123,9 @@ class DemScene(Asked, GrainScene):
     kind: Literal["dem"] = described("dem: discrete elements", "")
     grains: Literal["discs"] = described("discs in a plane silo, or spheres in a silo in space", "", default="discs")
     silo: BoxConfig = described("the silo", "")
+    outlets: tuple[SlitConfig, ...] = described(
+        "slits of a flat floor by names, each with its meter; none: silo.slit_width_m says", "", default=()
+    )
     inserts: tuple[LineConfig, ...] = described(
         "lines inside or outside the silo, that push on both sides; discs of a packing that would cut one are left out",
         "",
@@ -198,10 +216,28 @@ class DemScene(Asked, GrainScene):
         return self
 
     @model_validator(mode="after")
+    def _outlets_open(self) -> Self:
+        if self.outlets and (self.silo.slit_width_m or self.silo.hopper_half_angle_deg is not None):
+            raise ValueError("outlets are of a flat floor without a silo.slit_width_m")
+        shut = known = [outlet.name for outlet in self.outlets]
+        for number, event in enumerate(self.events):
+            if event.do != "open_slit":
+                continue
+            if not known and (event.outlets or event.speed_m_s is not None):
+                raise ValueError(f"events.{number}: names and speeds are of outlets, and the scene has none")
+            for name in event.outlets:
+                if name not in known:
+                    raise ValueError(f"events.{number}.outlets: {name} is unknown; known: {', '.join(known)}")
+            if known and not (opening := [name for name in shut if name in event.outlets or not event.outlets]):
+                raise ValueError(f"events.{number} opens nothing: open by then")
+            shut = [name for name in shut if name not in opening] if known else shut
+        return self
+
+    @model_validator(mode="after")
     def _events_fit(self) -> Self:
         for event in self.events:
-            if event.do in ("open_slit", "feed") and self.silo.slit_width_m == 0:
-                raise ValueError(f"{event.do} needs a silo.slit_width_m above 0")
+            if event.do in ("open_slit", "feed") and self.silo.slit_width_m == 0 and not self.outlets:
+                raise ValueError(f"{event.do} needs a silo.slit_width_m above 0, or outlets")
             if event.of_lid and not self.silo.lid:
                 raise ValueError(f"{event.do} when {event.when} needs silo.lid: true")
         removed = [event.disc for event in self.events if event.disc is not None]

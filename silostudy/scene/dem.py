@@ -23,7 +23,7 @@ from silostudy.errors import BadInput
 from silostudy.packing import PACKINGS
 from silostudy.scene.disc_mixture import radii_of_kinds, uneven
 from silostudy.scene.lid import lid_action, moves
-from silostudy.scene.plane_silo import FLOOR, HALVES, PlaneSilo
+from silostudy.scene.plane_silo import FLOOR, HALVES, PlaneSilo, Slit
 from silostudy.scene.surfaces import by_surface, parts_of
 
 DEEPEST = 0.1  # of a radius: overlap that a start may have (a packing at rest has some)
@@ -43,8 +43,9 @@ def plane_silo_of(scene: DemScene, where: str = "") -> PlaneSilo:
     config, angle = scene.silo, scene.silo.hopper_half_angle_deg
     half_angle = None if angle is None else radians(angle)
     inserts = tuple(inserted(number, one, LINES) for number, one in enumerate(scene.inserts))
+    slits = tuple(Slit(one.name, one.middle_m, one.width_m) for one in scene.outlets)
     try:
-        return PlaneSilo(config.width_m, config.height_m, config.slit_width_m, half_angle, config.lid, inserts)
+        return PlaneSilo(config.width_m, config.height_m, config.slit_width_m, half_angle, config.lid, inserts, slits)
     except BadInput as error:
         raise BadInput(error.field, error.value, error.allowed, error.where or where) from None
 
@@ -177,6 +178,9 @@ def _action(event: EventConfig, scene: DemScene, beside: tuple[str, ...], mass: 
     if event.do in OF_LID:
         silo = plane_silo_of(scene)
         return lid_action(event, silo.width, mass, silo.bottom, silo.bottom + silo.height)
+    if event.do == "open_slit" and scene.outlets:
+        names = event.outlets or tuple(outlet.name for outlet in scene.outlets)
+        return "open holes", (FLOOR, names, event.speed_m_s or 0.0)
     return ("open", (FLOOR, *beside)) if event.do == "open_slit" else ("stop", ())
 
 
@@ -214,7 +218,7 @@ def room(wall: Wall, x, y) -> np.ndarray:
     inside = ((x1 - x0) * (y - y0) - (y1 - y0) * (x - x0)) / length
     if wall.faces > 1:
         return np.hypot(inside, np.maximum(np.maximum(-along, along - length), 0.0))
-    return np.where((along >= 0.0) & (along <= length), inside, np.inf)
+    return np.where((along >= -wall.leaves[0]) & (along <= length + wall.leaves[1]), inside, np.inf)
 
 
 def law_effect(name: str, family: str, contacts: Mapping[str, Contact | Varied]) -> Effect:
@@ -259,9 +263,10 @@ def effects(scene: DemScene) -> tuple[Effect, ...]:
         Effect("wall forces every step", record.wall_force_window_s is not None, "record.wall_force_window_s"),
         Effect("energy ledger", record.energy, f"record.energy: {record.energy}"),
         Effect("slit", scene.silo.slit_width_m > 0, f"silo.slit_width_m: {scene.silo.slit_width_m:g}"),
+        Effect("outlets by names", bool(scene.outlets), f"outlets: {', '.join(one.name for one in scene.outlets) or 'none'}"),
         Effect("hopper", scene.silo.hopper_half_angle_deg is not None, "silo.hopper_half_angle_deg"),
         Effect("inserts", bool(scene.inserts), f"inserts: {len(scene.inserts)}"),
-        Effect("walls that move", moves(scene.events), "events: lower_lid, press_lid, move_lid"),
+        Effect("walls that move", moves(scene.events), "events: lower_lid, press_lid, move_lid, open_slit at a speed"),
         Effect("events", len(scene.events) > 1, ", ".join(event.do for event in scene.events)),
         *reading_effects(scene),
     )
