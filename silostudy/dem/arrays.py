@@ -51,6 +51,7 @@ class Contacts(NamedTuple):
     mass: np.ndarray  # reduced mass, kg/m
     which: np.ndarray  # number of the set of coefficients; length one where all have the same
     begin: np.ndarray  # where each block starts
+    beyond: np.ndarray  # one more than the last of a thread's own bodies that a block, or one before it, calls for
 
 
 class Record(NamedTuple):
@@ -113,6 +114,7 @@ class Scratch(NamedTuple):
     motion_bits: np.ndarray  # the same memory as unsigned integers: their maximum vectorises, and a NaN comes out largest
     cell_begin: np.ndarray
     order: np.ndarray
+    near: np.ndarray  # (4, n): x, y, z, reach (m) in that order
     found: np.ndarray  # neighbours of one body
     wide: np.ndarray  # the wide list: later bodies that may come near, body after body
     wide_begin: np.ndarray  # where those of each body begin

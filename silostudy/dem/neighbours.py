@@ -110,33 +110,55 @@ def is_near(bodies, skin, gap, i, j, scratch):
 
 
 @njit(**OPTIONS)
+def sieve(bodies, contacts, skin, gap, i, scratch, begin, end, fill):
+    """Write body i and each of its bodies of the wide list from `fill` on, and keep the near ones; gives the new end.
+
+    Branches that nobody can foresee would cost more than writing those that are not kept.
+    """
+    (x, y, z), wide, equal = place(bodies, i), scratch.wide, bodies.radius.size == 1
+    own, at, pressed = bodies.radius[0 if equal else i], np.uint64(fill), scratch.counts[PRESSED]
+    allowed = own + skin[i // BLOCK] + gap
+    for t in range(np.uint64(begin), np.uint64(end)):
+        j = np.uint64(wide[t])
+        xj, yj, zj = place(bodies, j)
+        other = bodies.radius[np.uint64(0) if equal else j]
+        square = (xj - x) * (xj - x) + (yj - y) * (yj - y) + (zj - z) * (zj - z)
+        reach, least = allowed + other + skin[j // np.uint64(BLOCK)], own + other - TOO_DEEP * min(own, other)
+        pressed = i + 1 if square < least * least else pressed
+        contacts.first[at], contacts.second[at] = i, j
+        at += np.uint64(square < reach * reach)
+    scratch.counts[PRESSED] = pressed
+    return np.int64(at)
+
+
+@njit(**OPTIONS)
 def list_pairs(bodies, contacts, memory, blocks, scratch, gap, lo, hi, base):
     """List the near pairs of bodies lo to hi, then the pairs that reach back to earlier threads; False if room is short."""
     kept, room, dummy = scratch.counts[KEPT_PAIRS], contacts.first.size - WIDTH, base + scratch.ghost.size
     scratch.slot[:] = -1
     scratch.counts[GHOSTS] = 0
     scratch.counts[PRESSED] = 0
-    fill, at = 0, 0
+    fill, at, far = 0, 0, lo - 1
     for i in range(lo, hi):
         if (i - lo) % BLOCK == 0:
             fill = pad(contacts, fill, dummy, dummy + 1)
-            contacts.begin[(i - lo) // BLOCK] = fill
+            contacts.begin[(i - lo) // BLOCK], contacts.beyond[(i - lo) // BLOCK] = fill, far + 1
         begin, end = scratch.wide_begin[i - lo], scratch.wide_begin[i - lo + 1]
         if fill + end - begin > room:
             return False
-        for t in range(begin, end):
-            j = scratch.wide[t]
-            if not is_near(bodies, blocks.skin, gap, i, j, scratch):
-                continue
+        after = sieve(bodies, contacts, blocks.skin, gap, i, scratch, begin, end, fill)
+        for k in range(fill, after):
+            j = np.int64(contacts.second[k])
+            far = j if far < j < hi else far
             second = j if j < hi else ghost_of(j, scratch, base)
             if second < 0:
                 return False
-            enter(bodies, contacts, fill, i, j, i, second)
-            at = recall(contacts, fill, (np.int64(i) << SHIFT) | j, memory, kept, at)
-            fill += 1
+            enter(bodies, contacts, k, i, j, i, second)
+            at = recall(contacts, k, (np.int64(i) << SHIFT) | j, memory, kept, at)
+        fill = after
     last = (hi - lo + BLOCK - 1) // BLOCK
     fill = pad(contacts, fill, dummy, dummy + 1)
-    contacts.begin[last] = fill
+    contacts.begin[last], contacts.beyond[last] = fill, far + 1
     fill = list_crossing(bodies, contacts, memory, blocks, scratch, gap, fill, base)
     contacts.begin[last + 1] = pad(contacts, fill, dummy, dummy + 1)
     return fill >= 0

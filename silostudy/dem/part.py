@@ -46,6 +46,7 @@ class Part:
             mass=np.full(each, mass),
             which=np.zeros(room if varied else 1, np.int32),
             begin=np.zeros(self.engine.most // BLOCK + 3, np.int64),
+            beyond=np.zeros(self.engine.most // BLOCK + 3, np.int64),
         )
 
     def make_lists(self):
@@ -65,6 +66,7 @@ class Part:
             motion_bits=motion.view(np.uint64),
             cell_begin=np.zeros(engine.n + 1024, np.int32),
             order=np.zeros(engine.n, np.int32),
+            near=aligned(4, engine.n),
             found=np.zeros(1024, np.int32),
             wide=np.zeros(2 * self.room, np.int32),
             wide_begin=np.zeros(engine.n + 1, np.int64),

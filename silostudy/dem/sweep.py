@@ -11,6 +11,7 @@ from silostudy.dem.dimension import Dimension
 from silostudy.dem.force import force_pass
 from silostudy.dem.integrate import INTEGRATORS
 from silostudy.dem.pieces import Laws, Pieces
+from silostudy.dem.vectors import WIDTH, fetch
 
 FRESH, STALE, REMEMBERED, SHORT_OF_ROOM, EXPLODED = range(5)  # what a thread says of its list after a step
 
@@ -76,6 +77,7 @@ def sweep_pass(pieces: Pieces):
     )
     move = move_pass(space, pieces.integrator, unequal, pieces.turns)
     booked, book = pieces.booked, book_pass(pieces)
+    fetches = space.ways > 2  # rows of spheres come late from memory once they are thousands; those of discs do not
 
     @piece(pieces)
     def block_moves(shared, scratch, block, hi, pull, kick, dt):
@@ -89,6 +91,11 @@ def sweep_pass(pieces: Pieces):
     def block_forces(shared, share, block, march):
         begin, end = share.pairs.begin[block], share.pairs.begin[block + 1]
         pairs_between(shared, share.pairs, begin, end, share.scratch, march.dt, march.pair_coefficients, share.number)
+
+    @piece(pieces)
+    def fetch_rows(rows, begin, end):  # a cache line holds as many numbers as a lane is wide
+        for line in range(begin * rows.shape[1], end * rows.shape[1], WIDTH):
+            fetch(rows, line)  # type: ignore[call-arg]
 
     @piece(pieces)
     def all_forces(shared, share, last, march):
@@ -108,6 +115,8 @@ def sweep_pass(pieces: Pieces):
             all_forces(shared, share, last, march)
             book(shared, share, march, last, pull, kick)
         for b in range(last):
+            if fetches:
+                fetch_rows(shared.bodies.rows, pairs.beyond[min(b + 1, last)], pairs.beyond[min(b + 2, last)])
             if not booked:
                 block_forces(shared, share, b, march)
             stale = max(stale, block_moves(shared, share.scratch, share.lo // BLOCK + b, share.hi, pull, kick, march.dt))

@@ -6,8 +6,9 @@ The compiler does not find them by itself.  A builder writes instructions; a bas
 from collections.abc import Callable
 
 from llvmlite import ir
+from numba import types
 from numba.core import cgutils
-from numba.extending import overload
+from numba.extending import intrinsic, overload
 
 from silostudy.dem.cache import named
 
@@ -70,6 +71,21 @@ def transpose(builder, rows):
                 turned[k + distance] = mix(builder, rows[k], rows[k + distance], high)
         rows = turned
     return rows
+
+
+@intrinsic
+def fetch(typing, rows, at):
+    """Ask for the cache line that number `at` of an array stands in: it will be read and written soon."""
+
+    def generate(context, builder, signature, args):
+        byte = ir.IntType(8).as_pointer()
+        kind = ir.FunctionType(ir.VoidType(), [byte, LANE, LANE, LANE])
+        ask = cgutils.get_or_insert_function(builder.module, kind, "llvm.prefetch.p0")
+        place = builder.bitcast(builder.gep(base_of(context, builder, signature, args, 0), [args[1]]), byte)
+        builder.call(ask, [place, ir.Constant(LANE, 1), ir.Constant(LANE, 3), ir.Constant(LANE, 1)])
+        return context.get_dummy_value()
+
+    return types.void(rows, at), generate
 
 
 def in_eights(meaning: Callable, instruction: Callable) -> None:

@@ -71,43 +71,58 @@ def sort(keys, begin, end):
 
 
 @njit(**OPTIONS)
+def put_in_order(bodies, skin, n, scratch):
+    """Copy place (m) and reach (m) of the first n bodies in the order of their cells, where a search reads them in a row."""
+    for t in range(n):
+        i = scratch.order[t]
+        scratch.near[0, t], scratch.near[1, t], scratch.near[2, t] = place(bodies, i)
+        scratch.near[3, t] = bodies.radius[i if bodies.radius.size > 1 else 0] + skin[i // BLOCK]
+
+
+@njit(**OPTIONS)
 def near_bodies(bodies, skin, gap, i, lo, grid, scratch):
-    """Bodies after i within reach of it, in order; pairs with a body before `lo` go to scratch.cross. Gives how many."""
+    """Bodies after i, or before `lo`, within reach of it, cell by cell, into scratch.found; gives how many.
+
+    Each candidate is written, and counted if it is one: a branch that nobody can foresee costs more than ten of them.
+    """
     (x0, y0, z0), size, (nx, ny, nz) = grid
-    found, radius = scratch.found, bodies.radius
+    found, order, near = scratch.found, scratch.order, scratch.near
     x, y, z = place(bodies, i)
     cx, cy, cz = cell_of(x, x0, size, nx), cell_of(y, y0, size, ny), cell_of(z, z0, size, nz)
-    own = radius[i if radius.size > 1 else 0]
-    reach_i = own + skin[i // BLOCK] + gap
-    count, crossing = 0, scratch.cross[0]
-    rows, layers = min(cy + 2, ny) - max(cy - 1, 0), min(cz + 2, nz) - max(cz - 1, 0)
-    for turn in range(layers * rows):
-        row = (max(cz - 1, 0) + turn // rows) * ny + max(cy - 1, 0) + turn % rows
-        begin = scratch.cell_begin[row * nx + max(cx - 1, 0)]
-        end = scratch.cell_begin[row * nx + min(cx + 2, nx)]
-        for t in range(begin, end):
-            j = scratch.order[t]
-            if lo <= j <= i:
-                continue
-            other = radius[j if radius.size > 1 else 0]
-            reach = reach_i + other + skin[j // BLOCK]
-            xj, yj, zj = place(bodies, j)
-            square = (xj - x) * (xj - x) + (yj - y) * (yj - y) + (zj - z) * (zj - z)
-            if square >= reach * reach:
-                continue
-            if j < lo:
-                crossing += 1
-                if crossing < scratch.cross.size:
-                    scratch.cross[crossing] = (np.int64(j) << SHIFT) | i
-            elif count < found.size:
-                k = count
-                while k > 0 and found[k - 1] > j:
-                    found[k] = found[k - 1]
-                    k -= 1
-                found[k] = j
-                count += 1
-    scratch.cross[0] = crossing
+    own = bodies.radius[i if bodies.radius.size > 1 else 0] + skin[i // BLOCK] + gap
+    left, right, count = max(cx - 1, 0), min(cx + 2, nx), np.uint64(0)
+    for layer in range(max(cz - 1, 0), min(cz + 2, nz)):
+        for row in range(max(cy - 1, 0), min(cy + 2, ny)):
+            start = (layer * ny + row) * nx
+            begin, end = np.uint64(scratch.cell_begin[start + left]), np.uint64(scratch.cell_begin[start + right])
+            if count + (end - begin) > found.size:
+                return np.uint64(found.size)
+            for t in range(begin, end):
+                j, dx, dy, dz, reach = order[t], near[0, t] - x, near[1, t] - y, near[2, t] - z, near[3, t] + own
+                found[count] = j
+                count += np.uint64((dx * dx + dy * dy + dz * dz < reach * reach) & ((j > i) | (j < lo)))
     return count
+
+
+@njit(**OPTIONS)
+def take_near(scratch, count, i, lo, fill):
+    """Enter those found into the wide list from `fill` on, in order; pairs with a body before `lo` go to scratch.cross."""
+    found, wide, begin, crossing = scratch.found, scratch.wide, fill, scratch.cross[0]
+    for c in range(count):
+        j = found[c]
+        if j < lo:
+            crossing += 1
+            if crossing < scratch.cross.size:
+                scratch.cross[crossing] = (np.int64(j) << SHIFT) | i
+            continue
+        k = fill
+        while k > begin and wide[k - 1] > j:
+            wide[k] = wide[k - 1]
+            k -= 1
+        wide[k] = j
+        fill += 1
+    scratch.cross[0] = crossing
+    return fill
 
 
 @njit(**OPTIONS)
@@ -116,6 +131,7 @@ def list_wide(bodies, walls, blocks, scratch, gap, n, lo, hi):
     widest = largest_of(blocks.wide_skin, (n + BLOCK - 1) // BLOCK)
     largest = largest_of(bodies.radius, min(n, bodies.radius.size))
     grid = bin_bodies(bodies, n, 2.0 * (largest + widest) + gap, scratch.cell_begin, scratch.order)
+    put_in_order(bodies, blocks.wide_skin, n, scratch)
     scratch.cross[0] = 0
     fill = 0
     for i in range(lo, hi):
@@ -123,9 +139,7 @@ def list_wide(bodies, walls, blocks, scratch, gap, n, lo, hi):
         count = near_bodies(bodies, blocks.wide_skin, gap, i, lo, grid, scratch)
         if fill + count > scratch.wide.size or count == scratch.found.size:
             return False
-        for c in range(count):
-            scratch.wide[fill + c] = scratch.found[c]
-        fill += count
+        fill = take_near(scratch, count, i, lo, fill)
     scratch.wide_begin[hi - lo] = fill
     if scratch.cross[0] >= scratch.cross.size:
         return False
