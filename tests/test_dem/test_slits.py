@@ -12,6 +12,7 @@ from silostudy.dem.model import Wall
 from silostudy.dem.walls import LEAVES, nearest, shape_of, square_gap, widen
 from silostudy.errors import BadInput
 from silostudy.scene.plane_silo import PlaneSilo, Slit
+from silostudy.tables import kiyama_1983 as kiyama
 from silostudy.tables.constants import ROUNDED_GRAVITY as GRAVITY
 from tests.conftest import ROOT
 
@@ -121,7 +122,7 @@ def test_bad_slits(case):
 
 def stepped(how):
     """A silo whose slits open one after the other, the second at a speed."""
-    model = silo(walls=PlaneSilo(0.17, 0.4, slits=SLITS).walls(4), moving=True)
+    model = silo(walls=PlaneSilo(kiyama.width_as_steep(8), 0.4, slits=SLITS).walls(4), moving=True)
     engine = Engine(model, **(how if isinstance(how, dict) else {}))
     engine.step_to(1000)
     open_holes(engine, "floor", ("one",), 0.0)

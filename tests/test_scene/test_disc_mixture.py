@@ -92,5 +92,5 @@ def test_a_kind_like_the_other_changes_no_bit():
     scene = scene_of(other_grains={"twin": like})
     cube, plain = cube_of(carried(scene), scene), cube_of(carried(scene_of()), scene_of())
     assert np.array_equal(cube["disc_x"], plain["disc_x"], equal_nan=True)
-    assert cube["disc_kind"].to_numpy().sum() == round(0.5 * cube.sizes["disc"])
+    assert abs(cube["disc_kind"].to_numpy().sum() - 0.5 * cube.sizes["disc"]) < 1.0
     assert cube.attrs["grain_kinds"] == "grain, twin"
