@@ -76,10 +76,10 @@ def nearest(shape, wall, x, y):
 
 
 @njit(**OPTIONS)
-def square_gap(shape, wall, x, y):
-    """Square of the distance (m2) of a place from a wall, whatever its ends meet.
+def square_apart(shape, wall, x, y):
+    """Square of the distance (m2) of (x, y) from the wall and both its ends; joined ends count too.
 
-    Lists hold walls by it: a disc may pass a joint, and meet the wall beyond, before the next list is made.
+    It changes by no more than a point moves, so that what comes over a joint was listed before.
     """
     dx, dy = x - shape[wall, 0], y - shape[wall, 1]
     along = min(max(dx * shape[wall, 2] + dy * shape[wall, 3], 0.0), shape[wall, 4])
