@@ -3,10 +3,12 @@
 Nothing is written while this file is read: what a real run changes besides its jobs' outputs stands in `onstart`.
 """
 
+import atexit
 import sys
 from itertools import chain
 from pathlib import Path
 
+from silostudy.commands.failures import ending
 from silostudy.config.load import load_project, read_study
 from silostudy.cube.fingerprint import damaged
 from silostudy.errors import BadInput
@@ -66,6 +68,11 @@ onstart:
         set_aside(path)
     for name, (plan, _) in PLANS.items():
         write_plan(plan, RESULTS / name / "parts")
+
+
+onerror:
+    if workflow.is_main_process:  # said last, after all of Snakemake's own
+        atexit.register(print, *ending("".join(Path(file).read_text() for file in log), sys.argv), sep="\n", file=sys.stderr)
 
 
 report: "silostudy/rules/report.rst"

@@ -12,8 +12,10 @@ from silostudy.commands import (
     cite,
     compare,
     dem,
+    doctor,
     drawing,
     explain,
+    explore,
     export,
     fronts,
     listing,
@@ -27,7 +29,7 @@ from silostudy.files import check_output, check_writable
 
 OUTPUT, STEMS = "output", ("stem", "figure")  # arguments that name what a command writes: a file, files without their ending
 STOPPED = 130  # status of a command that the user stopped
-ROOMS = (listing, explain, compare, cite, studies, stages, export, drawing, note, sweeps, dem, fronts, bench)
+ROOMS = (listing, explain, compare, cite, explore, studies, stages, export, drawing, note, sweeps, dem, fronts, bench, doctor)
 
 
 def parser() -> argparse.ArgumentParser:

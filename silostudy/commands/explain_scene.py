@@ -5,6 +5,7 @@ from typing import Any
 
 from silostudy.catalogue import Family, Row
 from silostudy.dem.events import TRIGGERS
+from silostudy.dem.inserts import LINES
 from silostudy.dem.integrate import INTEGRATORS
 from silostudy.dem.outcomes import OUTCOMES
 from silostudy.dem.rest import REST
@@ -16,7 +17,7 @@ from silostudy.packing.sizes import SIZES
 PARTS: dict[str, Family] = {
     "packings": PACKINGS,
     "fillings": FILLINGS,
-    "inserts": INSERTS,
+    "inserts": Family("insert", [*LINES.values(), *INSERTS.values()]),
     "sizes": SIZES,
     "integrators": INTEGRATORS,
     "triggers": TRIGGERS,

@@ -74,7 +74,7 @@ def _of_discs(scene: DemScene, model: Model) -> dict[str, Any]:
     """Events and feeder of a scene of discs."""
     return {
         "events": events_of(scene, float(model.mass.sum())),
-        "feeder": Feeder(plane_silo_of(scene.silo).over_slit) if feeds(scene.events) else None,
+        "feeder": Feeder(plane_silo_of(scene).over_slit) if feeds(scene.events) else None,
     }
 
 

@@ -16,6 +16,8 @@ from silostudy.dem.integrate import INTEGRATORS
 from silostudy.dem.ledger import ENTRIES
 from silostudy.dem.model import Model
 from silostudy.dem.run import Run
+from silostudy.dem.walls import faces
+from silostudy.dem.watch import first_of_faces
 
 
 def cube_of(run: Run, scene: AnyScene, choice: Choice | None = None) -> xr.Dataset:
@@ -83,8 +85,9 @@ def _windows(run: Run) -> dict[str, np.ndarray]:
 
 def _wholes(mean: np.ndarray, extremes: np.ndarray, model: Model) -> dict[str, np.ndarray]:
     """Forces (N/m) on whole walls, from mean forces of cells (windows, cells, ways), and least and largest of walls."""
-    total = np.add.reduceat(mean, model.space.walls_of(model.walls).cells[:, 0], axis=1)
-    data = {"surface": np.array([wall.name for wall in model.walls])}
+    first = first_of_faces(model.space.walls_of(model.walls).cells)
+    total = np.add.reduceat(mean, first, axis=1)
+    data = {"surface": np.array([name for name, _ in faces(model.walls)])}
     for way, name in enumerate(("normal", "shear")):
         for what, values in (("mean", total), ("min", extremes[..., 0]), ("max", extremes[..., 1])):
             data[f"whole_{name}_force_{what}"] = values[:, :, way]
@@ -94,10 +97,10 @@ def _wholes(mean: np.ndarray, extremes: np.ndarray, model: Model) -> dict[str, n
 def _cells(model: Model) -> dict[str, np.ndarray]:
     """Wall, middle and length of each cell: a wall's start, its parts, its end."""
     names, places, lengths = [], [], []
-    for wall in model.walls:
+    for name, wall in faces(model.walls):
         start, end = np.array(wall.start), np.array(wall.end)
         middle = np.r_[0.0, (np.arange(wall.cells) + 0.5) / wall.cells, 1.0]
-        names += [wall.name] * len(middle)
+        names += [name] * len(middle)
         places.append(start + middle[:, None] * (end - start))
         lengths += [0.0, *[float(np.hypot(*(end - start))) / wall.cells] * wall.cells, 0.0]
     x, y = np.vstack(places).T

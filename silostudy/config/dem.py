@@ -13,6 +13,7 @@ from silostudy.config.moves import MovingEvent, Takes
 from silostudy.config.run import GrainScene, Recorded
 from silostudy.config.surfaces import apart_from, in_place
 from silostudy.contact import LAWS
+from silostudy.dem.inserts import LINES
 from silostudy.packing import PACKINGS
 from silostudy.tables.constants import ROUNDED_GRAVITY
 
@@ -40,8 +41,10 @@ class BoxConfig(Strict):
 
 if TYPE_CHECKING:
     PackingConfig = Any
+    LineConfig = Any
 else:
     PackingConfig = one_of(PACKINGS)
+    LineConfig = one_of(LINES, "Insert")
 
 
 class EventConfig(MovingEvent):
@@ -103,6 +106,11 @@ class DemScene(Asked, GrainScene):
     kind: Literal["dem"] = described("dem: discrete elements", "")
     grains: Literal["discs"] = described("discs in a plane silo, or spheres in a silo in space", "", default="discs")
     silo: BoxConfig = described("the silo", "")
+    inserts: tuple[LineConfig, ...] = described(
+        "lines inside or outside the silo, that push on both sides; discs of a packing that would cut one are left out",
+        "",
+        default=(),
+    )
     packing: PackingConfig = described("how the discs start", "")
     radius_m: float = described("radius of the discs", "m", gt=0)
     density_kg_m3: float = described("density of the discs", "kg m-3", gt=0)

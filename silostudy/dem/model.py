@@ -22,7 +22,8 @@ TINY = 1e-200  # kg m: beyond it and its inverse, squares of what the engine com
 class Wall:
     """A straight wall from start to end (m), the solid on its left; `cells` equal parts have their force recorded.
 
-    An end that is joined to another wall does not push as a point.
+    An end that is joined to another wall does not push as a point.  faces: 2 for a line whose back has cells of its own; what
+    its ends meet is found (see `joints`).  stays: whether it stands to the end, so that lines may be joined to it.
     """
 
     name: str
@@ -31,6 +32,8 @@ class Wall:
     cells: int = 1
     live: bool = True
     joined: tuple[bool, bool] = (False, False)
+    faces: int = 1
+    stays: bool = True
 
     def __post_init__(self):
         if not all(isfinite(value) for value in (*self.start, *self.end)):

@@ -4,6 +4,7 @@ The edges L and R of Kiyama & Fujimura's slit are the inner ends of the two halv
 """
 
 from math import hypot
+from typing import Any
 
 import numpy as np
 from numba import njit
@@ -12,6 +13,7 @@ from numba.extending import register_jitable
 from silostudy.dem.arrays import Walls
 from silostudy.dem.cache import OPTIONS
 from silostudy.dem.drive import standing
+from silostudy.dem.joints import END, ENDS, FREE, JOINED, MEETS, RISE, START, WAYS, join
 from silostudy.dem.lanes import (
     DU,
     DV,
@@ -32,8 +34,15 @@ from silostudy.dem.lanes import (
     Y,
 )
 
-JOINED, OUT_OF_REACH = 1.0, 1e30
-LOW, RISE = 1, 7  # columns of a shape: height of its start, speed of rise
+OUT_OF_REACH = 1e30
+LOW = 1  # column of a shape: height of its start
+
+
+@register_jitable
+def meets_before(shape, wall, end, dx, dy):
+    """Whether a place, (dx, dy) m off an end that meets another wall, is beside that wall rather than beyond its end."""
+    way = WAYS + 2 * end
+    return shape[wall, ENDS + end] == MEETS and dx * shape[wall, way] + dy * shape[wall, way + 1] >= 0.0
 
 
 @njit(**OPTIONS)
@@ -41,13 +50,32 @@ def nearest(shape, wall, x, y):
     """Vector (m) from the wall's nearest point to (x, y), and that point's distance (m) from the wall's start.
 
     Beyond an end that is joined to another wall there is nothing to touch: the vector is then out of any disc's reach.
+    Where two walls meet, one has the point for both: it pushes those alone that are beyond the ends of both.
+    """
+    dx, dy, length = x - shape[wall, 0], y - shape[wall, 1], shape[wall, 4]
+    along = dx * shape[wall, 2] + dy * shape[wall, 3]
+    if along <= 0.0:
+        if (along < 0.0 and shape[wall, ENDS + START] == JOINED) or meets_before(shape, wall, START, dx, dy):
+            return OUT_OF_REACH, OUT_OF_REACH, along
+        return dx, dy, 0.0
+    if along >= length:
+        dx, dy = dx - length * shape[wall, 2], dy - length * shape[wall, 3]
+        if (along > length and shape[wall, ENDS + END] == JOINED) or meets_before(shape, wall, END, dx, dy):
+            return OUT_OF_REACH, OUT_OF_REACH, along
+        return dx, dy, length
+    return dx - along * shape[wall, 2], dy - along * shape[wall, 3], along
+
+
+@njit(**OPTIONS)
+def square_apart(shape, wall, x, y):
+    """Square of the distance (m2) of (x, y) from the wall and both its ends; joined ends count too.
+
+    It changes by no more than a point moves, so that what comes over a joint was listed before.
     """
     dx, dy = x - shape[wall, 0], y - shape[wall, 1]
-    along = dx * shape[wall, 2] + dy * shape[wall, 3]
-    if (along < 0.0 and shape[wall, 5] == JOINED) or (along > shape[wall, 4] and shape[wall, 6] == JOINED):
-        return OUT_OF_REACH, OUT_OF_REACH, along
-    along = min(max(along, 0.0), shape[wall, 4])
-    return dx - along * shape[wall, 2], dy - along * shape[wall, 3], along
+    along = min(max(dx * shape[wall, 2] + dy * shape[wall, 3], 0.0), shape[wall, 4])
+    dx, dy = dx - along * shape[wall, 2], dy - along * shape[wall, 3]
+    return dx * dx + dy * dy
 
 
 @register_jitable
@@ -110,18 +138,22 @@ def scatter_walls(rows, disc, start, count, force):
 
 @register_jitable
 def note_walls(rows, walls, near, start, count, force, record, part):
-    """Note each wall contact's force: along the inner normal (pressing positive), along the wall (carrying positive)."""
+    """Note each wall contact's force: along the inner normal (pressing positive), along the wall (carrying positive).
+
+    The back of a line has a normal and cells of its own.
+    """
     for k in range(count):
         i, q, at = near.first[start + k], near.second[start + k], start + k
         tx, ty, length = walls.shape[q, 2], walls.shape[q, 3], walls.shape[q, 4]
-        _, _, along = nearest(walls.shape, q, rows[i, X], rows[i, Y])
+        dx, dy, along = nearest(walls.shape, q, rows[i, X], rows[i, Y])
         upward = -1.0 if ty < 0.0 else 1.0
         fx, fy = force[FORCE_X, k], force[FORCE_Y, k]
-        record.force[part, at, 0] = fy * tx - fx * ty
+        inner, back = walls.cells[q, 1], walls.cells[q, 2]
+        behind = back > 0 and dy * tx - dx * ty < 0.0
+        record.force[part, at, 0] = fx * ty - fy * tx if behind else fy * tx - fx * ty
         record.force[part, at, 1] = upward * (fx * tx + fy * ty)
-        inner = walls.cells[q, 1]
         place = 0 if along <= 0.0 else inner + 1 if along >= length else 1 + min(int(along / length * inner), inner - 1)
-        record.cell[part, at] = walls.cells[q, 0] + place
+        record.cell[part, at] = walls.cells[q, 0] + place + (back if behind else 0)
 
 
 def walls_of(walls) -> Walls:
@@ -130,31 +162,38 @@ def walls_of(walls) -> Walls:
 
 
 def shape_of(walls) -> np.ndarray:
-    """Start, unit direction, length (m), the kinds of both ends and a speed of none, a row a wall."""
-    rows = []
-    for wall in walls:
+    """Start, unit direction, length (m), the kinds of both ends, a speed of none, and what the ends meet, a row a wall."""
+    rows = np.zeros((len(walls), WAYS + 4))
+    for row, wall in zip(rows, walls, strict=True):
         (x0, y0), (x1, y1) = wall.start, wall.end
         length = hypot(x1 - x0, y1 - y0)
-        ends = [JOINED if joined else 0.0 for joined in wall.joined]
-        rows.append([x0, y0, (x1 - x0) / length, (y1 - y0) / length, length, *ends, 0.0])
-    return np.array(rows, float).reshape(-1, RISE + 1)
+        row[: ENDS + 2] = (
+            x0, y0, (x1 - x0) / length, (y1 - y0) / length, length, *(JOINED if joined else FREE for joined in wall.joined)
+        )  # fmt: skip
+    join(rows, walls)
+    return rows
 
 
 def wall_cells(model, name: str) -> np.ndarray:
-    """Numbers of a wall's recorded cells: its start, its parts, its end."""
-    first, inner = cells_of(model.walls)[model.wall_number(name)]
+    """Numbers of a wall's recorded cells: its start, its parts, its end; of its front where it has two faces."""
+    first, inner, _ = cells_of(model.walls)[model.wall_number(name)]
     return np.arange(first, first + inner + 2)
 
 
 def sums_by_wall(model, cells: np.ndarray, axis: int = 0) -> dict[str, np.ndarray]:
-    """Sums over each wall of what its cells hold, by the walls' names; `axis`: that of the cells."""
+    """Sums over each wall, of all its faces, of what its cells hold, by the walls' names; `axis`: that of the cells."""
     sums = np.add.reduceat(cells, model.space.walls_of(model.walls).cells[:, 0], axis=axis)
     return {wall.name: sums.take(number, axis=axis) for number, wall in enumerate(model.walls)}
 
 
+def faces(walls) -> list[tuple[str, Any]]:
+    """Name and wall of each face that has cells of its own, in their order: the wall's name, or that and `_back`."""
+    return [(f"{wall.name}_back" if back else wall.name, wall) for wall in walls for back in range(wall.faces)]
+
+
 def cell_count(walls) -> int:
     """How many cells the walls have."""
-    return sum(wall.cells + 2 for wall in walls)
+    return sum(wall.faces * (wall.cells + 2) for wall in walls)
 
 
 def extents(walls) -> list[np.ndarray]:
@@ -173,7 +212,10 @@ def beside(walls, places: np.ndarray) -> np.ndarray:
 
 
 def cells_of(walls) -> np.ndarray:
-    """First cell and number of inner cells of each wall; the two ends have a cell each, before and after the inner ones."""
-    inner = np.array([wall.cells for wall in walls], np.int64)
-    first = np.cumsum(inner + 2) - (inner + 2)
-    return np.column_stack([first, inner]).reshape(-1, 2)
+    """First cell, inner cells, and how many cells before those of its back, of each wall; 0: its back has none.
+
+    The two ends have a cell each, before and after the inner ones.
+    """
+    inner, faces = np.array([(wall.cells, wall.faces) for wall in walls], np.int64).reshape(-1, 2).T
+    total = faces * (inner + 2)
+    return np.column_stack([np.cumsum(total) - total, inner, (inner + 2) * (faces > 1)]).reshape(-1, 3)

@@ -8,12 +8,13 @@ from typing import Any
 import numpy as np
 
 from silostudy.config.contact import ContactConfig
-from silostudy.config.dem import BoxConfig, DemScene, EventConfig
+from silostudy.config.dem import DemScene, EventConfig
 from silostudy.config.grain_scenes import AnyScene
 from silostudy.config.moves import OF_LID
 from silostudy.contact import NO_TANGENTIAL, TANGENTIAL, spring
 from silostudy.contact.coefficient import Given
 from silostudy.dem.events import TRIGGERS, Event
+from silostudy.dem.inserts import LINES, Insert
 from silostudy.dem.model import Contact, Wall
 from silostudy.dem.pieces import Laws
 from silostudy.dem.rest import REST, STEADY, USUAL, Rest
@@ -36,11 +37,24 @@ class Effect:
     why: str
 
 
-def plane_silo_of(config: BoxConfig) -> PlaneSilo:
-    """The silo in SI."""
-    angle = config.hopper_half_angle_deg
+def plane_silo_of(scene: DemScene, where: str = "") -> PlaneSilo:
+    """The silo in SI, with its inserts; BadInput for one that cannot be."""
+    config, angle = scene.silo, scene.silo.hopper_half_angle_deg
     half_angle = None if angle is None else radians(angle)
-    return PlaneSilo(config.width_m, config.height_m, config.slit_width_m, half_angle, config.lid)
+    inserts = tuple(inserted(number, one, LINES) for number, one in enumerate(scene.inserts))
+    try:
+        return PlaneSilo(config.width_m, config.height_m, config.slit_width_m, half_angle, config.lid, inserts)
+    except BadInput as error:
+        raise BadInput(error.field, error.value, error.allowed, error.where or where) from None
+
+
+def inserted(number: int, config: Any, rows: Mapping[str, Insert]) -> Any:
+    """The wall of an insert; BadInput for one that cannot be."""
+    row = rows[config.kind]
+    try:
+        return row.make(**row.arguments(config))
+    except BadInput as error:
+        raise BadInput(f"inserts.{number}", config.name, f"{error.allowed}") from None
 
 
 def contact_of(
@@ -91,7 +105,7 @@ def walls_contact(scene: AnyScene, contacts: dict[str, Contact], names: Sequence
 
 def wall_names(scene: DemScene) -> list[str]:
     """Names of the walls."""
-    return [wall.name for wall in plane_silo_of(scene.silo).walls()]
+    return [wall.name for wall in plane_silo_of(scene).walls()]
 
 
 def events_of(scene: DemScene, mass: float, where: str = "") -> tuple[Event, ...]:
@@ -100,7 +114,7 @@ def events_of(scene: DemScene, mass: float, where: str = "") -> tuple[Event, ...
     beside = HALVES if scene.silo.hopper_half_angle_deg is None else ()
     found = []
     for number, event in enumerate(scene.events):
-        action, what = _action(event, scene.silo, beside, mass)
+        action, what = _action(event, scene, beside, mass)
         if action == "friction":
             _check_friction(scene, what, f"events.{number}", where)
             what = (*what, walls_of_event(event.surfaces, wall_names(scene), number, where))
@@ -135,7 +149,7 @@ def check_events(scene: DemScene, count: int, where: str = "") -> None:
             raise BadInput(f"events.{number}.disc", event.disc, f"must be below {count}, the number of discs", where)
 
 
-def _action(event: EventConfig, box: BoxConfig, beside: tuple[str, ...], mass: float) -> tuple[str, tuple]:
+def _action(event: EventConfig, scene: DemScene, beside: tuple[str, ...], mass: float) -> tuple[str, tuple]:
     if event.do == "remove_disc":
         return "remove", (event.disc,) if event.near_m is None else event.near_m
     if event.do == "set_gravity":
@@ -146,8 +160,8 @@ def _action(event: EventConfig, box: BoxConfig, beside: tuple[str, ...], mass: f
     if event.do == "feed":
         return "feed", (event.rate_kg_s,)
     if event.do in OF_LID:
-        low = plane_silo_of(box).bottom
-        return lid_action(event, box.width_m, mass, low, low + box.height_m)
+        silo = plane_silo_of(scene)
+        return lid_action(event, silo.width, mass, silo.bottom, silo.bottom + silo.height)
     return ("open", (FLOOR, *beside)) if event.do == "open_slit" else ("stop", ())
 
 
@@ -165,11 +179,7 @@ def check_start(walls: tuple[Wall, ...], x, y, radius, where: str = "") -> None:
     if worst >= 0 and overlap[worst] > DEEPEST * min(radius[i[worst]], radius[j[worst]]):
         raise BadInput("packing", f"discs {i[worst]}, {j[worst]}", f"overlap by {overlap[worst]:.4g} m at the start", where)
     for wall in walls:
-        (x0, y0), (x1, y1) = wall.start, wall.end
-        length = np.hypot(x1 - x0, y1 - y0)
-        along = ((x - x0) * (x1 - x0) + (y - y0) * (y1 - y0)) / length
-        inside = ((x1 - x0) * (y - y0) - (y1 - y0) * (x - x0)) / length
-        out = np.flatnonzero((along >= 0.0) & (along <= length) & (inside < (1.0 - DEEPEST) * radius) & wall.live)
+        out = np.flatnonzero((room(wall, x, y) < (1.0 - DEEPEST) * radius) & wall.live)
         if len(out):
             raise BadInput("packing", f"disc {out[0]}", f"starts in or beyond the wall {wall.name}", where)
     ends = np.array([end for wall in walls for end in (wall.start, wall.end)])
@@ -179,6 +189,17 @@ def check_start(walls: tuple[Wall, ...], x, y, radius, where: str = "") -> None:
         worst = out[np.argmax(y[out])]
         place = f"starts at x {x[worst]:.4g} m, y {y[worst]:.4g} m, outside walls from x {left:.4g} to {right:.4g} m and y "
         raise BadInput("packing", f"disc {worst}", f"{place}{low:.4g} to {high:.4g} m", where)
+
+
+def room(wall: Wall, x, y) -> np.ndarray:
+    """Distance (m) of places from a line, or from what is beside a wall with one face, negative behind it."""
+    (x0, y0), (x1, y1) = wall.start, wall.end
+    length = np.hypot(x1 - x0, y1 - y0)
+    along = ((x - x0) * (x1 - x0) + (y - y0) * (y1 - y0)) / length
+    inside = ((x1 - x0) * (y - y0) - (y1 - y0) * (x - x0)) / length
+    if wall.faces > 1:
+        return np.hypot(inside, np.maximum(np.maximum(-along, along - length), 0.0))
+    return np.where((along >= 0.0) & (along <= length), inside, np.inf)
 
 
 def law_effect(name: str, family: str, contacts: Mapping[str, Contact | Varied]) -> Effect:
@@ -222,6 +243,7 @@ def effects(scene: DemScene) -> tuple[Effect, ...]:
         Effect("energy ledger", record.energy, f"record.energy: {record.energy}"),
         Effect("slit", scene.silo.slit_width_m > 0, f"silo.slit_width_m: {scene.silo.slit_width_m:g}"),
         Effect("hopper", scene.silo.hopper_half_angle_deg is not None, "silo.hopper_half_angle_deg"),
+        Effect("inserts", bool(scene.inserts), f"inserts: {len(scene.inserts)}"),
         Effect("walls that move", moves(scene.events), "events: lower_lid, press_lid, move_lid"),
         Effect("events", len(scene.events) > 1, ", ".join(event.do for event in scene.events)),
         *reading_effects(scene),

@@ -2,13 +2,15 @@
 
 from dataclasses import replace
 
+import numpy as np
+
 from silostudy.config.dem import DemScene
 from silostudy.config.grain_scenes import AnyScene
-from silostudy.dem.model import Model
+from silostudy.dem.model import Model, Wall
 from silostudy.dem.stability import chosen_step, packed_bound
 from silostudy.errors import BadInput
 from silostudy.packing import PACKINGS
-from silostudy.scene.dem import check_events, check_start, contacts_of, plane_silo_of
+from silostudy.scene.dem import check_events, check_start, contacts_of, plane_silo_of, room
 from silostudy.scene.lid import check_lid, lid_of, moves
 
 
@@ -17,14 +19,23 @@ def placed(scene: DemScene):
     packing, known = PACKINGS[scene.packing.kind], {"width": scene.silo.width_m, "radius": scene.radius_m, "seed": scene.seed}
     size = {name: value for name, value in known.items() if name in packing.needs}
     x, y, radius = packing.place(**size, **packing.arguments(scene.packing))
-    return x, y + plane_silo_of(scene.silo).bottom, radius
+    silo = plane_silo_of(scene)
+    return clear_of(silo.inserts, x, y + silo.bottom, radius)
+
+
+def clear_of(inserts: tuple[Wall, ...], x, y, radius):
+    """x, y and radius (m) of those discs that cut no insert; BadInput where none is left."""
+    clear = np.all([room(insert, x, y) >= radius for insert in inserts], axis=0) & np.ones(len(x), bool)
+    if not clear.any():
+        raise BadInput("inserts", inserts[0].name, "leave no room for a disc of the packing")
+    return x[clear], y[clear], radius[clear]
 
 
 def unshaken_scene_model(scene: DemScene, discs, where: str = "") -> Model:
     """The engine's model of a scene without shaking; BadInput for a start or a step that cannot be."""
     integrator = scene.march.integrator
     assert integrator is not None, "march.integrator is not chosen yet"
-    silo, (x, y, radius) = plane_silo_of(scene.silo), discs
+    silo, (x, y, radius) = plane_silo_of(scene, where), discs
     walls = silo.walls(scene.silo.wall_cells)
     check_start(walls, x, y, radius, where)
     check_events(scene, len(x), where)

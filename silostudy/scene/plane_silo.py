@@ -3,12 +3,13 @@
 Every wall has a name, and whoever wants one asks the model for it by that name, never by its place.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import tan
 
 import numpy as np
 
 from silostudy.dem.model import Model, Wall
+from silostudy.scene.plane_checks import require_lines
 
 FLOOR, LID = "floor", "lid"
 SIDES = ("left", "right")
@@ -20,7 +21,7 @@ HOPPER = ("hopper_left", "hopper_right")
 class PlaneSilo:
     """Inner dimensions: width, height of the vertical walls and width of the slit in m; half angle from the vertical in rad.
 
-    slit 0: a closed box; hopper_half_angle None: a flat floor.
+    slit 0: a closed box; hopper_half_angle None: a flat floor; inserts: lines of names of their own, inside or outside.
     """
 
     width: float
@@ -28,6 +29,10 @@ class PlaneSilo:
     slit: float = 0.0
     hopper_half_angle: float | None = None
     lid: bool = False
+    inserts: tuple[Wall, ...] = ()
+
+    def __post_init__(self):
+        require_lines(self)
 
     @property
     def bottom(self) -> float:
@@ -37,15 +42,16 @@ class PlaneSilo:
         return 0.5 * (self.width - self.slit) / tan(self.hopper_half_angle)
 
     def walls(self, cells: int = 1, half_cells: int | None = None) -> tuple[Wall, ...]:
-        """Its walls with the solid on their left: the bottom, closed, then the sides and the lid.
+        """Its walls with the solid on their left: the bottom, closed, then the sides, the lid and the inserts.
 
         cells: equal parts of each whose force is recorded; half_cells: those of the floor's halves, None: as many.
         """
         flat = self.hopper_half_angle is None
-        return (*(self._floor(cells, half_cells or cells) if flat else self._hopper(cells)), *self._upper(cells))
+        bottom = self._floor(cells, half_cells or cells) if flat else self._hopper(cells)
+        return (*bottom, *self._upper(cells), *(replace(insert, cells=cells) for insert in self.inserts))
 
     def _floor(self, cells: int, half_cells: int) -> tuple[Wall, ...]:
-        whole = Wall(FLOOR, (0.0, 0.0), (self.width, 0.0), cells)
+        whole = Wall(FLOOR, (0.0, 0.0), (self.width, 0.0), cells, stays=not self.slit)
         if not self.slit:
             return (whole,)
         (left, right), (near, far) = HALVES, self._edges
@@ -58,7 +64,7 @@ class PlaneSilo:
     def _hopper(self, cells: int) -> tuple[Wall, ...]:
         (left, right), (near, far) = HOPPER, self._edges
         return (
-            Wall(FLOOR, (near, 0.0), (far, 0.0), cells, joined=(True, True)),
+            Wall(FLOOR, (near, 0.0), (far, 0.0), cells, joined=(True, True), stays=False),
             Wall(left, (0.0, self.bottom), (near, 0.0), cells, joined=(True, False)),
             Wall(right, (far, 0.0), (self.width, self.bottom), cells, joined=(False, True)),
         )

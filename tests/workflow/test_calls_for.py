@@ -26,6 +26,8 @@ CALLED = {
     "discharge-slit": {"part", "merge", "verdict"},
     "wheat-laboratory": {"part", "merge", "verdict"},
     "wheat-laboratory-silo": {"pressure"},
+    "silo-of-spheres-codes": {"pressure"},
+    "silo-of-spheres": {"part", "merge", "verdict", "beside"},
     "wheat-bin-outlets": {"part", "merge", "verdict"},
     "kiyama-1983": {"packing", "motion"},
     "kiyama-1983-slit": {"packing"},
