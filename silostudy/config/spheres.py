@@ -33,7 +33,12 @@ class OutletConfig(Strict):
 
     name: str = described("name that events open it by", "", min_length=1, default="outlet")
     width_m: float = described("diameter; where it has a length its width along x", "m", gt=0)
-    length_m: float | None = described("length along y; null: a round outlet", "m", gt=0, default=None)
+    length_m: float | None = described(
+        "length along y; null: a round outlet. A slot may run across a rectangular floor one way, from wall to wall",
+        "m",
+        gt=0,
+        default=None,
+    )
     middle_m: tuple[float, float] | None = described(
         "x and y of its middle; null: silo.outlet_eccentricity_m off the axis towards x", "m", default=None
     )

@@ -94,19 +94,31 @@ def require_floor(space: SpaceSilo) -> None:
 
 
 def require_outlet(space: SpaceSilo, field: str, outlet: Outlet) -> None:
-    """BadInput for an outlet that is no smaller than the floor, or leaves it."""
+    """BadInput for an outlet that is no smaller than the floor, or leaves it; a slot may run across a rectangle one way."""
     plan, opening = space.plan, space.openings[outlet.name]
-    for name, size, room in (("width", outlet.width, plan.half[0]), ("length", outlet.length, plan.half[1])):
-        whole = name == "length" and plan.sides == RECTANGLE and size == 2 * room
-        if size is not None and not (0.0 < size < 2 * room or whole):
-            allowed = f"must be above 0 and below the width of the floor there, {2 * room:g} m"
-            raise BadInput(f"{field}.{name}_m", size, allowed)
-    slot = outlet.length == 2 * plan.half[1] and plan.sides == RECTANGLE and opening.middle[1] == 0.0
-    room = plan.half[0] - max(opening.reach((1.0, 0.0)), opening.reach((-1.0, 0.0))) if slot else plan.room_for(opening)
+    rectangles = plan.sides == RECTANGLE and outlet.length is not None
+    across = plan.crossed_by(opening) if rectangles else (False, False)
+    for name, size, half in zip(("width", "length"), (outlet.width, outlet.length), plan.half, strict=True):
+        whole = sum(across) == 1 and size == 2 * half
+        if size is not None and not (0.0 < size < 2 * half or whole):
+            allowed = f"must be above 0 and below the width of the floor there, {2 * half:g} m"
+            slot = "; a slot may be as long as that one way, to run from wall to wall" if rectangles else ""
+            raise BadInput(f"{field}.{name}_m", size, allowed + slot)
+    room = room_beside(plan, opening, across) if any(across) else plan.room_for(opening)
     if not room > 0.0:
         key = "silo.outlet_eccentricity" if outlet.middle is None else f"{field}.middle_m"
         allowed = f"the outlet must not leave the floor, and stands out by {-room:g} m"
         raise BadInput(key, opening.middle[0] if outlet.middle is None else outlet.middle, allowed)
+
+
+def room_beside(plan: Outline, slot: Outline, across: tuple[bool, bool]) -> float:
+    """Least distance (m) from a rectangle to the sides of a slot in it; negative where that leaves it.
+
+    across: the ways that it runs from wall to wall, where it has no distance unless it is off the middle.
+    """
+    beside = across.index(False)
+    aside = abs(slot.middle[1 - beside])
+    return -aside if aside else plan.half[beside] - slot.half[beside] - abs(slot.middle[beside])
 
 
 def require_inserts(space: SpaceSilo) -> None:

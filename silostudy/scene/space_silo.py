@@ -147,8 +147,7 @@ class SpaceSilo:
     @property
     def slotted(self) -> bool:
         """Whether an outlet of a flat floor runs from wall to wall, so that the walls end in edges there."""
-        rooms = [hole.half[1] == self.plan.half[1] for hole in self.openings.values()]
-        return self.silo.hopper is None and any(rooms)
+        return self.silo.hopper is None and any(any(self.plan.crossed_by(hole)) for hole in self.openings.values())
 
     def _floor(self, cells: tuple[int, int]) -> Surface:
         holes = tuple(Hole(name=name, outline=outline) for name, outline in self.openings.items())

@@ -21,6 +21,7 @@ class Sheet:
         outlet = of.outlets[0] if of.outlets else None
         self.hole = np.array([outlet.width, outlet.length or outlet.width]) / 2 if outlet else None
         self.round = outlet is not None and outlet.length is None
+        self.away = outlet.middle[1] if outlet and outlet.middle else 0.0  # the middle of the outlet, along y
         self.opened = opened
 
     def half_at(self, z):
@@ -39,7 +40,7 @@ class Sheet:
         return half_x - np.max([x * cos(2 * pi * k / sides) + y * sin(2 * pi * k / sides) for k in range(sides)], axis=0)
 
     def in_hole(self, x, y):
-        return self.inset(0 if self.round else 4, *self.hole, x - self.aside, y)
+        return self.inset(0 if self.round else 4, *self.hole, x - self.aside, y - self.away)
 
     def within(self, points):
         """Whether points are inside, those under an open outlet included."""
@@ -90,7 +91,8 @@ class Sheet:
         if self.hole is not None or not self.opened:
             parts.append(self.level(self.low, self.aside if self.bottom else 0.0, 0.0, pitch, pierced=self.opened))
         if self.hole is not None and self.opened:
-            parts.append(self.ring(0 if self.round else 4, *self.hole, self.aside, 0.0, pitch))
+            rim = self.ring(0 if self.round else 4, *self.hole, self.aside, 0.0, pitch)
+            parts.append(rim + np.array([0.0, self.away, 0.0]))
         return np.concatenate(parts)
 
     def joints(self, pitch):

@@ -46,6 +46,7 @@ SPACES = {
     "rectangle, pyramid to its ridge": space("rectangular", Hopper(half_angle=0.9, outlet_width=0.0)),
     "rectangle, wedge": space("rectangular", CONE, wedge=True),
     "rectangle, slot from wall to wall": space("rectangular", outlet=Outlet(width=0.06, length=0.3)),
+    "rectangle, slot across": space("rectangular", outlet=Outlet(width=WIDE, length=0.06, middle=(0.0, 0.05))),
     "hexagon, pyramid": space("polygonal", CONE, outlet_eccentricity=0.03),
     "triangle, slot": space("polygonal", outlet=Outlet(width=0.06, length=0.04), sides=3),
     "octagon, hole": space("polygonal", outlet=Outlet(width=0.06), sides=8),

@@ -57,6 +57,9 @@ WAYS = {
     "end of a wedge": (SPACES["square, wedge"], line((0.0, INNER, BOTTOM + 0.02), (0.0, INNER, BOTTOM - 0.02))),
     "end of a slot": (SPACES["rectangle, slot from wall to wall"], line(
         (0.0, 0.15 - PRESSED, 0.02), (0.0, 0.15 - PRESSED, -0.01))),
+    "end of a slot across": (SPACES["rectangle, slot across"], line(
+        (INNER, 0.05, 0.02), (INNER, 0.05, -0.01))),
+    "rim of a slot across": (SPACES["rectangle, slot across"], line((INNER, 0.1, PRESSED), (INNER, 0.08, PRESSED))),
     "corner of a hexagon": (SPACES["hexagon, pyramid"], past_a_corner(6, BOTTOM + 0.05)),
     "corner of most sides": (space("polygonal", sides=24), past_a_corner(24, 0.1)),
 }  # fmt: skip
@@ -94,6 +97,8 @@ def test_push_has_no_jump_over_joints(of, way):
         ("slot in a circle", True, (0.055 - 1e-6, 0.05 - 1e-6, PRESSED), 1),
         ("square, pyramid", True, (0.042, 0.03, -0.004), 1),  # from below, outside the rim
         ("square, pyramid", True, (0.042, 0.043, -0.004), 0),  # and outside its corner
+        ("rectangle, slot across", True, (INNER, 0.05, 0.001), 1),  # the wall alone: the hole has no rim there
+        ("rectangle, slot from wall to wall", True, (0.0, 0.15 - PRESSED, 0.001), 1),
         ("octagon, hole", False, (0.0, 0.0, PRESSED), 1),
         ("hexagon, pyramid", True, (*corner_of(6), BOTTOM + 0.05), 2),
     ],

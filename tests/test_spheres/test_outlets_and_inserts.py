@@ -58,6 +58,34 @@ def test_outlets_in_any_way_of_carrying_out(two, threads, later):
     check_same(two, cube_of(resumed, scene))
 
 
+ACROSS = {
+    "silo": {"plan": "rectangular", "width_m": 0.036, "length_m": 0.08, "cylinder_depth_m": 0.1},
+    "outlets": [{"width_m": 0.036, "length_m": 0.04}],
+    "record__fields": None,
+    "record__snapshots_s": [0.55],
+}
+
+
+@pytest.mark.parametrize("speed", [None, 0.3])
+def test_a_slot_from_wall_to_wall(speed):
+    """Every sphere is in the silo, on what is left of the floor, or was counted as it passed the slot."""
+    opens = {"when": "rest", "do": "open_outlet", "speed_m_s": speed}
+    scene = scene_of(**ACROSS, events=[opens, {"when": "after", "value": 0.4, "do": "stop"}])
+    whole = carried(scene)
+    cube = cube_of(whole, scene)
+    left = whole.engine.bodies.rows[: whole.engine.n, :3]
+    assert not whole.trouble
+    assert cube.spheres_spilt == 0
+    counted = round(float(cube.outflow_mass[-1] / cube.grain_mass[0]))
+    assert counted == len(cube.grain) - np.count_nonzero(left[:, 2] > 0.0) > 100
+    bounds = (0.018, 0.04, 0.1)
+    assert (np.abs(left)[left[:, 2] > 0.0] < bounds).all()
+    resting = left[(np.abs(left[:, 1]) > 0.02) & (left[:, 2] < 0.0041)]
+    assert len(resting) > 8  # on the floor beside the slot, some of them at the walls that it runs to
+    assert resting[:, 2].min() > 0.0039
+    assert np.abs(resting[:, 0]).max() > 0.013
+
+
 HAT = {
     "inserts": [
         {"kind": "cone", "name": "hat", "radii_m": [0.016, 0.0], "heights_m": [0.03, 0.042]},

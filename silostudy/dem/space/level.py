@@ -88,6 +88,10 @@ class Outline:
             return self.middle[0] * way[0] + self.middle[1] * way[1] + self.half[0]
         return max(x * way[0] + y * way[1] for x, y in self.corners)
 
+    def crossed_by(self, other: "Outline") -> tuple[bool, bool]:
+        """Whether another outline inside it runs from side to side along x, and along y."""
+        return other.half[0] >= self.half[0], other.half[1] >= self.half[1]
+
     def room_for(self, other: "Outline") -> float:
         """Least distance (m) from this outline, about the origin, to another inside it; negative where that leaves it."""
         if self.sides != CIRCLE:
@@ -133,7 +137,8 @@ class Hole:
 class LevelPiece(Surface):
     """What lies in a level plane inside an outline, all of it joined to other surfaces, and outside its open holes.
 
-    A hole as long as the outline runs from wall to wall: it has no ends.  Cells along run with y, cells around with x.
+    A hole as long or as wide as the outline runs from wall to wall: it has no ends there.  Cells along run with y, cells around
+    with x.
     """
 
     height: float
@@ -147,8 +152,9 @@ class LevelPiece(Surface):
         row[0], row[HEIGHT], row[OUTLINE : OUTLINE + 5], row[HOLES] = LEVEL, self.height, self.outline.row, len(self.holes)
         holes = row[MORE:].reshape(-1, PER_HOLE)
         for of, hole in zip(holes, (hole.outline for hole in self.holes), strict=True):
-            of[RIM : RIM + 5], of[FULL] = hole.row, hole.half[0]
-            of[RIM + 4] = ENDLESS if hole.half[1] >= self.outline.half[1] else of[RIM + 4]
+            along_x, along_y = self.outline.crossed_by(hole)
+            of[RIM : RIM + 5], of[FULL] = hole.row, ENDLESS if along_x and not along_y else hole.half[0]
+            of[RIM + 4] = ENDLESS if along_y else of[RIM + 4]
         row[UPWARD : UPWARD + 5], row[ACROSS : ACROSS + 5] = (0.0, 1.0, 0.0, y, back - y), (1.0, 0.0, 0.0, x, right - x)
         return row
 
@@ -157,7 +163,7 @@ class LevelPiece(Surface):
         for of, hole in zip(row[MORE:][: PER_HOLE * len(self.holes)].reshape(-1, PER_HOLE), self.holes, strict=True):
             if hole.name in names:
                 of[OPEN], of[GROWTH] = 1.0, speed / 2.0
-                of[RIM + 3] = 0.0 if speed > 0.0 else hole.outline.half[0]
+                of[RIM + 3] = 0.0 if speed > 0.0 else of[FULL]
 
     @property
     def corners(self) -> np.ndarray:
