@@ -18,10 +18,20 @@ class SphereEventConfig(MovingEvent):
         "set_gravity": Takes(("gravity_m_s2",)),
         "set_friction": Takes(may=("sphere_friction", "wall_friction", "surfaces")),
         "rotate": Takes(("spin_rad_s", "surfaces")),
+        "take_away": Takes(("surfaces",)),
     }
 
     do: Literal[
-        "open_outlet", "set_gravity", "set_friction", "lower_lid", "press_lid", "move_lid", "feed", "rotate", "stop"
+        "open_outlet",
+        "set_gravity",
+        "set_friction",
+        "lower_lid",
+        "press_lid",
+        "move_lid",
+        "feed",
+        "rotate",
+        "take_away",
+        "stop",
     ] = described("what happens", "")
     speed_m_s: float | None = described(
         "move_lid: downward, negative lifts the lid, 0 stops it; press_lid: where nothing resists, null: 0.1; open_outlet: at "
@@ -41,7 +51,8 @@ class SphereEventConfig(MovingEvent):
     )
     surfaces: tuple[str, ...] = described(
         "rotate: the surfaces that turn: of a drum wall, floor and lid, of a shear cell the lid alone; set_friction: those "
-        "where wall_friction changes, by names as in the scene's surfaces, none: all walls",
+        "where wall_friction changes, by names as in the scene's surfaces, none: all walls; take_away: inserts that stand "
+        "there no more, as a gate that is pulled",
         "",
         default=(),
     )

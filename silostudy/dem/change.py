@@ -68,6 +68,12 @@ def swap_walls(engine: Engine, gone: str, come: tuple[str, ...]) -> None:
     engine.give_memories(pairs, near.picked(stay, key).picked(order))
 
 
+def take_walls(engine: Engine, names: tuple[str, ...]) -> None:
+    """Take walls away; nothing comes in their place."""
+    for name in names:
+        swap_walls(engine, name, ())
+
+
 def open_holes(engine: Engine, wall: str, names: tuple[str, ...], speed: float) -> None:
     """Open holes of a level surface, at a speed (m/s) or at once where it is none.
 

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from silostudy.catalogue import Entry, Family
 from silostudy.errors import BadInput
 
-ACTIONS = ("open", "open holes", "remove", "gravity", "friction", "lower", "press", "move", "turn", "feed", "stop")
+ACTIONS = ("open", "open holes", "take away", "remove", "gravity", "friction", "lower", "press", "move", "turn", "feed", "stop")
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -39,7 +39,8 @@ class Event:
     """One event: it waits for its turn, then for its trigger, then acts.
 
     trigger: a key of TRIGGERS; value: its seconds, share or Pa.
-    action: open (wall, walls that replace it), open holes (wall, names of its holes, speed), remove (label or x, y),
+    action: open (wall, walls that replace it), open holes (wall, names of its holes, speed), take away (walls), remove (label
+    or x, y),
     gravity (x, y), friction (pair, wall, names of walls; none: all), stop; of walls that move lower (), press (load, mass,
     speed, lowest), move (speed, force, height), turn (spin, walls); feed (rate).
     """

@@ -5,7 +5,7 @@ from collections.abc import Callable
 import numpy as np
 
 from silostudy.dem.branch import go_on
-from silostudy.dem.change import keep_discs, open_holes, set_friction, swap_walls
+from silostudy.dem.change import keep_discs, open_holes, set_friction, swap_walls, take_walls
 from silostudy.dem.checkpoint import checkpoint, restore
 from silostudy.dem.engine import Engine, Explosion
 from silostudy.dem.events import TRIGGERS, Event
@@ -193,6 +193,9 @@ class Run:
         elif action == "open holes":
             self._take_away(lambda: open_holes(engine, *event.what))
             action = f"open {', '.join(event.what[1])}"
+        elif action == "take away":
+            self._take_away(lambda: take_walls(engine, event.what))
+            action = f"take away {', '.join(event.what)}"
         elif action == "remove":
             action = self._remove(event.what)
         elif action == "gravity":

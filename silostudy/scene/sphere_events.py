@@ -4,6 +4,7 @@ from silostudy.config.moves import OF_LID
 from silostudy.config.sphere_events import SphereEventConfig
 from silostudy.config.spheres import SphereScene
 from silostudy.dem.events import TRIGGERS, Event
+from silostudy.dem.space.joints import flat_joints, turned_joints
 from silostudy.dem.space.level import LevelPiece
 from silostudy.dem.space.surfaces import CIRCLE
 from silostudy.dem.space.walls import Surface, TurnedLine
@@ -20,6 +21,8 @@ def sphere_events(scene: SphereScene, space: SpaceSilo, mass: float, where: str 
         action, what = _action(event, space, mass)
         if action == "friction":
             what = (*what, walls_of_event(event.surfaces, [wall.name for wall in space.walls()], number, where))
+        elif action == "take away":
+            what = taken_away(event, space, number, where)
         found.append(Event(event.when, event.value * TRIGGERS[event.when].scale, action, what))
     return tuple(found)
 
@@ -34,6 +37,8 @@ def _action(event: SphereEventConfig, space: SpaceSilo, mass: float) -> tuple[st
         return "turn", (event.spin_rad_s, *event.surfaces)
     if event.do == "feed":
         return "feed", (event.rate_kg_s,)
+    if event.do == "take_away":
+        return "take away", ()
     if event.do in OF_LID:
         return lid_action(event, space.plan.area, mass, space.bottom, space.top)
     if event.do == "open_outlet":
@@ -41,6 +46,19 @@ def _action(event: SphereEventConfig, space: SpaceSilo, mass: float) -> tuple[st
             return "open", (FLOOR,)
         return "open holes", (FLOOR, event.outlets or tuple(space.openings), event.speed_m_s or 0.0)
     return "stop", ()
+
+
+def taken_away(event: SphereEventConfig, space: SpaceSilo, number: int, where: str) -> tuple[str, ...]:
+    """Names of the inserts that an event takes away; BadInput for one that shares a side or an end with another surface."""
+    names = walls_of_event(event.surfaces, [insert.name for insert in space.inserts], number, where)
+    surfaces = space.walls()
+    joints = [*flat_joints(surfaces), *turned_joints(surfaces)]
+    joined = {surfaces[end].name for joint in joints for end in (joint.one, joint.other)}
+    for name in names:
+        if name in joined:
+            allowed = "shares a side with another surface, which would be left with a joint: let it reach beyond that"
+            raise BadInput(f"events.{number}.surfaces", name, allowed, where)
+    return names
 
 
 def turns_in_place(surface: Surface) -> bool:

@@ -22,6 +22,8 @@ from tests.conftest import ROOT
 from tests.test_spheres.small import content, scene_of
 
 STOP = {"when": "rest", "do": "stop"}
+SHELF = {"kind": "disc", "name": "shelf", "radius_m": 0.02, "height_m": 0.06}
+PIPE = {"kind": "cylinder", "name": "pipe", "radius_m": 0.02, "heights_m": [0.06, 0.09]}
 OPEN = {"when": "rest", "do": "open_outlet"}
 TWO = {"silo__hopper": None,
        "outlets": [{"name": "a", "width_m": 0.02, "middle_m": [0.015, 0.0]},
@@ -220,6 +222,11 @@ def test_the_example_scene_is_valid(capsys):
         pytest.param({"march__step_s": 1e-3}, "march.step_s = 0.001: beyond the stability bound", marks=pytest.mark.long),
         ({"walls__tangential": "none", "events": [{"when": "rest", "do": "set_friction", "wall_friction": 0.2}, STOP]},
          "events.0.wall_friction = 0.2: the tangential law none takes no friction"),
+        ({"inserts": [SHELF], "events": [{"when": "rest", "do": "take_away", "surfaces": ["floor"]}, STOP]},
+         "events.0.surfaces = 'floor': unknown; known: shelf"),
+        ({"inserts": [SHELF, PIPE], "events": [{"when": "rest", "do": "take_away", "surfaces": ["shelf"]}, STOP]},
+         "events.0.surfaces = 'shelf': shares a side with another surface"),
+        ({"inserts": [SHELF], "events": [{"when": "rest", "do": "take_away"}, STOP]}, "take_away needs surfaces"),
         ({"grains": "cubes"}, "grains = 'cubes': unknown; known: discs, spheres"),
     ],
 )  # fmt: skip

@@ -58,6 +58,49 @@ def test_outlets_in_any_way_of_carrying_out(two, threads, later):
     check_same(two, cube_of(resumed, scene))
 
 
+SHELF = {
+    "inserts": [{"kind": "disc", "name": "shelf", "radius_m": 0.03, "height_m": 0.06}],
+    "filling__count": 60,
+    "events": [
+        {"when": "rest", "do": "take_away", "surfaces": ["shelf"]},
+        {"when": "after", "value": 0.25, "do": "open_outlet"},
+        {"when": "after", "value": 0.05, "do": "stop"},
+    ],
+    "record__snapshots_s": [0.1],
+}  # fmt: skip
+
+
+@pytest.fixture(scope="module")
+def shelf():
+    scene = scene_of(**SHELF)
+    whole = carried(scene)
+    assert not whole.trouble
+    return cube_of(whole, scene)
+
+
+def test_what_an_insert_bears_falls_when_it_is_taken_away(shelf):
+    taken, opened, _ = shelf.event_time.values
+    assert shelf.event_action.values[0] == "rest: take away shelf"
+    weight, load = GRAVITY * float(shelf.grain_mass.sum()), shelf.surface_load
+    before = load.sel(window_time=slice(taken - 0.06, taken))
+    assert float(before.sel(surface="shelf").min()) > 0.7 * weight
+    assert float(np.abs(before.sel(surface=["floor", "hopper"])).max()) == 0.0
+    after = load.sel(window_time=slice(opened - 0.06, opened))
+    assert float(np.abs(after.sel(surface=["shelf", "shelf_back"])).max()) == 0.0
+    assert after.sum("surface").values == pytest.approx(weight, rel=5e-3)
+    assert len(shelf.outflow_time) > 5
+
+
+@pytest.mark.parametrize(("threads", "later"), [(2, -0.02), (1, 0.02)])
+def test_taking_away_in_any_way_of_carrying_out(shelf, threads, later):
+    scene = scene_of(**SHELF)
+    begun, resumed = run(scene), run(scene, threads=threads)
+    begun.go(until=round((float(shelf.event_time[0]) + later) / begun.engine.model.dt))
+    resumed.restore(pickle.loads(pickle.dumps(begun.checkpoint())))
+    resumed.go()
+    check_same(shelf, cube_of(resumed, scene))
+
+
 ACROSS = {
     "silo": {"plan": "rectangular", "width_m": 0.036, "length_m": 0.08, "cylinder_depth_m": 0.1},
     "outlets": [{"width_m": 0.036, "length_m": 0.04}],
