@@ -68,19 +68,16 @@ motion = word(_motion_of_disc, _motion_of_sphere)  # how many numbers of a row a
 
 
 def square_gap(bodies, shape, wall, i):
-    """Square of the distance (m2) of body i's centre from a wall's nearest point."""
+    """Square of the distance (m2) of body i's centre from a wall, joined ends of it too."""
     return (_gap_of_sphere if isinstance(bodies, Spheres) else _gap_of_disc)(bodies, shape, wall, i)
 
 
 def _gap_of_disc(bodies, shape, wall, i):
-    dx, dy, _ = plane_walls.nearest(shape, wall, bodies.rows[i, plane.X], bodies.rows[i, plane.Y])
-    return dx * dx + dy * dy
+    return plane_walls.square_apart(shape, wall, bodies.rows[i, plane.X], bodies.rows[i, plane.Y])
 
 
 def _gap_of_sphere(bodies, shape, wall, i):
-    x, y, z = bodies.rows[i, space.X], bodies.rows[i, space.Y], bodies.rows[i, space.Z]
-    dx, dy, dz, _ = surfaces.nearest(shape, wall, x, y, z)
-    return dx * dx + dy * dy + dz * dz
+    return surfaces.square_apart(shape, wall, bodies.rows[i, space.X], bodies.rows[i, space.Y], bodies.rows[i, space.Z])
 
 
 @overload(square_gap, jit_options={"forceinline": True})

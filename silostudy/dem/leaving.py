@@ -38,19 +38,21 @@ def number_of(engine, what: tuple) -> int | None:
 
 
 def spilt(engine) -> np.ndarray:
-    """Which bodies are beside the silo: they went over its walls."""
-    return engine.space.beside(engine.model.walls, engine.bodies.rows[: engine.n, engine.space.place])
+    """Which bodies came below the outlet beside the silo: they went over its walls."""
+    return engine.space.beside(engine.model.walls, at_level(engine))
+
+
+def at_level(engine) -> np.ndarray:
+    """Places (n, d; m) where bodies came below the outlet: where they would have come from without a contact below it."""
+    rows, space = engine.bodies.rows[: engine.n], engine.space
+    return rows[:, space.place] - rows[:, space.velocity] * space.passed_for(rows)[:, None] * engine.model.dt
 
 
 def passing(engine, which: np.ndarray, outlet_at: OutletAt) -> list[tuple[float, float, int]]:
-    """When (s) bodies among those left came below the outlet, each with its mass and the number of its outlet.
-
-    Where it passed is where it would have come from without a contact below the outlet.
-    """
-    rows, space = engine.bodies.rows[: engine.n], engine.space
-    steps = space.passed_for(rows)
-    level = rows[:, space.place] - rows[:, space.velocity] * steps[:, None] * engine.model.dt
-    return _listed(engine, which & (steps > 0.0), (engine.step - steps) * engine.model.dt, level, outlet_at)
+    """When (s) bodies among those left came below the outlet, each with its mass and the number of its outlet."""
+    steps = engine.space.passed_for(engine.bodies.rows[: engine.n])
+    times = (engine.step - steps) * engine.model.dt
+    return _listed(engine, which & (steps > 0.0), times, at_level(engine), outlet_at)
 
 
 def drawn(engine, which: np.ndarray, outlet_at: OutletAt) -> list[tuple[float, float, int]]:

@@ -50,6 +50,18 @@ def nearest(shape, wall, x, y):
     return dx - along * shape[wall, 2], dy - along * shape[wall, 3], along
 
 
+@njit(**OPTIONS)
+def square_apart(shape, wall, x, y):
+    """Square of the distance (m2) of (x, y) from the wall and both its ends; joined ends count too.
+
+    It changes by no more than a point moves, so that what comes over a joint was listed before.
+    """
+    dx, dy = x - shape[wall, 0], y - shape[wall, 1]
+    along = min(max(dx * shape[wall, 2] + dy * shape[wall, 3], 0.0), shape[wall, 4])
+    dx, dy = dx - along * shape[wall, 2], dy - along * shape[wall, 3]
+    return dx * dx + dy * dy
+
+
 @register_jitable
 def gather_walls(rows, shape, disc, wall, start, count, lanes):
     """Lanes of discs near walls: the wall is at rest and does not turn."""

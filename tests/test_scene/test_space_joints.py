@@ -1,14 +1,28 @@
 """Joints of a silo's surfaces: no jump of the push over them, no double push, one nearest point at the corner of a hole."""
 
 from itertools import pairwise
-from math import cos, hypot, pi, sin, tan
+from math import cos, hypot, pi, sin, sqrt, tan
 
 import numpy as np
 import pytest
 
-from silostudy.dem.space.surfaces import nearest
+from silostudy.dem.space.surfaces import OUT_OF_REACH, nearest, square_apart
 from silostudy.dem.space.walls import FlatPiece, walls_of
-from tests.test_scene.spaces import BALL, CONE, PRESSED, SPACES, WIDE, opens, push, shape_of, space, vectors
+from tests.test_scene.sheet import Sheet
+from tests.test_scene.spaces import (
+    BALL,
+    CONE,
+    PRESSED,
+    SPACES,
+    WIDE,
+    every_silo,
+    firsts,
+    opens,
+    push,
+    shape_of,
+    space,
+    vectors,
+)
 
 
 def line(*corners, step=1.03e-5) -> np.ndarray:
@@ -106,6 +120,24 @@ def test_push_has_no_jump_over_joints(of, way):
 def test_as_many_surfaces_push_as_a_sphere_touches(name, opened, point, count):
     shape = shape_of(SPACES[name], opened)
     assert sum(np.linalg.norm(away) < BALL for away in vectors(shape, point)) == count
+
+
+@every_silo
+def test_what_comes_over_a_joint_was_listed_before(of):
+    """Lists go by a distance that is a push's where there is one, and shrinks by no more than a point moves."""
+    shape, random = shape_of(of, opens(of)), np.random.default_rng(11)
+    points = random.uniform((-0.1, -0.15, 0.0), (0.1, 0.15, of.top), (60, 3))
+    points = points[Sheet(of, True).within(points)]
+    for point in points:
+        step = random.normal(size=3)
+        step *= random.uniform(0.001, 0.02) / np.linalg.norm(step)
+        if not Sheet(of, True).within((point + step)[None])[0]:
+            continue
+        for q in firsts(shape):
+            here, there = (sqrt(square_apart(shape, q, *place)) for place in (point, point + step))
+            assert here <= there + np.linalg.norm(step) + 1e-12
+            away = np.array(nearest(shape, q, *point)[:3])
+            assert away[0] == OUT_OF_REACH or here == pytest.approx(np.linalg.norm(away), rel=1e-12)
 
 
 @pytest.mark.parametrize("inward", [(0.0, 0.0), (1e-12, 1e-12), (1e-4, 3e-4), (3e-4, 1e-4), (-1e-4, 1e-4), (-1e-4, -1e-4)])

@@ -87,7 +87,7 @@ def test_what_an_insert_bears_falls_when_it_is_taken_away(shelf):
     assert float(np.abs(before.sel(surface=["floor", "hopper"])).max()) == 0.0
     after = load.sel(window_time=slice(opened - 0.06, opened))
     assert float(np.abs(after.sel(surface=["shelf", "shelf_back"])).max()) == 0.0
-    assert after.sum("surface").values == pytest.approx(weight, rel=5e-3)
+    assert after.sum("surface").values == pytest.approx(weight, rel=0.03)
     assert len(shelf.outflow_time) > 5
 
 

@@ -50,6 +50,33 @@ def nearest(shape, wall, x, y, z):
 
 
 @njit(**OPTIONS)
+def square_apart(shape, wall, x, y, z):
+    """Square of the distance (m2) of (x, y, z) from the surface and all its edges, or less; joined edges count too.
+
+    It changes by no more than a point moves, so that what comes over a joint was listed before.
+    """
+    if shape[wall, 0] == TURNED:
+        return apart_from_turned(shape, wall, x, y, z)
+    if shape[wall, 0] == FLAT:
+        return apart_from(shape, piece_of(shape, wall, x, y, z), x, y, z)[0]
+    height, beyond = z - shape[wall, HEIGHT], margin(shape, wall, OUTLINE, x, y)
+    if beyond < 0.0:
+        return height * height + beyond * beyond
+    dx, dy, dz = nearest_level(shape, wall, x, y, z)
+    return dx * dx + dy * dy + dz * dz
+
+
+@njit(**OPTIONS)
+def apart_from_turned(shape, wall, x, y, z):
+    """Square of the distance (m2) of a point from a turned line and both its ends."""
+    ax, ay = x - shape[wall, AXIS_X], y - shape[wall, AXIS_Y]
+    dr, dz = sqrt(ax * ax + ay * ay) - shape[wall, START_R], z - shape[wall, START_Z]
+    along = min(max(dr * shape[wall, ALONG_R] + dz * shape[wall, ALONG_Z], 0.0), shape[wall, LENGTH])
+    dr, dz = dr - along * shape[wall, ALONG_R], dz - along * shape[wall, ALONG_Z]
+    return dr * dr + dz * dz
+
+
+@njit(**OPTIONS)
 def nearest_turned(shape, wall, x, y, z):
     """Of a turned line: the plane through the axis and the point holds the nearest point."""
     ax, ay = x - shape[wall, AXIS_X], y - shape[wall, AXIS_Y]
