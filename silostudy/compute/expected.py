@@ -40,13 +40,14 @@ def verdicts(run: Run, scene: AnyScene) -> list[Verdict]:
 
 
 def notes_of(found: list[Verdict]) -> dict[str, Any]:
-    """Attributes of a cube: each quantity found, published, and its tolerance."""
+    """Attributes of a cube: each quantity found, published, and its tolerance; one that is expected again has a number."""
     parts = {"found": "found", "published": "value", "tolerance": "tolerance"}
-    return {
-        f"{name}_{verdict.quantity.key.replace('-', '_')}_{verdict.quantity.suffix}": float(getattr(verdict, part))
-        for verdict in found
-        for name, part in parts.items()
-    }
+    notes: dict[str, Any] = {}
+    for number, verdict in enumerate(found):
+        again = sum(other.quantity is verdict.quantity for other in found[:number])
+        row = f"{verdict.quantity.key.replace('-', '_')}{f'_{again + 1}' if again else ''}_{verdict.quantity.suffix}"
+        notes |= {f"{name}_{row}": float(getattr(verdict, part)) for name, part in parts.items()}
+    return notes
 
 
 def _verdict(looks: Looks, asked: Any) -> Verdict:

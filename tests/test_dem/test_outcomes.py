@@ -5,10 +5,14 @@ from math import radians, tan
 import numpy as np
 import pytest
 
+from silostudy.choice.dem import load
+from silostudy.compute.expected import Verdict, notes_of
 from silostudy.config.load import own_validated
 from silostudy.config.spheres import SphereScene
 from silostudy.dem.outcomes import OUTCOMES, Looks
 from silostudy.errors import BadInput
+from silostudy.tables.references import references
+from tests.conftest import ROOT
 from tests.test_spheres.small import content
 
 UP = np.array([0.0, 0.0, 1.0])
@@ -86,3 +90,29 @@ def test_what_cannot_be_expected(expected, told):
     scene = content() | {"expected": [expected], "record": {}}
     with pytest.raises(BadInput, match=told):
         own_validated(SphereScene, scene, "scene.yaml", None)
+
+
+def test_the_rate_that_the_hopper_expects_is_that_of_the_published_masses():
+    """A sixth of the hopper is what the source ran; both slopes are over the same share of the mass."""
+    time, mass = np.loadtxt(ROOT / "tests/published/scenes/anand-hopper.csv", delimiter=",", skiprows=2).T
+    read = looks(left_time=time, left_mass=6e-3 * mass)
+    (asked,) = load(ROOT / "config/scenes/anand-hopper.yaml")[0].expected
+    assert asked.value_kg_s == pytest.approx(OUTCOMES["steady-outflow"].find(read), abs=5e-4)
+    assert asked.tolerance_kg_s == pytest.approx(0.12 * asked.value_kg_s, rel=0.01)
+    assert asked.source in references().entries
+
+
+def test_the_angle_that_the_draw_down_expects_is_that_of_the_formula():
+    """A rolling friction times the reduced radius, half a radius of two spheres, is the length that the formula means."""
+    scene, _ = load(ROOT / "config/scenes/draw-down.yaml")
+    diameter = scene.sizes.diameter_mm
+    lengths = [scene.spheres.rolling_friction * diameter / 4.0, scene.walls.rolling_friction * diameter / 2.0]
+    frictions = [scene.spheres.sliding_friction, scene.walls.sliding_friction]
+    angle = 68.61 * np.prod(np.power([*frictions, *lengths, diameter], [0.27, 0.22, 0.06, 0.12, -0.2]))
+    assert [asked.value_deg for asked in scene.expected] == pytest.approx([angle, angle], abs=0.05)
+
+
+def test_a_quantity_that_is_expected_twice_is_told_twice():
+    row = OUTCOMES["surface-angle"]
+    notes = notes_of([Verdict(row, 20.0, 3.0, 21.0, "a"), Verdict(row, 20.0, 3.0, 22.0, "a")])
+    assert (notes["found_surface_angle_deg"], notes["found_surface_angle_2_deg"]) == (21.0, 22.0)
