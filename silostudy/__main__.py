@@ -15,6 +15,7 @@ from silostudy.commands import (
     drawing,
     explain,
     export,
+    facets,
     fronts,
     listing,
     note,
@@ -27,7 +28,7 @@ from silostudy.files import check_output, check_writable
 
 OUTPUT, STEMS = "output", ("stem", "figure")  # arguments that name what a command writes: a file, files without their ending
 STOPPED = 130  # status of a command that the user stopped
-ROOMS = (listing, explain, compare, cite, studies, stages, export, drawing, note, sweeps, dem, fronts, bench)
+ROOMS = (listing, explain, compare, cite, studies, stages, export, facets, drawing, note, sweeps, dem, fronts, bench)
 
 
 def parser() -> argparse.ArgumentParser:
