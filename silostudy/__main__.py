@@ -17,6 +17,7 @@ from silostudy.commands import (
     explain,
     explore,
     export,
+    facets,
     fronts,
     listing,
     new,
@@ -47,6 +48,7 @@ ROOMS = (
     fronts,
     bench,
     doctor,
+    facets,
 )
 
 
