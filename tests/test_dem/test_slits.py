@@ -9,7 +9,7 @@ from silostudy.dem.change import open_holes
 from silostudy.dem.checkpoint import checkpoint, restore
 from silostudy.dem.engine import Engine
 from silostudy.dem.model import Wall
-from silostudy.dem.walls import LEAVES, nearest, shape_of, square_gap, widen
+from silostudy.dem.walls import LEAVES, nearest, shape_of, square_apart, widen
 from silostudy.errors import BadInput
 from silostudy.scene.plane_silo import PlaneSilo, Slit
 from silostudy.tables import kiyama_1983 as kiyama
@@ -53,7 +53,7 @@ def test_what_stands_pushes_once(opened, share, gaps):
         else:
             expected = sorted(np.hypot(x - edge, 0.008) for edge in gap)
             assert sorted(np.hypot(*away) for away in found)[:2] == pytest.approx(expected, rel=1e-9)
-        assert min(square_gap(shape, n, x, 0.008) for n in range(3)) <= min(map(np.hypot, *np.array(found).T)) ** 2 + 1e-12
+        assert min(square_apart(shape, n, x, 0.008) for n in range(3)) <= min(map(np.hypot, *np.array(found).T)) ** 2 + 1e-12
 
 
 def test_opening_slowly_ends_where_opening_at_once_does():
