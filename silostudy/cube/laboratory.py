@@ -126,7 +126,7 @@ def checks(cube: xr.Dataset) -> Iterator[Check]:
     ratio, angle = solid.lateral_pressure_ratio, solid.friction_angle
     upper, steep = ratio.mean * ratio.factor, angle.mean * angle.factor
     yield Check("upper K over Rankine's of upper phi, tau/sigma for its sine", upper / active_ratio(tan(steep)), 1.0, np.inf)
-    yield Check("upper K over Rankine's of upper phi, tau/sigma for its tangent", upper / active_ratio(sin(steep)), 1.0, np.inf)
+    yield Check("K over Rankine's active ratio of the row's phi", ratio.mean / active_ratio(sin(angle.mean)), 1.0, np.inf)
     yield Check("K over 1.1 (1 - sin phi)", ratio.mean / (1.1 * (1.0 - sin(angle.mean))), 0.0, 1.0)
     steady = cube.isel({CELL: -1})[["internal_steady_shear_ratio", "wall_steady_shear_ratio"]].mean(FILLING)
     for stress, inside, wall in zip(steady["normal_stress"].values, *(steady[name].values for name in steady), strict=True):

@@ -25,6 +25,7 @@ CALLED = {
     "grains-record": {"grains"},
     "discharge-slit": {"part", "merge", "verdict"},
     "wheat-laboratory": {"part", "merge", "verdict"},
+    "spheres-laboratory": {"part", "merge", "verdict"},
     "wheat-laboratory-silo": {"pressure"},
     "silo-of-spheres-codes": {"pressure"},
     "silo-of-spheres": {"part", "merge", "verdict", "beside"},
