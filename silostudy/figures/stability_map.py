@@ -1,4 +1,4 @@
-"""Largest stable step over damping, a panel an arrangement of discs: found by bisection (marks), the engine's bound (lines), LAMMPS."""
+"""Largest stable step over damping, an arrangement a panel: found by bisection (marks), the engine's bound (lines), LAMMPS."""
 
 from pathlib import Path
 
