@@ -1,6 +1,7 @@
 """A scene of discs: force chains before and in discharge, and the force on each wall in time."""
 
 from pathlib import Path
+from typing import Any
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -50,7 +51,13 @@ def _chains(cube: xr.Dataset, snapshot: int, largest: float) -> pd.DataFrame:
 def _draw_chains(panel: Axes, cube: xr.Dataset, snapshot: int, table: pd.DataFrame) -> None:
     x, y = (cube[f"disc_{way}"].isel(snapshot=snapshot).values * CM for way in "xy")
     there, size = np.isfinite(x), 2 * cube["disc_radius"].values * CM
-    style = {"units": "xy", "transOffset": panel.transData, "facecolors": "0.92", "edgecolors": "0.7", "linewidths": 0.5}
+    style: dict[str, Any] = {
+        "units": "xy",
+        "transOffset": panel.transData,
+        "facecolors": "0.92",
+        "edgecolors": "0.7",
+        "linewidths": 0.5,
+    }
     offsets = np.column_stack([x[there], y[there]])
     panel.add_collection(EllipseCollection(size[there], size[there], 0.0, offsets=offsets, gid=AID, **style))
     widths = np.clip(4.0 * table.force_N_m / max(table.force_N_m.max(), 1e-300), 0.3, 4.0)
@@ -73,7 +80,11 @@ def _draw_walls(panel: Axes, cube: xr.Dataset) -> list[pd.DataFrame]:
             {"wall": name, "time_s": time, "wall_force_kN_m": force[:, cube["wall_name"].values == name].sum("wall_cell")}
         )
         if table.wall_force_kN_m.any():
-            look = {"color": COLOURS[k % len(COLOURS)], "linestyle": LINES[k % len(LINES)], "label": name.replace("_", " ")}
+            look: dict[str, Any] = {
+                "color": COLOURS[k % len(COLOURS)],
+                "linestyle": LINES[k % len(LINES)],
+                "label": name.replace("_", " "),
+            }
             panel.plot(table.time_s, table.wall_force_kN_m, **look)
             tables.append(table)
     for when, what in zip(cube["event_time"].values, cube["event_action"].values, strict=True):
