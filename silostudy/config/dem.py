@@ -1,7 +1,7 @@
 """What a user writes to describe one discrete-element scene, in the user's units."""
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any, ClassVar, Literal, Self
+from typing import TYPE_CHECKING, Any, ClassVar, Literal, Self, TypeAlias
 
 from pydantic import model_validator
 
@@ -18,6 +18,7 @@ from silostudy.contact import LAWS
 from silostudy.dem.inserts import LINES
 from silostudy.packing import PACKINGS
 from silostudy.tables.constants import ROUNDED_GRAVITY
+from silostudy.tables.outputs import OUTPUTS
 
 
 class BoxConfig(Strict):
@@ -114,6 +115,9 @@ class QuakeConfig(Strict):
     )
 
 
+DiscOutput: TypeAlias = Literal[tuple(key for key, row in OUTPUTS.items() if "only_discs" in row.demands)]  # type: ignore[valid-type]
+
+
 class DemScene(Asked, GrainScene):
     """A discrete-element scene of discs."""
 
@@ -155,6 +159,9 @@ class DemScene(Asked, GrainScene):
     quake: QuakeConfig | None = described("acceleration of the box", "", default=None)
     events: tuple[EventConfig, ...] = described("what happens, in order; the last is a stop", "", min_length=1)
     record: Recorded = described("what is recorded", "", default=Recorded())
+    outputs: tuple[DiscOutput, ...] = described(
+        "figures that the pipeline makes beside the cube; they need record.wall_force_window_s and snapshots", "", default=()
+    )
 
     @property
     def touches(self) -> tuple[ContactConfig, ContactConfig]:
@@ -193,6 +200,13 @@ class DemScene(Asked, GrainScene):
             if sorted(pair.between) == sorted(names):
                 return in_place(contact, pair.given, f"pairs.{number}")
         return contact
+
+    @model_validator(mode="after")
+    def _records_what_is_drawn(self) -> Self:
+        record = self.record
+        if self.outputs and not (record.wall_force_window_s and (record.snapshots_s or record.snapshots_every_s)):
+            raise ValueError("outputs need record.wall_force_window_s, and record.snapshots_every_s or snapshots_s")
+        return self
 
     @model_validator(mode="after")
     def _kinds_and_surfaces_are_sound(self) -> Self:

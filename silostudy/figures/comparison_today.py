@@ -64,7 +64,7 @@ def _curves(cube: xr.Dataset) -> pd.DataFrame:
         if drawn(cube, method) not in ("set", "none"):
             for phase in phases_of_its_own(cube, method, STATIC):
                 pressure = cube[PRESSURE].sel(pressure_method=method, phase=phase).values / 1e3
-                table = {"curve": f"{title(cube, method)}, {phase}", "pressure_method": method, "phase": phase}
+                table: dict[str, Any] = {"curve": f"{title(cube, method)}, {phase}", "pressure_method": method, "phase": phase}
                 table |= {"drawn": drawn(cube, method), "depth_m": cube["depth"].values, "wall_normal_pressure_kPa": pressure}
                 tables.append(pd.DataFrame(table))
     return pd.concat(tables, ignore_index=True).dropna(subset="wall_normal_pressure_kPa")
@@ -76,7 +76,7 @@ def _bands(cube: xr.Dataset) -> list[pd.DataFrame]:
     tables = []
     for phase in map(str, cube["phase"].values) if sets else ():
         pressure = cube[PRESSURE].sel(pressure_method=sets, phase=phase) / 1e3
-        table = {"curve": f"EN 1991-4, all sets of characteristic values, {phase}", "phase": phase}
+        table: dict[str, Any] = {"curve": f"EN 1991-4, all sets of characteristic values, {phase}", "phase": phase}
         table |= {"depth_m": cube["depth"].values, "wall_normal_pressure_kPa": pressure.min("pressure_method").values}
         table["upper_kPa"] = pressure.max("pressure_method").values
         tables.append(pd.DataFrame(table).dropna(subset="upper_kPa"))
