@@ -3,10 +3,13 @@
 Nothing is written while this file is read: what a real run changes besides its jobs' outputs stands in `onstart`.
 """
 
+import atexit
 import sys
 from itertools import chain
 from pathlib import Path
 
+from silostudy import PACKAGE
+from silostudy.commands.failures import ending
 from silostudy.config.load import load_project, read_study
 from silostudy.cube.fingerprint import damaged
 from silostudy.errors import BadInput
@@ -20,8 +23,8 @@ PYTHON = sys.executable  # no parameter of a rule: with another one nothing has 
 AT_ONCE = workflow.resource_settings.nodes or workflow.resource_settings.cores or 1  # jobs
 
 
-include: "silostudy/rules/names.smk"
-include: "silostudy/rules/inputs.smk"
+include: str(PACKAGE / "rules/names.smk")
+include: str(PACKAGE / "rules/inputs.smk")
 
 
 try:  # every mistake of every study is told before any job starts
@@ -44,7 +47,7 @@ try:  # every mistake of every study is told before any job starts
     if workflow.is_main_process:  # and not in the jobs that it starts elsewhere
         check_writable(RESULTS)
         for name in STUDIES:
-            check_there(study_files(name))
+            check_there(file for file in study_files(name) if file not in made_here().values())
         for name in SCENES:
             check_there(scene_files(name))
         PLANS = {name: planned(expansion(name), RESULTS / name / "parts", AT_ONCE) for name in SWEEPS}
@@ -68,7 +71,12 @@ onstart:
         write_plan(plan, RESULTS / name / "parts")
 
 
-report: "silostudy/rules/report.rst"
+onerror:
+    if workflow.is_main_process:  # said last, after all of Snakemake's own
+        atexit.register(print, *ending("".join(Path(file).read_text() for file in log), sys.argv), sep="\n", file=sys.stderr)
+
+
+report: str(PACKAGE / "rules/report.rst")
 
 
 wildcard_constraints:
@@ -98,7 +106,7 @@ rule cases:
     output:
         RESULTS / "{study}/cases.csv",
     params:
-        holds=lambda wildcards: digest([(case.id, case.settings) for case in expansion(wildcards.study).cases]),
+        holds=lambda wildcards: cases_held(wildcards.study),
         given=held(study_files),
     log:
         RESULTS / "{study}/logs/cases.log",
@@ -156,8 +164,8 @@ rule dem:
         command("dem {input[0]:q} {output:q}")
 
 
-include: "silostudy/rules/draw.smk"
-include: "silostudy/rules/sweep.smk"
+include: str(PACKAGE / "rules/draw.smk")
+include: str(PACKAGE / "rules/sweep.smk")
 
 
 rule gallery:

@@ -1,6 +1,7 @@
 """What several test rooms share: the project's folder, the wheat silo, and small studies as plain dictionaries."""
 
 import copy
+import shutil
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -25,9 +26,33 @@ SMALL = {
     "depth_m": [1.0, 2.0, 18.0],
 }
 
+CHROMIUM = shutil.which("chromium") or shutil.which("chromium-browser")
+QUIET = ["--no-sandbox", "--disable-gpu", "--disable-background-networking", "--disable-component-update", "--disable-sync"]
+
 save_memory()
 settings.register_profile("same", derandomize=True)  # the same examples each time; others: --hypothesis-profile=default
 settings.load_profile("same")
+
+
+@pytest.fixture
+def page():
+    """A page of headless Chromium and what went wrong on it."""
+    playwright = pytest.importorskip("playwright.sync_api", reason="no playwright: uv sync --group show")
+    if CHROMIUM is None:
+        pytest.skip("no Chromium: Debian's package chromium")
+    with playwright.sync_playwright() as driver:
+        browser = driver.chromium.launch(executable_path=CHROMIUM, args=QUIET)
+        page, wrong = browser.new_page(viewport={"width": 1500, "height": 900}), []
+        page.on("console", lambda message: wrong.append(message.text) if message.type == "error" else None)
+        page.on("pageerror", lambda error: wrong.append(str(error)))
+        page.on(
+            "request",
+            lambda request: (
+                wrong.append(request.url[:80]) if request.url.startswith("http") and "//127.0.0.1:" not in request.url else None
+            ),
+        )
+        yield page, wrong
+        browser.close()
 
 
 @pytest.fixture

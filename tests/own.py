@@ -1,10 +1,8 @@
-"""The file of a user's own method that README shows, and one of a buckling rule."""
+"""The file of a user's own method that the guide to the package shows, and one of a buckling rule."""
 
-import re
+from tests.guides import blocks
 
-from tests.conftest import ROOT
-
-THEORY = re.findall(r"<!-- own-method -->\n```python\n(.*?)```", (ROOT / "README.md").read_text(encoding="utf-8"), re.DOTALL)[0]
+(THEORY,) = (block.text for block in blocks("silostudy/README.md", "python") if block.mark == "own-method")
 RULE = '''
 from silostudy.buckling.classical import capped_at_yield
 from silostudy.buckling.family import BucklingRule, classical_stress

@@ -25,6 +25,7 @@ MAY_IMPORT = {
     "seismic": {"tables"},
     "figures": {"cube", "tables", "note"},
     "note": {"cube", "tables", "pressure", "buckling", "checks"},
+    "explore": {"cube", "figures", "tables", "pressure", "buckling", "checks"},
     "contact": set(),
     "packing": set(),
     "dem": {"contact", "packing"},

@@ -94,6 +94,16 @@ def time_of_parts(expansion) -> list[str]:
     return [f"at most about {seconds / 60:.3g} min of one core, a kernel's compiling apart"]
 
 
+def tests(expansion) -> list[str]:
+    """How many cells a laboratory tests at which stresses, and at which its numbers enter the row of the solid."""
+    study, counts = expansion.study, dict.fromkeys(case.scene.count for case in expansion.cases)
+    stresses = ", ".join(f"{stress:g}" for stress in study.stresses_kPa)
+    return [
+        f"{len(expansion.cases)} cell(s) of {', '.join(map(str, counts))} grains, each tested at {stresses} kPa",
+        f"row {study.solid.key}: at {study.vertical:g} kPa, wall friction at {study.horizontal:g} kPa",
+    ]
+
+
 def rules(expansion) -> list[str]:
     """How many buckling rules judge the shell."""
     return [f"{len(expansion.study.rule_keys)} buckling rule(s)"]

@@ -5,6 +5,7 @@ from typing import Any
 
 from silostudy.catalogue import Family, Row
 from silostudy.dem.events import TRIGGERS
+from silostudy.dem.inserts import LINES
 from silostudy.dem.integrate import INTEGRATORS
 from silostudy.dem.outcomes import OUTCOMES
 from silostudy.dem.rest import REST
@@ -16,7 +17,7 @@ from silostudy.packing.sizes import SIZES
 PARTS: dict[str, Family] = {
     "packings": PACKINGS,
     "fillings": FILLINGS,
-    "inserts": INSERTS,
+    "inserts": Family("insert", [*LINES.values(), *INSERTS.values()]),
     "sizes": SIZES,
     "integrators": INTEGRATORS,
     "triggers": TRIGGERS,
@@ -113,7 +114,7 @@ def _of_discs(scene, model) -> list[str]:
     lines.append(
         f"  step {model.dt:.3g} s; stability bound of this start {longest_step(model):.3g} s; integrator {model.integrator}"
     )
-    lines += [f"  {line}" for line in (cost, *coefficient_lines(model), surfaces(model))]
+    lines += [f"  {line}" for line in (cost, *coefficient_lines(model, scene.kinds), surfaces(model))]
     for effect in effects(scene):
         price = priced(share.get(effect.name))
         lines.append(f"  {effect.name:30}{'on ' if effect.on else 'off'}  {price:42}{effect.why}")

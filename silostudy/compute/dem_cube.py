@@ -7,7 +7,7 @@ from silostudy.choice.promise import Choice, promises
 from silostudy.compute.expected import notes_of, verdicts
 from silostudy.compute.lid_cube import lid_arrays
 from silostudy.compute.observers import SOURCES, observed, observers_notes
-from silostudy.compute.sphere_cube import mean_outflow, sphere_arrays, sphere_notes
+from silostudy.compute.sphere_cube import mean_outflow, opened_at, sphere_arrays, sphere_notes
 from silostudy.config.dem import DemScene
 from silostudy.config.grain_scenes import AnyScene
 from silostudy.config.spheres import SphereScene
@@ -16,13 +16,16 @@ from silostudy.dem.integrate import INTEGRATORS
 from silostudy.dem.ledger import ENTRIES
 from silostudy.dem.model import Model
 from silostudy.dem.run import Run
+from silostudy.dem.walls import faces
+from silostudy.dem.watch import first_of_faces
+from silostudy.scene.dem import plane_silo_of
 
 
 def cube_of(run: Run, scene: AnyScene, choice: Choice | None = None) -> xr.Dataset:
     """The cube of everything that a run recorded; choice: that of its settings, where the scene asked for an accuracy."""
     model, record = run.engine.model, run.recording
     body = model.space.body
-    data = disc_arrays(run) if isinstance(scene, DemScene) else sphere_arrays(run, scene)
+    data = disc_arrays(run) | slit_arrays(run, scene) if isinstance(scene, DemScene) else sphere_arrays(run, scene)
     data |= observed(run, scene) | {
         "event_time": np.array([time for time, _, _ in record.happened], float),
         "event_action": np.array([f"{trigger}: {action}" for _, trigger, action in record.happened], dtype=str),
@@ -40,6 +43,8 @@ def cube_of(run: Run, scene: AnyScene, choice: Choice | None = None) -> xr.Datas
     }
     if isinstance(scene, SphereScene):
         notes |= sphere_notes(scene) | mean_outflow(run)
+    elif scene.other_grains:
+        notes |= {"grain_kinds": ", ".join(scene.kinds)}
     if run.trouble:
         notes["stopped"] = run.trouble
     return assemble(scene, "dem", kept, sources=[*sources_of(model), *(SOURCES if scene.record.fields else ())], notes=notes)
@@ -49,12 +54,29 @@ def disc_arrays(run: Run) -> dict[str, np.ndarray]:
     """Arrays by name of a scene of discs."""
     model, record = run.engine.model, run.recording
     data = {"disc": np.arange(len(model.x)), "disc_radius": np.array(model.radius), "disc_mass": model.mass}
+    data |= {} if model.kind is None else {"disc_kind": np.asarray(model.kind, np.int32)}
     data |= _windows(run) | _snapshots(run)
     last = np.flatnonzero(np.diff(record.discharge_time, append=np.inf))  # those that leave at one instant count together
     return data | {
         "discharge_time": np.array(record.discharge_time)[last],
         "discharged_mass": np.array(record.discharged)[last],
     }
+
+
+def slit_arrays(run: Run, scene: DemScene) -> dict[str, np.ndarray]:
+    """Of outlets by names: where each is, when it opened, and the mass that had left by each at the times of the discharge."""
+    slits, record = plane_silo_of(scene).slits, run.recording
+    if not slits:
+        return {}
+    time, mass, slit = np.array(record.passed, float).reshape(-1, 3).T
+    through = np.array([np.cumsum(mass * (slit == number)) for number in range(len(slits))])
+    until = np.searchsorted(time, np.unique(record.discharge_time), side="right") - 1
+    left, right = np.array([slit.edges for slit in slits]).T
+    names = [slit.name for slit in slits]
+    return {
+        "outlet": np.array(names), "outlet_left": left, "outlet_right": right,
+        "outlet_opened": np.array(list(opened_at(run, names).values())), "outlet_discharged_mass": through[:, until].T,
+    }  # fmt: skip
 
 
 def sources_of(model: Model) -> list[str]:
@@ -83,8 +105,9 @@ def _windows(run: Run) -> dict[str, np.ndarray]:
 
 def _wholes(mean: np.ndarray, extremes: np.ndarray, model: Model) -> dict[str, np.ndarray]:
     """Forces (N/m) on whole walls, from mean forces of cells (windows, cells, ways), and least and largest of walls."""
-    total = np.add.reduceat(mean, model.space.walls_of(model.walls).cells[:, 0], axis=1)
-    data = {"surface": np.array([wall.name for wall in model.walls])}
+    first = first_of_faces(model.space.walls_of(model.walls).cells)
+    total = np.add.reduceat(mean, first, axis=1)
+    data = {"surface": np.array([name for name, _ in faces(model.walls)])}
     for way, name in enumerate(("normal", "shear")):
         for what, values in (("mean", total), ("min", extremes[..., 0]), ("max", extremes[..., 1])):
             data[f"whole_{name}_force_{what}"] = values[:, :, way]
@@ -94,10 +117,10 @@ def _wholes(mean: np.ndarray, extremes: np.ndarray, model: Model) -> dict[str, n
 def _cells(model: Model) -> dict[str, np.ndarray]:
     """Wall, middle and length of each cell: a wall's start, its parts, its end."""
     names, places, lengths = [], [], []
-    for wall in model.walls:
+    for name, wall in faces(model.walls):
         start, end = np.array(wall.start), np.array(wall.end)
         middle = np.r_[0.0, (np.arange(wall.cells) + 0.5) / wall.cells, 1.0]
-        names += [wall.name] * len(middle)
+        names += [name] * len(middle)
         places.append(start + middle[:, None] * (end - start))
         lengths += [0.0, *[float(np.hypot(*(end - start))) / wall.cells] * wall.cells, 0.0]
     x, y = np.vstack(places).T

@@ -1,10 +1,13 @@
 """What one discrete-element scene of a sweep comes to: forces on walls and floor at rest and after it, and the discharge."""
 
+from typing import Any
+
 import numpy as np
 
 from silostudy.compute.dem import carry_through, run_of, scene_model
 from silostudy.compute.scenes_discs import DISCS
 from silostudy.compute.scenes_spheres import SPHERES
+from silostudy.compute.scenes_walls import contents_now, keeps_walls, to_the_first_event, wall_coordinates, wall_numbers
 from silostudy.compute.scenes_windows import Numbers, Swept
 from silostudy.config.scenes import ScenesStudy
 from silostudy.scene.scenes import SceneCase
@@ -12,9 +15,10 @@ from silostudy.scene.scenes import SceneCase
 SWEPT: dict[str, Swept] = {"discs": DISCS, "spheres": SPHERES}
 
 
-def coordinates(study: ScenesStudy) -> dict[str, list[str]]:
+def coordinates(study: ScenesStudy) -> dict[str, Any]:
     """The dimensions that a case's numbers have of their own."""
-    return {"body": list(SWEPT[study.scene.grains].bodies)}
+    walls = wall_coordinates(study.scene) if keeps_walls(study.scene) else {}
+    return {"body": list(SWEPT[study.scene.grains].bodies), **walls}
 
 
 def sources(study: ScenesStudy) -> list[str]:
@@ -31,6 +35,10 @@ def measure(study: ScenesStudy, case: SceneCase) -> Numbers:
     """The numbers of one case, by the names of the contract; Explosion or BadInput where it cannot be computed."""
     scene = case.config
     run = run_of(scene, scene_model(scene, case.folder))
+    at_rest: Numbers = {}
+    if keeps_walls(scene):
+        to_the_first_event(run)
+        at_rest = contents_now(run, scene)
     carry_through(run, scene, None, lambda step: None)
     if run.recording.explosion is not None:
         raise run.recording.explosion
@@ -42,4 +50,6 @@ def measure(study: ScenesStudy, case: SceneCase) -> Numbers:
         "end_time": np.array(run.engine.time),
         "limit_reached": np.array(float(run.recording.waiting is not None)),
         **SWEPT[scene.grains].numbers(run, opening),
+        **at_rest,
+        **(wall_numbers(run, scene, opening) if keeps_walls(scene) else {}),
     }

@@ -9,6 +9,8 @@ from pydantic import BaseModel, ValidationError
 from silostudy.config.fields import Strict, described
 from silostudy.config.own import OwnMethods
 from silostudy.config.own_rows import Families, joined
+from silostudy.config.places import keys_at
+from silostudy.config.retired import RETIRED_KEYS
 from silostudy.config.study import BaseStudy
 from silostudy.errors import BadInput, unknown
 from silostudy.stages import KINDS
@@ -40,6 +42,9 @@ def read_yaml(path: Path) -> dict[str, Any]:
     try:
         with path.open(encoding="utf-8") as stream:
             content = yaml.load(stream, _NoTwins)
+    except FileNotFoundError:
+        others = sorted(file.stem for file in path.parent.glob("*.yaml"))
+        raise BadInput("file", str(path), f"is not there; {path.parent} holds {', '.join(others) or 'no YAML files'}") from None
     except Exception as error:  # dates and tags that are none come out of yaml as any error
         raise BadInput("file", str(path), "must be readable YAML: " + " ".join(str(error).split())) from None
     if not isinstance(content, dict):
@@ -56,15 +61,15 @@ def validated(model: type[M], content: Any, where: str, families: Families | Non
         return model.model_validate(content, context={"families": families or {}})
     except ValidationError as error:
         items = error.errors()
-        raise Mistakes([_line(item, content, where) for item in items if not _follows(item, items)]) from None
+        raise Mistakes([_line(item, content, where, model) for item in items if not _follows(item, items)]) from None
 
 
 def _follows(item: Any, items: list[Any]) -> bool:
-    """Whether a list is called too short only because of the mistakes in it."""
-    place = item["loc"]
-    return item["type"] == "too_short" and any(
-        len(one["loc"]) > len(place) and one["loc"][: len(place)] == place for one in items
-    )
+    """Whether a list is called too short only because of the mistakes in it, or a section no list because of those in it."""
+    place = item["loc"] if item["type"] == "too_short" else item["loc"][:-1]
+    follows = item["type"] == "too_short" or (item["type"] == "tuple_type" and isinstance(item["input"], dict))
+    inner = (one["loc"] for one in items if one is not item and one["type"] != "tuple_type")
+    return follows and any(len(loc) > len(place) and loc[: len(place)] == place for loc in inner)
 
 
 class Mistakes(BadInput):
@@ -78,7 +83,7 @@ class Mistakes(BadInput):
         return type(self), (self.lines,)
 
 
-def _line(item: Any, content: Any, where: str) -> str:
+def _line(item: Any, content: Any, where: str, model: type[BaseModel]) -> str:
     """`file: key = value: what is allowed`, leaving out the names pydantic gives to branches of a union."""
     path: list[str] = []
     node = content
@@ -94,7 +99,17 @@ def _line(item: Any, content: Any, where: str) -> str:
     if item["type"] == "missing":
         return f"{where}: {key}: is missing{_unit_hint(str(item['loc'][-1]), value)}"
     shown = f" = {value!r}" if not isinstance(value, dict) and len(repr(value)) <= 80 else ""
+    if item["type"] == "extra_forbidden":
+        return f"{where}: {key}{shown}: {_unknown_key(str(item['loc'][-1]), keys_at(model, item['loc'][:-1]))}"
     return f"{where}: {key}{shown}: {_allowed(item)}"
+
+
+def _unknown_key(key: str, known: list[str]) -> str:
+    """What is said of a key that its place does not take: what took its place in a later version, or the known ones."""
+    if key in RETIRED_KEYS:
+        since, write = RETIRED_KEYS[key]
+        return f"is no key any more since version {since}: write {write}"
+    return f"unknown key; known here: {', '.join(known)}"
 
 
 def _untold(item: Any, key: str, where: str) -> str:
@@ -111,8 +126,6 @@ def _holds(node: Any, part: Any) -> bool:
 
 
 def _allowed(item: Any) -> str:
-    if item["type"] == "extra_forbidden":
-        return "unknown key" + _unit_hint(str(item["loc"][-1]), None)
     if item["type"] == "too_short":
         return f"must hold {item['ctx']['min_length']} or more"
     if item["type"] == "too_long":

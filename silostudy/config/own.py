@@ -18,7 +18,7 @@ class OwnMethods(Strict):
     joins: ClassVar[tuple[Family, ...]]  # families that the rows may join
 
     methods_from: str | None = described(
-        "Python file with methods of your own, relative to this file (README, Your own method)",
+        "Python file with methods of your own, relative to this file (silostudy/README.md, Your own method)",
         "",
         default=None,
     )

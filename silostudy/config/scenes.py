@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, Self, TypeA
 
 from pydantic import Discriminator, Tag, model_validator
 
-from silostudy.config.fields import described
+from silostudy.config.fields import Strict, described
 from silostudy.config.grain_scenes import SCENES, AnyScene, scene_class
 from silostudy.config.study import SweepStudy
 from silostudy.tables.outputs import OUTPUTS
@@ -25,6 +25,14 @@ else:
     BaseScene = Annotated[_either, Discriminator(_model_of, **_NO_SECTION)]
 
 
+class CodesConfig(Strict):
+    """What theories and codes say of the same silos, to stand beside the grains."""
+
+    study: str = described(
+        "name of a study of pressures of the same silos and solid, in a file beside this one; its axes are among this one's", ""
+    )
+
+
 class ScenesStudy(SweepStudy):
     """What walls and floor carry in each of many discrete-element scenes, and what leaves through the outlet."""
 
@@ -32,6 +40,9 @@ class ScenesStudy(SweepStudy):
 
     kind: Literal["scenes"] = described("scenes: a sweep of discrete-element scenes", "")
     scene: BaseScene = described("the base scene: what a file of config/scenes holds", "")
+    codes: CodesConfig | None = described(
+        "set the walls of round silos of spheres beside theories and codes; null: do not", "", default=None
+    )
 
     @model_validator(mode="after")
     def _flows_in_space(self) -> Self:
@@ -39,6 +50,29 @@ class ScenesStudy(SweepStudy):
             if "only_spheres" in OUTPUTS[key].demands and self.scene.grains != "spheres":
                 raise ValueError(f"output {key} needs scene.grains: spheres")
         return self
+
+    @model_validator(mode="after")
+    def _walls_to_compare(self) -> Self:
+        if self.codes is None:
+            return self
+        if self.scene.grains != "spheres" or self.scene.silo.plan != "circular" or not self.scene.record.wall_force_window_s:
+            raise ValueError("codes needs scene.grains: spheres, scene.silo.plan: circular, scene.record.wall_force_window_s")
+        if self.fillings is None:
+            raise ValueError(
+                "codes needs an axis of the key seed alone, with two fillings at least: without, no scatter is known"
+            )
+        return self
+
+    @property
+    def fillings(self) -> str | None:
+        """Name of the axis of fillings: the one that sets nothing but the seed; None where there is none of two or more."""
+        named = [axis.axis for axis in self.sweep if [*axis.settings()[0]] == ["seed"] and len(axis.settings()) > 1]
+        return named[0] if named else None
+
+    @property
+    def settings(self) -> str:
+        """What a case's numbers depend on besides its scene: not on what it is compared with (canonical JSON)."""
+        return self.model_dump_json(exclude={*SweepStudy.model_fields, "codes"})
 
     @classmethod
     def scene_model(cls, scene: dict[str, Any], where: str) -> type:

@@ -83,14 +83,15 @@ class Memory(NamedTuple):
 
 
 class Walls(NamedTuple):
-    """shape (n, 8): start x, y (m), unit direction, length (m), kinds of the ends, speed of rise (m/s).
+    """shape (n, 20): start x, y (m), unit direction, length (m), kinds of the ends, speed of rise (m/s), of each end the unit
+    direction of the wall that it meets, and how far the wall reaches beyond its own ends (columns of `walls`).
 
     The solid lies left of the direction.
     """
 
     shape: np.ndarray
     live: np.ndarray
-    cells: np.ndarray  # (n, 2): first cell and number of cells between the cells of the two ends
+    cells: np.ndarray  # (n, 3): first cell, cells between those of the two ends, cells before those of its back
     drive: np.ndarray  # (n, 6) what moves each wall: columns of `drive`
 
 

@@ -9,6 +9,8 @@ from silostudy.dem.varied import Varied
 from silostudy.dem.vectors import WIDTH
 from silostudy.dem.wide import KEPT_PAIRS, KEPT_WALLS
 
+NEAR_ROOM = 1024  # bodies near one, to begin with
+
 
 class Part:
     """The share of one thread: its lists, memories and scratch."""
@@ -16,6 +18,7 @@ class Part:
     def __init__(self, engine, number: int):
         self.number, self.engine = number, engine
         self.room, self.wall_room = 3 * BLOCK * WIDTH + int(2.7 * engine.most), 64 + engine.most // 16
+        self.near_room = NEAR_ROOM
         self.ghost_room = 0 if engine.threads == 1 else 1024 + 8 * int(engine.most**0.5)
         self.laws = engine.model.pair_contact.laws, engine.model.wall_contact.laws
         self.memories = self._memory(0, self.laws[0]), self._memory(0, self.laws[1])
@@ -67,7 +70,7 @@ class Part:
             cell_begin=np.zeros(engine.n + 1024, np.int32),
             order=np.zeros(engine.n, np.int32),
             near=aligned(4, engine.n),
-            found=np.zeros(1024, np.int32),
+            found=np.zeros(self.near_room, np.int32),
             wide=np.zeros(2 * self.room, np.int32),
             wide_begin=np.zeros(engine.n + 1, np.int64),
             wide_body=np.zeros(2 * self.wall_room, np.int32),
@@ -87,7 +90,7 @@ class Part:
 
     def grow(self):
         """More room for everything, after a list ran out of it; the memories keep the histories."""
-        self.room, self.wall_room = int(1.3 * self.room) + 256, 2 * self.wall_room
+        self.room, self.wall_room, self.near_room = int(1.3 * self.room) + 256, 2 * self.wall_room, 2 * self.near_room
         self.make_lists()
 
     def load(self, pair_memory: Memory, wall_memory: Memory):

@@ -11,7 +11,7 @@ from silostudy.dem.dimension import Dimension
 from silostudy.dem.force import force_pass
 from silostudy.dem.integrate import INTEGRATORS
 from silostudy.dem.pieces import Laws, Pieces
-from silostudy.dem.vectors import WIDTH, fetch
+from silostudy.dem.vectors import fetch_rows
 
 FRESH, STALE, REMEMBERED, SHORT_OF_ROOM, EXPLODED = range(5)  # what a thread says of its list after a step
 
@@ -91,11 +91,6 @@ def sweep_pass(pieces: Pieces):
     def block_forces(shared, share, block, march):
         begin, end = share.pairs.begin[block], share.pairs.begin[block + 1]
         pairs_between(shared, share.pairs, begin, end, share.scratch, march.dt, march.pair_coefficients, share.number)
-
-    @piece(pieces)
-    def fetch_rows(rows, begin, end):  # a cache line holds as many numbers as a lane is wide
-        for line in range(begin * rows.shape[1], end * rows.shape[1], WIDTH):
-            fetch(rows, line)  # type: ignore[call-arg]
 
     @piece(pieces)
     def all_forces(shared, share, last, march):

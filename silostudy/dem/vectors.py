@@ -8,7 +8,7 @@ from collections.abc import Callable
 from llvmlite import ir
 from numba import types
 from numba.core import cgutils
-from numba.extending import intrinsic, overload
+from numba.extending import intrinsic, overload, register_jitable
 
 from silostudy.dem.cache import named
 
@@ -86,6 +86,16 @@ def fetch(typing, rows, at):
         return context.get_dummy_value()
 
     return types.void(rows, at), generate
+
+
+@register_jitable(forceinline=True)
+def fetch_rows(rows, begin, end):
+    """Fetch rows ahead: a cache line holds as many numbers as a lane is wide.
+
+    Of this module and not of a kernel: an intrinsic that a kernel closes over has other bytes in every process.
+    """
+    for line in range(begin * rows.shape[1], end * rows.shape[1], WIDTH):
+        fetch(rows, line)  # type: ignore[call-arg]
 
 
 def in_eights(meaning: Callable, instruction: Callable) -> None:

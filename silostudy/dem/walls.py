@@ -4,6 +4,7 @@ The edges L and R of Kiyama & Fujimura's slit are the inner ends of the two halv
 """
 
 from math import hypot
+from typing import Any
 
 import numpy as np
 from numba import njit
@@ -12,6 +13,7 @@ from numba.extending import register_jitable
 from silostudy.dem.arrays import Walls
 from silostudy.dem.cache import OPTIONS
 from silostudy.dem.drive import standing
+from silostudy.dem.joints import END, ENDS, FREE, JOINED, MEETS, RISE, SHUT, START, WAYS, join
 from silostudy.dem.lanes import (
     DU,
     DV,
@@ -32,8 +34,24 @@ from silostudy.dem.lanes import (
     Y,
 )
 
-JOINED, OUT_OF_REACH = 1.0, 1e30
-LOW, RISE = 1, 7  # columns of a shape: height of its start, speed of rise
+OUT_OF_REACH = 1e30
+LOW, LENGTH = 1, 4  # columns of a shape: height of its start, length
+# where an outlet is shut a wall reaches beyond its own end: its own start and length, how far it reaches beyond either end, how
+# fast that is drawn back, and the kind of the end once it is
+OWN_START, OWN_LENGTH, LEAVES, GROWTH, OPENED = 12, 13, 14, 16, 18
+
+
+@register_jitable
+def meets_before(shape, wall, end, dx, dy):
+    """Whether a place, (dx, dy) m off an end that meets another wall, is beside that wall rather than beyond its end."""
+    way = WAYS + 2 * end
+    return shape[wall, ENDS + end] == MEETS and dx * shape[wall, way] + dy * shape[wall, way + 1] >= 0.0
+
+
+@register_jitable
+def ends_straight(shape, wall, dx, dy):
+    """Whether a place, (dx, dy) m off the end of a wall that meets another there, is beside it, or that goes straight on."""
+    return shape[wall, ENDS + END] == SHUT or meets_before(shape, wall, END, dx, dy)
 
 
 @njit(**OPTIONS)
@@ -41,12 +59,19 @@ def nearest(shape, wall, x, y):
     """Vector (m) from the wall's nearest point to (x, y), and that point's distance (m) from the wall's start.
 
     Beyond an end that is joined to another wall there is nothing to touch: the vector is then out of any disc's reach.
+    Where two walls meet, one has the point for both: it pushes those alone that are beyond the ends of both.
     """
-    dx, dy = x - shape[wall, 0], y - shape[wall, 1]
+    dx, dy, length = x - shape[wall, 0], y - shape[wall, 1], shape[wall, 4]
     along = dx * shape[wall, 2] + dy * shape[wall, 3]
-    if (along < 0.0 and shape[wall, 5] == JOINED) or (along > shape[wall, 4] and shape[wall, 6] == JOINED):
-        return OUT_OF_REACH, OUT_OF_REACH, along
-    along = min(max(along, 0.0), shape[wall, 4])
+    if along <= 0.0:
+        if (along < 0.0 and shape[wall, ENDS + START] == JOINED) or meets_before(shape, wall, START, dx, dy):
+            return OUT_OF_REACH, OUT_OF_REACH, along
+        return dx, dy, 0.0
+    if along >= length:
+        dx, dy = dx - length * shape[wall, 2], dy - length * shape[wall, 3]
+        if (along > length and shape[wall, ENDS + END] == JOINED) or ends_straight(shape, wall, dx, dy):
+            return OUT_OF_REACH, OUT_OF_REACH, along
+        return dx, dy, length
     return dx - along * shape[wall, 2], dy - along * shape[wall, 3], along
 
 
@@ -100,8 +125,26 @@ def motion_of(shape: np.ndarray) -> np.ndarray:
 
 @register_jitable
 def widen(shape, wall, dt):
-    """Widen the holes of a wall that grow: none do."""
+    """Draw a wall back from outlets that open at a speed; it never goes."""
+    for end in (START, END):
+        if shape[wall, GROWTH + end] > 0.0:
+            draw_back(shape, wall, end, shape[wall, GROWTH + end] * dt)
     return False
+
+
+@register_jitable
+def draw_back(shape, wall, end, way):
+    """Draw a wall that reaches beyond its own end back by a way (m), at most to there."""
+    way = min(way, shape[wall, LEAVES + end])
+    shape[wall, LEAVES + end] -= way
+    shape[wall, LENGTH] -= way
+    if end == START:
+        shape[wall, 0] += way * shape[wall, 2]
+        shape[wall, 1] += way * shape[wall, 3]
+        shape[wall, OWN_START] -= way
+    shape[wall, ENDS + end] = FREE
+    if shape[wall, LEAVES + end] == 0.0:
+        shape[wall, ENDS + end], shape[wall, GROWTH + end] = shape[wall, OPENED + end], 0.0
 
 
 @register_jitable
@@ -122,18 +165,23 @@ def scatter_walls(rows, disc, start, count, force):
 
 @register_jitable
 def note_walls(rows, walls, near, start, count, force, record, part):
-    """Note each wall contact's force: along the inner normal (pressing positive), along the wall (carrying positive)."""
+    """Note each wall contact's force: along the inner normal (pressing positive), along the wall (carrying positive).
+
+    The back of a line has a normal and cells of its own.
+    """
     for k in range(count):
         i, q, at = near.first[start + k], near.second[start + k], start + k
-        tx, ty, length = walls.shape[q, 2], walls.shape[q, 3], walls.shape[q, 4]
-        _, _, along = nearest(walls.shape, q, rows[i, X], rows[i, Y])
+        tx, ty, length = walls.shape[q, 2], walls.shape[q, 3], walls.shape[q, OWN_LENGTH]
+        dx, dy, along = nearest(walls.shape, q, rows[i, X], rows[i, Y])
+        along -= walls.shape[q, OWN_START]
         upward = -1.0 if ty < 0.0 else 1.0
         fx, fy = force[FORCE_X, k], force[FORCE_Y, k]
-        record.force[part, at, 0] = fy * tx - fx * ty
+        inner, back = walls.cells[q, 1], walls.cells[q, 2]
+        behind = back > 0 and dy * tx - dx * ty < 0.0
+        record.force[part, at, 0] = fx * ty - fy * tx if behind else fy * tx - fx * ty
         record.force[part, at, 1] = upward * (fx * tx + fy * ty)
-        inner = walls.cells[q, 1]
         place = 0 if along <= 0.0 else inner + 1 if along >= length else 1 + min(int(along / length * inner), inner - 1)
-        record.cell[part, at] = walls.cells[q, 0] + place
+        record.cell[part, at] = walls.cells[q, 0] + place + (back if behind else 0)
 
 
 def walls_of(walls) -> Walls:
@@ -142,31 +190,51 @@ def walls_of(walls) -> Walls:
 
 
 def shape_of(walls) -> np.ndarray:
-    """Start, unit direction, length (m), the kinds of both ends and a speed of none, a row a wall."""
-    rows = []
-    for wall in walls:
+    """Start, direction, length (m), the kinds of both ends, a speed of none, what the ends meet and reach, a row a wall."""
+    rows = np.zeros((len(walls), OPENED + 2))
+    for row, wall in zip(rows, walls, strict=True):
         (x0, y0), (x1, y1) = wall.start, wall.end
         length = hypot(x1 - x0, y1 - y0)
-        ends = [JOINED if joined else 0.0 for joined in wall.joined]
-        rows.append([x0, y0, (x1 - x0) / length, (y1 - y0) / length, length, *ends, 0.0])
-    return np.array(rows, float).reshape(-1, RISE + 1)
+        row[: ENDS + 2] = (
+            x0, y0, (x1 - x0) / length, (y1 - y0) / length, length, *(JOINED if joined else FREE for joined in wall.joined)
+        )  # fmt: skip
+    join(rows, walls)
+    rows[:, OPENED : OPENED + 2], rows[:, OWN_LENGTH] = rows[:, ENDS : ENDS + 2], rows[:, LENGTH]
+    for row, wall in zip(rows, walls, strict=True):
+        reach(row, wall.leaves)
+    return rows
+
+
+def reach(row: np.ndarray, leaves: tuple[float, float]) -> None:
+    """Let a wall reach beyond its ends (m), where it goes straight on in another wall that reaches as far."""
+    row[LEAVES : LEAVES + 2], row[OWN_START] = leaves, leaves[START]
+    row[:2] -= leaves[START] * row[2:4]
+    row[LENGTH] += sum(leaves)
+    for end, kind in ((START, JOINED), (END, SHUT)):
+        if leaves[end]:
+            row[ENDS + end] = kind
 
 
 def wall_cells(model, name: str) -> np.ndarray:
-    """Numbers of a wall's recorded cells: its start, its parts, its end."""
-    first, inner = cells_of(model.walls)[model.wall_number(name)]
+    """Numbers of a wall's recorded cells: its start, its parts, its end; of its front where it has two faces."""
+    first, inner, _ = cells_of(model.walls)[model.wall_number(name)]
     return np.arange(first, first + inner + 2)
 
 
 def sums_by_wall(model, cells: np.ndarray, axis: int = 0) -> dict[str, np.ndarray]:
-    """Sums over each wall of what its cells hold, by the walls' names; `axis`: that of the cells."""
+    """Sums over each wall, of all its faces, of what its cells hold, by the walls' names; `axis`: that of the cells."""
     sums = np.add.reduceat(cells, model.space.walls_of(model.walls).cells[:, 0], axis=axis)
     return {wall.name: sums.take(number, axis=axis) for number, wall in enumerate(model.walls)}
 
 
+def faces(walls) -> list[tuple[str, Any]]:
+    """Name and wall of each face that has cells of its own, in their order: the wall's name, or that and `_back`."""
+    return [(f"{wall.name}_back" if back else wall.name, wall) for wall in walls for back in range(wall.faces)]
+
+
 def cell_count(walls) -> int:
     """How many cells the walls have."""
-    return sum(wall.cells + 2 for wall in walls)
+    return sum(wall.faces * (wall.cells + 2) for wall in walls)
 
 
 def extents(walls) -> list[np.ndarray]:
@@ -185,7 +253,10 @@ def beside(walls, places: np.ndarray) -> np.ndarray:
 
 
 def cells_of(walls) -> np.ndarray:
-    """First cell and number of inner cells of each wall; the two ends have a cell each, before and after the inner ones."""
-    inner = np.array([wall.cells for wall in walls], np.int64)
-    first = np.cumsum(inner + 2) - (inner + 2)
-    return np.column_stack([first, inner]).reshape(-1, 2)
+    """First cell, inner cells, and how many cells before those of its back, of each wall; 0: its back has none.
+
+    The two ends have a cell each, before and after the inner ones.
+    """
+    inner, faces = np.array([(wall.cells, wall.faces) for wall in walls], np.int64).reshape(-1, 2).T
+    total = faces * (inner + 2)
+    return np.column_stack([np.cumsum(total) - total, inner, (inner + 2) * (faces > 1)]).reshape(-1, 3)

@@ -25,8 +25,8 @@ def record_of(owner: np.ndarray, walls: int, felt: int, threads: int, room: int)
 
 
 def first_of_faces(cells: np.ndarray) -> np.ndarray:
-    """First cell of each face of walls: of each its own, of surfaces in space that of the back too, where they have one."""
-    first, back = cells[:, 0], cells[:, 3] if cells.shape[1] > 3 else np.zeros(len(cells), int)
+    """First cell of each face of walls: of each its own, and that of its back, where it has one."""
+    first, back = cells[:, 0], cells[:, -1]
     return np.sort(np.concatenate([first, (first + back)[back > 0]]))
 
 

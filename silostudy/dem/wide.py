@@ -81,7 +81,8 @@ def put_in_order(bodies, skin, n, scratch):
 
 @njit(**OPTIONS)
 def near_bodies(bodies, skin, gap, i, lo, grid, scratch):
-    """Bodies after i, or before `lo`, within reach of it, cell by cell, into scratch.found; gives how many.
+    """Bodies after i, or before `lo`, within reach of it, cell by cell, into scratch.found; gives how many, be they
+    more than it has room for.
 
     Each candidate is written, and counted if it is one: a branch that nobody can foresee costs more than ten of them.
     """
@@ -90,16 +91,14 @@ def near_bodies(bodies, skin, gap, i, lo, grid, scratch):
     x, y, z = place(bodies, i)
     cx, cy, cz = cell_of(x, x0, size, nx), cell_of(y, y0, size, ny), cell_of(z, z0, size, nz)
     own = bodies.radius[i if bodies.radius.size > 1 else 0] + skin[i // BLOCK] + gap
-    left, right, count = max(cx - 1, 0), min(cx + 2, nx), np.uint64(0)
+    left, right, count, last = max(cx - 1, 0), min(cx + 2, nx), np.uint64(0), np.uint64(found.size - 1)
     for layer in range(max(cz - 1, 0), min(cz + 2, nz)):
         for row in range(max(cy - 1, 0), min(cy + 2, ny)):
             start = (layer * ny + row) * nx
             begin, end = np.uint64(scratch.cell_begin[start + left]), np.uint64(scratch.cell_begin[start + right])
-            if count + (end - begin) > found.size:
-                return np.uint64(found.size)
             for t in range(begin, end):
                 j, dx, dy, dz, reach = order[t], near[0, t] - x, near[1, t] - y, near[2, t] - z, near[3, t] + own
-                found[count] = j
+                found[min(count, last)] = j
                 count += np.uint64((dx * dx + dy * dy + dz * dz < reach * reach) & ((j > i) | (j < lo)))
     return count
 
@@ -137,7 +136,7 @@ def list_wide(bodies, walls, blocks, scratch, gap, n, lo, hi):
     for i in range(lo, hi):
         scratch.wide_begin[i - lo] = fill
         count = near_bodies(bodies, blocks.wide_skin, gap, i, lo, grid, scratch)
-        if fill + count > scratch.wide.size or count == scratch.found.size:
+        if fill + count > scratch.wide.size or count > scratch.found.size:
             return False
         fill = take_near(scratch, count, i, lo, fill)
     scratch.wide_begin[hi - lo] = fill

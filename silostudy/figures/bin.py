@@ -9,6 +9,7 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 
+from silostudy.cube.contents import levelled
 from silostudy.errors import BadInput
 from silostudy.figures.style import AID
 
@@ -111,13 +112,9 @@ def column(cube: xr.Dataset, cells: pd.DataFrame) -> Column | None:
         return None
     low, area, radius = (float(cube.attrs[name]) for name in ("transition_height_m", "plan_area_m2", "hydraulic_radius_m"))
     z, weight = cube["grain_z"].values[shots[-1]], cube["grain_mass"].values * float(cube.attrs["gravity_m_s2"])
-    there = np.isfinite(z) & (z > low)
-    z, weight = z[there], weight[there]
-    if len(z) < 2:
+    surface, unit_weight = levelled(z, weight, low, area)
+    if np.isnan(surface):
         return None
-    inner = z < low + 0.8 * (z.max() - low)
-    unit_weight = weight[inner].sum() / (0.8 * (z.max() - low) * area)
-    surface = low + weight.sum() / (unit_weight * area)
     touched = above[above["height_m"] < surface]
     normal, shear = touched["pressure_rest_Pa"].to_numpy(), touched["shear_rest_Pa"].to_numpy()
     if not len(touched) or not normal.sum() > 0.0:

@@ -2,12 +2,18 @@
 
 import hashlib
 from functools import cache
+from os.path import abspath
 
 import numpy as np
 
 from silostudy.choice.expand import expand_file
 from silostudy.cube.silos import named
 from silostudy.scene.scenes import files_of_scene, outputs_of_scene, title_of_scene
+
+
+def cases_held(name):
+    """A hash of the cases of a study, where they can be known before anything is made."""
+    return "" if waits(name) else digest([(case.id, case.settings) for case in expansion(name).cases])
 
 
 def digest(content):
@@ -21,10 +27,30 @@ def expansion(name):
     return expand_file(STUDIES[name])
 
 
+@cache
+def made_here():
+    """Absolute path -> file of every output of a study of the project that is one file: another study may be made from it."""
+    outputs = ((name, key) for name, model in MODELS.items() for key in model.outputs if not OUTPUTS[key].per_silo)
+    return {abspath(file): Path(file) for name, key in outputs for file in files_of(key, RESULTS / name)}
+
+
+def named_by(name):
+    """The user's own files that a study itself names; one that the pipeline makes as the pipeline knows it."""
+    files = MODELS[name].named_files(STUDIES[name].parent)
+    return [made_here().get(abspath(file), file) for file in files]
+
+
+def waits(name):
+    """Whether a study is made from what another one makes, such as a laboratory's solid: its cases are built once it is there."""
+    return not set(named_by(name)).isdisjoint(made_here().values())
+
+
 def silos(name):
     """The cases that name the silos of a study, where an output is of one silo; none else, since they have to be looked for."""
     if not any(OUTPUTS[key].per_silo for key in MODELS[name].outputs):
         return []
+    if waits(name):
+        raise BadInput("outputs", "a note of each silo", "the study waits for another's solid: no silo of it is known yet", name)
     cases = np.array([case.id for case in expansion(name).cases]).reshape(expansion(name).shape)
     return named(cases, [axis.axis for axis in MODELS[name].sweep])
 
@@ -37,7 +63,7 @@ def borrowed(model):
 
 def study_files(name):
     """The study file and the user's own files that it and its scenes name."""
-    return [STUDIES[name], *expansion(name).files]
+    return [STUDIES[name], *(named_by(name) if waits(name) else expansion(name).files)]
 
 
 def scene_files(name):
@@ -64,8 +90,12 @@ def given(files):
 
 
 def held(files):
-    """Function of the wildcards that gives a hash of what the user's own files hold: one put in place may be older than results."""
-    return lambda wildcards: digest([file.read_bytes() for file in files(wildcards[0])])
+    """Function of the wildcards that gives a hash of what the user's own files hold: one put in place may be older than results.
+
+    What the pipeline itself makes is an input as any other.
+    """
+    made = made_here().values()
+    return lambda wildcards: digest([file.read_bytes() for file in files(wildcards[0]) if file not in made])
 
 
 def wanted(name):

@@ -8,20 +8,22 @@ from typing import Any
 import numpy as np
 
 from silostudy.config.contact import ContactConfig
-from silostudy.config.dem import BoxConfig, DemScene, EventConfig
+from silostudy.config.dem import DemScene, EventConfig
 from silostudy.config.grain_scenes import AnyScene
 from silostudy.config.moves import OF_LID
 from silostudy.contact import NO_TANGENTIAL, TANGENTIAL, spring
 from silostudy.contact.coefficient import Given
 from silostudy.dem.events import TRIGGERS, Event
+from silostudy.dem.inserts import LINES, Insert
 from silostudy.dem.model import Contact, Wall
 from silostudy.dem.pieces import Laws
 from silostudy.dem.rest import REST, STEADY, USUAL, Rest
 from silostudy.dem.varied import Varied
 from silostudy.errors import BadInput
 from silostudy.packing import PACKINGS
+from silostudy.scene.disc_mixture import radii_of_kinds, uneven
 from silostudy.scene.lid import lid_action, moves
-from silostudy.scene.plane_silo import FLOOR, HALVES, PlaneSilo
+from silostudy.scene.plane_silo import FLOOR, HALVES, PlaneSilo, Slit
 from silostudy.scene.surfaces import by_surface, parts_of
 
 DEEPEST = 0.1  # of a radius: overlap that a start may have (a packing at rest has some)
@@ -36,11 +38,25 @@ class Effect:
     why: str
 
 
-def plane_silo_of(config: BoxConfig) -> PlaneSilo:
-    """The silo in SI."""
-    angle = config.hopper_half_angle_deg
+def plane_silo_of(scene: DemScene, where: str = "") -> PlaneSilo:
+    """The silo in SI, with its inserts; BadInput for one that cannot be."""
+    config, angle = scene.silo, scene.silo.hopper_half_angle_deg
     half_angle = None if angle is None else radians(angle)
-    return PlaneSilo(config.width_m, config.height_m, config.slit_width_m, half_angle, config.lid)
+    inserts = tuple(inserted(number, one, LINES) for number, one in enumerate(scene.inserts))
+    slits = tuple(Slit(one.name, one.middle_m, one.width_m) for one in scene.outlets)
+    try:
+        return PlaneSilo(config.width_m, config.height_m, config.slit_width_m, half_angle, config.lid, inserts, slits)
+    except BadInput as error:
+        raise BadInput(error.field, error.value, error.allowed, error.where or where) from None
+
+
+def inserted(number: int, config: Any, rows: Mapping[str, Insert]) -> Any:
+    """The wall of an insert; BadInput for one that cannot be."""
+    row = rows[config.kind]
+    try:
+        return row.make(**row.arguments(config))
+    except BadInput as error:
+        raise BadInput(f"inserts.{number}", config.name, f"{error.allowed}") from None
 
 
 def contact_of(
@@ -61,25 +77,39 @@ def contact_of(
     return Contact(Laws(**laws), coefficients)
 
 
-def contacts_of(scene: DemScene, radii: np.ndarray, where: str = "") -> tuple[Contact, Contact | Varied]:
+def contacts_of(scene: DemScene, radii: np.ndarray, where: str = "") -> tuple[Contact | Varied, Contact | Varied]:
     """Contacts between discs of these radii (m), and of discs and walls; stiffness and damping of their own radius if equal.
 
-    Walls have contacts of their own each where the scene tells a surface from the others.
+    Kinds of discs have contacts of their own by pairs where those differ, and walls each where the scene tells a surface from
+    the others.
     """
-    uneven = bool(np.ptp(radii) > 0.0)
-    about: dict[str, Any] = {"radius": scene.radius_m if uneven else float(radii[0]), "uneven": uneven}
+    differ, kinds = uneven(scene, radii), scene.kinds
+    about: dict[str, Any] = {
+        "radius": scene.radius_m if differ else float(radii[0]), "uneven": differ, "density": scene.density_kg_m3
+    }  # fmt: skip
     changed = [event for event in scene.events if event.do == "set_friction"]
-    configs = {"": scene.touches[1], **scene.surface_contacts}
-    smooth = not any(config.sliding_friction for config in configs.values())
+    at_walls = {kind: scene.at_surfaces(kind) for kind in kinds}
+    smooth = not any(config.sliding_friction for configs in at_walls.values() for config in configs.values())
     smooth = smooth and all(event.wall_friction is None for event in changed)
-    between = contact_of(
-        scene.discs, density=scene.density_kg_m3, slippery=all(event.disc_friction is None for event in changed), **about
-    )
-    at_walls = {
-        name: contact_of(config, density=scene.density_kg_m3, wall=True, slippery=smooth, **about)
-        for name, config in configs.items()
-    }
-    return between, walls_contact(scene, at_walls, wall_names(scene), where)
+    pairs = [scene.between(kind, other) for number, kind in enumerate(kinds) for other in kinds[: number + 1]]
+    slippery = not any(pair.sliding_friction for pair in pairs) and all(event.disc_friction is None for event in changed)
+    names, walls = wall_names(scene), []
+    for configs in at_walls.values():
+        contacts = {name: contact_of(config, wall=True, slippery=smooth, **about) for name, config in configs.items()}
+        walls.append(walls_contact(scene, contacts, names, where))
+    return varied([contact_of(pair, slippery=slippery, **about) for pair in pairs]), of_kinds(walls, len(names))
+
+
+def varied(contacts: list[Contact]) -> Contact | Varied:
+    """Contacts as one where they are all alike."""
+    return contacts[0] if all(one == contacts[0] for one in contacts) else Varied(tuple(contacts))
+
+
+def of_kinds(contacts: list[Contact | Varied], walls: int) -> Contact | Varied:
+    """Contacts of kinds of grains with so many walls, from those of each; one where all are alike."""
+    if all(one == contacts[0] for one in contacts) and isinstance(contacts[0], Contact):
+        return contacts[0]
+    return Varied(tuple(one.numbered(number) for one in contacts for number in range(walls)))
 
 
 def walls_contact(scene: AnyScene, contacts: dict[str, Contact], names: Sequence[str], where: str) -> Contact | Varied:
@@ -91,7 +121,7 @@ def walls_contact(scene: AnyScene, contacts: dict[str, Contact], names: Sequence
 
 def wall_names(scene: DemScene) -> list[str]:
     """Names of the walls."""
-    return [wall.name for wall in plane_silo_of(scene.silo).walls()]
+    return [wall.name for wall in plane_silo_of(scene).walls()]
 
 
 def events_of(scene: DemScene, mass: float, where: str = "") -> tuple[Event, ...]:
@@ -100,7 +130,7 @@ def events_of(scene: DemScene, mass: float, where: str = "") -> tuple[Event, ...
     beside = HALVES if scene.silo.hopper_half_angle_deg is None else ()
     found = []
     for number, event in enumerate(scene.events):
-        action, what = _action(event, scene.silo, beside, mass)
+        action, what = _action(event, scene, beside, mass)
         if action == "friction":
             _check_friction(scene, what, f"events.{number}", where)
             what = (*what, walls_of_event(event.surfaces, wall_names(scene), number, where))
@@ -135,7 +165,7 @@ def check_events(scene: DemScene, count: int, where: str = "") -> None:
             raise BadInput(f"events.{number}.disc", event.disc, f"must be below {count}, the number of discs", where)
 
 
-def _action(event: EventConfig, box: BoxConfig, beside: tuple[str, ...], mass: float) -> tuple[str, tuple]:
+def _action(event: EventConfig, scene: DemScene, beside: tuple[str, ...], mass: float) -> tuple[str, tuple]:
     if event.do == "remove_disc":
         return "remove", (event.disc,) if event.near_m is None else event.near_m
     if event.do == "set_gravity":
@@ -146,8 +176,11 @@ def _action(event: EventConfig, box: BoxConfig, beside: tuple[str, ...], mass: f
     if event.do == "feed":
         return "feed", (event.rate_kg_s,)
     if event.do in OF_LID:
-        low = plane_silo_of(box).bottom
-        return lid_action(event, box.width_m, mass, low, low + box.height_m)
+        silo = plane_silo_of(scene)
+        return lid_action(event, silo.width, mass, silo.bottom, silo.bottom + silo.height)
+    if event.do == "open_slit" and scene.outlets:
+        names = event.outlets or tuple(outlet.name for outlet in scene.outlets)
+        return "open holes", (FLOOR, names, event.speed_m_s or 0.0)
     return ("open", (FLOOR, *beside)) if event.do == "open_slit" else ("stop", ())
 
 
@@ -165,11 +198,7 @@ def check_start(walls: tuple[Wall, ...], x, y, radius, where: str = "") -> None:
     if worst >= 0 and overlap[worst] > DEEPEST * min(radius[i[worst]], radius[j[worst]]):
         raise BadInput("packing", f"discs {i[worst]}, {j[worst]}", f"overlap by {overlap[worst]:.4g} m at the start", where)
     for wall in walls:
-        (x0, y0), (x1, y1) = wall.start, wall.end
-        length = np.hypot(x1 - x0, y1 - y0)
-        along = ((x - x0) * (x1 - x0) + (y - y0) * (y1 - y0)) / length
-        inside = ((x1 - x0) * (y - y0) - (y1 - y0) * (x - x0)) / length
-        out = np.flatnonzero((along >= 0.0) & (along <= length) & (inside < (1.0 - DEEPEST) * radius) & wall.live)
+        out = np.flatnonzero((room(wall, x, y) < (1.0 - DEEPEST) * radius) & wall.live)
         if len(out):
             raise BadInput("packing", f"disc {out[0]}", f"starts in or beyond the wall {wall.name}", where)
     ends = np.array([end for wall in walls for end in (wall.start, wall.end)])
@@ -179,6 +208,17 @@ def check_start(walls: tuple[Wall, ...], x, y, radius, where: str = "") -> None:
         worst = out[np.argmax(y[out])]
         place = f"starts at x {x[worst]:.4g} m, y {y[worst]:.4g} m, outside walls from x {left:.4g} to {right:.4g} m and y "
         raise BadInput("packing", f"disc {worst}", f"{place}{low:.4g} to {high:.4g} m", where)
+
+
+def room(wall: Wall, x, y) -> np.ndarray:
+    """Distance (m) of places from a line, or from what is beside a wall with one face, negative behind it."""
+    (x0, y0), (x1, y1) = wall.start, wall.end
+    length = np.hypot(x1 - x0, y1 - y0)
+    along = ((x - x0) * (x1 - x0) + (y - y0) * (y1 - y0)) / length
+    inside = ((x1 - x0) * (y - y0) - (y1 - y0) * (x - x0)) / length
+    if wall.faces > 1:
+        return np.hypot(inside, np.maximum(np.maximum(-along, along - length), 0.0))
+    return np.where((along >= -wall.leaves[0]) & (along <= length + wall.leaves[1]), inside, np.inf)
 
 
 def law_effect(name: str, family: str, contacts: Mapping[str, Contact | Varied]) -> Effect:
@@ -209,20 +249,24 @@ def reading_effects(scene: AnyScene) -> tuple[Effect, ...]:
 def effects(scene: DemScene) -> tuple[Effect, ...]:
     """Every effect the engine knows: whether this scene calls for it, and the key that says so."""
     contacts = dict(zip(("discs", "walls"), contacts_of(scene, np.array([scene.radius_m])), strict=True))
-    uneven = PACKINGS[scene.packing.kind].uneven(scene.packing)
+    kinds = f"other_grains: {', '.join(scene.other_grains) or 'none'}"
+    sizes = PACKINGS[scene.packing.kind].uneven(scene.packing) or np.ptp(radii_of_kinds(scene)) > 0.0
     record = scene.record
     return (
         law_effect("friction, rotation, history", "tangential", contacts),
         law_effect("rolling resistance", "rolling", contacts),
         law_effect("cohesion", "cohesion", contacts),
         surfaces_effect(scene),
-        Effect("discs of several sizes", uneven, f"packing.kind: {scene.packing.kind}"),
+        Effect("several kinds of discs", bool(scene.other_grains), kinds),
+        Effect("discs of several sizes", bool(sizes), f"packing.kind: {scene.packing.kind}; {kinds}"),
         Effect("shaking", scene.quake is not None, "quake"),
         Effect("wall forces every step", record.wall_force_window_s is not None, "record.wall_force_window_s"),
         Effect("energy ledger", record.energy, f"record.energy: {record.energy}"),
         Effect("slit", scene.silo.slit_width_m > 0, f"silo.slit_width_m: {scene.silo.slit_width_m:g}"),
+        Effect("outlets by names", bool(scene.outlets), f"outlets: {', '.join(one.name for one in scene.outlets) or 'none'}"),
         Effect("hopper", scene.silo.hopper_half_angle_deg is not None, "silo.hopper_half_angle_deg"),
-        Effect("walls that move", moves(scene.events), "events: lower_lid, press_lid, move_lid"),
+        Effect("inserts", bool(scene.inserts), f"inserts: {len(scene.inserts)}"),
+        Effect("walls that move", moves(scene.events), "events: lower_lid, press_lid, move_lid, open_slit at a speed"),
         Effect("events", len(scene.events) > 1, ", ".join(event.do for event in scene.events)),
         *reading_effects(scene),
     )

@@ -15,10 +15,9 @@ from silostudy.dem.contacts import Contact
 from silostudy.dem.pieces import Laws
 from silostudy.dem.rain import Rain
 from silostudy.dem.space.inserts import INSERTS
-from silostudy.dem.space.walls import Surface
 from silostudy.dem.varied import Varied
 from silostudy.errors import BadInput
-from silostudy.scene.dem import walls_contact
+from silostudy.scene.dem import inserted, walls_contact
 from silostudy.scene.lid import slides
 from silostudy.scene.silo_from import silo_of
 from silostudy.scene.space_silo import Outlet, SpaceSilo
@@ -38,22 +37,13 @@ def space_silo_of(scene: SphereScene, where: str = "") -> SpaceSilo:
         return SpaceSilo(
             silo=silo_of(scene.silo, nan, where, ""),
             outlets=outlets,
-            inserts=tuple(inserted(number, one) for number, one in enumerate(scene.inserts)),
+            inserts=tuple(inserted(number, one, INSERTS) for number, one in enumerate(scene.inserts)),
             wedge=scene.wedge,
             lid=scene.lid,
             gated=slides(scene.events),
         )
     except BadInput as error:
         raise BadInput(error.field, error.value, error.allowed, error.where or where) from None
-
-
-def inserted(number: int, config: Any) -> Surface:
-    """The surface of an insert; BadInput for one that cannot be."""
-    row = INSERTS[config.kind]
-    try:
-        return row.make(**row.arguments(config))
-    except BadInput as error:
-        raise BadInput(f"inserts.{number}", config.name, f"{error.allowed}") from None
 
 
 def material_of(config: MaterialConfig) -> Material:

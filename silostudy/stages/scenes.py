@@ -19,6 +19,14 @@ KIND = Kind(
                 cost="silostudy.scene.costs:cost",
             ),
         ),
+        Stage(
+            key="beside",
+            title="walls of silos of spheres beside theories and codes",
+            compute="silostudy.compute.beside:beside_cube",
+            section="codes",
+            reads=("scenes",),
+            borrows={"codes": "pressure"},
+        ),
     ),
     about=("silostudy.commands.about:time_of_parts",),
 )

@@ -52,7 +52,20 @@ MISTAKES = {
     "unknown wall": (scene(wall="glass"), "scene.wall = 'glass': must be 'grooved_concrete', 'as_cast_concrete'"),
     "unknown method": ({"methods": ["jansen"]}, "methods.0 = 'jansen': unknown; known: janssen, reimbert"),
     "unknown plan": (silo(plan="oval"), "scene.silo.plan = 'oval': unknown; known: circular, square"),
-    "unknown key": ({"colour": "red"}, "colour = 'red': unknown key"),
+    "unknown key": ({"colour": "red"}, "colour = 'red': unknown key; known here: kind, title, description, scene, sweep"),
+    "unknown key of a plan": (silo(colour=1), "scene.silo.colour = 1: unknown key; known here: cylinder_depth_m, slenderness"),
+    "unknown key of a section": (
+        silo(hopper={"half_angle_deg": 20.0, "outlet_m": 1.0}),
+        "scene.silo.hopper.outlet_m = 1.0: unknown key; known here: half_angle_deg, outlet_width_m, wall",
+    ),
+    "key of an older version": (
+        silo(eccentricity_m=0.5),
+        "scene.silo.eccentricity_m = 0.5: is no key any more since version 1.0.0: write filling_eccentricity_m and outlet",
+    ),
+    "unknown key of a range": (
+        {"depth_m": {"start": 0.0, "stop": 1.0, "count": 3, "step": 0.5}},
+        "depth_m.step = 0.5: unknown key; known here: start, stop, count, spacing",
+    ),
     "unknown kind": ({"kind": "presure"}, "kind = 'presure': unknown; known: accuracy, buckling, grains"),
     "no text as kind": ({"kind": ["pressure"]}, "kind = ['pressure']: unknown; known: accuracy, buckling, grains"),
     "unit missing": (

@@ -15,6 +15,7 @@ from silostudy.accuracy.cube import accuracy_cube
 from silostudy.accuracy.profile import profile_cube
 from silostudy.accuracy.stability import stability_cube
 from silostudy.choice.expand import expand_file
+from silostudy.compute.beside import beside_cube
 from silostudy.compute.buckling import buckling_cube
 from silostudy.compute.dem_cube import cube_of
 from silostudy.compute.grains import grains_cube
@@ -34,8 +35,11 @@ from tests.test_accuracy.test_stability_map import RESTING
 from tests.test_buckling.test_shell_earthquake import SHAKEN, STUDY, shell_cube, together
 from tests.test_checks.studies import cube_of as checks_of
 from tests.test_checks.studies import study as checks_study
+from tests.test_compute.test_beside import swept
 from tests.test_dem.small import carried, scene_of
 from tests.test_figures.test_hopper_figures import BIN
+from tests.test_laboratory.made_up import cube_of as made_up
+from tests.test_laboratory.made_up import expansion as laboratory
 from tests.test_packing.test_study import CONTENT as PACKING
 from tests.test_seismic.conftest import quick
 from tests.test_seismic.test_grains import CONTENT as GRAINS
@@ -74,12 +78,14 @@ CUBES = {
     "seismic": lambda folder: seismic_cube(expanded(quick())),
     "dem": _energetic_scene,
     "grains": lambda folder: grains_cube(expanded(GRAINS | {"cycles": 1, "waited_cycles": 0})),
+    "laboratory": lambda folder: made_up(laboratory()),
     "packing": lambda folder: packing_cube(expanded(PACKING | FEW)),
     "motion": lambda folder: motion_cube(expanded(PACKING | FEW)),
     "profile": lambda folder: profile_cube(expanded(copy.deepcopy(RESTING) | ONE_NETWORK | {"silo": SILO})),
     "stability": lambda folder: stability_cube(expanded(copy.deepcopy(RESTING) | ONE_NETWORK)),
     "accuracy": lambda folder: accuracy_cube(expanded({"kind": "accuracy", "title": "a little accuracy", "scene": SHORT})),
     "scenes": _swept_scenes,
+    "beside": lambda folder: beside_cube(*swept(folder)),
 }
 
 

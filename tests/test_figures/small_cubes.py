@@ -18,6 +18,8 @@ from silostudy.scene.expand import Expansion
 from silostudy.stages import STAGES, called_for
 from silostudy.tables.outputs import OUTPUTS
 from tests.conftest import ROOT
+from tests.test_compute.made_walls import made_walls
+from tests.test_laboratory.made_up import cube_of as made_up
 from tests.test_spheres.small import run, scene_of
 
 # of two parts, in place of those that take minutes to measure
@@ -109,6 +111,19 @@ SMALLER: dict[str, dict] = {
         "trial_steps": 1000,
         "peer": False,
     },
+    "silo-of-spheres-codes": {  # the laboratory's row is made by a run of the whole pipeline
+        "materials": None,
+        "scene": {
+            "solid": "wheat",
+            "properties": {"unit_weight_kN_m3": 7.85, "wall_friction": 0.4, "lateral_pressure_ratio": 0.5},
+            "silo": {
+                "plan": "circular",
+                "diameter_m": 0.1,
+                "cylinder_depth_m": 0.1,
+                "hopper": {"half_angle_deg": 20, "outlet_width_m": 0.05},
+            },
+        },
+    },
     "wheat-silo-today": {"uncertainty": {"log2_samples": 6, "seed": 1}},
 }
 
@@ -145,8 +160,17 @@ def expansion_of(study: str) -> Expansion:
 
 
 @cache
+def walls_cube(study: str) -> xr.Dataset:
+    """The cube of a sweep of silos of spheres that feel Janssen's pressures times known factors."""
+    expansion = expansion_of(study)
+    return made_walls(expansion, [case.scene.silo.wall_depth for case in expansion_of(expansion.study.codes.study).cases])
+
+
+@cache
 def cube_of(study: str, stage: str) -> xr.Dataset:
     """The cube of a stage of a shipped study, made small, and of the stages and studies that it reads."""
+    if stage == "scenes":
+        return walls_cube(study)
     expansion, row = expansion_of(study), STAGES[stage]
     read = [cube_of(study, other) for other in row.reads]
     asked = [getattr(expansion.study, section) for section in row.borrows]
@@ -190,6 +214,8 @@ def cubes_of(output: str) -> list[xr.Dataset]:
         return [bin_cube()]
     if OUTPUTS[output].stage == "scenes":
         return [flow_cube(study_of(output))]
+    if OUTPUTS[output].stage == "laboratory":
+        return [made_up(expansion_of(study_of(output)))]
     row, study = OUTPUTS[output], study_of(output)
     also = [stage for stage in row.also if stage in called_for(expansion_of(study).study)]
     return [cube_of(study, stage) for stage in (row.stage, *also)]

@@ -5,7 +5,7 @@ import pytest
 
 from silostudy.dem.checkpoint import checkpoint, restore
 from silostudy.dem.engine import Engine
-from tests.test_spheres.scenes import RADIUS, heap, rows, same, stepped
+from tests.test_spheres.scenes import RADIUS, heap, rows, same, spheres, stepped
 
 pytestmark = pytest.mark.long
 STEPS = 6000
@@ -61,3 +61,18 @@ def test_unequal_spheres_of_nearly_equal_size_move_alike():
     for engine in (many, fewer):
         engine.step_to(2000)
     assert np.allclose(rows(many)[:-1], rows(fewer), rtol=1e-9, atol=1e-12)
+
+
+def test_thousands_of_small_spheres_near_a_great_one_are_all_listed():
+    """More than there was room for to begin with: a shell of them in touch with one that is fifty times as large."""
+    count, great = 1500, 50.0 * RADIUS
+    share, turn = (np.arange(count) + 0.5) / count, np.pi * (1.0 + 5.0**0.5) * np.arange(count)
+    outward = np.column_stack([np.cos(turn) * np.sin(np.arccos(1 - 2 * share)), np.sin(turn) * np.sin(np.arccos(1 - 2 * share)),
+                               1 - 2 * share])  # fmt: skip
+    place = np.array([0.0, 0.0, 1.0]) + np.vstack([np.zeros(3), (great + RADIUS) * 0.9999 * outward])
+    engine = Engine(spheres(place, radius=np.append(great, np.full(count, RADIUS)), dt=1e-7))
+    engine.step_to(1)
+    (part,), largest = engine.parts, int(np.argmax(engine.radius))
+    listed = part.pairs.begin[engine.blocks_of(part)]
+    touched = (part.pairs.first[:listed] == largest) | (part.pairs.second[:listed] == largest)
+    assert touched.sum() == count

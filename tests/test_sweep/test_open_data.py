@@ -1,7 +1,6 @@
 """Any cube opens with one line and prints sensibly; a cube larger than the memory at hand is merged all the same."""
 
 import os
-import re
 import shutil
 import subprocess
 import sys
@@ -19,6 +18,7 @@ from silostudy.cube.io import write
 from silostudy.sweep.journal import line
 from silostudy.sweep.merge import merge
 from tests.conftest import ROOT
+from tests.guides import blocks
 from tests.test_dem.small import carried, scene_of
 from tests.test_sweep.sweeps import compute, make_plan, save, stand_in
 
@@ -57,8 +57,8 @@ def test_ncdump_prints_it(cube):
 
 
 @pytest.mark.long
-def test_the_guide_of_the_readme_runs_as_it_stands(tmp_path):
-    guide, *_ = re.findall(r"```python\n(.*?)```", (ROOT / "README.md").read_text(), flags=re.DOTALL)
+def test_the_guide_to_results_runs_as_it_stands(tmp_path):
+    (guide,) = (block.text for block in blocks("results/README.md", "python"))
     write(pressure_cube(expand_file(ROOT / "config/studies/wheat-family.yaml")), tmp_path / "results/wheat-family/pressure.nc")
     scene = scene_of()
     write(cube_of(carried(scene), scene), tmp_path / "results/dem/kiyama-17-18.nc")

@@ -105,8 +105,7 @@ def package(tmp_path):
     """A copy of package and tests, to be added to."""
     shutil.copytree(ROOT / "silostudy", tmp_path / "silostudy", ignore=shutil.ignore_patterns("__pycache__"))
     shutil.copytree(ROOT / "tests", tmp_path / "tests", ignore=shutil.ignore_patterns("__pycache__"))
-    for name in ("README.md", "pyproject.toml"):
-        shutil.copy(ROOT / name, tmp_path / name)
+    shutil.copy(ROOT / "pyproject.toml", tmp_path)
     return tmp_path
 
 

@@ -10,26 +10,7 @@ import pytest
 
 from tests.conftest import ROOT
 
-CHROMIUM = shutil.which("chromium") or shutil.which("chromium-browser")
-QUIET = ["--no-sandbox", "--disable-gpu", "--disable-background-networking", "--disable-component-update", "--disable-sync"]
-
 PICTURE = "img[src^='data:image/png']"
-
-
-@pytest.fixture
-def page():
-    """A page of headless Chromium and what went wrong on it."""
-    playwright = pytest.importorskip("playwright.sync_api", reason="no playwright: uv sync --group show")
-    if CHROMIUM is None:
-        pytest.skip("no Chromium: Debian's package chromium")
-    with playwright.sync_playwright() as driver:
-        browser = driver.chromium.launch(executable_path=CHROMIUM, args=QUIET)
-        page, wrong = browser.new_page(viewport={"width": 1500, "height": 900}), []
-        page.on("console", lambda message: wrong.append(message.text) if message.type == "error" else None)
-        page.on("pageerror", lambda error: wrong.append(str(error)))
-        page.on("request", lambda request: wrong.append(request.url[:80]) if request.url.startswith("http") else None)
-        yield page, wrong
-        browser.close()
 
 
 def snakemake(folder: Path, *arguments) -> None:

@@ -1,26 +1,13 @@
 """Inserts of a silo of spheres: a family; surfaces inside it that push on both sides, and what each asks of the user."""
 
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass
-from typing import Any, Literal, TypeAlias
+from typing import Literal, TypeAlias
 
-from silostudy.catalogue import Entry, Family
-from silostudy.dem.space.walls import FlatPiece, Surface, TurnedLine
+from silostudy.catalogue import Family
+from silostudy.dem.inserts import NAME, Insert, Pair
+from silostudy.dem.space.walls import FlatPiece, TurnedLine
 from silostudy.packing.family import PackingField
 
 BOTH, FRONT = "both", "front"
-
-
-@dataclass(frozen=True, kw_only=True)
-class Insert(Entry):
-    """make(name, **arguments) -> a surface; asks: fields of an entry of a scene's `inserts`."""
-
-    asks: tuple[PackingField, ...]
-    make: Callable[..., Surface]
-
-    def arguments(self, section: Any) -> Mapping[str, Any]:
-        """What an entry gives, by the names of its arguments."""
-        return {one.argument: getattr(section, one.name) for one in self.asks}
 
 
 def polygon(name: str, corners: tuple, side: str, sheet: str = "") -> FlatPiece:
@@ -45,9 +32,7 @@ def disc(name: str, radius: float, hole: float, height: float, axis: tuple[float
     return TurnedLine(name=name, start=(hole, height), end=(radius, height), axis=axis, faces=2)
 
 
-Pair: TypeAlias = tuple[float, float]
 Corner: TypeAlias = tuple[float, float, float]
-NAME = PackingField(name="name", argument="name", text="name that its forces are recorded under", unit="", kind=str)
 AXIS = PackingField(name="axis_m", argument="axis", text="x and y of its upright axis", unit="m", kind=Pair, default=(0.0, 0.0))
 HEIGHTS = PackingField(
     name="heights_m", argument="heights", text="heights of its two ends above the outlet", unit="m", kind=Pair

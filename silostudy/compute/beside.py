@@ -1,0 +1,142 @@
+"""Walls of silos of spheres beside what theories and codes say of them: the same silo and solid, level by level.
+
+The grains' pressures are those of the sweep; the codes' are read at the depth of each level below the level surface.
+"""
+
+import numpy as np
+import xarray as xr
+
+from silostudy.compute.axes import axis_coordinates, axis_names
+from silostudy.compute.beside_areas import AVERAGED, largest_mean, of_profile
+from silostudy.compute.beside_codes import PHASES, at_depths, in_hopper, matched
+from silostudy.cube.assemble import Sweep, assemble
+from silostudy.cube.contract import variable
+from silostudy.scene.expand import Expansion
+
+DEEP = 0.5  # diameters below the surface: where pressures are large enough that ratios of them tell something
+OF_METHODS = ("pressure_method_title", "pressure_method_number", "pressure_method_colour", "pressure_method_marker")
+SOURCES = ("en1991_4_2006", "silo_handbook")
+
+
+def beside_cube(expansion: Expansion, scenes: xr.Dataset, codes: xr.Dataset | None) -> xr.Dataset:
+    """The cube of a sweep of scenes beside that of the study of pressures which it names."""
+    study = expansion.study
+    axes = tuple(name for name in axis_names(study) if name != study.fillings)
+    grains = scenes if study.fillings == "filling" else scenes.rename({study.fillings: "filling"})
+    pressures = matched(expansion, codes, grains)
+    found = felt(grains, study.scene.silo.diameter_m) | in_cone(grains)
+    found |= said(pressures, found)
+    found |= compared(found, study.scene.silo.diameter_m)
+    arrays = {name: _in_order(value, name, axes) for name, value in found.items()}
+    arrays |= {name: pressures[name].values for name in ("pressure_method", *OF_METHODS)}
+    arrays |= {name: grains[name].values for name in ("filling", "wall_level")}
+    arrays |= {"phase": np.array(PHASES), "averaging": np.array(list(AVERAGED))}
+    coordinates = {name: given for name, given in axis_coordinates(study).items() if given[0] in axes}
+    notes = {"codes": pressures.attrs["title"]}
+    return assemble(study, "beside", arrays, sources=SOURCES, notes=notes, sweep=Sweep(axes, coordinates))
+
+
+def _in_order(value: xr.DataArray, name: str, axes: tuple[str, ...]) -> np.ndarray:
+    dims = variable(name).dims_in(axes, relative=False)
+    return value.transpose(*dims).values
+
+
+def felt(grains: xr.Dataset, wide: float) -> dict[str, xr.DataArray]:
+    """What the vertical wall felt: depths (m), pressures (Pa) by phase and area, friction and lateral pressure ratio."""
+    height, step = grains["wall_level_height"], _step(grains["wall_level_height"])
+    depth = grains["filled_height_at_rest"] - (height - height.isel(wall_level=0) + step / 2)
+    depth = depth.where(depth >= step / 2)  # levels that are wholly below the surface
+    rest, flow = (grains[f"wall_pressure_{when}"].where(depth.notnull()) for when in ("at_rest", "in_flow"))
+    ring = _by_phase(rest.mean("wall_turn"), flow.mean(("wall_turn", "flow_window")))
+    shear = _by_phase(
+        grains["wall_shear_at_rest"].mean("wall_turn"), grains["wall_shear_in_flow"].mean(("wall_turn", "flow_window"))
+    )
+    shear = shear.where(depth.notnull())
+    largest = _by_phase(_largest(rest.expand_dims("flow_window")), _largest(flow))
+    weight = grains["unit_weight_at_rest"]
+    each = shear.fillna(0.0) * step / (wide / 4)
+    carried = each.isel(wall_level=slice(None, None, -1)).cumsum("wall_level").isel(wall_level=slice(None, None, -1)) - each / 2
+    vertical = (weight * depth - carried.sel(phase="filling")).where(depth.notnull())
+    return {
+        "level_depth": depth,
+        "ring_pressure": ring,
+        "largest_area_pressure": largest,
+        "mobilised_wall_friction": shear.sum("wall_level") / ring.sum("wall_level"),
+        "lateral_pressure_ratio_at_rest": ring.sel(phase="filling").sum("wall_level") / vertical.sum("wall_level"),
+        "contents_unit_weight": weight,
+        "averaging_side": _sides(step, wide, grains.sizes["wall_turn"]),
+    }
+
+
+def _step(height: xr.DataArray) -> xr.DataArray:
+    """Height (m) of a level."""
+    return height.isel(wall_level=1) - height.isel(wall_level=0)
+
+
+def _by_phase(rest: xr.DataArray, flow: xr.DataArray) -> xr.DataArray:
+    return xr.concat([rest, flow], xr.IndexVariable("phase", list(PHASES)))
+
+
+def _largest(pressure: xr.DataArray) -> xr.DataArray:
+    """Largest mean over each area in any window."""
+    values = pressure.transpose(..., "flow_window", "wall_level", "wall_turn")
+    shaped = values.isel(wall_turn=0, drop=True).max("flow_window")
+    each = [shaped.copy(data=np.fmax.reduce(largest_mean(values.values, area), axis=-2)) for area in AVERAGED]
+    return xr.concat(each, xr.IndexVariable("averaging", list(AVERAGED)))
+
+
+def _sides(step: xr.DataArray, wide: float, around: int) -> xr.DataArray:
+    """Root of each averaging area over the diameter (1)."""
+    arc = np.pi * wide / around
+    each: list[xr.DataArray] = [(levels * step * (turns or around) * arc) ** 0.5 / wide for levels, turns in AVERAGED.values()]
+    return xr.concat(each, xr.IndexVariable("averaging", list(AVERAGED)))
+
+
+def in_cone(grains: xr.Dataset) -> dict[str, xr.DataArray]:
+    """What the hopper felt: place on it, mean pressure around at rest and largest in flow (Pa), and how the peak travelled."""
+    height, step = grains["hopper_level_height"], _step(grains["hopper_level_height"])
+    top = height.isel(wall_level=-1) + step / 2
+    rest = grains["hopper_pressure_at_rest"].mean("wall_turn")
+    flow = grains["hopper_pressure_in_flow"].mean("wall_turn")
+    rise = flow / rest
+    return {
+        "hopper_level_position": 1.0 - height / top,
+        "hopper_ring_pressure": _by_phase(rest, flow.mean("flow_window")),
+        "hopper_ring_largest": flow.max("flow_window"),
+        "hopper_switch_factor": rise.max("flow_window"),
+    }
+
+
+def said(codes: xr.Dataset, found: dict[str, xr.DataArray]) -> dict[str, xr.DataArray]:
+    """What theories and codes say at the levels, whose depth is the mean over the fillings."""
+    depth, position = (found[name].mean("filling") for name in ("level_depth", "hopper_level_position"))
+    data = {"code_wall_pressure": at_depths(codes, "wall_normal_pressure", depth)}
+    if "hopper_normal_pressure" in codes:
+        data["code_hopper_pressure"] = in_hopper(codes, position)
+    return data
+
+
+def compared(found: dict[str, xr.DataArray], wide: float) -> dict[str, xr.DataArray]:
+    """Ratios of what codes say to what the grains did, and of the grains' peaks to their rest."""
+    code, ring, largest = (found[name] for name in ("code_wall_pressure", "ring_pressure", "largest_area_pressure"))
+    deep = found["level_depth"] >= DEEP * wide
+    both = code.notnull() & ring.notnull()
+    said_force, felt_force = (one.where(both).sum("wall_level", min_count=1) for one in (code, ring))
+    rest = ring.sel(phase="filling", drop=True)
+    means = {area: _averaged(code, area) for area in AVERAGED}
+    rests = {area: _averaged(rest, area) for area in AVERAGED}
+    index = xr.IndexVariable("averaging", list(AVERAGED))
+    share = {area: means[area] / largest.sel(averaging=area) for area in AVERAGED}
+    rises = {area: largest.sel(averaging=area) / rests[area] for area in AVERAGED}
+    return {
+        "code_over_grains_force": said_force / felt_force,
+        "code_profile_residual": ((code / ring - 1.0) ** 2).where(deep).mean("wall_level") ** 0.5,
+        "code_over_grains_peak": xr.concat([share[area].where(deep).min("wall_level") for area in AVERAGED], index),
+        "largest_over_rest": xr.concat([rises[area].where(deep).max("wall_level") for area in AVERAGED], index),
+    }
+
+
+def _averaged(profile: xr.DataArray, area: str) -> xr.DataArray:
+    """Means of a profile over the levels of an area, whose lowest is each."""
+    values = profile.transpose(..., "wall_level")
+    return values.copy(data=of_profile(values.values, area))

@@ -1,0 +1,71 @@
+"""What theories and codes say of the walls of a sweep of silos of spheres, at the levels where the grains were felt."""
+
+import numpy as np
+import xarray as xr
+
+from silostudy.errors import BadInput
+from silostudy.scene.expand import Expansion
+
+PHASES = ("filling", "discharge")
+SAME, AS_FULL = 0.01, 0.15  # how far diameters and depths may differ, as a share
+
+
+def matched(expansion: Expansion, codes: xr.Dataset | None, scenes: xr.Dataset) -> xr.Dataset:
+    """The cube of pressures for every setting of the scenes; BadInput where it is none of the same silos.
+
+    Axes of one name belong together position by position: the scenes' walls stand higher than the solid.
+    """
+    name = expansion.study.codes.study
+    if codes is None:
+        raise BadInput("codes", name, "needs the pressure cube of that study")
+    for axis in codes.attrs["sweep_axes"].split():
+        if axis not in scenes.dims:
+            raise BadInput("codes", name, f"has the axis {axis}, which the scenes have not")
+        if codes.sizes[axis] != scenes.sizes[axis]:
+            raise BadInput(f"codes, axis {axis}", codes.sizes[axis], f"value(s), where the scenes' has {scenes.sizes[axis]}")
+    if lacking := [phase for phase in PHASES if phase not in codes["phase"].values]:
+        raise BadInput("codes", name, f"must have the phases {', '.join(PHASES)}; lacks {', '.join(lacking)}")
+    wide = expansion.study.scene.silo.diameter_m
+    if wide is not None and not np.allclose(codes["given_diameter"], wide, rtol=SAME):
+        raise BadInput(
+            "codes", float(codes["given_diameter"].values.ravel()[0]), f"m wide, where the scenes' silo is {wide:g} m"
+        )
+    shared = [axis for axis in codes.attrs["sweep_axes"].split() if axis in codes.coords]
+    return _as_full(codes.sel(phase=list(PHASES)).drop_vars(shared), scenes)
+
+
+def _as_full(codes: xr.Dataset, scenes: xr.Dataset) -> xr.Dataset:
+    """The cube itself; BadInput where its silos are not as full as those of the grains."""
+    said, felt = xr.broadcast(codes["cylinder_depth"], scenes["filled_height_at_rest"].mean("filling"))
+    far = np.abs((felt / said).values - 1.0)
+    if np.isfinite(far).any() and np.nanmax(far) > AS_FULL:
+        worst = np.unravel_index(np.nanargmax(far), far.shape)
+        told = f"m deep, where the grains fill {float(felt.values[worst]):.3g} m: these must agree within {100 * AS_FULL:.0f} %"
+        raise BadInput("codes", float(said.values[worst]), told)
+    return codes
+
+
+def depths_of(codes: xr.Dataset) -> xr.DataArray:
+    """Depth (m) below the level surface of every place of the profiles."""
+    return codes["depth"] if "relative_depth" not in codes.dims else codes["relative_depth"] * codes["cylinder_depth"]
+
+
+def at_depths(codes: xr.Dataset, name: str, depth: xr.DataArray) -> xr.DataArray:
+    """Values of a profile at depths (m; settings, wall_level); NaN below the deepest place, and above the surface."""
+    along = "relative_depth" if "relative_depth" in codes.dims else "depth"
+    return xr.apply_ufunc(
+        _interpolated, codes[name], depths_of(codes), depth, vectorize=True,
+        input_core_dims=[[along], [along], ["wall_level"]], output_core_dims=[["wall_level"]],
+    )  # fmt: skip
+
+
+def in_hopper(codes: xr.Dataset, position: xr.DataArray) -> xr.DataArray:
+    """Pressure (Pa) on the hopper at places (settings, wall_level) from 0, the transition, to 1, the outlet."""
+    return xr.apply_ufunc(
+        _interpolated, codes["hopper_normal_pressure"], codes["hopper_position"], position, vectorize=True,
+        input_core_dims=[["hopper_position"], ["hopper_position"], ["wall_level"]], output_core_dims=[["wall_level"]],
+    )  # fmt: skip
+
+
+def _interpolated(values: np.ndarray, places: np.ndarray, wanted: np.ndarray) -> np.ndarray:
+    return np.interp(wanted, places, values, left=np.nan, right=np.nan)

@@ -1,0 +1,122 @@
+"""What a user writes to ask for a virtual laboratory: grains as in a scene of spheres, a wall, stresses, cells and fillings."""
+
+from itertools import pairwise
+from typing import Annotated, Any, ClassVar, Literal, Self
+
+from pydantic import Field, model_validator
+
+from silostudy.catalogue import Family
+from silostudy.config.elastic import GrainConfig, MaterialConfig, TouchConfig
+from silostudy.config.fields import Strict, described
+from silostudy.config.mixture import SizesConfig
+from silostudy.config.own import OwnMethods
+from silostudy.config.study import SweepStudy
+from silostudy.contact import SPHERE_LAWS
+from silostudy.tables.solids import GRAINS
+
+LEAST_CELL = 5.0  # mean diameters: EN 1991-4's rule for the uniaxial cell, from memory
+CELL, FILLING = "cell", "filling"  # axes that every laboratory has
+Stress = Annotated[float, Field(gt=0, le=1e4)]
+Width = Annotated[float, Field(ge=LEAST_CELL, le=200)]
+
+
+class LaboratoryScene(OwnMethods):
+    """One filling of one cell: grains, the wall that they are tested against, and how fast the tests are."""
+
+    joins: ClassVar[tuple[Family, ...]] = tuple(SPHERE_LAWS.values())
+
+    grains: Literal["spheres"] = described("spheres; discs have no plate that moves along itself, so none can be sheared", "")
+    grain: GrainConfig = described("material of the spheres", "")
+    wall: MaterialConfig = described("material of the silo's wall, of which the tested plate is made", "")
+    spheres: TouchConfig = described("contact between spheres", "", default=TouchConfig())
+    walls: TouchConfig = described("contact of spheres and the wall's material", "", default=TouchConfig())
+    sizes: SizesConfig = described("sizes of the spheres", "")
+    cell_grains: float = described("width of the cell over the mean diameter", ge=LEAST_CELL, le=200, default=16.0)
+    height_grains: float = described("height of the filling over the mean diameter", ge=LEAST_CELL, le=200, default=8.0)
+    inertial_number: float = described(
+        "strain rate times mean diameter times root of density over stress, at which cells are pressed and sheared: how fast "
+        "the tests are; 0.001 and below counts as quasi-static",
+        gt=0,
+        le=0.01,
+        default=0.001,
+    )
+    seed: int = described("seed of the filling", ge=0, le=2**53, default=0)
+
+
+class SolidConfig(Strict):
+    """The row of the solid: what a study of pressures names it by."""
+
+    key: str = described("key of the row", "", pattern=r"^[a-z][a-z0-9_]*$")
+    grain: Literal[GRAINS] = described("what the solid counts as", "")  # type: ignore[valid-type]
+
+
+class LaboratoryStudy(SweepStudy):
+    """Tests of grains in virtual cells: unit weight, lateral pressure ratio, internal friction and wall friction."""
+
+    kind: Literal["laboratory"] = described("laboratory: a bulk solid's properties by tests on its grains", "")
+    scene: LaboratoryScene = described("grains and wall", "")
+    solid: SolidConfig = described("row of the solid that the tests give", "")
+    stresses_kPa: tuple[Stress, ...] = described(
+        "normal stresses of all tests, rising: cells are pressed from one to the next, and sheared at each", "kPa", min_length=1
+    )
+    vertical_kPa: float | None = described(
+        "one of the stresses: at which unit weight, K and internal friction enter the row; null: the largest",
+        "kPa",
+        default=None,
+    )
+    horizontal_kPa: float | None = described(
+        "one of the stresses: at which wall friction enters the row; null: the one that is nearest to half of vertical_kPa",
+        "kPa",
+        default=None,
+    )
+    shear_strain: float = described("way of the turning plate, at its mean radius, over the height", gt=0, le=10, default=0.6)
+    cells: tuple[Width, ...] = described("widths of the cells over the mean diameter, rising; the row is the last one's",
+                                         min_length=1)  # fmt: skip
+    fillings: int = described("fillings of each cell: seeds 0, 1, ...; two at least, for a scatter", ge=2, le=1000)
+
+    @model_validator(mode="before")
+    @classmethod
+    def _axes_of_its_own(cls, content: Any) -> Any:
+        """Cells and fillings are the last axes of the sweep."""
+        if not isinstance(content, dict):
+            return content
+        given, (cells, fillings) = content.get("sweep", ()), (content.get(name) for name in ("cells", "fillings"))
+        if not (isinstance(cells, list | tuple) and cells and isinstance(fillings, int) and 0 < fillings <= 1000):
+            return content  # the fields themselves say what is wrong
+        if not isinstance(given, list | tuple) or any(_named(axis) in (CELL, FILLING) for axis in given):
+            return content
+        own = [{"axis": CELL, "values": {"cell_grains": list(cells)}},
+               {"axis": FILLING, "values": {"seed": list(range(fillings))}}]  # fmt: skip
+        return content | {"sweep": [*given, *own]}
+
+    @model_validator(mode="after")
+    def _sound_stresses_and_cells(self) -> Self:
+        for name in ("stresses_kPa", "cells"):
+            if any(b <= a for a, b in pairwise(getattr(self, name))):
+                raise ValueError(f"{name} must rise, none twice")
+        for name in ("vertical_kPa", "horizontal_kPa"):
+            value = getattr(self, name)
+            if value is not None and value not in self.stresses_kPa:
+                raise ValueError(f"{name} = {value:g} must be one of stresses_kPa")
+        if [axis.axis for axis in self.sweep[-2:]] != [CELL, FILLING]:
+            raise ValueError(f"the axes {CELL} and {FILLING} are the laboratory's own: name others otherwise")
+        return self
+
+    @property
+    def vertical(self) -> float:
+        """Vertical stress (kPa) at which unit weight, lateral pressure ratio and internal friction enter the row."""
+        return self.vertical_kPa or self.stresses_kPa[-1]
+
+    @property
+    def horizontal(self) -> float:
+        """Stress (kPa) on the wall at which wall friction enters the row."""
+        return self.horizontal_kPa or min(self.stresses_kPa, key=lambda stress: abs(stress - self.vertical / 2))
+
+    @property
+    def settings(self) -> str:
+        """What the numbers of a case depend on besides its scene: the stresses, and how far the shear goes (canonical JSON)."""
+        return self.model_dump_json(include={"kind", "stresses_kPa", "shear_strain"})
+
+
+def _named(axis: Any) -> Any:
+    return axis.get("axis") if isinstance(axis, dict) else getattr(axis, "axis", None)

@@ -1,0 +1,133 @@
+"""What a laboratory's cube says of its solid: means and scatter over fillings, the row of the solid, and what must hold."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from math import degrees, sin, tan
+
+import numpy as np
+import xarray as xr
+
+from silostudy.errors import BadInput
+
+CELL, FILLING = "cell", "filling"
+FRACTILE = 1.28  # standard deviations from the mean to the fractiles of 10 and 90 % of a normal distribution
+OWN_AXES = {CELL, FILLING}
+
+
+@dataclass(frozen=True)
+class Found:
+    """A quantity over the fillings of a cell: mean, standard deviation, and how many fillings."""
+
+    mean: float
+    deviation: float
+    count: int
+
+    @classmethod
+    def of(cls, values: xr.DataArray) -> "Found":
+        """Of the fillings that were computed; BadInput for fewer than two."""
+        kept = values.values[np.isfinite(values.values)]
+        if len(kept) < 2:
+            raise BadInput("filling", len(kept), "filling(s) of a cell were computed: a scatter needs two")
+        return cls(float(kept.mean()), float(kept.std(ddof=1)), len(kept))
+
+    @property
+    def factor(self) -> float:
+        """Upper characteristic value over the mean (1), and the mean over the lower one: fractiles of 90 and 10 %.
+
+        Source: en1991_4_2006, conversion factors from scatter; from memory, not checked.
+        """
+        return 1.0 + FRACTILE * self.deviation / self.mean
+
+
+@dataclass(frozen=True)
+class Solid:
+    """What the tests of one cell say of the solid: unit weights (N/m3), angle (rad), friction, pressure ratio (1)."""
+
+    loose: Found
+    repose_angle: Found
+    unit_weight: Found
+    friction_angle: Found
+    wall_friction: Found
+    lateral_pressure_ratio: Found
+
+    @classmethod
+    def of(cls, cube: xr.Dataset, cell: int = -1) -> "Solid":
+        """Of the cell at a position, the last one's: the widest; BadInput for a cube with further axes."""
+        if others := set(cube.attrs["sweep_axes"].split()) - OWN_AXES:
+            raise BadInput("sweep", ", ".join(sorted(others)), "one solid is one row: select a position on it first")
+        one = cube.isel({CELL: cell})
+        upright = one.sel(normal_stress=float(one["row_vertical_stress"]))
+        on_wall = one.sel(normal_stress=float(one["row_horizontal_stress"]))
+        return cls(
+            loose=Found.of(one["loose_unit_weight"]),
+            repose_angle=Found.of(one["tested_repose_angle"]),
+            unit_weight=Found.of(upright["tested_unit_weight"]),
+            friction_angle=Found.of(xr.apply_ufunc(np.arctan, upright["internal_peak_shear_ratio"])),
+            wall_friction=Found.of(on_wall["wall_steady_shear_ratio"]),
+            lateral_pressure_ratio=Found.of(upright["tested_lateral_pressure_ratio"]),
+        )
+
+    def row(self, cube: xr.Dataset) -> dict[str, str | float]:
+        """The row of the solid, in the columns of the solids table."""
+        fillings, width = self.loose.count, float(cube[CELL][-1])
+        vertical, horizontal = (1e-3 * float(cube[f"row_{way}_stress"]) for way in ("vertical", "horizontal"))
+        return {
+            "solid": str(cube["row_solid"].item()),
+            "title": cube.attrs["title"],
+            "grain": str(cube["row_grain"].item()),
+            "unit_weight_kN_m3": 1e-3 * self.unit_weight.mean * self.unit_weight.factor,
+            "unit_weight_lower_kN_m3": 1e-3 * self.loose.mean / self.loose.factor,
+            "internal_friction_angle_deg": degrees(self.friction_angle.mean),
+            "repose_angle_deg": degrees(self.repose_angle.mean),
+            "wall_friction": self.wall_friction.mean,
+            "lateral_pressure_ratio": self.lateral_pressure_ratio.mean,
+            "a_phi": self.friction_angle.factor,
+            "a_K": self.lateral_pressure_ratio.factor,
+            "a_mu": self.wall_friction.factor,
+            "source": f"virtual laboratory of silostudy, study {cube.attrs['study_hash']}",
+            "locator": f"{fillings} fillings of a cell {width:g} grains wide",
+            "remark": f"at {vertical:g} kPa, wall friction steady at {horizontal:g} kPa; lower unit weight as filled; "
+            f"factors 1 + {FRACTILE} deviation/mean",
+        }
+
+
+@dataclass(frozen=True)
+class Check:
+    """Something that must hold of tests: what is looked at, its value, and between which ends it must lie."""
+
+    what: str
+    value: float
+    least: float
+    greatest: float
+
+    @property
+    def holds(self) -> bool:
+        """Whether the value lies between the ends."""
+        return self.least <= self.value <= self.greatest
+
+    def __str__(self) -> str:
+        told = "holds" if self.holds else "does not hold"
+        return f"{self.what}: {self.value:.3g}, to be from {self.least:.3g} to {self.greatest:.3g}: {told}"
+
+
+def active_ratio(sine: float) -> float:
+    """Lateral pressure ratio (1) at which a solid of a friction angle of this sine yields: Rankine's active one."""
+    return (1.0 - sine) / (1.0 + sine)
+
+
+def checks(cube: xr.Dataset) -> Iterator[Check]:
+    """What must hold of the widest cell's tests.
+
+    The row's angle is that of the largest shear over the normal stress on the sheared plane.  As that plane keeps its length,
+    the ratio is rather the angle's sine: a K below the active ratio of that angle is out of reach, but for the scatter.  Below
+    the active ratio of the row's own angle it may well be.
+    """
+    solid = Solid.of(cube)
+    ratio, angle = solid.lateral_pressure_ratio, solid.friction_angle
+    upper, steep = ratio.mean * ratio.factor, angle.mean * angle.factor
+    yield Check("upper K over Rankine's of upper phi, tau/sigma for its sine", upper / active_ratio(tan(steep)), 1.0, np.inf)
+    yield Check("upper K over Rankine's of upper phi, tau/sigma for its tangent", upper / active_ratio(sin(steep)), 1.0, np.inf)
+    yield Check("K over 1.1 (1 - sin phi)", ratio.mean / (1.1 * (1.0 - sin(angle.mean))), 0.0, 1.0)
+    steady = cube.isel({CELL: -1})[["internal_steady_shear_ratio", "wall_steady_shear_ratio"]].mean(FILLING)
+    for stress, inside, wall in zip(steady["normal_stress"].values, *(steady[name].values for name in steady), strict=True):
+        yield Check(f"wall over internal friction, steady at {1e-3 * stress:g} kPa", wall / inside, 0.0, 1.0)

@@ -1,0 +1,62 @@
+"""What figures of grains beside codes share: the settings of a cube, means over fillings with their interval."""
+
+from collections.abc import Iterator
+from itertools import product
+from typing import Any
+
+import numpy as np
+import pandas as pd
+import xarray as xr
+from scipy.stats import t as student
+
+SURE = 0.95  # share of the intervals that hold the mean of all fillings
+
+
+def settings(cube: xr.Dataset) -> Iterator[tuple[dict[str, Any], xr.Dataset]]:
+    """What the axes set, by the title of the scene where they set one, and the cube there, setting by setting."""
+    axes = cube.attrs["sweep_axes"].split()
+    for place in product(*(range(cube.sizes[axis]) for axis in axes)):
+        one = cube.isel(dict(zip(axes, place, strict=True)))
+        yield {axis: one.get(f"{axis}_title", one[axis]).item() for axis in axes}, one
+
+
+def told(setting: dict[str, Any]) -> str:
+    """What the axes set, in words."""
+    return ", ".join(_worded(name, value) for name, value in setting.items()) or "the silo"
+
+
+def _worded(name: str, value: Any) -> str:
+    return value if isinstance(value, str) else f"{name.replace('_', ' ')} {value:.4g}"
+
+
+def interval(values: np.ndarray) -> tuple[float, float, float]:
+    """Mean of fillings and the ends of its interval by Student's t; NaN ends of fewer than two."""
+    values = values[np.isfinite(values)]
+    if not len(values):
+        return np.nan, np.nan, np.nan
+    mean = float(values.mean())
+    if len(values) < 2:
+        return mean, np.nan, np.nan
+    half = float(student.ppf(0.5 + SURE / 2, len(values) - 1) * values.std(ddof=1) / np.sqrt(len(values)))
+    return mean, mean - half, mean + half
+
+
+def row(values: xr.DataArray, **about: Any) -> dict[str, Any]:
+    """A row of a table: what it is about, mean over the fillings, its interval, and how many fillings."""
+    found = values.values.ravel()
+    mean, low, high = interval(found)
+    return {**about, "mean": mean, "low_95": low, "high_95": high, "fillings": int(np.isfinite(found).sum())}
+
+
+def methods_of(one: xr.Dataset, phase: str) -> list[str]:
+    """Methods that say anything of the wall in a phase."""
+    given = one["code_wall_pressure"].sel(phase=phase).notnull().any("wall_level")
+    return [str(method) for method in one["pressure_method"].values[given.values]]
+
+
+def profile(one: xr.DataArray, depth: xr.DataArray, **about: Any) -> pd.DataFrame:
+    """Mean over the fillings of a profile, its least and largest, by the mean depth of each level (m)."""
+    return pd.DataFrame({
+        **about, "depth_m": depth.mean("filling").values, "pressure_Pa": one.mean("filling").values,
+        "least_Pa": one.min("filling").values, "largest_Pa": one.max("filling").values,
+    }).dropna(subset=["depth_m", "pressure_Pa"])  # fmt: skip

@@ -1,0 +1,129 @@
+"""A laboratory's tests at a glance: compression, shear over its way, loci of yield and wall friction, width of the cell."""
+
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+import xarray as xr
+from matplotlib.axes import Axes
+
+from silostudy.cube.laboratory import CELL, FILLING, Found, Solid, checks
+from silostudy.figures.style import plt, save
+
+KPA = 1e3  # Pa
+INSIDE, WALL, STEADY = "#0072b2", "#d55e00", "#009e73"
+PALE = 0.35  # opacity of the least stress
+# what the width of the cell is looked at by: variable, and the stress at which it enters the row
+QUANTITIES = {
+    "unit weight, pressed": ("tested_unit_weight", "row_vertical_stress"),
+    "K": ("tested_lateral_pressure_ratio", "row_vertical_stress"),
+    "internal friction, peak": ("internal_peak_shear_ratio", "row_vertical_stress"),
+    "internal friction, steady": ("internal_steady_shear_ratio", "row_vertical_stress"),
+    "wall friction, steady": ("wall_steady_shear_ratio", "row_horizontal_stress"),
+}
+LOCI = {
+    "internal_peak_shear_ratio": ("o", INSIDE, "in the solid, peak"),
+    "internal_steady_shear_ratio": ("s", STEADY, "in the solid, steady"),
+    "wall_steady_shear_ratio": ("^", WALL, "on the wall, steady"),
+}
+
+
+def draw(cube: xr.Dataset, stem: Path) -> None:
+    """Writes the figure and its numbers: of the widest cell, and what the width does."""
+    solid, wide = Solid.of(cube), cube.isel({CELL: -1})
+    figure, ((path, shear), (locus, width)) = plt.subplots(2, 2, figsize=(11.5, 8.4))
+    numbers = [*_path(path, wide, solid), *_shear(shear, wide), *_locus(locus, wide, solid), *_width(width, cube)]
+    failed = [str(one) for one in checks(cube) if not one.holds]
+    about = f"cell {float(wide[CELL]):g} grains wide, {int(wide['tested_grains'][0])} grains, {solid.loose.count} fillings; "
+    about += f"poured heap {np.degrees(solid.repose_angle.mean):.1f} ± {np.degrees(solid.repose_angle.deviation):.1f} degrees"
+    figure.suptitle("\n".join([cube.attrs["title"], about, *failed]), fontsize=10)
+    save(figure, pd.concat(numbers, ignore_index=True), stem)
+
+
+def _path(panel: Axes, wide: xr.Dataset, solid: Solid) -> list[pd.DataFrame]:
+    """Horizontal over vertical stress at first loading."""
+    vertical, horizontal = (
+        wide["path_stress"].values / KPA,
+        wide["path_horizontal_stress"].transpose(FILLING, "path_stress") / KPA,
+    )
+    mean = horizontal.mean(FILLING).values
+    curves = [*(("a filling", one.values, 0.6) for one in horizontal), ("mean of fillings", mean, 2.0)]
+    tables = []
+    for number, (label, values, width) in enumerate(curves):
+        told = label if number in (0, len(curves) - 1) else None
+        panel.plot(vertical, values, label=told, color=STEADY, linewidth=width, alpha=0.6 if width < 1.0 else 1.0)
+        tables.append(pd.DataFrame({"vertical_stress_kPa": vertical, "horizontal_stress_kPa": values}).assign(curve=label))
+    ratio, end = solid.lateral_pressure_ratio, float(wide["row_vertical_stress"]) / KPA
+    ends = np.array([0.5 * end, end])
+    slope = np.interp(end, vertical, mean) + ratio.mean * (ends - end)
+    told = f"slope K = {ratio.mean:.3f} ± {ratio.deviation:.3f}"
+    panel.plot(ends, slope, "k--", linewidth=1.2, label=told)
+    tables.append(pd.DataFrame({"vertical_stress_kPa": ends, "horizontal_stress_kPa": slope}).assign(curve=told))
+    panel.set(xlabel="vertical stress (kPa)", ylabel="horizontal stress (kPa)", title="uniaxial compression, first loading")
+    panel.set(xlim=(0.0, None), ylim=(0.0, None))
+    panel.legend(loc="upper left")
+    return [table.assign(panel="compression") for table in tables]
+
+
+def _shear(panel: Axes, wide: xr.Dataset) -> list[pd.DataFrame]:
+    """Shear stress over the way, inside the solid and on the wall's plate, for each normal stress."""
+    tables, stresses, way = [], wide["normal_stress"].values, wide["shear_strain"].values
+    for name, colour, told in (("internal", INSIDE, "in the solid"), ("wall", WALL, "on the wall")):
+        for stress, opacity in zip(stresses, np.linspace(PALE if len(stresses) > 1 else 1.0, 1.0, len(stresses)), strict=True):
+            each = wide[f"{name}_shear_ratio"].sel(normal_stress=stress) * stress / KPA
+            mean, spread = each.mean(FILLING).values, each.std(FILLING, ddof=1).values
+            panel.fill_between(way, mean - spread, mean + spread, color=colour, alpha=0.15, linewidth=0)
+            panel.plot(way, mean, color=colour, alpha=opacity, label=told if stress == stresses[-1] else None)
+            panel.annotate(f"{stress / KPA:g} kPa", (way[-1], mean[-1]), xytext=(4, -3), textcoords="offset points",
+                           fontsize=8, color=colour)  # fmt: skip
+            columns = {"shear_strain": way, "shear_stress_kPa": mean, "low_kPa": mean - spread, "high_kPa": mean + spread}
+            tables.append(pd.DataFrame(columns).assign(curve=told, normal_stress_kPa=stress / KPA))
+    panel.set(xlabel="way of the lid at its mean radius over the height", ylabel="shear stress (kPa)")
+    panel.set(title="shear: mean and standard deviation of fillings", xlim=(0.0, 1.15 * way[-1]), ylim=(0.0, None))
+    panel.legend(loc="upper left")
+    return [table.assign(panel="shear") for table in tables]
+
+
+def _locus(panel: Axes, wide: xr.Dataset, solid: Solid) -> list[pd.DataFrame]:
+    """Shear over normal stress: peak and steady inside the solid, steady on the wall, with the row's lines."""
+    stress, tables = wide["normal_stress"].values / KPA, []
+    for name, (marker, colour, told) in LOCI.items():
+        shear = wide[name].transpose(FILLING, "normal_stress").values * stress
+        mean, spread = np.nanmean(shear, axis=0), np.nanstd(shear, axis=0, ddof=1)
+        panel.errorbar(stress, mean, spread, fmt=marker, color=colour, capsize=3, markersize=5, label=told)
+        columns = {"normal_stress_kPa": stress, "shear_stress_kPa": mean, "low_kPa": mean - spread, "high_kPa": mean + spread}
+        tables.append(pd.DataFrame(columns).assign(curve=told))
+    angle, friction, ends = solid.friction_angle, solid.wall_friction, np.array([0.0, 1.08 * stress[-1]])
+    lines = {
+        f"phi = {np.degrees(angle.mean):.1f} ± {np.degrees(angle.deviation):.1f} degrees": (np.tan(angle.mean), INSIDE),
+        f"mu = {friction.mean:.3f} ± {friction.deviation:.3f}": (friction.mean, WALL),
+    }
+    for told, (slope, colour) in lines.items():
+        panel.plot(ends, slope * ends, color=colour, linewidth=1.0, label=told)
+        tables.append(pd.DataFrame({"normal_stress_kPa": ends, "shear_stress_kPa": slope * ends}).assign(curve=told))
+    panel.set(xlabel="normal stress (kPa)", ylabel="shear stress (kPa)", title="yield locus and wall friction")
+    panel.set(xlim=(0.0, None), ylim=(0.0, None))
+    panel.legend(loc="upper left")
+    return [table.assign(panel="loci") for table in tables]
+
+
+def _width(panel: Axes, cube: xr.Dataset) -> list[pd.DataFrame]:
+    """Every quantity of every cell over that of the widest one."""
+    rows, cells = [], cube[CELL].values
+    for place, (name, (variable, at)) in enumerate(QUANTITIES.items()):
+        found = [Found.of(one) for one in cube[variable].sel(normal_stress=float(cube[at])).transpose(CELL, FILLING)]
+        for number, (cell, one) in enumerate(zip(cells, found, strict=True)):
+            value, spread = one.mean / found[-1].mean, one.deviation / found[-1].mean
+            rows.append({"curve": f"{cell:g} grains wide", "quantity": name, "over_widest": value, "low": value - spread,
+                         "high": value + spread, "place": place + 0.2 * (number - 0.5 * (len(cells) - 1))})  # fmt: skip
+    table = pd.DataFrame(rows)
+    for number, (told, one) in enumerate(table.groupby("curve", sort=False)):
+        bars = [one["over_widest"] - one["low"], one["high"] - one["over_widest"]]
+        colour = plt.get_cmap("viridis")(0.1 + 0.7 * number / max(len(cells) - 1, 1))
+        panel.errorbar(one["over_widest"], one["place"], xerr=bars, fmt="o", capsize=3, markersize=5, color=colour, label=told)
+    panel.axvline(1.0, color="black", linewidth=0.8)
+    panel.set_yticks(range(len(QUANTITIES)), list(QUANTITIES))
+    panel.set_ylim(len(QUANTITIES) - 0.5, -1.1)
+    panel.set(xlabel="mean and standard deviation of fillings over the widest cell's mean", title="width of the cell")
+    panel.legend(loc="upper right", ncols=len(cells))
+    return [table.assign(panel="width")]

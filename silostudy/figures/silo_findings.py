@@ -1,0 +1,68 @@
+"""What silos of grains did beside every theory and code, as numbers with an interval and a verdict."""
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pandas as pd
+import xarray as xr
+
+from silostudy.figures.beside import methods_of, row, settings
+from silostudy.figures.style import save_table
+
+PHASES = ("filling", "discharge")
+
+
+def draw(cube: xr.Dataset, stem: Path) -> None:
+    """Writes the table: a row a setting, quantity and method."""
+    save_table(findings(cube), stem.with_suffix(".csv"))
+
+
+def findings(cube: xr.Dataset) -> pd.DataFrame:
+    """The table: of the grains themselves first, then of each method beside them."""
+    return pd.DataFrame(
+        [found for setting, one in settings(cube) for found in (*_grains(one, setting), *_methods(one, setting))]
+    )
+
+
+def _grains(one: xr.Dataset, setting: dict[str, Any]) -> list[dict[str, Any]]:
+    found = [row(one["contents_unit_weight"], **setting, of="grains", quantity="unit weight at rest (N/m3)")]
+    friction = one["mobilised_wall_friction"]
+    found += [row(friction.sel(phase=phase), **setting, of="grains", quantity="wall shear over wall pressure", phase=phase)
+              for phase in PHASES]  # fmt: skip
+    found.append(row(one["lateral_pressure_ratio_at_rest"], **setting, of="grains", quantity="lateral pressure ratio at rest"))
+    found += [
+        row(one["largest_over_rest"].sel(phase=phase, averaging=area), **setting, of="grains", phase=phase, area=str(area),
+            quantity="largest mean on an area over the ring's mean at rest")
+        for phase in PHASES for area in one["averaging"].values
+    ]  # fmt: skip
+    if one["hopper_switch_factor"].notnull().any():
+        quantity = "largest ring mean on the hopper in flow over that at rest"
+        found.append(row(one["hopper_switch_factor"].max("wall_level"), **setting, of="grains", quantity=quantity))
+    return found
+
+
+def _methods(one: xr.Dataset, setting: dict[str, Any]) -> list[dict[str, Any]]:
+    found = []
+    for phase in PHASES:
+        for method in methods_of(one, phase):
+            about = {**setting, "of": method, "phase": phase}
+            said = one.sel(pressure_method=method, phase=phase)
+            found.append(row(said["code_over_grains_force"], **about, quantity="wall force over the grains'"))
+            found.append(
+                row(said["code_profile_residual"], **about, quantity="root mean square of pressure over the grains', less 1")
+            )
+            for area in one["averaging"].values:
+                cover = row(said["code_over_grains_peak"].sel(averaging=area), **about, area=str(area),
+                            quantity="least pressure over the grains' largest mean on an area")  # fmt: skip
+                found.append({**cover, "verdict": verdict(cover["low_95"], cover["high_95"])})
+    return found
+
+
+def verdict(low: float, high: float) -> str:
+    """A plain word for the ends of the interval of a method's pressure over the grains' peak."""
+    if not np.isfinite([low, high]).all():
+        return "no interval: too few fillings reach there"
+    if low >= 1.0:
+        return "covers it"
+    return "does not cover it" if high < 1.0 else "may cover it"

@@ -1,0 +1,94 @@
+"""One cell of a laboratory with its filling: sizes and speeds in SI."""
+
+from dataclasses import dataclass
+from functools import cached_property
+from math import pi, sqrt
+from pathlib import Path
+
+import numpy as np
+
+from silostudy.config.laboratory import LaboratoryScene
+from silostudy.packing.sizes import SIZES
+from silostudy.scene.spheres import MPA, material_of
+from silostudy.tables.references import own_files
+
+KPA = 1e3  # Pa
+DRAWN = 2000  # sizes from which mean diameter and volume are taken
+TRAY = 1.6  # width of a heap's tray over that of the cell
+SLOPE = 0.47  # tangent of the angle that a heap is reckoned to have: it sets how many grains are poured
+LOOSE = 0.57  # about the solid fraction of a filling: it sets how many grains make the height
+
+
+@dataclass(frozen=True)
+class LaboratoryCase:
+    """One cell with its filling: the configuration, the stresses (Pa) and shear strain (1) of its tests."""
+
+    config: LaboratoryScene
+    folder: Path
+    stresses: tuple[float, ...]
+    shear_strain: float
+
+    @property
+    def files(self) -> tuple[Path, ...]:
+        """The user's own files that the grains' laws come from."""
+        return own_files(self.folder, self.config.methods_from)
+
+    @cached_property
+    def radii(self) -> np.ndarray:
+        """Radii (m) of grains drawn from the sizes."""
+        return SIZES[self.config.sizes.kind].radii(np.random.default_rng(0), DRAWN, self.config.sizes)
+
+    @property
+    def grain(self) -> float:
+        """Mean diameter (m) of the grains."""
+        return 2.0 * float(self.radii.mean())
+
+    @property
+    def width(self) -> float:
+        """Width (m) of the cell."""
+        return self.config.cell_grains * self.grain
+
+    @property
+    def height(self) -> float:
+        """Height (m) of the filling, about."""
+        return self.config.height_grains * self.grain
+
+    @property
+    def area(self) -> float:
+        """Area (m2) of the cell's ends."""
+        return 0.25 * pi * self.width**2
+
+    @property
+    def lever(self) -> float:
+        """Radius (m) at which an even shear stress over an end would act for its torque: two thirds of the end's."""
+        return self.width / 3.0
+
+    @property
+    def count(self) -> int:
+        """Number of grains."""
+        return round(LOOSE * self.area * self.height / self.grain_volume)
+
+    @property
+    def grain_volume(self) -> float:
+        """Mean volume (m3) of the grains."""
+        return float((4.0 / 3.0 * pi * self.radii**3).mean())
+
+    @property
+    def tray(self) -> float:
+        """Width (m) of the tray that a heap is poured onto."""
+        return TRAY * self.width
+
+    @property
+    def heap_count(self) -> int:
+        """Number of grains of a heap: a cone of a usual slope over nine tenths of the tray."""
+        return round(LOOSE * pi / 3.0 * (0.45 * self.tray) ** 3 * SLOPE / self.grain_volume)
+
+    @property
+    def modulus(self) -> float:
+        """Young's modulus (Pa) that the grains are computed with."""
+        return (self.config.grain.softened_modulus_MPa or material_of(self.config.grain).youngs_modulus / MPA) * MPA
+
+    def speed(self, stress: float) -> float:
+        """Speed (m/s) of an end at which the strain rate has the inertial number under a stress (Pa)."""
+        density = material_of(self.config.grain).density
+        return self.config.inertial_number * self.height / self.grain * sqrt(stress / density)

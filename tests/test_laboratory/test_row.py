@@ -1,0 +1,73 @@
+"""From a laboratory's cube to the row of its solid: means, factors, and what must hold."""
+
+import numpy as np
+import pandas as pd
+import pytest
+
+from silostudy.choice.expand import expand
+from silostudy.cube.laboratory import Found, Solid, active_ratio, checks
+from silostudy.errors import BadInput
+from silostudy.figures import laboratory_checks, laboratory_solid
+from silostudy.tables.solids import own_solids
+from tests.test_laboratory.made_up import cube_of, expansion
+
+
+def held(**ratios):
+    return {one.what: one.holds for one in checks(cube_of(expansion(), **ratios))}
+
+
+def test_the_row_is_read_as_any_solid_of_a_user_and_pressures_are_computed_with_it(tmp_path):
+    laboratory_solid.draw(cube_of(expansion()), tmp_path / "solids")
+    row = own_solids(tmp_path / "solids.csv")["small_spheres"]
+    assert row.lateral_pressure_ratio == pytest.approx(0.45, rel=1e-6)
+    assert row.internal_friction_angle == pytest.approx(np.arctan(0.5), rel=1e-4)
+    assert row.repose_angle == pytest.approx(0.4, rel=1e-6)
+    assert row.wall_friction == pytest.approx(0.9 * 0.3, rel=1e-6)
+    assert row.a_K == row.a_mu == pytest.approx(1.0128, rel=1e-6)  # fillings 1 % apart: that is their deviation
+    assert row.unit_weight == pytest.approx(8.5e3 * 1.0128, rel=1e-6)
+    assert row.unit_weight_lower == pytest.approx(7.9e3 / 1.0128, rel=1e-6)
+    silo = {"plan": "circular", "diameter_m": 4.0, "cylinder_depth_m": 8.0}
+    study = {"kind": "pressure", "title": "silo", "materials": "solids.csv", "scene": {"solid": row.key, "silo": silo},
+             "methods": ["janssen"], "relative_depth": [1.0]}  # fmt: skip
+    (case,) = expand(study, "silo", "silo.yaml", tmp_path).cases
+    assert case.scene.solid.a_phi == row.a_phi
+
+
+def test_the_row_is_the_widest_cell_s():
+    cube = cube_of(expansion())
+    wide = cube["tested_lateral_pressure_ratio"].copy()
+    wide[{"cell": 0}] = 9.0
+    assert Solid.of(cube.assign(tested_lateral_pressure_ratio=wide)).lateral_pressure_ratio.mean == pytest.approx(0.45)
+
+
+def test_a_scatter_needs_two_fillings_and_a_row_one_solid():
+    cube = cube_of(expansion())
+    lost = cube["loose_unit_weight"].copy()
+    lost[{"filling": slice(1, None)}] = np.nan
+    with pytest.raises(BadInput, match=r"filling = 1: .*a scatter needs two"):
+        Solid.of(cube.assign(loose_unit_weight=lost))
+    friction = {"axis": "friction", "values": {"spheres.sliding_friction": [0.2, 0.4]}}
+    with pytest.raises(BadInput, match=r"friction.*one solid is one row"):
+        Solid.of(cube_of(expansion(sweep=[friction])))
+
+
+def test_checks_tell_what_cannot_be():
+    sound = held()
+    assert all(sound.values())
+    wall = {what for what in sound if what.startswith("wall over internal")}
+    assert len(wall) == 2
+    assert {what for what, holds in held(wall=0.6).items() if not holds} == wall
+    low = {what for what, holds in held(ratio=0.9 * active_ratio(0.51)).items() if not holds}
+    assert len(low) == 2
+    assert all("Rankine" in what for what in low)
+    assert [what for what, holds in held(ratio=0.62).items() if not holds] == ["K over 1.1 (1 - sin phi)"]
+
+
+def test_checks_are_written_and_said(tmp_path, capsys):
+    laboratory_checks.draw(cube_of(expansion(), wall=0.6), tmp_path / "checks")
+    assert not pd.read_csv(tmp_path / "checks.csv")["holds"].all()
+    assert "does not hold" in capsys.readouterr().out
+
+
+def test_factor_is_that_of_the_ten_and_ninety_percent_fractiles():
+    assert Found(mean=2.0, deviation=0.1, count=5).factor == pytest.approx(1.064)
