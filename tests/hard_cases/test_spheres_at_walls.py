@@ -1,6 +1,6 @@
 """Hard cases of spheres at rest between walls, in cones, on edges and under loads: forces that statics give; one kernel."""
 
-from math import cos, pi, radians, sin, sqrt, tan
+from math import cos, pi, radians, sin, sqrt
 
 import numpy as np
 import pytest
@@ -217,7 +217,7 @@ def test_joint_of_cylinder_and_cone_at_speed(speed):
     engine = Engine(spheres(start, [(0.0, 0.3 * speed, -speed)], walls=walls, wall_contact=hard, dt=2e-8))
     turning = start[0][0] * 0.3 * speed
     engine.step_to(round(0.03 / speed / 2e-8))
-    (x, y, z, u, v, w, *spin) = rows(engine)[0]
+    (x, y, _, u, v, w, *spin) = rows(engine)[0]
     assert w > -0.9 * speed  # thrown back
     assert u**2 + v**2 + w**2 == pytest.approx(1.09 * speed**2, rel=2e-3)
     assert x * v - y * u == pytest.approx(turning, rel=1e-6)
@@ -271,7 +271,7 @@ def test_energy_in_a_bin_without_losses():
     for step in range(10_000, 500_001, 10_000):
         engine.step_to(step)
         x, y, z = rows(engine)[0, :3]
-        if RADIUS < z and np.hypot(x, y) < 0.0124 - RADIUS:
+        if z > RADIUS and np.hypot(x, y) < 0.0124 - RADIUS:
             found.append(energy())
     assert len(found) > 30
     assert found == pytest.approx([start] * len(found), rel=1e-4)

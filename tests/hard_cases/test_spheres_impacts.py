@@ -23,7 +23,7 @@ def hertz_stiffness(modulus, other=None) -> float:
 
 
 def of_an_impact(stiffness, speed, mass=MASS / 2.0, radius=RADIUS / 2.0):
-    """Largest overlap (m) and duration (s) of an elastic Hertz impact, by its energy and by Euler's beta function in 30 digits."""
+    """Largest overlap (m) and duration (s) of an elastic Hertz impact by energy and Euler's beta function, 30 digits."""
     with mpmath.workdps(30):
         k, m, v = mpmath.mpf(stiffness) * mpmath.sqrt(radius), mpmath.mpf(mass), mpmath.mpf(speed)
         deepest = (5 * m * v**2 / (4 * k)) ** mpmath.mpf("0.4")
@@ -135,7 +135,7 @@ def test_grains_of_1_gpa_on_a_wall_of_210_gpa():
         push = spring + number * sqrt(stiffness * MASS * sqrt(RADIUS * sunk)) * v
         return v, -max(push, 0.0) / MASS
 
-    deepest, time = of_an_impact(stiffness, speed, MASS, RADIUS)
+    _, time = of_an_impact(stiffness, speed, MASS, RADIUS)
     apart = solve_ivp(rates, (0.0, 3.0 * time), (0.0, speed), rtol=1e-10, atol=1e-16, max_step=time / 100.0)
     engine = Engine(spheres([(0.0, 0.0, SURFACE)], [(0.0, 0.0, -speed)], wall_contact=touch, dt=time / 4000.0))
     heights = []
