@@ -10,6 +10,7 @@ from silostudy.dem.events import Event
 from silostudy.dem.run import Run
 from silostudy.dem.space.walls import FlatPiece, TurnedLine
 from silostudy.dem.stability import longest_step
+from silostudy.dem.strength import DEEP
 from silostudy.errors import BadInput
 from tests.test_spheres.scenes import GRAVITY, MASS, RADIUS, bin_walls, contact, floor, heap, rows, spheres
 
@@ -35,7 +36,7 @@ def test_sub_normal_numbers_of_spheres(tiny):
         engine.step_to(1000)
         assert np.isfinite(rows(engine)).all()
     assert np.array_equal(rows(common[0])[:, [0, 3]], rows(common[1])[:, [0, 3]])
-    assert np.abs(rows(common[1])[:, [1, 2, 4, 5]]).max() < 1e3 * tiny
+    assert np.abs(rows(common[1])[:, [1, 4, 5]]).max() < 1e3 * tiny
 
 
 def test_coincident_centres_of_spheres():
@@ -141,21 +142,17 @@ def test_last_sphere_leaves():
 
 @pytest.mark.parametrize(("share", "stays"), [(0.98, True), (1.02, False)])
 def test_step_just_below_and_just_above_the_bound_of_spheres(share, stays):
-    """A sphere pressed between two plates, kicked by a ten-thousandth of its overlap."""
-    high = 2.0 * RADIUS * 0.99
+    """A sphere gripped by two plates, as deep as the bound looks at: its swing stays as small as it began, or grows."""
+    high = 2.0 * RADIUS * (1.0 - DEEP)
     plates = (floor(), TurnedLine(name="lid", start=(0.0, high), end=(1.0, high), joined=(True, True)))
-    touch = contact(None, 0.0)
-    bound = longest_step(spheres([(0.0, 0.0, 0.5 * high)], walls=plates, wall_contact=touch))
-    kick = 1e-4 * 0.01 * RADIUS
-    engine = Engine(spheres([(0.0, 0.0, 0.5 * high + kick)], walls=plates, wall_contact=touch, dt=share * bound))
-    furthest = 0.0
-    try:
-        for step in range(1, 4001):
-            engine.step_to(step)
-            furthest = max(furthest, abs(rows(engine)[0, 2] - 0.5 * high))
-    except Explosion:
-        furthest = np.inf
-    assert (furthest < 20.0 * kick) if stays else (furthest > 1e3 * kick)
+    start, grip = [(0.0, 0.0, 0.5 * high)], contact(None, 1e6)
+    bound = longest_step(spheres(start, walls=plates, wall_contact=grip))
+    engine = Engine(spheres(start, spin=(1e-3, 0.0, 0.0), walls=plates, wall_contact=grip, dt=share * bound))
+    spins = []
+    for step in range(1, 2001):
+        engine.step_to(step)
+        spins.append(abs(rows(engine)[0, 6]))
+    assert (max(spins) < 0.02) if stays else (max(spins) > 1.0)
 
 
 def test_a_bin_of_spheres_turned_by_a_quarter():
@@ -165,19 +162,19 @@ def test_a_bin_of_spheres_turned_by_a_quarter():
     def settled(quarter):
         model = heap(layers=3)
         place = np.c_[model.x, model.y, model.z]
-        velocity = np.full(place.shape, 0.1)
+        velocity = np.random.default_rng(4).normal(size=place.shape) * 0.5
         if quarter:
             place, velocity, gravity = (np.c_[-of[:, 1], of[:, 0], of[:, 2]] for of in (place, velocity, pull[None]))
         else:
             gravity = pull[None]
         engine = Engine(spheres(place, velocity, walls=bin_walls(6.2 * RADIUS, 0.05), gravity=tuple(gravity[0]), dt=5e-6,
                                 pair_contact=contact(0.5), wall_contact=contact(0.5, 0.3)))  # fmt: skip
-        engine.step_to(400)
+        engine.step_to(2000)
         return rows(engine)
 
     straight, turned = settled(False), settled(True)
     assert np.abs(straight[:, 6:]).max() > 0.1
-    assert np.c_[-straight[:, 1], straight[:, 0], straight[:, 2]] == pytest.approx(turned[:, :3], abs=1e-12)
+    assert np.c_[-straight[:, 1], straight[:, 0], straight[:, 2]] == pytest.approx(turned[:, :3], abs=1e-9 * RADIUS)
 
 
 def test_density_beyond_all_reason_still_falls():
