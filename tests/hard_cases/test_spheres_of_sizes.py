@@ -82,10 +82,10 @@ def test_sphere_rolls_off_one_of_ten_times_its_radius(integrator):
     stiff = contact(0.5, 0.5, 1e16)
     heavy = 1e9 * 4.0 / 3.0 * pi * radii[0] ** 3 * GRAVITY
     low = radii[0] - (heavy / (1e16 / 1e7 * K * sqrt(radii[0]))) ** (2.0 / 3.0)
-    apart = radii.sum() - sunk(WEIGHT * cos(start), radii.prod() / radii.sum())
+    apart = radii.sum() - sunk(WEIGHT * cos(start), radii.prod() / radii.sum(), 100.0 * K)
     place = [(0.0, 0.0, low), (apart * sin(start), 0.0, low + apart * cos(start))]
     changes = {"quake": np.zeros((400_001, 3))} if integrator == VERLET.key else {}
-    engine = Engine(spheres(place, radius=radii, density=density, gravity=DOWN, pair_contact=contact(0.5, 1e3), wall_contact=stiff,
+    engine = Engine(spheres(place, radius=radii, density=density, gravity=DOWN, pair_contact=contact(0.5, 1e3, 1e9), wall_contact=stiff,
                             dt=1e-6, integrator=integrator, **changes))  # fmt: skip
     away = np.diff(rows(engine)[:, :3], axis=0)[0]
     while np.linalg.norm(away) < radii.sum():
@@ -142,9 +142,11 @@ def test_jkr_pull_off(modulus, share, holds):
     root = RADIUS / 2.0 * sqrt(6.0 * pi * ADHESION) * (1.0 + sqrt(max(1.0 - share, 0.0)))  # of c a^3
     a = (root**2 / c) ** (1.0 / 3.0)
     overlap = a**2 / RADIUS - sqrt(2.0 * pi * ADHESION * a / (0.75 * c))
-    model = sticky([(0.0, 0.0, 0.5 - RADIUS + overlap)], walls=(ceiling(),), gravity=(0.0, 0.0, -share * largest / MASS),
+    model = sticky([(0.0, 0.0, 0.5 - RADIUS + 1e-9)], walls=(ceiling(),), gravity=(0.0, 0.0, -share * largest / MASS),
                    dt=1e-6 / sqrt(factor))  # fmt: skip
     engine = Engine(type(model)(**{**vars(model), "wall_contact": stiff}))
+    engine.step_to(1)  # it has touched
+    engine.bodies.rows[0, 2:6] = (0.5 - RADIUS + overlap, 0.0, 0.0, 0.0)
     engine.step_to(100_000)
     z = rows(engine)[0, 2]
     if holds:
