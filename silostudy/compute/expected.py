@@ -5,6 +5,7 @@ from typing import Any
 
 import numpy as np
 
+from silostudy.compute.sphere_cube import load_at_end
 from silostudy.config.grain_scenes import AnyScene
 from silostudy.dem.outcomes import OUTCOMES, Looks, Outcome
 from silostudy.dem.run import Run
@@ -25,12 +26,18 @@ class Verdict:
         """Whether the run came as near as it must."""
         return abs(self.found - self.value) <= self.tolerance
 
+    @property
+    def _digits(self) -> int:
+        """So many that the tolerance can be seen."""
+        size = abs(self.value) / self.tolerance
+        return max(4, 2 + int(np.ceil(np.log10(size)))) if size > 0.0 else 4
+
     def __str__(self) -> str:
-        told = f"{self.quantity.key} {self.found:.4g} {self.quantity.unit}"
+        told = f"{self.quantity.key} {self.found:.{self._digits}g} {self.quantity.unit}"
         if np.isnan(self.found):
             told = f"{self.quantity.key} not seen in this run"
         met = "met" if self.met else "not met"
-        return f"{told}; published {self.value:g} +- {self.tolerance:.3g} ({self.source}): {met}"
+        return f"{told}; published {self.value:.{self._digits}g} +- {self.tolerance:.3g} ({self.source}): {met}"
 
 
 def verdicts(run: Run, scene: AnyScene) -> list[Verdict]:
@@ -67,5 +74,6 @@ def _looks(run: Run) -> Looks:
         times=tuple(float(snapshot["time"]) for snapshot in record.snapshots),
         left_time=np.array(record.discharge_time),
         left_mass=np.array(record.discharged),
+        load=load_at_end(run) if engine.space.ways == 3 else np.nan,
         up=-weight / np.linalg.norm(weight) if weight.any() else weight,
     )

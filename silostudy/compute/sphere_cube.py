@@ -1,6 +1,7 @@
 """The cube of everything that the run of a scene of spheres recorded."""
 
 from collections.abc import Iterable
+from math import nan
 
 import numpy as np
 
@@ -123,6 +124,14 @@ def _windows(run: Run) -> dict[str, np.ndarray]:
         walls = [face.wall for face in faces(model.walls, LID)]
         data |= {"surface_spin": np.array(record.motion)[:, walls, SPIN]}
     return data | lid_arrays(run)
+
+
+def load_at_end(run: Run) -> float:
+    """Load (N) on all surfaces, mean over the last window; NaN where none was kept."""
+    record, model = run.recording, run.engine.model
+    if not (record.window and model.watched):
+        return nan
+    return float(_felt(np.array(record.window[-1:]), np.array(record.whole[-1:]), model)["surface_load"].sum())
 
 
 def _felt(force: np.ndarray, whole: np.ndarray, model: Model) -> dict[str, np.ndarray]:

@@ -143,6 +143,9 @@ class GrainScene(OwnMethods):
         unseen = [one.kind for one in self.expected if OUTCOMES[one.kind].of_snapshots and not looked]
         if unseen:
             raise ValueError(f"expected: {', '.join(unseen)} needs record.snapshots_s or record.snapshots_every_s")
+        unfelt = [one.kind for one in self.expected if OUTCOMES[one.kind].of_windows and not self.record.wall_force_window_s]
+        if unfelt:
+            raise ValueError(f"expected: {', '.join(unfelt)} needs record.wall_force_window_s")
         return self
 
     @model_validator(mode="after")

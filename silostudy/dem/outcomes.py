@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from math import nan
 from typing import Literal
 
 import numpy as np
@@ -23,11 +24,13 @@ class Looks:
     left_time: np.ndarray
     left_mass: np.ndarray
     up: np.ndarray  # unit vector against gravity at the end
+    load: float = nan  # N, downward on all surfaces of a scene of spheres, mean over the last window
 
 
 @dataclass(frozen=True, kw_only=True)
 class Outcome(Entry):
-    """find(looks, **arguments) -> the number, NaN where the run did not show it; of_snapshots: whether it is seen on them.
+    """find(looks, **arguments) -> the number, NaN where the run did not show it; of_snapshots, of_windows:
+    whether it is seen on snapshots, or in windows of wall forces.
 
     unit: of the number; suffix: of the names of its fields in a scene, and of its attributes in a cube.
     """
@@ -37,6 +40,17 @@ class Outcome(Entry):
     find: Callable[..., float]
     asks: tuple[PackingField, ...]
     of_snapshots: bool = False
+    of_windows: bool = False
+
+
+def mass_out(looks: Looks) -> float:
+    """Mass (kg, of discs kg/m) that had left through the outlet at the end."""
+    return float(looks.left_mass.max(initial=0.0))
+
+
+def load_at_end(looks: Looks) -> float:
+    """Load (N) on all surfaces in the last window."""
+    return looks.load
 
 
 def steady_outflow(looks: Looks) -> float:
@@ -104,6 +118,23 @@ OUTCOMES: Family[Outcome] = Family(
             unit="kg s-1",
             find=steady_outflow,
             asks=_published("kg_s", "kg s-1"),
+        ),
+        Outcome(
+            key="discharged-mass",
+            title="Mass that had left through the outlet at the end",
+            suffix="kg",
+            unit="kg",
+            find=mass_out,
+            asks=_published("kg", "kg"),
+        ),
+        Outcome(
+            key="wall-load",
+            title="Downward load on all surfaces, mean over the last window; of spheres",
+            suffix="N",
+            unit="N",
+            find=load_at_end,
+            asks=_published("N", "N"),
+            of_windows=True,
         ),
         Outcome(
             key="heap-height",

@@ -71,7 +71,13 @@ def test_outflow_leaves_out_the_start_and_the_end():
     assert found == pytest.approx(0.5, rel=1e-9)
 
 
-@pytest.mark.parametrize("quantity", ["steady-outflow", "heap-height", "surface-angle"])
+def test_mass_out_is_all_that_left_and_none_where_nothing_did():
+    found = OUTCOMES["discharged-mass"].find
+    assert found(looks(left_time=np.array([1.0, 2.0]), left_mass=np.array([0.2, 0.5]))) == 0.5
+    assert found(looks()) == 0.0
+
+
+@pytest.mark.parametrize("quantity", ["steady-outflow", "wall-load", "heap-height", "surface-angle"])
 def test_nothing_recorded_gives_no_number(quantity):
     given = {"heap-height": {"floor": 0.0}, "surface-angle": {"along": "x", "start": 0.0, "end": 1.0, "after": 0.0}}
     assert np.isnan(OUTCOMES[quantity].find(looks(), **given.get(quantity, {})))
@@ -84,6 +90,10 @@ def test_nothing_recorded_gives_no_number(quantity):
         ({**PUBLISHED, **SURFACE, "tolerance_deg": 0.0}, "tolerance_deg"),
         ({**PUBLISHED, **SURFACE, "kind": "angle"}, "steady-outflow"),
         ({**PUBLISHED, **SURFACE}, "needs record.snapshots_s"),
+        (
+            {"kind": "wall-load", "value_N": 1.0, "tolerance_N": 0.1, "source": "statics", "locator": "weight"},
+            "needs record.wall_force_window_s",
+        ),
     ],
 )
 def test_what_cannot_be_expected(expected, told):
