@@ -1,4 +1,4 @@
-"""Hard scenes of spheres before they run: what cannot be is refused in one line that names the field; draws keep what is asked."""
+"""Hard scenes of spheres before they run: what cannot be is refused in a line that names the field."""
 
 from math import inf, nan, radians
 

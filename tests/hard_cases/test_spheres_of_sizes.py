@@ -10,7 +10,7 @@ from scipy.integrate import solve_ivp
 from silostudy.contact import elastic
 from silostudy.dem.engine import Engine
 from silostudy.dem.integrate import PLAIN, VERLET
-from tests.hard_cases.test_spheres_at_walls import K, WEIGHT, sunk
+from tests.hard_cases.test_spheres_at_walls import WEIGHT, K, sunk
 from tests.hard_cases.test_spheres_impacts import of_an_impact
 from tests.test_spheres.scenes import DENSITY, GRAVITY, MASS, RADIUS, bin_walls, contact, floor, rows, spheres
 from tests.test_spheres.test_clinging import ADHESION, ceiling, clinging, sticky
@@ -85,8 +85,9 @@ def test_sphere_rolls_off_one_of_ten_times_its_radius(integrator):
     apart = radii.sum() - sunk(WEIGHT * cos(start), radii.prod() / radii.sum(), 100.0 * K)
     place = [(0.0, 0.0, low), (apart * sin(start), 0.0, low + apart * cos(start))]
     changes = {"quake": np.zeros((400_001, 3))} if integrator == VERLET.key else {}
-    engine = Engine(spheres(place, radius=radii, density=density, gravity=DOWN, pair_contact=contact(0.5, 1e3, 1e9), wall_contact=stiff,
-                            dt=1e-6, integrator=integrator, **changes))  # fmt: skip
+    model = spheres(place, radius=radii, density=density, gravity=DOWN, pair_contact=contact(0.5, 1e3, 1e9),
+                    wall_contact=stiff, dt=1e-6, integrator=integrator, **changes)  # fmt: skip
+    engine = Engine(model)
     away = np.diff(rows(engine)[:, :3], axis=0)[0]
     while np.linalg.norm(away) < radii.sum():
         engine.step_to(engine.step + 50)
