@@ -8,6 +8,7 @@ import sys
 from itertools import chain
 from pathlib import Path
 
+from silostudy import PACKAGE
 from silostudy.commands.failures import ending
 from silostudy.config.load import load_project, read_study
 from silostudy.cube.fingerprint import damaged
@@ -22,8 +23,8 @@ PYTHON = sys.executable  # no parameter of a rule: with another one nothing has 
 AT_ONCE = workflow.resource_settings.nodes or workflow.resource_settings.cores or 1  # jobs
 
 
-include: "silostudy/rules/names.smk"
-include: "silostudy/rules/inputs.smk"
+include: str(PACKAGE / "rules/names.smk")
+include: str(PACKAGE / "rules/inputs.smk")
 
 
 try:  # every mistake of every study is told before any job starts
@@ -75,7 +76,7 @@ onerror:
         atexit.register(print, *ending("".join(Path(file).read_text() for file in log), sys.argv), sep="\n", file=sys.stderr)
 
 
-report: "silostudy/rules/report.rst"
+report: str(PACKAGE / "rules/report.rst")
 
 
 wildcard_constraints:
@@ -163,8 +164,8 @@ rule dem:
         command("dem {input[0]:q} {output:q}")
 
 
-include: "silostudy/rules/draw.smk"
-include: "silostudy/rules/sweep.smk"
+include: str(PACKAGE / "rules/draw.smk")
+include: str(PACKAGE / "rules/sweep.smk")
 
 
 rule gallery:

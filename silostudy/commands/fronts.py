@@ -1,4 +1,4 @@
-"""`silostudy fronts`: measures the fronts that `accuracy:` chooses from, or tries its choices."""
+"""`silostudy fronts`: measures the Pareto fronts that `accuracy:` chooses from, or tries its choices."""
 
 from pathlib import Path
 
@@ -13,9 +13,11 @@ HEAD = """\
 
 def add(sub) -> None:
     fronts = sub.add_parser(
-        "fronts", help="measure the fronts that `accuracy:` chooses from, or try its choices on other silos"
+        "fronts", help="measure the Pareto fronts that `accuracy:` chooses from, or try its choices on other silos"
     )
-    fronts.add_argument("--trial", action="store_true", help="try the choices on silos that the fronts were not measured on")
+    fronts.add_argument(
+        "--trial", action="store_true", help="try the choices on silos that the Pareto fronts were not measured on"
+    )
     fronts.add_argument("--kind", help="of this kind only; the rows of the others stay as they are shipped")
     fronts.add_argument("--output", type=Path, default=Path("results/accuracy/fronts.csv"), help="CSV file to write")
     fronts.set_defaults(run=run_fronts)

@@ -49,7 +49,8 @@ def _(scene: SphereScene, folder: Path, where: str) -> Model:
 
 @_started.register
 def _(scene: DemScene, folder: Path, where: str) -> Model:
-    discs = given_discs(scene.packing.file, folder) if PACKINGS[scene.packing.kind].from_file else placed(scene)
+    from_file = PACKINGS[scene.packing.kind].from_file
+    discs = (*given_discs(scene.packing.file, folder), None) if from_file else placed(scene)
     model = unshaken_scene_model(scene, discs, where)
     if scene.quake is None:
         return model
@@ -72,9 +73,11 @@ def run_of(scene: AnyScene, model: Model, *, threads: int = 1) -> Run:
 
 def _of_discs(scene: DemScene, model: Model) -> dict[str, Any]:
     """Events and feeder of a scene of discs."""
+    silo = plane_silo_of(scene)
     return {
         "events": events_of(scene, float(model.mass.sum())),
-        "feeder": Feeder(plane_silo_of(scene).over_slit) if feeds(scene.events) else None,
+        "feeder": Feeder(silo.over_slit) if feeds(scene.events) else None,
+        "outlet_at": silo.slit_at if scene.outlets else None,
     }
 
 

@@ -7,7 +7,7 @@ from silostudy.choice.promise import Choice, promises
 from silostudy.compute.expected import notes_of, verdicts
 from silostudy.compute.lid_cube import lid_arrays
 from silostudy.compute.observers import SOURCES, observed, observers_notes
-from silostudy.compute.sphere_cube import mean_outflow, sphere_arrays, sphere_notes
+from silostudy.compute.sphere_cube import mean_outflow, opened_at, sphere_arrays, sphere_notes
 from silostudy.config.dem import DemScene
 from silostudy.config.grain_scenes import AnyScene
 from silostudy.config.spheres import SphereScene
@@ -18,13 +18,14 @@ from silostudy.dem.model import Model
 from silostudy.dem.run import Run
 from silostudy.dem.walls import faces
 from silostudy.dem.watch import first_of_faces
+from silostudy.scene.dem import plane_silo_of
 
 
 def cube_of(run: Run, scene: AnyScene, choice: Choice | None = None) -> xr.Dataset:
     """The cube of everything that a run recorded; choice: that of its settings, where the scene asked for an accuracy."""
     model, record = run.engine.model, run.recording
     body = model.space.body
-    data = disc_arrays(run) if isinstance(scene, DemScene) else sphere_arrays(run, scene)
+    data = disc_arrays(run) | slit_arrays(run, scene) if isinstance(scene, DemScene) else sphere_arrays(run, scene)
     data |= observed(run, scene) | {
         "event_time": np.array([time for time, _, _ in record.happened], float),
         "event_action": np.array([f"{trigger}: {action}" for _, trigger, action in record.happened], dtype=str),
@@ -42,6 +43,8 @@ def cube_of(run: Run, scene: AnyScene, choice: Choice | None = None) -> xr.Datas
     }
     if isinstance(scene, SphereScene):
         notes |= sphere_notes(scene) | mean_outflow(run)
+    elif scene.other_grains:
+        notes |= {"grain_kinds": ", ".join(scene.kinds)}
     if run.trouble:
         notes["stopped"] = run.trouble
     return assemble(scene, "dem", kept, sources=[*sources_of(model), *(SOURCES if scene.record.fields else ())], notes=notes)
@@ -51,12 +54,29 @@ def disc_arrays(run: Run) -> dict[str, np.ndarray]:
     """Arrays by name of a scene of discs."""
     model, record = run.engine.model, run.recording
     data = {"disc": np.arange(len(model.x)), "disc_radius": np.array(model.radius), "disc_mass": model.mass}
+    data |= {} if model.kind is None else {"disc_kind": np.asarray(model.kind, np.int32)}
     data |= _windows(run) | _snapshots(run)
     last = np.flatnonzero(np.diff(record.discharge_time, append=np.inf))  # those that leave at one instant count together
     return data | {
         "discharge_time": np.array(record.discharge_time)[last],
         "discharged_mass": np.array(record.discharged)[last],
     }
+
+
+def slit_arrays(run: Run, scene: DemScene) -> dict[str, np.ndarray]:
+    """Of outlets by names: where each is, when it opened, and the mass that had left by each at the times of the discharge."""
+    slits, record = plane_silo_of(scene).slits, run.recording
+    if not slits:
+        return {}
+    time, mass, slit = np.array(record.passed, float).reshape(-1, 3).T
+    through = np.array([np.cumsum(mass * (slit == number)) for number in range(len(slits))])
+    until = np.searchsorted(time, np.unique(record.discharge_time), side="right") - 1
+    left, right = np.array([slit.edges for slit in slits]).T
+    names = [slit.name for slit in slits]
+    return {
+        "outlet": np.array(names), "outlet_left": left, "outlet_right": right,
+        "outlet_opened": np.array(list(opened_at(run, names).values())), "outlet_discharged_mass": through[:, until].T,
+    }  # fmt: skip
 
 
 def sources_of(model: Model) -> list[str]:

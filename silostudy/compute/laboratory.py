@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from silostudy.compute.dem import run_of, scene_model
-from silostudy.compute.laboratory_readings import Readings, solid_fraction
+from silostudy.compute.laboratory_readings import Readings, heap_angle, solid_fraction
 from silostudy.config.laboratory import LaboratoryStudy
 from silostudy.config.spheres import SphereScene
 from silostudy.dem.branch import end_of
@@ -16,7 +16,7 @@ from silostudy.dem.integrate import INTEGRATORS
 from silostudy.dem.run import Run
 from silostudy.errors import BadInput
 from silostudy.scene.laboratory_cell import KPA, LaboratoryCase
-from silostudy.scene.laboratory_scenes import BORNE, SHEAR_WINDOWS, SHEARING, SLIDING, filling, pressing, shearing
+from silostudy.scene.laboratory_scenes import BORNE, SHEAR_WINDOWS, SHEARING, SLIDING, filling, heaping, pressing, shearing
 from silostudy.scene.spheres import material_of
 from silostudy.tables.constants import ROUNDED_GRAVITY
 
@@ -50,13 +50,14 @@ def sources(study: LaboratoryStudy) -> list[str]:
 
 def measure(study: LaboratoryStudy, case: LaboratoryCase) -> Numbers:
     """The numbers of one cell, by the names of the contract; BadInput where a test does not come to its end, or balance."""
-    run = _carried(filling(case), case, None, "filling")
+    run = _carried(filling(case), None, "filling")
     found: dict[str, list] = {}
     loose = _unit_weight(case, run, float(np.quantile(run.engine.places[:, 2], 0.95)))
+    repose = heap_angle(_carried(heaping(case), None, "pouring of a heap"), case)
     pressed: list[Readings] = []
     for stress in case.stresses:
         scene = pressing(case, stress, run.engine.time)
-        run = _carried(scene, case, end_of(run), f"pressing to {stress / KPA:g} kPa")
+        run = _carried(scene, end_of(run), f"pressing to {stress / KPA:g} kPa")
         pressed.append(Readings.of(run, scene, case))
         numbers = _pressed(case, run, pressed, stress) | _sheared(case, run, stress)
         for name, value in numbers.items():
@@ -65,12 +66,13 @@ def measure(study: LaboratoryStudy, case: LaboratoryCase) -> Numbers:
         "tested_grains": np.array(case.count),
         "tested_grain_diameter": np.array(case.grain),
         "loose_unit_weight": np.array(loose),
+        "tested_repose_angle": np.array(repose),
         "path_horizontal_stress": _path(pressed, PATH),
         **{name: np.array(values) for name, values in found.items()},
     }
 
 
-def _carried(scene: SphereScene, case: LaboratoryCase, end: Mapping[str, Any] | None, test: str) -> Run:
+def _carried(scene: SphereScene, end: Mapping[str, Any] | None, test: str) -> Run:
     """The finished run of a test, which goes on from an end; BadInput where it does not come to its stop."""
     model = scene_model(scene, Path())
     run = run_of(scene, model if end is None else replace(model, end=end))
@@ -79,8 +81,8 @@ def _carried(scene: SphereScene, case: LaboratoryCase, end: Mapping[str, Any] | 
         raise run.recording.explosion
     if run.trouble:
         raise BadInput("test", test, run.trouble)
-    if run.engine.n < case.count:
-        raise BadInput("test", test, f"{case.count - run.engine.n} grain(s) left the cell")
+    if lost := len(model.radius) - run.engine.n:
+        raise BadInput("test", test, f"{lost} grain(s) left the cell")
     return run
 
 
@@ -110,7 +112,7 @@ def _sheared(case: LaboratoryCase, run: Run, stress: float) -> Numbers:
     for name, surfaces in (("internal", SHEARING), ("wall", SLIDING)):
         test = f"{name} shear at {stress / KPA:g} kPa"
         scene = shearing(case, stress, run.engine.time, surfaces)
-        read = Readings.of(_carried(scene, case, end, test), scene, case)
+        read = Readings.of(_carried(scene, end, test), scene, case)
         ratio, late = read.shear / read.vertical, slice(-(SHEAR_WINDOWS // 3), None)
         smooth = np.convolve(ratio, np.full(SMOOTHED, 1.0 / SMOOTHED), "valid")
         found |= {

@@ -9,11 +9,13 @@ from scipy.spatial import cKDTree
 
 from silostudy.compute.sphere_cube import sphere_arrays
 from silostudy.config.spheres import SphereScene
+from silostudy.dem.outcomes import WAYS, Looks, surface_angle
 from silostudy.dem.run import Run
 from silostudy.scene.laboratory_cell import LaboratoryCase
 from silostudy.scene.space_silo import FLOOR, WALL
 
 POINTS = 100_000  # at which the inside is looked at: its solid fraction is then known to some 0.3 % of itself
+FLANK = (0.2, 0.7)  # of the tray's radius: the part of a heap between tip and foot
 MARGIN = 1.5  # mean diameters from every surface: grains stand in layers there
 
 
@@ -70,3 +72,15 @@ def solid_fraction(places: np.ndarray, radii: np.ndarray, radius: float, top: fl
     height = random.uniform(margin, top - margin, POINTS)
     points = cKDTree(np.column_stack([off * np.cos(turn), off * np.sin(turn), height]))
     return float(points.query_ball_point(places, radii, return_length=True).sum() / POINTS)
+
+
+def heap_angle(run: Run, case: LaboratoryCase) -> float:
+    """Slope (rad) of a heap about the axis: mean of its profiles towards and against x and y, tip and foot left out."""
+    reach = 0.5 * case.tray
+    up = np.array([0.0, 0.0, 1.0])
+    looks = Looks(
+        (run.engine.places,), (np.asarray(run.engine.model.radius),), (run.engine.time,), np.empty(0), np.empty(0), up
+    )
+    near, far = FLANK[0] * reach, FLANK[1] * reach
+    ways = [(along, *ends) for along in WAYS[:2] for ends in ((near, far), (-far, -near))]
+    return float(np.radians(np.mean([surface_angle(looks, along, start, end, 0.0) for along, start, end in ways])))

@@ -1,5 +1,6 @@
 """The cube of everything that the run of a scene of spheres recorded."""
 
+from collections.abc import Iterable
 from math import nan
 
 import numpy as np
@@ -93,16 +94,21 @@ def outlet_arrays(run: Run, scene: SphereScene) -> dict[str, np.ndarray]:
     through = outlet[:, None] == np.arange(len(openings))
     last = np.flatnonzero(np.diff(time, append=np.inf))
     left, right = np.array([opening.chord for opening in openings.values()]).T
-    opened = dict.fromkeys(openings, np.nan)
-    for event, (when, *_) in zip(run.events, run.recording.happened, strict=False):
-        if event.action == "open holes":
-            opened |= {name: when for name in event.what[1] if np.isnan(opened[name])}
     return {
-        "outlet": np.array(list(openings)), "outlet_opened": np.array(list(opened.values())),
+        "outlet": np.array(list(openings)), "outlet_opened": np.array(list(opened_at(run, openings).values())),
         "outlet_left": left, "outlet_right": right,
         "outlet_outflow_mass": np.cumsum(mass[:, None] * through, axis=0)[last],
         "outlet_mean_outflow": np.array([mean_rate(time[own], mass[own]) for own in through.T]),
     }  # fmt: skip
+
+
+def opened_at(run: Run, names: Iterable[str]) -> dict[str, float]:
+    """When (s) each outlet opened; missing where it did not."""
+    opened = dict.fromkeys(names, np.nan)
+    for event, (when, *_) in zip(run.events, run.recording.happened, strict=False):
+        if event.action == "open holes":
+            opened |= {name: when for name in event.what[1] if np.isnan(opened[name])}
+    return opened
 
 
 def _windows(run: Run) -> dict[str, np.ndarray]:

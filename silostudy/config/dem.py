@@ -1,14 +1,16 @@
 """What a user writes to describe one discrete-element scene, in the user's units."""
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any, ClassVar, Literal, Self
+from typing import TYPE_CHECKING, Any, ClassVar, Literal, Self, TypeAlias
 
 from pydantic import model_validator
 
 from silostudy.catalogue import Family
 from silostudy.config.asked import Asked
 from silostudy.config.contact import ContactConfig
+from silostudy.config.disc_mixture import DiscPairConfig, OtherDiscConfig, check_disc_kinds
 from silostudy.config.fields import Strict, described, one_of
+from silostudy.config.mixture import GRAIN, WALLS
 from silostudy.config.moves import MovingEvent, Takes
 from silostudy.config.run import GrainScene, Recorded
 from silostudy.config.surfaces import apart_from, in_place
@@ -16,6 +18,7 @@ from silostudy.contact import LAWS
 from silostudy.dem.inserts import LINES
 from silostudy.packing import PACKINGS
 from silostudy.tables.constants import ROUNDED_GRAVITY
+from silostudy.tables.outputs import OUTPUTS
 
 
 class BoxConfig(Strict):
@@ -39,6 +42,14 @@ class BoxConfig(Strict):
         return self
 
 
+class SlitConfig(Strict):
+    """A slit of a flat floor, by its name."""
+
+    name: str = described("name that events open it by", "", min_length=1)
+    width_m: float = described("width", "m", gt=0)
+    middle_m: float = described("distance of its middle from the left wall", "m", gt=0)
+
+
 if TYPE_CHECKING:
     PackingConfig = Any
     LineConfig = Any
@@ -52,7 +63,7 @@ class EventConfig(MovingEvent):
 
     takes: ClassVar[Mapping[str, Takes]] = {
         **MovingEvent.takes,
-        "open_slit": Takes(),
+        "open_slit": Takes(may=("outlets", "speed_m_s")),
         "remove_disc": Takes(may=("disc", "near_m")),
         "set_gravity": Takes(("gravity_m_s2",)),
         "set_friction": Takes(may=("disc_friction", "wall_friction", "surfaces")),
@@ -61,6 +72,13 @@ class EventConfig(MovingEvent):
     do: Literal[
         "open_slit", "remove_disc", "set_gravity", "set_friction", "lower_lid", "press_lid", "move_lid", "feed", "stop"
     ] = described("what happens", "")
+    speed_m_s: float | None = described(
+        "move_lid: downward, negative lifts the lid, 0 stops it; press_lid: where nothing resists, null: 0.1; open_slit: at "
+        "which an outlet's width grows from none to all, from its middle, in a floor at rest; null: at once",
+        "m s-1",
+        default=None,
+    )
+    outlets: tuple[str, ...] = described("open_slit: names of the outlets that open; none: all", "", default=())
     disc: int | None = described("number of the disc to remove", "", ge=0, default=None)
     near_m: tuple[float, float] | None = described("x, y of the place whose nearest disc to remove", "m", default=None)
     gravity_m_s2: tuple[float, float] | None = described("new gravity, x and y", "m s-2", default=None)
@@ -97,6 +115,9 @@ class QuakeConfig(Strict):
     )
 
 
+DiscOutput: TypeAlias = Literal[tuple(key for key, row in OUTPUTS.items() if "only_discs" in row.demands)]  # type: ignore[valid-type]
+
+
 class DemScene(Asked, GrainScene):
     """A discrete-element scene of discs."""
 
@@ -106,14 +127,26 @@ class DemScene(Asked, GrainScene):
     kind: Literal["dem"] = described("dem: discrete elements", "")
     grains: Literal["discs"] = described("discs in a plane silo, or spheres in a silo in space", "", default="discs")
     silo: BoxConfig = described("the silo", "")
+    outlets: tuple[SlitConfig, ...] = described(
+        "slits of a flat floor by names, each with its meter; none: silo.slit_width_m says", "", default=()
+    )
     inserts: tuple[LineConfig, ...] = described(
         "lines inside or outside the silo, that push on both sides; discs of a packing that would cut one are left out",
         "",
         default=(),
     )
     packing: PackingConfig = described("how the discs start", "")
-    radius_m: float = described("radius of the discs", "m", gt=0)
-    density_kg_m3: float = described("density of the discs", "kg m-3", gt=0)
+    radius_m: float = described("radius of the discs (of the kind `grain`)", "m", gt=0)
+    density_kg_m3: float = described("density of the discs (of the kind `grain`)", "kg m-3", gt=0)
+    other_grains: dict[str, OtherDiscConfig] = described(
+        "kinds of discs beside the one that radius_m and density_kg_m3 are of, by names of your own; each takes places of the "
+        "packing, laid for the largest of all",
+        "",
+        default={},
+    )
+    pairs: tuple[DiscPairConfig, ...] = described(
+        "two kinds, or a kind and a surface, whose contact differs from what discs, walls and surfaces say", "", default=()
+    )
     discs: ContactConfig = described("contact between discs", "")
     walls: ContactConfig | None = described("contact of discs and walls; null: as between discs", "", default=None)
     surfaces: dict[str, SurfaceConfig] = described(
@@ -126,6 +159,9 @@ class DemScene(Asked, GrainScene):
     quake: QuakeConfig | None = described("acceleration of the box", "", default=None)
     events: tuple[EventConfig, ...] = described("what happens, in order; the last is a stop", "", min_length=1)
     record: Recorded = described("what is recorded", "", default=Recorded())
+    outputs: tuple[DiscOutput, ...] = described(
+        "figures that the pipeline makes beside the cube; they need record.wall_force_window_s and snapshots", "", default=()
+    )
 
     @property
     def touches(self) -> tuple[ContactConfig, ContactConfig]:
@@ -139,14 +175,46 @@ class DemScene(Asked, GrainScene):
         return (*packed, *([self.quake.file] if self.quake else []), *self.branched_from)
 
     @property
-    def surface_contacts(self) -> dict[str, ContactConfig]:
-        """Contacts of the surfaces that are not like the other walls."""
-        walls = self.walls or self.discs
-        return {name: in_place(walls, surface.given, f"surfaces.{name}") for name, surface in self.surfaces.items()}
+    def kinds(self) -> tuple[str, ...]:
+        """Names of all kinds of discs, `grain` first."""
+        return GRAIN, *self.other_grains
+
+    def between(self, kind: str, other: str) -> ContactConfig:
+        """How two kinds of discs push each other."""
+        return self._apart(self.discs, kind, other)
+
+    def at_surfaces(self, kind: str = GRAIN) -> dict[str, ContactConfig]:
+        """Contacts of a kind of discs at surfaces that are not like the other walls; "": at those."""
+        walls = self._apart(self.walls or self.discs, kind, WALLS)
+        told = {
+            name: in_place(self.walls or self.discs, surface.given, f"surfaces.{name}")
+            for name, surface in self.surfaces.items()
+        }
+        named = {name for pair in self.pairs for name in pair.between if name not in self.kinds}
+        others = dict.fromkeys([*told, *sorted(named - {WALLS})])
+        return {"": walls, **{name: self._apart(told.get(name, walls), kind, name) for name in others}}
+
+    def _apart(self, contact: ContactConfig, *names: str) -> ContactConfig:
+        """A contact, or what a pair of these names says in its place."""
+        for number, pair in enumerate(self.pairs):
+            if sorted(pair.between) == sorted(names):
+                return in_place(contact, pair.given, f"pairs.{number}")
+        return contact
 
     @model_validator(mode="after")
-    def _surfaces_are_sound(self) -> Self:
-        self.surface_contacts  # noqa: B018  (each is made)
+    def _records_what_is_drawn(self) -> Self:
+        record = self.record
+        if self.outputs and not (record.wall_force_window_s and (record.snapshots_s or record.snapshots_every_s)):
+            raise ValueError("outputs need record.wall_force_window_s, and record.snapshots_every_s or snapshots_s")
+        return self
+
+    @model_validator(mode="after")
+    def _kinds_and_surfaces_are_sound(self) -> Self:
+        check_disc_kinds(self.other_grains, self.pairs, PACKINGS[self.packing.kind].from_file)
+        for kind in self.kinds:
+            self.at_surfaces(kind)  # each is made
+            for other in self.kinds:
+                self.between(kind, other)
         return self
 
     @model_validator(mode="after")
@@ -162,10 +230,28 @@ class DemScene(Asked, GrainScene):
         return self
 
     @model_validator(mode="after")
+    def _outlets_open(self) -> Self:
+        if self.outlets and (self.silo.slit_width_m or self.silo.hopper_half_angle_deg is not None):
+            raise ValueError("outlets are of a flat floor without a silo.slit_width_m")
+        shut = known = [outlet.name for outlet in self.outlets]
+        for number, event in enumerate(self.events):
+            if event.do != "open_slit":
+                continue
+            if not known and (event.outlets or event.speed_m_s is not None):
+                raise ValueError(f"events.{number}: names and speeds are of outlets, and the scene has none")
+            for name in event.outlets:
+                if name not in known:
+                    raise ValueError(f"events.{number}.outlets: {name} is unknown; known: {', '.join(known)}")
+            if known and not (opening := [name for name in shut if name in event.outlets or not event.outlets]):
+                raise ValueError(f"events.{number} opens nothing: open by then")
+            shut = [name for name in shut if name not in opening] if known else shut
+        return self
+
+    @model_validator(mode="after")
     def _events_fit(self) -> Self:
         for event in self.events:
-            if event.do in ("open_slit", "feed") and self.silo.slit_width_m == 0:
-                raise ValueError(f"{event.do} needs a silo.slit_width_m above 0")
+            if event.do in ("open_slit", "feed") and self.silo.slit_width_m == 0 and not self.outlets:
+                raise ValueError(f"{event.do} needs a silo.slit_width_m above 0, or outlets")
             if event.of_lid and not self.silo.lid:
                 raise ValueError(f"{event.do} when {event.when} needs silo.lid: true")
         removed = [event.disc for event in self.events if event.disc is not None]

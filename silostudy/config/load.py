@@ -10,6 +10,7 @@ from silostudy.config.fields import Strict, described
 from silostudy.config.own import OwnMethods
 from silostudy.config.own_rows import Families, joined
 from silostudy.config.places import keys_at
+from silostudy.config.retired import RETIRED_KEYS
 from silostudy.config.study import BaseStudy
 from silostudy.errors import BadInput, unknown
 from silostudy.stages import KINDS
@@ -41,6 +42,9 @@ def read_yaml(path: Path) -> dict[str, Any]:
     try:
         with path.open(encoding="utf-8") as stream:
             content = yaml.load(stream, _NoTwins)
+    except FileNotFoundError:
+        others = sorted(file.stem for file in path.parent.glob("*.yaml"))
+        raise BadInput("file", str(path), f"is not there; {path.parent} holds {', '.join(others) or 'no YAML files'}") from None
     except Exception as error:  # dates and tags that are none come out of yaml as any error
         raise BadInput("file", str(path), "must be readable YAML: " + " ".join(str(error).split())) from None
     if not isinstance(content, dict):
@@ -96,8 +100,16 @@ def _line(item: Any, content: Any, where: str, model: type[BaseModel]) -> str:
         return f"{where}: {key}: is missing{_unit_hint(str(item['loc'][-1]), value)}"
     shown = f" = {value!r}" if not isinstance(value, dict) and len(repr(value)) <= 80 else ""
     if item["type"] == "extra_forbidden":
-        return f"{where}: {key}{shown}: unknown key; known here: {', '.join(keys_at(model, item['loc'][:-1]))}"
+        return f"{where}: {key}{shown}: {_unknown_key(str(item['loc'][-1]), keys_at(model, item['loc'][:-1]))}"
     return f"{where}: {key}{shown}: {_allowed(item)}"
+
+
+def _unknown_key(key: str, known: list[str]) -> str:
+    """What is said of a key that its place does not take: what took its place in a later version, or the known ones."""
+    if key in RETIRED_KEYS:
+        since, write = RETIRED_KEYS[key]
+        return f"is no key any more since version {since}: write {write}"
+    return f"unknown key; known here: {', '.join(known)}"
 
 
 def _untold(item: Any, key: str, where: str) -> str:

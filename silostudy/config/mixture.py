@@ -45,15 +45,7 @@ class PairConfig(PairApart):
 
 def check_kinds(others: Mapping[str, OtherGrainConfig], pairs: Sequence[PairConfig], from_file: bool) -> None:
     """ValueError for kinds without a name, sizes or a share of their own, and for pairs of none."""
-    for name in others:
-        if name in (GRAIN, WALLS):
-            raise ValueError(f"other_grains.{name}: the name is taken")
-    kinds, met = (GRAIN, *others), [tuple(sorted(pair.between)) for pair in pairs]
-    for number, (pair, names) in enumerate(zip(pairs, met, strict=True)):
-        if not set(pair.between) & set(kinds):
-            raise ValueError(f"pairs.{number}.between: names no kind of spheres; known: {', '.join(kinds)}")
-        if names in met[:number]:
-            raise ValueError(f"pairs.{number}.between: the pair stands twice")
+    check_pairs(others, pairs)
     for name, kind in others.items():
         told = (kind.sizes, kind.mass_share, kind.number_share)
         if from_file and told != (None, None, None):
@@ -65,7 +57,20 @@ def check_kinds(others: Mapping[str, OtherGrainConfig], pairs: Sequence[PairConf
     check_shares(others)
 
 
-def check_shares(others: Mapping[str, OtherGrainConfig]) -> None:
+def check_pairs(others: Mapping[str, Any], pairs: Sequence[Any]) -> None:
+    """ValueError for kinds without a name of their own, and for pairs of none, or that stand twice."""
+    for name in others:
+        if name in (GRAIN, WALLS):
+            raise ValueError(f"other_grains.{name}: the name is taken")
+    kinds, met = (GRAIN, *others), [tuple(sorted(pair.between)) for pair in pairs]
+    for number, (pair, names) in enumerate(zip(pairs, met, strict=True)):
+        if not set(pair.between) & set(kinds):
+            raise ValueError(f"pairs.{number}.between: names no kind of grains; known: {', '.join(kinds)}")
+        if names in met[:number]:
+            raise ValueError(f"pairs.{number}.between: the pair stands twice")
+
+
+def check_shares(others: Mapping[str, Any]) -> None:
     """ValueError for shares of mass beside shares of number, or that leave nothing for `grain`."""
     for share in ("mass_share", "number_share"):
         given = [value for kind in others.values() if (value := getattr(kind, share)) is not None]

@@ -19,7 +19,8 @@ from silostudy.packing.filling import FILLINGS
 from silostudy.tables.constants import ROUNDED_GRAVITY
 from silostudy.tables.outputs import OUTPUTS
 
-OutputKey: TypeAlias = Literal[tuple(key for key, row in OUTPUTS.items() if row.stage == "dem")]  # type: ignore[valid-type]
+DRAWN = tuple(key for key, row in OUTPUTS.items() if row.stage == "dem" and "only_discs" not in row.demands)
+OutputKey: TypeAlias = Literal[DRAWN]  # type: ignore[valid-type]
 if TYPE_CHECKING:
     FillingConfig = Any
     InsertConfig = Any

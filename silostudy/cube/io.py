@@ -8,11 +8,18 @@ import xarray as xr
 from silostudy.cube.contract import check
 from silostudy.cube.fingerprint import fingerprint
 from silostudy.cube.netcdf import opened
-from silostudy.cube.provenance import CONTRACT
+from silostudy.cube.provenance import CONTRACT, CONTRACTS
 from silostudy.errors import BadInput
 from silostudy.files import replacing
 
 SAID = ("title", "source", "references", "study", "study_hash", "sweep_axes")  # in words, of every cube
+
+
+def changed_since(contract: str) -> str:
+    """What changed in cubes since a contract, in words."""
+    older = int(contract) if contract.isdecimal() else CONTRACT
+    later = [f"since {number} {what}" for number, what in CONTRACTS.items() if number > older]
+    return "; ".join(later) or "which this version does not know"
 
 
 def write(cube: xr.Dataset, path: Path) -> None:
@@ -48,7 +55,7 @@ def read(path: Path) -> xr.Dataset:
     contract = str(cube.attrs.get("cube_contract", 1))
     if contract != str(CONTRACT):
         told = f"was written by {cube.attrs['source']} with names and dimensions of contract {contract}, and not {CONTRACT}"
-        raise BadInput("cube", str(path), f"{told}: compute it again")
+        raise BadInput("cube", str(path), f"{told} ({changed_since(contract)}): compute it again")
     try:
         return check(cube)
     except BadInput as error:

@@ -9,7 +9,9 @@ from silostudy.stages import FILE_KINDS, STAGES
 from silostudy.tables.references import cite
 
 PACKAGES = ("numpy", "scipy", "xarray", "netCDF4", "numba")
-CONTRACT = 2  # of names and dimensions in a cube; 1: the dimension of pressure methods was `method`, a keyword of xarray's
+# Contracts of names and dimensions in a cube -> what changed with them.  A new one is a new major version.
+CONTRACTS = {1: "the first", 2: "the dimension of pressure methods is pressure_method, no longer method"}
+CONTRACT = max(CONTRACTS)
 
 
 def provenance(title: str, study: str, sources: Iterable[str], stage: str) -> dict[str, str | int]:

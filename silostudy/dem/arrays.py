@@ -83,8 +83,8 @@ class Memory(NamedTuple):
 
 
 class Walls(NamedTuple):
-    """shape (n, 12): start x, y (m), unit direction, length (m), kinds of the ends, speed of rise (m/s), and of each end the
-    unit direction of the wall that it meets.
+    """shape (n, 20): start x, y (m), unit direction, length (m), kinds of the ends, speed of rise (m/s), of each end the unit
+    direction of the wall that it meets, and how far the wall reaches beyond its own ends (columns of `walls`).
 
     The solid lies left of the direction.
     """

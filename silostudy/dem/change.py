@@ -75,16 +75,18 @@ def take_walls(engine: Engine, names: tuple[str, ...]) -> None:
 
 
 def open_holes(engine: Engine, wall: str, names: tuple[str, ...], speed: float) -> None:
-    """Open holes of a level surface, at a speed (m/s) or at once where it is none.
+    """Open holes of a level surface, or between its parts, at a speed (m/s) or at once where it is none.
 
     Contacts with what is left of it go on, those that stood over the holes end.
     """
-    number, (pairs, near) = engine.model.wall_number(wall), engine.take_memories()
-    surface: Any = engine.model.walls[number]
-    surface.opened(engine.walls.shape[number], names, speed)
+    pairs, near = engine.take_memories()
+    surfaces: Any = engine.model.walls
+    numbers = [number for number, surface in enumerate(surfaces) if surface.name == wall or surface.name.startswith(f"{wall}_")]
+    for number in numbers:
+        surfaces[number].opened(engine.walls.shape[number], names, speed)
     body, walls = near.key >> SHIFT, near.key & LOW
     away = length(from_walls(engine, walls, engine.bodies.rows[body][:, engine.space.place]))
-    stay = (walls != number) | (away < engine.radius[body] + engine.model.gap)
+    stay = ~np.isin(walls, numbers) | (away < engine.radius[body] + engine.model.gap)
     engine.give_memories(pairs, near.picked(stay, near.key[stay]))
 
 

@@ -46,6 +46,7 @@ class Dimension:
     tangents: (
         Callable  # normals (n, d) -> of each direction across them: unit vectors, and the turns of a spin that moves along
     )
+    meters: bool  # whether rows count the steps that bodies have been below the outlets
     passed_for: Callable  # rows -> steps for which each body has been below the outlet
     nearest: Callable  # (walls, wall, *place) -> vector (m) from a wall's nearest point to a place, then what else it finds
     bent: Callable  # (walls, wall, *place) -> curvature (1/m) of a wall at its point nearest to a place

@@ -7,7 +7,8 @@ from typing import Any, NamedTuple
 import numpy as np
 
 START, END = 0, 1
-FREE, JOINED, MEETS = 0.0, 1.0, 2.0  # kinds of ends: pushes as a point, does not, does where it is beyond another wall's end
+# kinds of ends: pushes as a point, does not, does where it is beyond another wall's end, goes straight on in another wall
+FREE, JOINED, MEETS, SHUT = 0.0, 1.0, 2.0, 3.0
 ENDS, RISE, WAYS = 5, 7, 8  # columns of a shape: kinds of the ends, speed of rise, directions of the walls that the ends meet
 CLOSE = 1e-9  # of the longest wall: places that are no farther apart are one
 STRAIGHT = 1e-12  # rad

@@ -13,6 +13,7 @@ from silostudy.dem.integrate import INTEGRATORS, PLAIN
 from silostudy.dem.pieces import Pieces
 from silostudy.dem.plane import PLANE
 from silostudy.dem.varied import Varied, set_at_wall, set_of_pair
+from silostudy.dem.walls import GROWTH, draw_back
 from silostudy.errors import BadInput, unknown
 
 TINY = 1e-200  # kg m: beyond it and its inverse, squares of what the engine computes with leave the range of numbers
@@ -24,6 +25,7 @@ class Wall:
 
     An end that is joined to another wall does not push as a point.  faces: 2 for a line whose back has cells of its own; what
     its ends meet is found (see `joints`).  stays: whether it stands to the end, so that lines may be joined to it.
+    leaves: how far (m) it reaches beyond its ends while the outlets are shut whose names `outlets` has.
     """
 
     name: str
@@ -34,6 +36,8 @@ class Wall:
     joined: tuple[bool, bool] = (False, False)
     faces: int = 1
     stays: bool = True
+    leaves: tuple[float, float] = (0.0, 0.0)
+    outlets: tuple[str, str] = ("", "")
 
     def __post_init__(self):
         if not all(isfinite(value) for value in (*self.start, *self.end)):
@@ -42,6 +46,13 @@ class Wall:
             raise BadInput(self.name, self.start, "a wall must have a length")
         if self.cells < 1:
             raise BadInput(f"{self.name}.cells", self.cells, "must be 1 or more")
+
+    def opened(self, row: np.ndarray, names: tuple[str, ...], speed: float = 0.0) -> None:
+        """Draw it back, in its row, from outlets of these names: at once, or at a speed (m/s) of their width."""
+        for end, name in enumerate(self.outlets):
+            if name and name in names:
+                row[GROWTH + end] = speed / 2.0
+                draw_back(row[None], 0, end, 0.0 if speed else inf)
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -236,6 +236,7 @@ PLANE = Dimension(
     densest=densest,
     all_from_wall=all_from_wall,
     tangents=tangents,
+    meters=False,
     passed_for=passed_for,
     nearest=nearest,
     bent=bent,

@@ -238,6 +238,8 @@ class Run:
         gone = below(self.engine, self.floor)
         beside = gone & spilt(self.engine)
         labels = self.engine.labels.copy()
+        if self.outlet_at and not self.engine.space.meters:
+            self.recording.passed += drawn(self.engine, gone & ~beside, self.outlet_at)
         for way, which in ((DISCHARGED, labels[gone & ~beside]), (SPILT, labels[beside])):
             if len(which):
                 self._take_out(np.isin(self.engine.labels, which), way)

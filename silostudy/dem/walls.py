@@ -13,7 +13,7 @@ from numba.extending import register_jitable
 from silostudy.dem.arrays import Walls
 from silostudy.dem.cache import OPTIONS
 from silostudy.dem.drive import standing
-from silostudy.dem.joints import END, ENDS, FREE, JOINED, MEETS, RISE, START, WAYS, join
+from silostudy.dem.joints import END, ENDS, FREE, JOINED, MEETS, RISE, SHUT, START, WAYS, join
 from silostudy.dem.lanes import (
     DU,
     DV,
@@ -35,7 +35,10 @@ from silostudy.dem.lanes import (
 )
 
 OUT_OF_REACH = 1e30
-LOW = 1  # column of a shape: height of its start
+LOW, LENGTH = 1, 4  # columns of a shape: height of its start, length
+# where an outlet is shut a wall reaches beyond its own end: its own start and length, how far it reaches beyond either end, how
+# fast that is drawn back, and the kind of the end once it is
+OWN_START, OWN_LENGTH, LEAVES, GROWTH, OPENED = 12, 13, 14, 16, 18
 
 
 @register_jitable
@@ -43,6 +46,12 @@ def meets_before(shape, wall, end, dx, dy):
     """Whether a place, (dx, dy) m off an end that meets another wall, is beside that wall rather than beyond its end."""
     way = WAYS + 2 * end
     return shape[wall, ENDS + end] == MEETS and dx * shape[wall, way] + dy * shape[wall, way + 1] >= 0.0
+
+
+@register_jitable
+def ends_straight(shape, wall, dx, dy):
+    """Whether a place, (dx, dy) m off the end of a wall that meets another there, is beside it, or that goes straight on."""
+    return shape[wall, ENDS + END] == SHUT or meets_before(shape, wall, END, dx, dy)
 
 
 @njit(**OPTIONS)
@@ -60,7 +69,7 @@ def nearest(shape, wall, x, y):
         return dx, dy, 0.0
     if along >= length:
         dx, dy = dx - length * shape[wall, 2], dy - length * shape[wall, 3]
-        if (along > length and shape[wall, ENDS + END] == JOINED) or meets_before(shape, wall, END, dx, dy):
+        if (along > length and shape[wall, ENDS + END] == JOINED) or ends_straight(shape, wall, dx, dy):
             return OUT_OF_REACH, OUT_OF_REACH, along
         return dx, dy, length
     return dx - along * shape[wall, 2], dy - along * shape[wall, 3], along
@@ -116,8 +125,26 @@ def motion_of(shape: np.ndarray) -> np.ndarray:
 
 @register_jitable
 def widen(shape, wall, dt):
-    """Widen the holes of a wall that grow: none do."""
+    """Draw a wall back from outlets that open at a speed; it never goes."""
+    for end in (START, END):
+        if shape[wall, GROWTH + end] > 0.0:
+            draw_back(shape, wall, end, shape[wall, GROWTH + end] * dt)
     return False
+
+
+@register_jitable
+def draw_back(shape, wall, end, way):
+    """Draw a wall that reaches beyond its own end back by a way (m), at most to there."""
+    way = min(way, shape[wall, LEAVES + end])
+    shape[wall, LEAVES + end] -= way
+    shape[wall, LENGTH] -= way
+    if end == START:
+        shape[wall, 0] += way * shape[wall, 2]
+        shape[wall, 1] += way * shape[wall, 3]
+        shape[wall, OWN_START] -= way
+    shape[wall, ENDS + end] = FREE
+    if shape[wall, LEAVES + end] == 0.0:
+        shape[wall, ENDS + end], shape[wall, GROWTH + end] = shape[wall, OPENED + end], 0.0
 
 
 @register_jitable
@@ -144,8 +171,9 @@ def note_walls(rows, walls, near, start, count, force, record, part):
     """
     for k in range(count):
         i, q, at = near.first[start + k], near.second[start + k], start + k
-        tx, ty, length = walls.shape[q, 2], walls.shape[q, 3], walls.shape[q, 4]
+        tx, ty, length = walls.shape[q, 2], walls.shape[q, 3], walls.shape[q, OWN_LENGTH]
         dx, dy, along = nearest(walls.shape, q, rows[i, X], rows[i, Y])
+        along -= walls.shape[q, OWN_START]
         upward = -1.0 if ty < 0.0 else 1.0
         fx, fy = force[FORCE_X, k], force[FORCE_Y, k]
         inner, back = walls.cells[q, 1], walls.cells[q, 2]
@@ -162,8 +190,8 @@ def walls_of(walls) -> Walls:
 
 
 def shape_of(walls) -> np.ndarray:
-    """Start, unit direction, length (m), the kinds of both ends, a speed of none, and what the ends meet, a row a wall."""
-    rows = np.zeros((len(walls), WAYS + 4))
+    """Start, direction, length (m), the kinds of both ends, a speed of none, what the ends meet and reach, a row a wall."""
+    rows = np.zeros((len(walls), OPENED + 2))
     for row, wall in zip(rows, walls, strict=True):
         (x0, y0), (x1, y1) = wall.start, wall.end
         length = hypot(x1 - x0, y1 - y0)
@@ -171,7 +199,20 @@ def shape_of(walls) -> np.ndarray:
             x0, y0, (x1 - x0) / length, (y1 - y0) / length, length, *(JOINED if joined else FREE for joined in wall.joined)
         )  # fmt: skip
     join(rows, walls)
+    rows[:, OPENED : OPENED + 2], rows[:, OWN_LENGTH] = rows[:, ENDS : ENDS + 2], rows[:, LENGTH]
+    for row, wall in zip(rows, walls, strict=True):
+        reach(row, wall.leaves)
     return rows
+
+
+def reach(row: np.ndarray, leaves: tuple[float, float]) -> None:
+    """Let a wall reach beyond its ends (m), where it goes straight on in another wall that reaches as far."""
+    row[LEAVES : LEAVES + 2], row[OWN_START] = leaves, leaves[START]
+    row[:2] -= leaves[START] * row[2:4]
+    row[LENGTH] += sum(leaves)
+    for end, kind in ((START, JOINED), (END, SHUT)):
+        if leaves[end]:
+            row[ENDS + end] = kind
 
 
 def wall_cells(model, name: str) -> np.ndarray:

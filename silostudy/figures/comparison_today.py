@@ -1,6 +1,7 @@
-"""Fig. 4.2.11 with the codes in use today: the handbook's curves thin and numbered, EN 1991-4 with its band, AS 3774.
+"""One silo's wall by the handbook's methods and by today's codes: after filling, in discharge, largest pressures ranked.
 
-Where the study samples the solid's scatter, each method's larger phase has its middle nine tenths as a light fill and a bar.
+Each panel brings out one group over the others in grey.  The ranking is the legend, and where the study samples the solid's
+scatter it shows the middle nine tenths of each largest pressure.
 """
 
 from pathlib import Path
@@ -11,141 +12,146 @@ import numpy as np
 import pandas as pd
 import xarray as xr
 from matplotlib.axes import Axes
-from matplotlib.patches import Patch
 
 from silostudy.cube.measured import pressures_measured_in
-from silostudy.figures.style import AID, PHASE_LINES, drawn, look, phases_of_its_own, save, silent, title
-from silostudy.figures.uncertainty_bands import distinct_methods
+from silostudy.figures.steps import over_depth
+from silostudy.figures.style import drawn, look, phases_of_its_own, save, silent, title
 from silostudy.tables.outputs import output_of
 
 (STATIC,) = output_of(__name__).methods
-EDGES = (("wall_normal_pressure_kPa", "upper_kPa"), ("ratio_to_janssen", "upper_ratio"))  # of a band, on either panel
-LINES = 3  # for the handbook's numbers
-SCATTER = "light fill, bar in a method's colour: 5 % to 95 % of the sampled solid, larger phase"
-BELOW = "scatter: unit weight from the solid's lower value up to the curves' own, which lie high in their fills for that"
+PRESSURE = "wall_normal_pressure"
+SCATTER = "bars: 5 % to 95 % of the sampled solid, whose unit weight goes up to the dots' own: these lie high for that"
+BAND = "shaded: EN 1991-4, all sets of characteristic values"
+REST: dict[str, Any] = {"color": "0.8", "linewidth": 1.0, "zorder": 1}
 HATCHES = {"filling": "\\\\\\\\", "switch": "....", "discharge": "////"}
+# heading -> phases, and how the methods that it brings out are drawn
+GROUPS = {
+    "after filling": (("filling",), ("handbook", "curve", "misprint")),
+    "in discharge:\nthe handbook's methods": (("switch", "discharge"), ("handbook", "misprint")),
+    "in discharge:\ntoday's codes and others": (("switch", "discharge"), ("curve",)),
+}
 
 
 def draw(cube: xr.Dataset, stem: Path, sampled: xr.Dataset | None = None) -> None:
-    """Writes the figure and the curves, the bands and the measured points it shows; `sampled`: the uncertainty cube."""
-    static = cube["wall_normal_pressure"].sel(pressure_method=STATIC, phase="filling")
-    figure, (left, right) = plt.subplots(1, 2, figsize=(12.5, 8.4), sharey=True, width_ratios=(1.3, 1))
+    """Writes the figure with the curves, bands, measured points and ranks that it shows; `sampled`: the uncertainty cube."""
+    curves, bands = _curves(cube), _bands(cube)
+    ranks = _ranks(curves, sampled)
+    groups = {name: group for name, group in GROUPS.items() if _of(curves, *group).any()}
+    figure, panels = plt.subplots(1, len(groups) + 1, figsize=(3.2 * len(groups) + 4.4, 7.6), squeeze=False)
+    *walls, ranking = panels[0]
+    for panel in walls[1:]:
+        panel.sharey(walls[0])
+        panel.tick_params(labelleft=False)
+    for panel, (name, group) in zip(walls, groups.items(), strict=True):
+        _draw_wall(panel, cube, curves, bands, group)
+        panel.set(xlim=(0, 1.04 * curves.wall_normal_pressure_kPa.max()), ylim=(float(cube["cylinder_depth"]), 0))
+        panel.set_title(name, fontsize="medium")
+        panel.set_xlabel("wall normal pressure (kPa)")
+    walls[0].set_ylabel("depth z (m)")
+    _draw_ranks(ranking, cube, ranks)
+    below = [BAND] * bool(bands) + [SCATTER] * (sampled is not None)
+    handles = silent(cube)
+    if handles:
+        figure.legend(handles=handles, loc="outside lower center", ncols=2, fontsize=8.5)
+    figure.suptitle("\n".join([f"{cube.attrs['title']}: {_message(ranks)}", "; ".join(below)]).strip())
+    save(figure, pd.concat([curves, *bands, ranks], ignore_index=True).drop(columns=["pressure_method", "drawn"]), stem)
+
+
+def _curves(cube: xr.Dataset) -> pd.DataFrame:
+    """Every curve drawn, with its method, phase and way to be drawn."""
     tables = []
     for method in map(str, cube["pressure_method"].values):
         if drawn(cube, method) not in ("set", "none"):
             for phase in phases_of_its_own(cube, method, STATIC):
-                tables.append(_curve(cube, method, phase, static))
-                _draw_curve((left, right), cube, tables[-1], method, phase)
-    for phase in map(str, cube["phase"].values):
-        band = _band(cube, phase, static)
-        if band is not None:
-            tables.append(band)
-            _draw_band((left, right), band, phase)
-    scatter = [] if sampled is None else _scatter((left, right), cube, sampled, static)
-    for point in pressures_measured_in(cube):
-        left.plot(point.value / 1e3, point.depth, "k*", markersize=13, label=f"measured: {point.title}")
-    left.set(xlabel="wall normal pressure (kPa)", ylabel="depth z (m)", xlim=(0, None))
-    right.set(xlabel="ratio to static Janssen", xlim=_ratios(tables, float(cube["cylinder_depth"])))
-    _number_ends(left, tables)
-    left.set_ylim(float(cube["cylinder_depth"]) * 1.08, 0)
-    handles = [*left.get_legend_handles_labels()[0], *([Patch(color="0.5", alpha=0.45, label=SCATTER)] if scatter else [])]
-    handles += silent(cube)
-    figure.legend(handles=handles, loc="outside lower center", ncols=3, fontsize=8)
-    figure.suptitle(cube.attrs["title"] + ("\n" + BELOW if scatter else ""))
-    save(figure, pd.concat([*tables, *scatter], ignore_index=True), stem)
+                pressure = cube[PRESSURE].sel(pressure_method=method, phase=phase).values / 1e3
+                table: dict[str, Any] = {"curve": f"{title(cube, method)}, {phase}", "pressure_method": method, "phase": phase}
+                table |= {"drawn": drawn(cube, method), "depth_m": cube["depth"].values, "wall_normal_pressure_kPa": pressure}
+                tables.append(pd.DataFrame(table))
+    return pd.concat(tables, ignore_index=True).dropna(subset="wall_normal_pressure_kPa")
 
 
-def _curve(cube: xr.Dataset, method: str, phase: str, static: xr.DataArray) -> pd.DataFrame:
-    pressure = cube["wall_normal_pressure"].sel(pressure_method=method, phase=phase)
-    ratio = (pressure / static.where(static > 0)).values
-    table = {"curve": f"{title(cube, method)}, {phase}", "depth_m": cube["depth"].values}
-    table |= {"wall_normal_pressure_kPa": pressure.values / 1e3, "ratio_to_janssen": ratio}
-    table["number"] = str(cube["pressure_method_number"].sel(pressure_method=method).values)
-    return pd.DataFrame(table).dropna(subset="wall_normal_pressure_kPa")
-
-
-def _draw_curve(axes: tuple[Axes, Axes], cube: xr.Dataset, table: pd.DataFrame, method: str, phase: str) -> None:
-    style = {**look(cube, method), "linestyle": PHASE_LINES[phase], "linewidth": 2.0, "markersize": 6, "markevery": 18}
-    if drawn(cube, method) == "handbook":  # thin, told apart by number and marker
-        style |= {"linewidth": 0.9, "markersize": 3.5, "alpha": 0.75}
-    if phase == "filling":
-        style["markerfacecolor"] = "none"
-    for panel, column in zip(axes, ("wall_normal_pressure_kPa", "ratio_to_janssen"), strict=True):
-        panel.plot(table[column], table.depth_m, label=table.curve.iloc[0] if panel is axes[0] else None, **style)
-
-
-def _ratios(tables: list[pd.DataFrame], height: float) -> tuple[float, float]:
-    """Limits of the ratio axis: all ratios below a tenth of the height (nearer the surface some grow without bound)."""
-    ratios = pd.concat([table[table.depth_m > height / 10].ratio_to_janssen for table in tables])
-    return min(0.5, 0.95 * ratios.min()), 1.05 * ratios.max()
-
-
-def _number_ends(axes: Axes, tables: list[pd.DataFrame]) -> None:
-    """The handbook's number at the foot of its curves, on further lines where they stand close."""
-    feet = sorted((t.wall_normal_pressure_kPa.iloc[-1], t.depth_m.iloc[-1], t.number.iloc[0]) for t in tables if "number" in t)
-    last = [-np.inf] * LINES
-    for x, y, number in (foot for foot in feet if foot[2]):
-        line = next((n for n in range(LINES) if x - last[n] >= 0.025 * feet[-1][0]), LINES - 1)
-        last[line] = x
-        place: dict[str, Any] = {
-            "xytext": (0, -9 - 9 * line),
-            "textcoords": "offset points",
-            "ha": "center",
-            "va": "center",
-            "fontsize": 7.5,
-        }
-        axes.annotate(number, (x, y), **place)
-
-
-def _band(cube: xr.Dataset, phase: str, static: xr.DataArray) -> pd.DataFrame | None:
-    """Least and largest wall pressure over the sets of characteristic values."""
+def _bands(cube: xr.Dataset) -> list[pd.DataFrame]:
+    """Least and largest wall pressure over the sets of characteristic values, a table a phase; none without such sets."""
     sets = [method for method in map(str, cube["pressure_method"].values) if drawn(cube, method) == "set"]
-    if not sets:
-        return None
-    pressure = cube["wall_normal_pressure"].sel(pressure_method=sets, phase=phase)
-    table = {"curve": f"EN 1991-4, all sets of characteristic values, {phase}", "depth_m": cube["depth"].values}
-    table |= {
-        "wall_normal_pressure_kPa": pressure.min("pressure_method").values / 1e3,
-        "upper_kPa": pressure.max("pressure_method").values / 1e3,
-    }
-    table["ratio_to_janssen"] = (pressure.min("pressure_method") / static.where(static > 0)).values
-    table["upper_ratio"] = (pressure.max("pressure_method") / static.where(static > 0)).values
-    return pd.DataFrame(table).dropna(subset="wall_normal_pressure_kPa")
-
-
-def _draw_band(axes: tuple[Axes, Axes], band: pd.DataFrame, phase: str) -> None:
-    hatched: dict[str, Any] = {
-        "facecolor": "none",
-        "edgecolor": "#2166AC",
-        "alpha": 0.4,
-        "linewidth": 0.3,
-        "hatch": HATCHES[phase],
-    }
-    for panel, (low, high) in zip(axes, EDGES, strict=True):
-        label = band.curve.iloc[0] if panel is axes[0] else None
-        panel.fill_betweenx(band.depth_m, band[low], band[high], facecolor="#2166AC", alpha=0.12, linewidth=0)
-        panel.fill_betweenx(band.depth_m, band[low], band[high], label=label, **hatched)
-
-
-def _scatter(axes: tuple[Axes, Axes], cube: xr.Dataset, sampled: xr.Dataset, static: xr.DataArray) -> list[pd.DataFrame]:
-    """Draws each method's middle nine tenths in its colour, in the phase of the larger pressure; the numbers it shows.
-
-    Many bands lie over one another: each fill is faint, and a bar at a depth of the method's own shows its width.
-    """
-    methods, depth, unit = distinct_methods(sampled), cube["depth"].values, static.where(static > 0).values
-    bars = np.linspace(0.45, 0.97, len(methods)) * float(cube["cylinder_depth"])
     tables = []
-    for method, bar in zip(methods, bars, strict=True):
-        one = sampled["wall_normal_pressure_quantile"].sel(pressure_method=method)
-        phase = str(one["phase"][int(one.max(["quantile", one.dims[-1]]).argmax("phase"))].values)
-        low, high = (one.sel({"phase": phase}).isel(quantile=place).values for place in (0, -1))
-        table = {"curve": f"{title(cube, method)}, {phase}, 5 % to 95 % of the sampled solid", "depth_m": depth}
-        table |= {"wall_normal_pressure_kPa": low / 1e3, "upper_kPa": high / 1e3}
-        tables.append(pd.DataFrame(table | {"ratio_to_janssen": low / unit, "upper_ratio": high / unit}))
-        for panel, (lower, upper) in zip(axes, EDGES, strict=True):
-            edges = tables[-1][lower], tables[-1][upper]
-            panel.fill_betweenx(depth, *edges, color=look(cube, method)["color"], alpha=0.06, linewidth=0, zorder=0.5)
-            ends = [np.interp(bar, depth, edge) for edge in edges]
-            colour = look(cube, method)["color"]
-            panel.plot(ends, [bar, bar], color=colour, linewidth=5, alpha=0.45, solid_capstyle="butt", gid=AID)
-    return [table.dropna(subset="upper_kPa") for table in tables]
+    for phase in map(str, cube["phase"].values) if sets else ():
+        pressure = cube[PRESSURE].sel(pressure_method=sets, phase=phase) / 1e3
+        table: dict[str, Any] = {"curve": f"EN 1991-4, all sets of characteristic values, {phase}", "phase": phase}
+        table |= {"depth_m": cube["depth"].values, "wall_normal_pressure_kPa": pressure.min("pressure_method").values}
+        table["upper_kPa"] = pressure.max("pressure_method").values
+        tables.append(pd.DataFrame(table).dropna(subset="upper_kPa"))
+    return tables
+
+
+def _ranks(curves: pd.DataFrame, sampled: xr.Dataset | None) -> pd.DataFrame:
+    """Each curve's largest pressure, least first, with the middle nine tenths of it where the solid is sampled."""
+    ranks = curves.groupby(["curve", "pressure_method", "phase"], sort=False, as_index=False).wall_normal_pressure_kPa.max()
+    ranks = ranks.rename(columns={"wall_normal_pressure_kPa": "largest_kPa"}).sort_values("largest_kPa", ignore_index=True)
+    ranks["rank"] = np.arange(len(ranks))
+    if sampled is not None:
+        spans = [_span(sampled, row.pressure_method, row.phase) for row in ranks.itertuples()]
+        ranks["p05_kPa"], ranks["p95_kPa"] = np.array(spans).T
+    return ranks
+
+
+def _span(sampled: xr.Dataset, method: str, phase: str) -> tuple[float, float]:
+    """Lower and upper quantile (kPa) of the largest pressure over depth; not a number where it was not sampled."""
+    if method not in sampled["pressure_method"].values or phase not in sampled["phase"].values:
+        return np.nan, np.nan
+    quantiles = sampled["wall_normal_pressure_quantile"].sel(pressure_method=method, phase=phase) / 1e3
+    return float(quantiles.isel(quantile=0).max()), float(quantiles.isel(quantile=-1).max())
+
+
+def _of(table: pd.DataFrame, phases: tuple[str, ...], ways: tuple[str, ...]) -> pd.Series:
+    return table.phase.isin(phases) & table.drawn.isin(ways)
+
+
+def _draw_wall(panel: Axes, cube: xr.Dataset, curves: pd.DataFrame, bands: list[pd.DataFrame], group: tuple) -> None:
+    """A group of curves in their own looks over all others in grey; the band where the group is not the handbook's alone."""
+    for band in bands:
+        if band.phase.iloc[0] in group[0] and "curve" in group[1]:
+            hatched: dict[str, Any] = {"facecolor": "#2166AC22", "edgecolor": "#2166AC66", "linewidth": 0.3}
+            hatch = HATCHES[band.phase.iloc[0]]
+            panel.fill_betweenx(band.depth_m, band.wall_normal_pressure_kPa, band.upper_kPa, hatch=hatch, **hatched)
+    chosen = _of(curves, *group)
+    for rest, table in ((True, curves[~chosen]), (False, curves[chosen])):
+        for (method, phase), one in table.groupby(["pressure_method", "phase"], sort=False):
+            style = REST if rest else _look(cube, method, phase) | {"linewidth": 1.8, "markevery": max(1, len(one) // 7)}
+            over_depth(panel, one.wall_normal_pressure_kPa.to_numpy(), one.depth_m.to_numpy(), **style)
+    for point in pressures_measured_in(cube):
+        panel.plot(point.value / 1e3, point.depth, "k*", markersize=13, label=f"measured: {point.title}")
+        panel.legend(loc="upper right", fontsize=8.5)
+
+
+def _look(cube: xr.Dataset, method: str, phase: str) -> dict[str, Any]:
+    """Colour and marker of a method, hollow and dashed after filling."""
+    filled = {"markerfacecolor": "white", "linestyle": (0, (4, 2))} if phase == "filling" else {"linestyle": "-"}
+    return {**look(cube, method), "markersize": 6, **filled}
+
+
+def _draw_ranks(panel: Axes, cube: xr.Dataset, ranks: pd.DataFrame) -> None:
+    """A row a curve: its mark at the largest pressure, and a bar of the sampled scatter."""
+    for row in ranks.to_dict("records"):
+        if np.isfinite(row.get("p05_kPa", np.nan)):
+            panel.hlines(row["rank"], row["p05_kPa"], row["p95_kPa"], color="0.55", linewidth=3.0, zorder=1)
+        look_here = _look(cube, row["pressure_method"], row["phase"]) | {"markersize": 8}
+        panel.plot(row["largest_kPa"], row["rank"], **look_here)
+    panel.set_yticks(ranks["rank"], ranks.curve, fontsize=8.5)
+    panel.yaxis.tick_right()
+    panel.set(
+        xlabel="largest wall pressure (kPa)",
+        xlim=(0, 1.05 * np.nanmax(ranks.filter(like="_kPa"))),
+        ylim=(-0.7, len(ranks) - 0.3),
+    )
+    panel.set_title("largest pressures, ranked", fontsize="medium")
+    panel.spines["left"].set_visible(False)
+
+
+def _message(ranks: pd.DataFrame) -> str:
+    """What the figure says, in numbers."""
+    words = {"filling": "after filling", "switch": "at the switch to flow", "discharge": "in discharge"}
+    spans = ranks.groupby("phase").largest_kPa.agg(["min", "max"])
+    told = [
+        f"{spans['min'][phase]:.0f} to {spans['max'][phase]:.0f} kPa {words[phase]}" for phase in words if phase in spans.index
+    ]
+    return f"at most {', '.join(told)}"

@@ -8,6 +8,7 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.ticker import MaxNLocator
 
+from silostudy.figures.steps import over_depth
 from silostudy.figures.style import PHASE_LINES, drawn, look, phases_of_its_own, save, silent, title
 from silostudy.tables.constants import STANDARD_GRAVITY
 from silostudy.tables.outputs import output_of
@@ -22,8 +23,9 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     figure, (left, right) = plt.subplots(1, 2, figsize=(12, 8), sharey=True, width_ratios=(1.35, 1))
     for name, group in curves.groupby("curve", sort=False):
         style = _style(cube, group.iloc[0])
-        left.plot(group.wall_normal_pressure_t_m2, group.depth_m, label=name, **style)
-        right.plot(group.ratio_to_janssen, group.depth_m, **style)
+        depth = group.depth_m.to_numpy()
+        over_depth(left, group.wall_normal_pressure_t_m2.to_numpy(), depth, label=name, **style)
+        over_depth(right, group.ratio_to_janssen.to_numpy(), depth, **style)
     _number_ends(left, curves)
     left.set(xlabel="wall normal pressure (t/m²)", ylabel="depth z (m)", xlim=(0, None))
     left.yaxis.set_major_locator(MaxNLocator(10, steps=[1, 2, 5, 10]))

@@ -34,7 +34,8 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     figure, ((path, shear), (locus, width)) = plt.subplots(2, 2, figsize=(11.5, 8.4))
     numbers = [*_path(path, wide, solid), *_shear(shear, wide), *_locus(locus, wide, solid), *_width(width, cube)]
     failed = [str(one) for one in checks(cube) if not one.holds]
-    about = f"cell {float(wide[CELL]):g} grains wide, {int(wide['tested_grains'][0])} grains, {solid.loose.count} fillings"
+    about = f"cell {float(wide[CELL]):g} grains wide, {int(wide['tested_grains'][0])} grains, {solid.loose.count} fillings; "
+    about += f"poured heap {np.degrees(solid.repose_angle.mean):.1f} ± {np.degrees(solid.repose_angle.deviation):.1f} degrees"
     figure.suptitle("\n".join([cube.attrs["title"], about, *failed]), fontsize=10)
     save(figure, pd.concat(numbers, ignore_index=True), stem)
 

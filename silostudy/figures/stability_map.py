@@ -1,4 +1,4 @@
-"""Largest stable step over damping, a panel a network: found by bisection (marks), the engine's bound (lines), LAMMPS."""
+"""Largest stable step over damping, an arrangement a panel: found by bisection (marks), the engine's bound (lines), LAMMPS."""
 
 from pathlib import Path
 
@@ -44,7 +44,7 @@ def _panel(panel, one: xr.Dataset, network: str) -> None:
 
 
 def march_name(one: xr.Dataset) -> str:
-    """Integrator and dashpots of one way of marching."""
+    """Integrator and dashpots of one label."""
     integrator = str(one["march_integrator"].values)
     named = f"eqs. ({integrator.replace('-', '), (')})" if integrator[0].isdigit() else integrator.replace("-", " ")
     implicit = int(one["implicit_dashpots"].max())

@@ -9,6 +9,7 @@ import xarray as xr
 from matplotlib.axes import Axes
 
 from silostudy.cube.silence import NOT_COVERED, reason
+from silostudy.figures.steps import over_depth
 from silostudy.figures.style import save, title
 
 QUANTILE = "wall_normal_pressure_quantile"
@@ -24,7 +25,7 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     """Writes a panel for each method and the quantiles it shows."""
     quantiles = cube[QUANTILE] / 1e3
     methods = distinct_methods(cube)
-    columns = min(4, len(methods))
+    columns = _columns(len(methods))
     rows = -(-len(methods) // columns)
     figure, axes = plt.subplots(
         rows, columns, figsize=(3.2 * columns, 3.0 * rows + 0.8), squeeze=False, sharex=True, sharey=True
@@ -52,6 +53,11 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     sampled = "scatter of friction angle, wall friction, lateral pressure ratio and unit weight"
     figure.suptitle("\n".join([cube.attrs["title"], f"{sampled} (methods that coincide are shown once)", *missing(cube)]))
     save(figure, pd.concat(tables, ignore_index=True).dropna(), stem)
+
+
+def _columns(count: int) -> int:
+    """Columns for so many panels: those that leave the fewest places of the last row empty, four sooner than another number."""
+    return count if count <= 4 else min((4, 5, 3), key=lambda columns: -count % columns)
 
 
 def missing(cube: xr.Dataset) -> list[str]:
@@ -86,4 +92,5 @@ def _band(panel: Axes, depth, quantiles: tuple, phase: str) -> None:
     panel.fill_betweenx(depth, low, high, facecolor=colour, alpha=0.25, linewidth=0)
     hatched: dict[str, Any] = {"facecolor": "none", "edgecolor": colour, "hatch": hatch, "alpha": 0.5, "linewidth": 0}
     panel.fill_betweenx(depth, low, high, label=f"{phase}: 5 % to 95 %", **hatched)
-    panel.plot(middle, depth, color=colour, linestyle=line, linewidth=1.6, label=f"{phase}: median")
+    look: dict[str, Any] = {"color": colour, "linestyle": line, "linewidth": 1.6}
+    over_depth(panel, middle.values, depth.values, label=f"{phase}: median", **look)

@@ -1,4 +1,4 @@
-"""What the figures of accuracy share: one panel a problem and quantity, error over CPU time, front, slope and floor."""
+"""What the figures of accuracy share: one panel a problem and quantity, error over CPU time, Pareto front, slope and floor."""
 
 import textwrap
 from pathlib import Path

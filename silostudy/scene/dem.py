@@ -21,8 +21,9 @@ from silostudy.dem.rest import REST, STEADY, USUAL, Rest
 from silostudy.dem.varied import Varied
 from silostudy.errors import BadInput
 from silostudy.packing import PACKINGS
+from silostudy.scene.disc_mixture import radii_of_kinds, uneven
 from silostudy.scene.lid import lid_action, moves
-from silostudy.scene.plane_silo import FLOOR, HALVES, PlaneSilo
+from silostudy.scene.plane_silo import FLOOR, HALVES, PlaneSilo, Slit
 from silostudy.scene.surfaces import by_surface, parts_of
 
 DEEPEST = 0.1  # of a radius: overlap that a start may have (a packing at rest has some)
@@ -42,8 +43,9 @@ def plane_silo_of(scene: DemScene, where: str = "") -> PlaneSilo:
     config, angle = scene.silo, scene.silo.hopper_half_angle_deg
     half_angle = None if angle is None else radians(angle)
     inserts = tuple(inserted(number, one, LINES) for number, one in enumerate(scene.inserts))
+    slits = tuple(Slit(one.name, one.middle_m, one.width_m) for one in scene.outlets)
     try:
-        return PlaneSilo(config.width_m, config.height_m, config.slit_width_m, half_angle, config.lid, inserts)
+        return PlaneSilo(config.width_m, config.height_m, config.slit_width_m, half_angle, config.lid, inserts, slits)
     except BadInput as error:
         raise BadInput(error.field, error.value, error.allowed, error.where or where) from None
 
@@ -75,25 +77,39 @@ def contact_of(
     return Contact(Laws(**laws), coefficients)
 
 
-def contacts_of(scene: DemScene, radii: np.ndarray, where: str = "") -> tuple[Contact, Contact | Varied]:
+def contacts_of(scene: DemScene, radii: np.ndarray, where: str = "") -> tuple[Contact | Varied, Contact | Varied]:
     """Contacts between discs of these radii (m), and of discs and walls; stiffness and damping of their own radius if equal.
 
-    Walls have contacts of their own each where the scene tells a surface from the others.
+    Kinds of discs have contacts of their own by pairs where those differ, and walls each where the scene tells a surface from
+    the others.
     """
-    uneven = bool(np.ptp(radii) > 0.0)
-    about: dict[str, Any] = {"radius": scene.radius_m if uneven else float(radii[0]), "uneven": uneven}
+    differ, kinds = uneven(scene, radii), scene.kinds
+    about: dict[str, Any] = {
+        "radius": scene.radius_m if differ else float(radii[0]), "uneven": differ, "density": scene.density_kg_m3
+    }  # fmt: skip
     changed = [event for event in scene.events if event.do == "set_friction"]
-    configs = {"": scene.touches[1], **scene.surface_contacts}
-    smooth = not any(config.sliding_friction for config in configs.values())
+    at_walls = {kind: scene.at_surfaces(kind) for kind in kinds}
+    smooth = not any(config.sliding_friction for configs in at_walls.values() for config in configs.values())
     smooth = smooth and all(event.wall_friction is None for event in changed)
-    between = contact_of(
-        scene.discs, density=scene.density_kg_m3, slippery=all(event.disc_friction is None for event in changed), **about
-    )
-    at_walls = {
-        name: contact_of(config, density=scene.density_kg_m3, wall=True, slippery=smooth, **about)
-        for name, config in configs.items()
-    }
-    return between, walls_contact(scene, at_walls, wall_names(scene), where)
+    pairs = [scene.between(kind, other) for number, kind in enumerate(kinds) for other in kinds[: number + 1]]
+    slippery = not any(pair.sliding_friction for pair in pairs) and all(event.disc_friction is None for event in changed)
+    names, walls = wall_names(scene), []
+    for configs in at_walls.values():
+        contacts = {name: contact_of(config, wall=True, slippery=smooth, **about) for name, config in configs.items()}
+        walls.append(walls_contact(scene, contacts, names, where))
+    return varied([contact_of(pair, slippery=slippery, **about) for pair in pairs]), of_kinds(walls, len(names))
+
+
+def varied(contacts: list[Contact]) -> Contact | Varied:
+    """Contacts as one where they are all alike."""
+    return contacts[0] if all(one == contacts[0] for one in contacts) else Varied(tuple(contacts))
+
+
+def of_kinds(contacts: list[Contact | Varied], walls: int) -> Contact | Varied:
+    """Contacts of kinds of grains with so many walls, from those of each; one where all are alike."""
+    if all(one == contacts[0] for one in contacts) and isinstance(contacts[0], Contact):
+        return contacts[0]
+    return Varied(tuple(one.numbered(number) for one in contacts for number in range(walls)))
 
 
 def walls_contact(scene: AnyScene, contacts: dict[str, Contact], names: Sequence[str], where: str) -> Contact | Varied:
@@ -162,6 +178,9 @@ def _action(event: EventConfig, scene: DemScene, beside: tuple[str, ...], mass: 
     if event.do in OF_LID:
         silo = plane_silo_of(scene)
         return lid_action(event, silo.width, mass, silo.bottom, silo.bottom + silo.height)
+    if event.do == "open_slit" and scene.outlets:
+        names = event.outlets or tuple(outlet.name for outlet in scene.outlets)
+        return "open holes", (FLOOR, names, event.speed_m_s or 0.0)
     return ("open", (FLOOR, *beside)) if event.do == "open_slit" else ("stop", ())
 
 
@@ -199,7 +218,7 @@ def room(wall: Wall, x, y) -> np.ndarray:
     inside = ((x1 - x0) * (y - y0) - (y1 - y0) * (x - x0)) / length
     if wall.faces > 1:
         return np.hypot(inside, np.maximum(np.maximum(-along, along - length), 0.0))
-    return np.where((along >= 0.0) & (along <= length), inside, np.inf)
+    return np.where((along >= -wall.leaves[0]) & (along <= length + wall.leaves[1]), inside, np.inf)
 
 
 def law_effect(name: str, family: str, contacts: Mapping[str, Contact | Varied]) -> Effect:
@@ -230,21 +249,24 @@ def reading_effects(scene: AnyScene) -> tuple[Effect, ...]:
 def effects(scene: DemScene) -> tuple[Effect, ...]:
     """Every effect the engine knows: whether this scene calls for it, and the key that says so."""
     contacts = dict(zip(("discs", "walls"), contacts_of(scene, np.array([scene.radius_m])), strict=True))
-    uneven = PACKINGS[scene.packing.kind].uneven(scene.packing)
+    kinds = f"other_grains: {', '.join(scene.other_grains) or 'none'}"
+    sizes = PACKINGS[scene.packing.kind].uneven(scene.packing) or np.ptp(radii_of_kinds(scene)) > 0.0
     record = scene.record
     return (
         law_effect("friction, rotation, history", "tangential", contacts),
         law_effect("rolling resistance", "rolling", contacts),
         law_effect("cohesion", "cohesion", contacts),
         surfaces_effect(scene),
-        Effect("discs of several sizes", uneven, f"packing.kind: {scene.packing.kind}"),
+        Effect("several kinds of discs", bool(scene.other_grains), kinds),
+        Effect("discs of several sizes", bool(sizes), f"packing.kind: {scene.packing.kind}; {kinds}"),
         Effect("shaking", scene.quake is not None, "quake"),
         Effect("wall forces every step", record.wall_force_window_s is not None, "record.wall_force_window_s"),
         Effect("energy ledger", record.energy, f"record.energy: {record.energy}"),
         Effect("slit", scene.silo.slit_width_m > 0, f"silo.slit_width_m: {scene.silo.slit_width_m:g}"),
+        Effect("outlets by names", bool(scene.outlets), f"outlets: {', '.join(one.name for one in scene.outlets) or 'none'}"),
         Effect("hopper", scene.silo.hopper_half_angle_deg is not None, "silo.hopper_half_angle_deg"),
         Effect("inserts", bool(scene.inserts), f"inserts: {len(scene.inserts)}"),
-        Effect("walls that move", moves(scene.events), "events: lower_lid, press_lid, move_lid"),
+        Effect("walls that move", moves(scene.events), "events: lower_lid, press_lid, move_lid, open_slit at a speed"),
         Effect("events", len(scene.events) > 1, ", ".join(event.do for event in scene.events)),
         *reading_effects(scene),
     )

@@ -11,38 +11,50 @@ from silostudy.dem.stability import chosen_step, packed_bound
 from silostudy.errors import BadInput
 from silostudy.packing import PACKINGS
 from silostudy.scene.dem import check_events, check_start, contacts_of, plane_silo_of, room
+from silostudy.scene.disc_mixture import densities_of_kinds, kinds_of, radii_of_kinds
 from silostudy.scene.lid import check_lid, lid_of, moves
 
 
 def placed(scene: DemScene):
-    """x, y and radius (m) of the discs of a packing that no file gives; y from the lowest point of the silo."""
-    packing, known = PACKINGS[scene.packing.kind], {"width": scene.silo.width_m, "radius": scene.radius_m, "seed": scene.seed}
+    """x, y, radius (m) and kind of the discs of a packing that no file gives; y from the lowest point of the silo.
+
+    Each kind takes places that are laid for the largest.
+    """
+    packing, of_kinds = PACKINGS[scene.packing.kind], radii_of_kinds(scene)
+    known = {"width": scene.silo.width_m, "radius": float(of_kinds.max()), "seed": scene.seed}
     size = {name: value for name, value in known.items() if name in packing.needs}
     x, y, radius = packing.place(**size, **packing.arguments(scene.packing))
-    silo = plane_silo_of(scene)
-    return clear_of(silo.inserts, x, y + silo.bottom, radius)
+    silo, kind = plane_silo_of(scene), kinds_of(scene, len(x))
+    if kind is not None:
+        radius = radius * of_kinds[kind] / of_kinds.max()
+    clear = clear_of(silo.inserts, x, y + silo.bottom, radius)
+    return x[clear], y[clear] + silo.bottom, radius[clear], kind if kind is None else kind[clear]
 
 
-def clear_of(inserts: tuple[Wall, ...], x, y, radius):
-    """x, y and radius (m) of those discs that cut no insert; BadInput where none is left."""
+def clear_of(inserts: tuple[Wall, ...], x, y, radius) -> np.ndarray:
+    """Which discs cut no insert; BadInput where none is left."""
     clear = np.all([room(insert, x, y) >= radius for insert in inserts], axis=0) & np.ones(len(x), bool)
     if not clear.any():
         raise BadInput("inserts", inserts[0].name, "leave no room for a disc of the packing")
-    return x[clear], y[clear], radius[clear]
+    return clear
 
 
 def unshaken_scene_model(scene: DemScene, discs, where: str = "") -> Model:
-    """The engine's model of a scene without shaking; BadInput for a start or a step that cannot be."""
+    """The engine's model of a scene without shaking, of discs as `placed` gives them.
+
+    BadInput for a start or a step that cannot be.
+    """
     integrator = scene.march.integrator
     assert integrator is not None, "march.integrator is not chosen yet"
-    silo, (x, y, radius) = plane_silo_of(scene, where), discs
+    silo, (x, y, radius, kind) = plane_silo_of(scene, where), discs
     walls = silo.walls(scene.silo.wall_cells)
     check_start(walls, x, y, radius, where)
     check_events(scene, len(x), where)
     check_lid(scene.events, silo.bottom, silo.bottom + silo.height, where)
     contacts = contacts_of(scene, radius, where)
     model = Model(
-        x=x, y=y, radius=radius, density=scene.density_kg_m3, walls=walls, pair_contact=contacts[0], wall_contact=contacts[1],
+        x=x, y=y, radius=radius, density=scene.density_kg_m3 if kind is None else densities_of_kinds(scene)[kind],
+        walls=walls, pair_contact=contacts[0], wall_contact=contacts[1], kind=kind,
         dt=scene.march.step_s or 1.0, gravity=scene.gravity_m_s2, integrator=integrator,
         watched=scene.record.wall_force_window_s is not None, booked=scene.record.energy,
         moving=moves(scene.events),

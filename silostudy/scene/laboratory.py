@@ -40,4 +40,5 @@ def cost(case: LaboratoryCase) -> float:
     pressed = sum(PRESSED * case.height / case.speed(stress) for stress in case.stresses)
     spheres = COSTS[case.config.grains]
     steps = (FILLED + pressed + shears) / spheres.step(filling(case))
-    return START + steps * (spheres.look + case.count * spheres.each)
+    heap = FILLED / spheres.step(filling(case)) * case.heap_count
+    return START + steps * (spheres.look + case.count * spheres.each) + heap * spheres.each

@@ -14,6 +14,8 @@ from silostudy.tables.references import own_files
 
 KPA = 1e3  # Pa
 DRAWN = 2000  # sizes from which mean diameter and volume are taken
+TRAY = 1.6  # width of a heap's tray over that of the cell
+SLOPE = 0.47  # tangent of the angle that a heap is reckoned to have: it sets how many grains are poured
 LOOSE = 0.57  # about the solid fraction of a filling: it sets how many grains make the height
 
 
@@ -64,7 +66,22 @@ class LaboratoryCase:
     @property
     def count(self) -> int:
         """Number of grains."""
-        return round(LOOSE * self.area * self.height / float((4.0 / 3.0 * pi * self.radii**3).mean()))
+        return round(LOOSE * self.area * self.height / self.grain_volume)
+
+    @property
+    def grain_volume(self) -> float:
+        """Mean volume (m3) of the grains."""
+        return float((4.0 / 3.0 * pi * self.radii**3).mean())
+
+    @property
+    def tray(self) -> float:
+        """Width (m) of the tray that a heap is poured onto."""
+        return TRAY * self.width
+
+    @property
+    def heap_count(self) -> int:
+        """Number of grains of a heap: a cone of a usual slope over nine tenths of the tray."""
+        return round(LOOSE * pi / 3.0 * (0.45 * self.tray) ** 3 * SLOPE / self.grain_volume)
 
     @property
     def modulus(self) -> float:

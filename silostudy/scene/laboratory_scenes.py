@@ -7,7 +7,8 @@ engine are surfaces that turn in place.  A rough end holds what touches it again
 """
 
 from collections.abc import Mapping
-from math import sqrt
+from math import pi, sqrt
+from typing import Any
 
 from silostudy.config.elastic import TouchConfig
 from silostudy.config.spheres import SphereScene
@@ -17,6 +18,8 @@ from silostudy.scene.space_silo import FLOOR, LID, WALL
 from silostudy.tables.constants import ROUNDED_GRAVITY
 
 ROOM = 1.8  # height of the cell over that of the filling: what rains in needs room
+RESTS = ({"when": "rest", "do": "lower_lid"},)
+STREAM, POURED = 5.0, 0.3  # width of the stream onto a heap in grains, its speed (m/s)
 FLUX = 0.15  # solid fraction of the rain
 SETTLES = 10.0  # s: a filling comes to rest by then, or the run ends
 LATE = 5.0  # times that a test may take over what it should at most
@@ -41,7 +44,16 @@ SLIDING = {WALL: _like(SMOOTH), LID: _like(ROUGH)}  # the floor is the plate of 
 
 def filling(case: LaboratoryCase) -> SphereScene:
     """Grains rain into the cell and come to rest."""
-    return _scene(case, PRESSING, ({"when": "rest", "do": "lower_lid"},), limit=SETTLES)
+    return _scene(case, PRESSING, RESTS, limit=SETTLES)
+
+
+def heaping(case: LaboratoryCase) -> SphereScene:
+    """Grains are poured onto the middle of a rough tray and come to rest as a heap."""
+    width, stream = case.tray, STREAM * case.grain
+    across = 0.25 * pi * stream**2 * POURED * FLUX / case.grain_volume
+    pour = {"kind": "rain", "count": case.heap_count, "speed_m_s": POURED, "rate_1_s": across, "width_m": stream}
+    silo = {"plan": "circular", "diameter_m": width, "cylinder_depth_m": 0.5 * width}
+    return _scene(case, SHEARING, RESTS, limit=SETTLES, silo=silo, rain=pour)
 
 
 def pressing(case: LaboratoryCase, stress: float, now: float) -> SphereScene:
@@ -69,21 +81,34 @@ def shearing(case: LaboratoryCase, stress: float, now: float, surfaces: Mapping[
 
 def _scene(
     case: LaboratoryCase, surfaces: Mapping[str, dict], events: tuple[dict, ...], *, limit: float, window: float | None = None,
-    lasts: float = 0.0,
+    lasts: float = 0.0, silo: Mapping[str, Any] | None = None, rain: Mapping[str, Any] | None = None,
 ) -> SphereScene:  # fmt: skip
-    """A scene of the cell; window: of wall forces (s), limit: latest end, lasts: time from the last event to the stop (s)."""
-    config, fall = case.config, sqrt(2.0 * ROUNDED_GRAVITY * case.height)
-    rate = case.count * FLUX * fall / (LOOSE * case.height)
-    rain = {"kind": "rain", "count": case.count, "speed_m_s": fall, "rate_1_s": rate}
+    """A scene of the laboratory; silo, rain: what holds the grains and how they come in, None: the cell and its filling.
+
+    window: of wall forces (s), limit: latest end, lasts: time from the last event to the stop (s).
+    """
+    config = case.config
     content = {
         "kind": "dem", "grains": config.grains, "title": "a cell of the laboratory", "methods_from": config.methods_from,
-        "silo": {"plan": "circular", "diameter_m": case.width, "cylinder_depth_m": ROOM * case.height}, "lid": True,
+        "silo": silo or cell(case), "lid": True, "filling": rain or cell_rain(case),
         "grain": config.grain, "wall": config.wall, "spheres": config.spheres, "walls": plate(case), "surfaces": surfaces,
-        "sizes": config.sizes, "seed": config.seed, "filling": rain, "march": {"limit_s": limit},
+        "sizes": config.sizes, "seed": config.seed, "march": {"limit_s": limit},
         "events": [*events, {"when": "after", "value": lasts, "do": "stop"}],
         "record": {"wall_force_window_s": window, "pressure_cells": [1, 1]},
     }  # fmt: skip
     return SphereScene.model_validate(content, context={"families": config.families})
+
+
+def cell(case: LaboratoryCase) -> dict[str, Any]:
+    """The cell, as a silo."""
+    return {"plan": "circular", "diameter_m": case.width, "cylinder_depth_m": ROOM * case.height}
+
+
+def cell_rain(case: LaboratoryCase) -> dict[str, Any]:
+    """How grains rain into the cell: as fast as if they fell through its height."""
+    fall = sqrt(2.0 * ROUNDED_GRAVITY * case.height)
+    rate = case.count * FLUX * fall / (LOOSE * case.height)
+    return {"kind": "rain", "count": case.count, "speed_m_s": fall, "rate_1_s": rate}
 
 
 def plate(case: LaboratoryCase) -> TouchConfig:

@@ -19,7 +19,7 @@ def moves(events: Sequence[MovingEvent]) -> bool:
 
 def slides(events: Sequence[MovingEvent]) -> bool:
     """Whether an outlet opens at a speed."""
-    return any(event.do == "open_outlet" and event.speed_m_s is not None for event in events)
+    return any(event.do in ("open_outlet", "open_slit") and event.speed_m_s is not None for event in events)
 
 
 def feeds(events: Sequence[MovingEvent]) -> bool:

@@ -5,6 +5,7 @@ import numpy as np
 from silostudy.config.spheres import SphereScene
 from silostudy.errors import BadInput
 from silostudy.packing.sizes import SIZES
+from silostudy.scene.shares import whole
 from silostudy.scene.spheres import grain_of
 
 ROUNDS = 5  # of numbers by the mean mass of as many spheres, which changes with them
@@ -42,11 +43,3 @@ def numbers_of(scene: SphereScene, radii: list[np.ndarray]) -> np.ndarray:
         if not number:
             raise BadInput("filling.count", count, f"so few spheres that their shares leave none to {name}")
     return numbers
-
-
-def whole(weights: np.ndarray, count: int) -> np.ndarray:
-    """So many shared out by weights as whole numbers, those with the largest remainders rounded up."""
-    exact = weights / weights.sum() * count
-    low = np.floor(exact).astype(int)
-    low[np.argsort(low - exact, kind="stable")[: count - low.sum()]] += 1
-    return low

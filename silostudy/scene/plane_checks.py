@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from itertools import pairwise
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -13,6 +14,21 @@ from silostudy.errors import BadInput
 if TYPE_CHECKING:
     from silostudy.dem.model import Wall
     from silostudy.scene.plane_silo import PlaneSilo
+
+
+def require_slits(silo: PlaneSilo) -> None:
+    """BadInput for slits without names of their own, that leave the floor, or touch each other."""
+    names = [slit.name for slit in silo.slits]
+    if len(set(names)) < len(names):
+        raise BadInput("outlets", ", ".join(names), "each outlet needs a name of its own")
+    for number, slit in enumerate(silo.slits):
+        if not 0.0 < slit.edges[0] < slit.edges[1] < silo.width:
+            allowed = f"must leave floor on both sides, from 0 to {silo.width:g} m"
+            raise BadInput(f"outlets.{number}.middle_m", slit.middle, allowed)
+    ordered = sorted(silo.slits, key=lambda slit: slit.middle)
+    for left, right in pairwise(ordered):
+        if not left.edges[1] < right.edges[0]:
+            raise BadInput("outlets", f"{left.name}, {right.name}", "must not overlap or touch")
 
 
 def require_lines(silo: PlaneSilo) -> None:

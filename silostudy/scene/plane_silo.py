@@ -5,11 +5,12 @@ Every wall has a name, and whoever wants one asks the model for it by that name,
 
 from dataclasses import dataclass, replace
 from math import tan
+from typing import NamedTuple
 
 import numpy as np
 
 from silostudy.dem.model import Model, Wall
-from silostudy.scene.plane_checks import require_lines
+from silostudy.scene.plane_checks import require_lines, require_slits
 
 FLOOR, LID = "floor", "lid"
 SIDES = ("left", "right")
@@ -17,11 +18,25 @@ HALVES = ("floor_left", "floor_right")  # of a flat floor beside its slit: they 
 HOPPER = ("hopper_left", "hopper_right")
 
 
+class Slit(NamedTuple):
+    """A slit of a flat floor by its name: its middle, off the left wall, and its width, m."""
+
+    name: str
+    middle: float
+    width: float
+
+    @property
+    def edges(self) -> tuple[float, float]:
+        """x (m) of its edges."""
+        return self.middle - self.width / 2.0, self.middle + self.width / 2.0
+
+
 @dataclass(frozen=True)
 class PlaneSilo:
     """Inner dimensions: width, height of the vertical walls and width of the slit in m; half angle from the vertical in rad.
 
-    slit 0: a closed box; hopper_half_angle None: a flat floor; inserts: lines of names of their own, inside or outside.
+    slit 0: a closed box; hopper_half_angle None: a flat floor; inserts: lines of names of their own, inside or outside;
+    slits: of a flat floor, by names, in place of the one in its middle.
     """
 
     width: float
@@ -30,8 +45,10 @@ class PlaneSilo:
     hopper_half_angle: float | None = None
     lid: bool = False
     inserts: tuple[Wall, ...] = ()
+    slits: tuple[Slit, ...] = ()
 
     def __post_init__(self):
+        require_slits(self)
         require_lines(self)
 
     @property
@@ -50,7 +67,20 @@ class PlaneSilo:
         bottom = self._floor(cells, half_cells or cells) if flat else self._hopper(cells)
         return (*bottom, *self._upper(cells), *(replace(insert, cells=cells) for insert in self.inserts))
 
+    def _between_slits(self, cells: int) -> tuple[Wall, ...]:
+        """The parts of the floor, from the left: each reaches to the middle of the shut slits beside it."""
+        slits = sorted(self.slits, key=lambda slit: slit.middle)
+        starts, ends = [0.0, *(slit.edges[1] for slit in slits)], [*(slit.edges[0] for slit in slits), self.width]
+        names, halves = ["", *(slit.name for slit in slits), ""], [0.0, *(slit.width / 2.0 for slit in slits), 0.0]
+        return tuple(
+            Wall(f"{FLOOR}_{n + 1}", (start, 0.0), (end, 0.0), cells, leaves=(halves[n], halves[n + 1]),
+                 outlets=(names[n], names[n + 1]))
+            for n, (start, end) in enumerate(zip(starts, ends, strict=True))
+        )  # fmt: skip
+
     def _floor(self, cells: int, half_cells: int) -> tuple[Wall, ...]:
+        if self.slits:
+            return self._between_slits(cells)
         whole = Wall(FLOOR, (0.0, 0.0), (self.width, 0.0), cells, stays=not self.slit)
         if not self.slit:
             return (whole,)
@@ -78,9 +108,18 @@ class PlaneSilo:
         lid = Wall(LID, (self.width, top), (0.0, top), cells, joined=(True, True))
         return (*sides, lid) if self.lid else sides
 
+    @property
+    def openings(self) -> tuple[Slit, ...]:
+        """Its slits, the one in the middle among them."""
+        return self.slits or ((Slit("slit", self.width / 2.0, self.slit),) if self.slit else ())
+
     def over_slit(self, places: np.ndarray) -> np.ndarray:
-        """Which places (n, 2; m) stand over the slit."""
-        return np.abs(places[:, 0] - self.width / 2.0) < self.slit / 2.0
+        """Which places (n, 2; m) stand over a slit."""
+        return np.any([np.abs(places[:, 0] - slit.middle) < slit.width / 2.0 for slit in self.openings], axis=0)
+
+    def slit_at(self, places: np.ndarray) -> np.ndarray:
+        """Number of the slit that each place (n, 2; m) is over, or nearest to being over."""
+        return np.argmin([np.abs(places[:, 0] - slit.middle) - slit.width / 2.0 for slit in self.openings], axis=0)
 
     @property
     def _edges(self) -> tuple[float, float]:

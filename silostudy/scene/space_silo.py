@@ -136,12 +136,12 @@ class SpaceSilo:
     def walls(self, cells: tuple[int, int] = (1, 1)) -> tuple[Surface, ...]:
         """Its surfaces: the bottom, closed, then the walls, the lid and the inserts.
 
-        cells: equal parts along and around of each whose force is recorded.
+        cells: equal parts along and around of each whose force is recorded; a facet of a curved sheet is one.
         """
         flat, plan = self.silo.hopper is None, self.plan
         walls = sides_between(WALL, plan, self.bottom, plan, self.top, cells, not self.slotted, self.lid)
         lid = (level(LID, plan, self.top, cells),) if self.lid else ()
-        inserts = (replace(insert, cells=cells) for insert in self.inserts)
+        inserts = (replace(insert, cells=(1, 1) if insert.sheet else cells) for insert in self.inserts)
         return (*((self._floor(cells),) if flat else self._hopper(cells)), *walls, *lid, *inserts)
 
     @property

@@ -58,6 +58,10 @@ MISTAKES = {
         silo(hopper={"half_angle_deg": 20.0, "outlet_m": 1.0}),
         "scene.silo.hopper.outlet_m = 1.0: unknown key; known here: half_angle_deg, outlet_width_m, wall",
     ),
+    "key of an older version": (
+        silo(eccentricity_m=0.5),
+        "scene.silo.eccentricity_m = 0.5: is no key any more since version 1.0.0: write filling_eccentricity_m and outlet",
+    ),
     "unknown key of a range": (
         {"depth_m": {"start": 0.0, "stop": 1.0, "count": 3, "step": 0.5}},
         "depth_m.step = 0.5: unknown key; known here: start, stop, count, spacing",

@@ -238,7 +238,10 @@ def test_a_cube_of_an_older_contract_is_told_so(wheat, tmp_path):
     old = wheat.rename(names)
     del old.attrs["cube_contract"]
     old.to_netcdf(path)
-    with pytest.raises(BadInput, match=r"contract 1, and not 2: compute it again$"):
+    with pytest.raises(
+        BadInput,
+        match=r"contract 1, and not 2 \(since 2 the dimension .* is pressure_method, no longer method\): compute it again$",
+    ):
         read(path)
 
 

@@ -19,6 +19,8 @@ from silostudy.stages import STAGES, called_for
 from silostudy.tables.outputs import OUTPUTS
 from tests.conftest import ROOT
 from tests.test_compute.made_walls import made_walls
+from tests.test_dem.small import carried
+from tests.test_dem.small import scene_of as discs_of
 from tests.test_laboratory.made_up import cube_of as made_up
 from tests.test_spheres.small import run, scene_of
 
@@ -210,6 +212,8 @@ def bin_cube() -> xr.Dataset:
 
 def cubes_of(output: str) -> list[xr.Dataset]:
     """The cubes that an output is drawn from."""
+    if "only_discs" in OUTPUTS[output].demands:
+        return [dem_cube(carried(discs_of()), discs_of())]
     if OUTPUTS[output].stage == "dem":
         return [bin_cube()]
     if OUTPUTS[output].stage == "scenes":

@@ -79,7 +79,7 @@ def drawn(key: str, cubes: list[xr.Dataset], folder: Path, monkeypatch: pytest.M
     return Drawn(kept[0] if kept else None, table, cubes)
 
 
-COSTLY = ("accuracy_grains", "grains_effective_mass", "stability_map")  # cubes of kernels
+COSTLY = ("silo_of_discs", "accuracy_grains", "grains_effective_mass", "stability_map")  # cubes of kernels
 
 
 @pytest.mark.parametrize("key", [pytest.param(key, marks=pytest.mark.long if key in COSTLY else ()) for key in OUTPUTS])

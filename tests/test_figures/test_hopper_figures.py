@@ -2,6 +2,7 @@
 
 import copy
 
+import matplotlib.pyplot as plt
 import numpy as np
 import pandas as pd
 import pytest
@@ -18,6 +19,7 @@ from silostudy.figures import (
     sobol_indices,
     uncertainty_bands,
 )
+from silostudy.figures.steps import jumps, over_depth
 from silostudy.tables.measured import measured_pressures
 from silostudy.tables.outputs import OUTPUTS
 from tests.conftest import ROOT, expanded
@@ -113,24 +115,41 @@ def test_comparison_shows_the_band_and_the_measured_point(hopper_bin, tmp_path, 
 
 
 def test_comparison_shows_the_sampled_scatter(hopper_bin, tmp_path, kept):
-    """Where the uncertainty cube comes along: a fill and a bar on both panels for each method, in its colour."""
+    """Where the uncertainty cube comes along: a bar beside the mark of each largest pressure, and a word on it."""
     hopper_bin |= {"uncertainty": {"log2_samples": 8, "seed": 3}, "hopper_position": None, "phases": ["filling", "discharge"]}
     expansion = expanded(hopper_bin)
     cube, sampled = pressure_cube(expansion), uncertainty_cube(expansion)
     comparison_today.draw(cube, tmp_path / "plain")
     comparison_today.draw(cube, tmp_path / "today", sampled)
-    plain, banded = ([len(panel.collections) for panel in figure.axes] for figure in kept)
-    assert np.subtract(banded, plain).tolist() == [3, 3]  # Janssen, Jenike 1969, EN once
-    numbers = pd.read_csv(tmp_path / "today.csv").set_index("curve")
-    band = numbers.loc["EN 1991-4:2006, design, discharge, 5 % to 95 % of the sampled solid"].iloc[-1]
+    plain, barred = (len(figure.axes[-1].collections) for figure in kept)
+    assert (plain, barred) == (0, len(kept[1].axes[-1].lines))
+    row = (
+        pd.read_csv(tmp_path / "today.csv").query("largest_kPa > 0").set_index("curve").loc["EN 1991-4:2006, design, discharge"]
+    )
     quantiles = sampled["wall_normal_pressure_quantile"].sel(pressure_method="en1991_4", phase="discharge").values / 1e3
-    assert (band.wall_normal_pressure_kPa, band.upper_kPa) == pytest.approx((quantiles[0, -1], quantiles[2, -1]))
-    static = float(cube["wall_normal_pressure"].sel(pressure_method="janssen", phase="filling")[-1]) / 1e3
-    assert band.upper_ratio == pytest.approx(quantiles[2, -1] / static)
-    bar = [line for line in kept[1].axes[0].lines if line.get_linewidth() == 5][-1].get_xydata()
-    assert bar[:, 0] == pytest.approx([np.interp(bar[0, 1], cube["depth"], quantiles[place]) for place in (0, 2)])
-    said = [text.get_text() for text in kept[1].legends[0].get_texts()]
-    assert any("5 % to 95 %" in text for text in said)
+    assert (row.p05_kPa, row.p95_kPa) == pytest.approx((quantiles[0].max(), quantiles[2].max()))
+    bar = kept[1].axes[-1].collections[int(row["rank"])].get_segments()[0]
+    assert bar[:, 0] == pytest.approx([row.p05_kPa, row.p95_kPa])
+    assert "5 % to 95 %" in kept[1].get_suptitle()
+    assert "5 % to 95 %" not in kept[0].get_suptitle()
+
+
+def test_the_comparison_s_title_says_its_message(wheat, tmp_path, kept):
+    comparison_today.draw(wheat, tmp_path / "today")
+    deutsch = wheat["wall_normal_pressure"].sel(phase="discharge", pressure_method="deutsch") / 1e3
+    assert f"to {float(deutsch.max()):.0f} kPa in discharge" in kept[0].get_suptitle()
+
+
+def test_a_jump_is_drawn_as_a_step(kept):
+    """Between two levels the curve goes down, across at their middle, and down; elsewhere it is as it was."""
+    panel = plt.figure().subplots()
+    depth, values = np.linspace(0.0, 10.0, 11), np.array([0, 1, 2, 3, 4, 5, 16, 17, 18, 19, 20.0])
+    over_depth(panel, values, depth, color="k")
+    upper, lower, step = panel.lines
+    assert upper.get_ydata().tolist() == [0, 1, 2, 3, 4, 5]
+    assert lower.get_xdata().tolist() == [16, 17, 18, 19, 20]
+    assert step.get_xydata().tolist() == [[5, 5], [5, 5.5], [16, 5.5], [16, 6]]
+    assert jumps(np.linspace(0, 1, 9) ** 2).size == 0
 
 
 def test_charts_from_the_fields(tmp_path, kept):

@@ -70,6 +70,7 @@ def cube_of(found: Expansion, ratio=0.45, inside=0.5, wall=0.3) -> xr.Dataset:
         "tested_grains": np.full(shape, 270.0),
         "tested_grain_diameter": np.full(shape, 4.5e-3),
         "loose_unit_weight": 7.9e3 * each,
+        "tested_repose_angle": 0.4 * each,
         "tested_unit_weight": 8.5e3 * at,
         "tested_lateral_pressure_ratio": ratio * at,
         "secant_lateral_pressure_ratio": 1.05 * ratio * at,

@@ -158,7 +158,7 @@ def test_the_step_is_that_of_the_stiffest_pair():
         ({"other_grains": changed(density_kg_m3=None)}, "other_grains.stones.density_kg_m3 = None: must be given"),
         ({"other_grains": changed(softened_modulus_MPa=50)}, "other_grains.stones.softened_modulus_MPa = 50"),
         ({"other_grains": changed(mass_share=1e-6)}, "filling.count = 150: so few .* leave none to stones"),
-        ({"pairs": [{"between": ["stnes", "hopper"]}]}, "pairs.0.between: names no kind of spheres; known: grain, stones"),
+        ({"pairs": [{"between": ["stnes", "hopper"]}]}, "pairs.0.between: names no kind of grains; known: grain, stones"),
         ({"pairs": [{"between": ["stones", "hoper"]}]}, "pairs.0.between = 'hoper': unknown; known: floor, hopper, wall"),
         ({"pairs": [{"between": ["stones", "grain"]}, {"between": ["grain", "stones"]}]}, "pairs.1.between: the pair .* twice"),
         ({"pairs": [{"between": ["stones", "grain"], "frction": 1.0}]}, "pairs.0: frction: unknown key"),

@@ -12,7 +12,7 @@ from silostudy.compute.grains import record
 from silostudy.compute.packing_measure import cells_of
 from silostudy.dem.change import swap_walls
 from silostudy.dem.engine import Engine
-from silostudy.dem.walls import sums_by_wall, wall_cells
+from silostudy.dem.walls import nearest, square_apart, sums_by_wall, wall_cells, walls_of
 from silostudy.errors import BadInput
 from silostudy.scene.plane_silo import FLOOR, HALVES, HOPPER, LID, SIDES, PlaneSilo, inner_width
 
@@ -34,6 +34,20 @@ def test_walls_enclose_the_solid_on_their_left(silo):
     wedge = silo.bottom * 0.5 * (silo.width + silo.slit)
     assert area == pytest.approx(silo.width * silo.height + wedge, rel=1e-12)
     assert sorted(wall.start for wall in ends) == sorted(wall.end for wall in ends)  # one closed line
+
+
+@pytest.mark.parametrize("silo", SILOS.values(), ids=SILOS)
+def test_what_comes_over_a_joint_was_listed_before(silo):
+    """Lists go by a distance that is a push's where there is one, and shrinks by no more than a point moves."""
+    shape, random = walls_of(silo.walls()).shape, np.random.default_rng(3)
+    points = random.uniform((-0.25, 0.0), (0.25, 0.8), (40, 2))
+    steps = random.normal(0.0, 0.02, (40, 2))
+    for point, step in zip(points, steps, strict=True):
+        for q in range(len(shape)):
+            here, there = (np.sqrt(square_apart(shape, q, *place)) for place in (point, point + step))
+            assert here <= there + np.linalg.norm(step) + 1e-12
+            away = nearest(shape, q, *point)[:2]
+            assert away[0] > 1e29 or here == pytest.approx(np.hypot(*away), rel=1e-12)
 
 
 def test_the_slit_is_in_the_middle_of_the_bottom():

@@ -79,6 +79,7 @@ SPACE = Dimension(
     densest=densest,
     all_from_wall=all_from_wall,
     tangents=tangents,
+    meters=True,
     passed_for=passed_for,
     nearest=nearest,
     bent=bent,

@@ -10,9 +10,9 @@ from silostudy.packing.family import PackingField
 BOTH, FRONT = "both", "front"
 
 
-def polygon(name: str, corners: tuple, side: str) -> FlatPiece:
+def polygon(name: str, corners: tuple, side: str, sheet: str = "") -> FlatPiece:
     """A flat piece that pushes on both sides, or on the side that its corners run counter-clockwise from."""
-    return FlatPiece(name=name, corners=corners, front_only=side == FRONT, faces=1 if side == FRONT else 2)
+    return FlatPiece(name=name, corners=corners, front_only=side == FRONT, faces=1 if side == FRONT else 2, sheet=sheet)
 
 
 def cone(name: str, radii: tuple[float, float], heights: tuple[float, float], axis: tuple[float, float]) -> TurnedLine:
@@ -54,6 +54,11 @@ INSERTS: Family[Insert] = Family(
                     name="side", argument="side", unit="", kind=Literal[BOTH, FRONT], default=BOTH,
                     text="whether both sides push, or the front alone, from which its corners run counter-clockwise: then "
                     "nothing behind it may reach it",
+                ),
+                PackingField(
+                    name="sheet", argument="sheet", unit="", kind=str, default="",
+                    text="name of a curved sheet: facets of one name that share a side and turn there by less than 15 degrees "
+                    "push once, from their nearest point (`silostudy facets` writes them from a mesh)",
                 ),
             ),
             make=polygon,

@@ -1,6 +1,10 @@
-"""Joints of surfaces that say nothing of them: pieces of one plane are a sheet, others have one edge where they meet."""
+"""Joints of surfaces that say nothing of them: pieces of one plane are a sheet, others have one edge where they meet.
+
+Facets of a curved sheet are one too where they turn by little: it pushes from its nearest point, once, over all its joints.
+"""
 
 from itertools import combinations
+from math import cos, radians
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -21,6 +25,7 @@ from silostudy.dem.space.surfaces import (
 )
 
 EVEN = 1e-12  # of the cosine between two normals: pieces that differ by less are of one plane
+SMOOTH = cos(radians(15.0))  # of two facets that turn by less at a joint of a curved sheet: more is a corner with two faces
 ENDS = ((START_END, START_WAY), (END_END, END_WAY))
 
 
@@ -35,15 +40,14 @@ class Joint(NamedTuple):
 
 def join(shape: np.ndarray, surfaces) -> None:
     """Write into the rows of surfaces what their sides and ends are that meet."""
-    for one, other, side, others in flat_joints(surfaces):
+    for joint in flat_joints(surfaces):
+        one, other, side, others = joint
         of, to = (MORE + PER_SIDE * k for k in (side, others))
-        if level(surfaces[one], surfaces[other]):
+        if level(surfaces, joint):
             shape[one, of + SIDE] = shape[other, to + SIDE] = 0.0
         elif shape[one, of + SIDE] != JOINED and shape[other, to + SIDE] != JOINED:
             shape[one, of + SIDE], shape[other, to + SIDE] = MEETS, JOINED
-            start, end = np.array(surfaces[other].sides[others])
-            inward = np.cross(surfaces[other].normal, end - start)
-            shape[one, of + SIDE_WAY : of + SIDE_WAY + 3] = inward / np.linalg.norm(inward)
+            shape[one, of + SIDE_WAY : of + SIDE_WAY + 3] = inward(surfaces[other], others)
     for one, other, end, others in turned_joints(surfaces):
         (kind, way), (same, _) = ENDS[end], ENDS[others]
         if shape[one, kind] != JOINED and shape[other, same] != JOINED:
@@ -55,41 +59,53 @@ def join(shape: np.ndarray, surfaces) -> None:
 def sheets(surfaces) -> list[list[int]]:
     """Numbers of the flat pieces of each sheet of two or more, in order."""
     found: list[set[int]] = []
-    for one, other, *_ in flat_joints(surfaces):
-        if level(surfaces[one], surfaces[other]):
-            touched = [sheet for sheet in found if sheet & {one, other}]
-            found = [sheet for sheet in found if sheet not in touched] + [{one, other}.union(*touched)]
+    for joint in flat_joints(surfaces):
+        if level(surfaces, joint):
+            both = {joint.one, joint.other}
+            touched = [sheet for sheet in found if sheet & both]
+            found = [sheet for sheet in found if sheet not in touched] + [both.union(*touched)]
     return [sorted(sheet) for sheet in found]
 
 
-def level(one: Any, other: Any) -> bool:
-    """Whether two flat pieces that share a side are of one plane and of the same coefficients."""
-    return bool(abs(one.normal @ other.normal) > 1.0 - EVEN) and one.coat == other.coat
+def level(surfaces, joint: Joint) -> bool:
+    """Whether two flat pieces that share a side are of one sheet, plane or curved, and of the same coefficients."""
+    one, other = surfaces[joint.one], surfaces[joint.other]
+    even = abs(one.normal @ other.normal) > 1.0 - EVEN
+    if one.sheet and one.sheet == other.sheet:
+        even = even or inward(one, joint.side) @ inward(other, joint.others) < -SMOOTH
+    return bool(even) and one.coat == other.coat
+
+
+def inward(piece: Any, side: int) -> np.ndarray:
+    """Unit vector in a flat piece's plane, from one of its sides to its inside."""
+    start, end = np.array(piece.sides[side])
+    across = np.cross(piece.normal, end - start)
+    return across / np.linalg.norm(across)
 
 
 def flat_joints(surfaces) -> list[Joint]:
     """Where two standing flat pieces share a side."""
-    found = []
-    for one, other in pairs(surfaces, FLAT):
-        sides = [frozenset(side) for side in surfaces[other].sides]
-        shared = [(k, frozenset(side)) for k, side in enumerate(surfaces[one].sides)]
-        found += [Joint(one, other, k, sides.index(side)) for k, side in shared if side in sides]
-    return found
+    meeting: dict[frozenset, list[tuple[int, int]]] = {}
+    for number in standing(surfaces, FLAT):
+        for k, side in enumerate(surfaces[number].sides):
+            meeting.setdefault(frozenset(side), []).append((number, k))
+    met = (two for all_here in meeting.values() for two in combinations(all_here, 2))
+    return sorted(Joint(one, other, k, n) for (one, k), (other, n) in met if one != other)
 
 
 def turned_joints(surfaces) -> list[Joint]:
     """Where two standing turned lines about one axis share an end."""
     found = []
-    for one, other in pairs(surfaces, TURNED):
+    for one, other in combinations(standing(surfaces, TURNED), 2):
         if surfaces[one].axis == surfaces[other].axis:
             here, there = ends(surfaces[one]), ends(surfaces[other])
             found += [Joint(one, other, k, n) for k in (0, 1) for n in (0, 1) if here[k] == there[n]]
     return found
 
 
-def pairs(surfaces, kind: float) -> combinations:
-    """Numbers of any two standing surfaces of a kind."""
-    return combinations([number for number, surface in enumerate(surfaces) if surface.live and surface.shape[0] == kind], 2)
+def standing(surfaces, kind: float) -> list[int]:
+    """Numbers of the standing surfaces of a kind."""
+    return [number for number, surface in enumerate(surfaces) if surface.live and surface.shape[0] == kind]
 
 
 def ends(surface: Any) -> tuple[tuple[float, float], tuple[float, float]]:

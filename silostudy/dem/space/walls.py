@@ -33,7 +33,8 @@ STRAIGHT = 1e-12  # of its square: how much a corner may turn inward
 class Surface:
     """What every surface has: a name, equal cells along and around that have their force recorded, whether it stands.
 
-    faces: 2 where its back has cells of its own; coat: number of its coefficients, that pieces of one sheet share.
+    faces: 2 where its back has cells of its own; coat: number of its coefficients, that pieces of one sheet share; sheet: name
+    of the curved sheet that it is a facet of, "": of none.
     """
 
     name: str
@@ -41,6 +42,7 @@ class Surface:
     live: bool = True
     faces: int = 1
     coat: int = 0
+    sheet: str = ""
 
     def __post_init__(self):
         if min(self.cells) < 1:
