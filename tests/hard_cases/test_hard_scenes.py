@@ -1,4 +1,4 @@
-"""Hard cases as scene files for anybody to run: each comes to what it expects.  Three kernels, those of other tests of spheres."""
+"""Hard cases as scene files for anybody to run: each comes to what it expects."""
 
 import pytest
 

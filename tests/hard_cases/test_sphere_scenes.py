@@ -1,4 +1,4 @@
-"""Hard scenes of spheres before they run: what cannot be is refused in one line that names the field; draws keep what is asked."""
+"""Hard scenes of spheres before they run: what cannot be is refused in a line that names the field."""
 
 from math import inf, nan, radians
 
@@ -68,6 +68,7 @@ def test_polygon_with_corners_too_flat(sides):
         SpaceSilo(silo=Silo(plan="polygonal", sides=sides, diameter=0.06, wall_depth=0.1))
 
 
+@pytest.mark.long
 def test_insertion_into_a_full_bin():
     """Told beforehand, with how many there is room for."""
     refused(r"filling\.count = 100000.*no room below the plane for more than \d+ of these", filling__count=100_000)

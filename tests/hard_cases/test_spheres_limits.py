@@ -67,8 +67,11 @@ def test_sphere_too_heavy_for_its_floor():
         engine.step_to(20_000)
 
 
-@pytest.mark.parametrize(("field", "value"), [("radius", 1e-120), ("radius", 1e60), ("density", 0.0), ("density", np.nan),
-                                              ("dt", 0.0), ("gravity", (0.0, np.nan, 0.0)), ("z", [np.inf]), ("u", [np.nan])])  # fmt: skip
+NONE = [("radius", 1e-120), ("radius", 1e60), ("density", 0.0), ("density", np.nan), ("dt", 0.0),
+        ("gravity", (0.0, np.nan, 0.0)), ("z", [np.inf]), ("u", [np.nan])]  # fmt: skip
+
+
+@pytest.mark.parametrize(("field", "value"), NONE)
 def test_spheres_whose_numbers_are_none(field, value):
     with pytest.raises(BadInput, match=rf"^{field} = "):
         spheres([(0.0, 0.0, 0.5)], **{field: np.array([value]) if field == "radius" else value})

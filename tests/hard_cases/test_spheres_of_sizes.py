@@ -85,8 +85,9 @@ def test_sphere_rolls_off_one_of_ten_times_its_radius(integrator):
     apart = radii.sum() - sunk(WEIGHT * cos(start), radii.prod() / radii.sum(), 100.0 * K)
     place = [(0.0, 0.0, low), (apart * sin(start), 0.0, low + apart * cos(start))]
     changes = {"quake": np.zeros((400_001, 3))} if integrator == VERLET.key else {}
-    engine = Engine(spheres(place, radius=radii, density=density, gravity=DOWN, pair_contact=contact(0.5, 1e3, 1e9), wall_contact=stiff,
-                            dt=1e-6, integrator=integrator, **changes))  # fmt: skip
+    model = spheres(place, radius=radii, density=density, gravity=DOWN, pair_contact=contact(0.5, 1e3, 1e9),
+                    wall_contact=stiff, dt=1e-6, integrator=integrator, **changes)  # fmt: skip
+    engine = Engine(model)
     away = np.diff(rows(engine)[:, :3], axis=0)[0]
     while np.linalg.norm(away) < radii.sum():
         engine.step_to(engine.step + 50)
