@@ -118,7 +118,9 @@ class SphereScene(GrainScene):
         found = {}
         for name in dict.fromkeys([*walls, *sorted(named - {WALLS})]):
             section, wall, touch = walls.get(name, walls[""])
-            found[name] = wall, *self._apart(section, touch, kind, name or WALLS)
+            if name not in self.surfaces:  # one of the other walls, whatever a pair of another kind says of it
+                section, touch = self._apart(section, touch, kind, WALLS)
+            found[name] = wall, *(self._apart(section, touch, kind, name) if name else (section, touch))
         return {name: (section, wall, touch) for name, (wall, section, touch) in found.items()}
 
     def _surface(self, name: str) -> tuple[MaterialConfig, TouchConfig]:

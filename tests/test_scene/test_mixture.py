@@ -93,6 +93,16 @@ def test_pairs_say_what_differs_and_else_sections_do():
     assert dampings[1] == pytest.approx(elastic.damping_where_pulled(0.8))
 
 
+def test_a_pair_of_one_kind_and_a_surface_leaves_other_kinds_their_pair_with_the_walls():
+    pairs = [
+        {"between": ["grain", "hopper"], "sliding_friction": 0.05},
+        {"between": ["stones", "walls"], "sliding_friction": 0.06},
+    ]
+    _, walls = contacts_of(mixture(pairs=pairs))
+    friction = [one.coefficients["sliding_friction"] for one in walls.sets]
+    assert friction == [0.3, 0.05, 0.3, 0.06, 0.06, 0.06]  # of grain and of stones at floor, hopper and wall
+
+
 def test_laws_bring_their_fields_to_pairs_and_surfaces():
     rolls = {
         "normal": "hertz-tension",

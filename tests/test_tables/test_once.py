@@ -17,7 +17,7 @@ OF_THE_SOURCE = {
     kiyama.NORMAL_STIFFNESS, kiyama.NORMAL_DAMPING, kiyama.YOUNGS_MODULUS / 1e6, kiyama.CONTACT_LOAD, kiyama.DENSITY,
     kiyama.DISC_FRICTION, kiyama.WALL_FRICTION, *kiyama.GAPS.values(), 364, 0.153,
 }  # fmt: skip
-BUILDERS = {"plane_silo.py", "stability.py", "dem_impact.py"}  # the last two: one wall that is no silo's
+BUILDERS = {"plane_silo.py", "inserts.py", "stability.py", "dem_impact.py"}  # the last three: walls that are no silo's
 
 
 def numbers() -> Iterator[tuple[Path, float]]:
