@@ -23,7 +23,7 @@ def hertz_stiffness(modulus, other=None) -> float:
 
 
 def of_an_impact(stiffness, speed, mass=MASS / 2.0, radius=RADIUS / 2.0):
-    """Largest overlap (m) and duration (s) of an elastic Hertz impact: by energy and Euler's beta function in 30 digits."""
+    """Largest overlap (m) and duration (s) of an elastic Hertz impact by energy and Euler's beta function, 30 digits."""
     with mpmath.workdps(30):
         k, m, v = mpmath.mpf(stiffness) * mpmath.sqrt(radius), mpmath.mpf(mass), mpmath.mpf(speed)
         deepest = (5 * m * v**2 / (4 * k)) ** mpmath.mpf("0.4")
