@@ -115,7 +115,7 @@ def test_study_file_that_is_no_mapping(tmp_path):
 
 @pytest.mark.parametrize("changes", [{"trigger": "someday"}, {"action": "explode"}])
 def test_events_nobody_knows(changes):
-    with pytest.raises(BadInput, match=r"unknown; known: time, after|unknown; known: open, open holes, remove"):
+    with pytest.raises(BadInput, match=r"unknown; known: time, after|unknown; known: open, open holes, take away, remove"):
         Event(**({"trigger": "time", "value": 0.0, "action": "stop"} | changes))
 
 

@@ -96,4 +96,8 @@ def test_figures_and_tables_are_those_asked_for(jobs, study):
 
 
 def test_a_scene_asks_for_its_run_and_nothing_else(jobs):
-    assert [rule for rule, _, output in jobs if "/results/dem/" in output] == ["dem"]
+    made = {rule: output for rule, _, output in jobs if "/results/dem/" in output}
+    assert list(made) == ["dem", "draw_scene_kiyama_17_18"]
+    asked = yaml.safe_load((ROOT / "config/scenes/kiyama-17-18.yaml").read_text())["outputs"]
+    drawn = [file.split("/results/")[1] for file in made["draw_scene_kiyama_17_18"].split(", ")]
+    assert sorted(drawn) == sorted(file for key in asked for file in files_of(key, "dem/kiyama-17-18"))
