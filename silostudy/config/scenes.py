@@ -25,6 +25,10 @@ else:
     BaseScene = Annotated[_either, Discriminator(_model_of, **_NO_SECTION)]
 
 
+OWN = ("body", "wall_level", "wall_turn", "flow_window", "averaging")  # dimensions of its cubes that no axis may be named after
+FILLING = "filling"  # name of the axis of fillings in the cube beside codes
+
+
 class CodesConfig(Strict):
     """What theories and codes say of the same silos, to stand beside the grains."""
 
@@ -52,15 +56,27 @@ class ScenesStudy(SweepStudy):
         return self
 
     @model_validator(mode="after")
+    def _free_names(self) -> Self:
+        for axis in self.sweep:
+            if axis.axis in OWN:
+                raise ValueError(f"an axis cannot be named {axis.axis}: the cube has a dimension of this name")
+        return self
+
+    @model_validator(mode="after")
     def _walls_to_compare(self) -> Self:
         if self.codes is None:
             return self
         if self.scene.grains != "spheres" or self.scene.silo.plan != "circular" or not self.scene.record.wall_force_window_s:
             raise ValueError("codes needs scene.grains: spheres, scene.silo.plan: circular, scene.record.wall_force_window_s")
+        swept = {key for axis in self.sweep for key in axis.settings()[0]}
+        if "silo.diameter_m" in swept:
+            raise ValueError("codes needs one silo.diameter_m, not a sweep of it")
         if self.fillings is None:
             raise ValueError(
                 "codes needs an axis of the key seed alone, with two fillings at least: without, no scatter is known"
             )
+        if self.fillings != FILLING and FILLING in [axis.axis for axis in self.sweep]:
+            raise ValueError(f"codes needs the name {FILLING} for the axis of seeds: name the other axis otherwise")
         return self
 
     @property

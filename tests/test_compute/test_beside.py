@@ -17,6 +17,7 @@ from tests.test_compute.made_walls import FLOWS, GAMMA, MU, PATCH, K, made_walls
 
 STUDY = ROOT / "config/studies/silo-of-spheres.yaml"
 DEEP = [0.1, 0.2]  # m
+SEEDS = {"axis": "run", "values": {"seed": [1, 2]}}
 POINTS = [{"silo.cylinder_depth_m": 0.14}, {"silo.cylinder_depth_m": 0.24}]  # of walls that stand higher
 
 
@@ -115,9 +116,12 @@ def test_walls_of_another_width_are_refused(tmp_path):
     [
         ({"sweep": [{"axis": "filling", "values": {"seed": [1]}}]}, "codes needs an axis of the key seed alone"),
         ({"sweep": []}, "codes needs an axis of the key seed alone"),
+        ({"sweep": [{"axis": "wall_level", "values": {"seed": [1, 2]}}]}, "an axis cannot be named wall_level"),
+        ({"sweep": [SEEDS, {"axis": "wide", "values": {"silo.diameter_m": [0.1, 0.2]}}]}, "codes needs one silo.diameter_m"),
+        ({"sweep": [SEEDS, {"axis": "filling", "values": {"filling.count": [9000, 9900]}}]}, "name the other axis otherwise"),
     ],
 )
-def test_scenes_without_scatter_are_refused(change, told, tmp_path):
+def test_scenes_that_cannot_be_compared_are_refused(change, told, tmp_path):
     content = copy.deepcopy(read_yaml(STUDY)) | change
     (tmp_path / "grains.yaml").write_text(yaml.safe_dump(content))
     with pytest.raises(BadInput, match=told):
