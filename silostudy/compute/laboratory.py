@@ -68,7 +68,7 @@ def measure(study: LaboratoryStudy, case: LaboratoryCase) -> Numbers:
         "loose_unit_weight": np.array(loose),
         "tested_repose_angle": np.array(repose),
         "path_horizontal_stress": _path(pressed, PATH),
-        **{name: np.array(values) for name, values in found.items()},
+        **{name: np.moveaxis(np.array(values), 0, -1) for name, values in found.items()},  # the stresses come last
     }
 
 

@@ -10,10 +10,9 @@ import yaml
 
 from silostudy.choice.expand import expand
 from silostudy.compute.axes import sweep_of
-from silostudy.compute.laboratory import PATH, coordinates
+from silostudy.compute.laboratory import PATH, coordinates, sources
 from silostudy.cube.assemble import assemble
 from silostudy.scene.expand import Expansion
-from silostudy.scene.laboratory_scenes import SHEAR_WINDOWS
 from tests.conftest import ROOT
 
 SHIPPED = ROOT / "config/studies/wheat-laboratory.yaml"
@@ -64,7 +63,7 @@ def cube_of(found: Expansion, ratio=0.45, inside=0.5, wall=0.3) -> xr.Dataset:
     each = np.broadcast_to(off, shape)
     at = np.broadcast_to(each[..., None], (*shape, stresses))
     way = coordinates(study)["shear_strain"]
-    rise = np.broadcast_to(np.minimum(1.0, way / 0.1), (*shape, stresses, SHEAR_WINDOWS))
+    rise = np.minimum(1.0, way / 0.1)[:, None]  # the stresses come last
     path = np.linspace(0.0, 1e3 * study.stresses_kPa[-1], PATH + 1)[1:]
     numbers = {
         "tested_grains": np.full(shape, 270.0),
@@ -78,14 +77,14 @@ def cube_of(found: Expansion, ratio=0.45, inside=0.5, wall=0.3) -> xr.Dataset:
     }
     for name, value in (("internal", inside), ("wall", wall)):
         numbers |= {
-            f"{name}_shear_ratio": value * rise * at[..., None],
+            f"{name}_shear_ratio": value * rise * at[..., None, :],
             f"{name}_peak_shear_ratio": value * at,
             f"{name}_steady_shear_ratio": 0.9 * value * at,
             f"{name}_torque_imbalance": 0.0 * at,
             f"{name}_stress_error": 0.0 * at,
         }
     numbers |= {"force_imbalance": 0.0 * at, "pressing_stress_error": 0.0 * at}
-    return assemble(study, study.kind, numbers | coordinates(study), sources=[], sweep=sweep_of(found))
+    return assemble(study, study.kind, numbers | coordinates(study), sources=sources(study), sweep=sweep_of(found))
 
 
 def shipped() -> Expansion:
