@@ -93,7 +93,7 @@ def _sides(step: xr.DataArray, wide: float, around: int) -> xr.DataArray:
 
 
 def in_cone(grains: xr.Dataset) -> dict[str, xr.DataArray]:
-    """What the hopper felt: place on it, mean pressure around at rest and largest in flow (Pa), and how the peak travelled."""
+    """What the hopper felt: place on it, mean pressure around (Pa) at rest and in flow, the largest, and its rise over rest."""
     height, step = grains["hopper_level_height"], _step(grains["hopper_level_height"])
     top = height.isel(wall_level=-1) + step / 2
     rest = grains["hopper_pressure_at_rest"].mean("wall_turn")

@@ -32,8 +32,6 @@ def windows_in_flow(scene: SphereScene) -> int:
 def wall_coordinates(scene: SphereScene) -> dict[str, np.ndarray]:
     """Number of the level from below, angle about the axis (rad), number of the whole window after the first event."""
     levels, turns = scene.record.pressure_cells
-    window = scene.record.wall_force_window_s
-    assert window is not None
     return {
         "wall_level": np.arange(levels),
         "wall_turn": 2.0 * np.pi * (np.arange(turns) + 0.5) / turns,

@@ -1,6 +1,7 @@
 """Hard scenes of spheres before they run: what cannot be is refused in a line that names the field."""
 
 from math import inf, nan, radians
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -19,8 +20,6 @@ FLAT = {"silo__hopper": None, "events": [{"when": "time", "value": 0.1, "do": "s
 
 def refused(told, folder="", **changes):
     """A scene whose content, or whose model, is refused with these words."""
-    from pathlib import Path
-
     with pytest.raises(BadInput, match=told):
         scene_model(scene_of(**changes), Path(folder), "small.yaml")
 

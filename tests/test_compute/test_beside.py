@@ -72,11 +72,11 @@ def test_ratios_are_those_that_the_pressures_were_made_with(beside):
 
 
 def test_an_area_takes_cells_and_levels_together():
-    """A load of 16 on one cell of a wall of nothing, near where turns close: means over areas, at every level they reach."""
+    """Loads of 16 and 8 on cells of a wall of nothing, on both sides of where turns close: means at every level they reach."""
     wall = np.zeros((6, 8))
-    wall[2, 7] = 16.0
-    expected = {"1x1": [0, 0, 16, 0, 0, 0], "2x2": [0, 4, 4, 0, 0, np.nan], "4x4": [1, 1, 1] + 3 * [np.nan]}
-    for area, levels in (expected | {"ring": [0, 0, 2, 0, 0, 0]}).items():
+    wall[2, 7], wall[2, 0] = 16.0, 8.0
+    expected = {"1x1": [0, 0, 16, 0, 0, 0], "2x2": [0, 6, 6, 0, 0, np.nan], "4x4": [1.5, 1.5, 1.5] + 3 * [np.nan]}
+    for area, levels in (expected | {"ring": [0, 0, 3, 0, 0, 0]}).items():
         assert largest_mean(wall, area) == pytest.approx(levels, nan_ok=True), area
     assert of_profile(np.arange(4.0), "2x2") == pytest.approx([0.5, 1.5, 2.5, np.nan], nan_ok=True)
     assert set(AVERAGED) == {*expected, "ring"}

@@ -74,8 +74,10 @@ def test_bad_lines(case):
 
 
 def test_lines_that_meet_or_cross_walls_are_fine():
-    model_of(POST, BASE, {**POST, "name": "chute", "ends_m": [[0.055, 0.0], [0.03, -0.1]]},
-             {**POST, "name": "beam", "ends_m": [[-0.1, 0.2], [0.3, 0.2]]})  # fmt: skip
+    chute, beam = [[0.055, 0.0], [0.03, -0.1]], [[-0.1, 0.2], [0.3, 0.2]]
+    lines = {"post": POST["ends_m"], "base": BASE["ends_m"], "chute": chute, "beam": beam}
+    model = model_of(*({**POST, "name": name, "ends_m": ends} for name, ends in lines.items()))
+    assert {wall.name: [list(wall.start), list(wall.end)] for wall in model.walls[-4:]} == lines
 
 
 @pytest.mark.long

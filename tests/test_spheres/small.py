@@ -1,6 +1,7 @@
 """A small bin of spheres as a user writes it, and how tests carry it through."""
 
 import copy
+import pickle
 from pathlib import Path
 
 import numpy as np
@@ -66,6 +67,15 @@ def carried(scene, **how):
     one = run(scene, **how)
     one.go()
     return one
+
+
+def resumed(scene, stop, threads=1):
+    """The finished run that a checkpoint gives which another left at a step; and what had happened to that one by then."""
+    begun, other = run(scene), run(scene, threads=threads)
+    begun.go(until=stop)
+    other.restore(pickle.loads(pickle.dumps(begun.checkpoint())))
+    other.go()
+    return other, begun.recording.happened
 
 
 def check_same(cube, other):

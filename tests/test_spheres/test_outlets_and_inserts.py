@@ -1,13 +1,11 @@
 """Outlets by name and inserts of a bin of spheres, from the file to the cube; the same bits however it is carried out."""
 
-import pickle
-
 import numpy as np
 import pytest
 
 from silostudy.compute.dem_cube import cube_of
 from silostudy.tables.constants import ROUNDED_GRAVITY as GRAVITY
-from tests.test_spheres.small import carried, check_same, run, scene_of
+from tests.test_spheres.small import carried, check_same, resumed, scene_of
 
 pytestmark = pytest.mark.long
 TWO = {
@@ -50,12 +48,9 @@ def test_outlets_open_by_name_and_each_has_its_meter(two):
 @pytest.mark.parametrize(("threads", "later"), [(2, -0.01), (1, 0.05)])  # before the first opens, and between both
 def test_outlets_in_any_way_of_carrying_out(two, threads, later):
     scene = scene_of(**TWO)
-    begun, resumed = run(scene), run(scene, threads=threads)
-    begun.go(until=round((float(two.event_time[0]) + later) / begun.engine.model.dt))
-    assert len(begun.recording.happened) == (later > 0.0)
-    resumed.restore(pickle.loads(pickle.dumps(begun.checkpoint())))
-    resumed.go()
-    check_same(two, cube_of(resumed, scene))
+    other, happened = resumed(scene, round((float(two.event_time[0]) + later) / two.time_step_s), threads)
+    assert len(happened) == (later > 0.0)
+    check_same(two, cube_of(other, scene))
 
 
 SHELF = {
@@ -94,11 +89,8 @@ def test_what_an_insert_bears_falls_when_it_is_taken_away(shelf):
 @pytest.mark.parametrize(("threads", "later"), [(2, -0.02), (1, 0.02)])
 def test_taking_away_in_any_way_of_carrying_out(shelf, threads, later):
     scene = scene_of(**SHELF)
-    begun, resumed = run(scene), run(scene, threads=threads)
-    begun.go(until=round((float(shelf.event_time[0]) + later) / begun.engine.model.dt))
-    resumed.restore(pickle.loads(pickle.dumps(begun.checkpoint())))
-    resumed.go()
-    check_same(shelf, cube_of(resumed, scene))
+    other, _ = resumed(scene, round((float(shelf.event_time[0]) + later) / shelf.time_step_s), threads)
+    check_same(shelf, cube_of(other, scene))
 
 
 ACROSS = {
@@ -179,8 +171,5 @@ def test_no_sphere_is_where_an_insert_is(hat):
 def test_inserts_in_any_way_of_carrying_out(hat, threads, later):
     cube, _ = hat
     scene = scene_of(**HAT)
-    begun, resumed = run(scene), run(scene, threads=threads)
-    begun.go(until=round((float(cube.event_time[0]) + later) / begun.engine.model.dt))
-    resumed.restore(pickle.loads(pickle.dumps(begun.checkpoint())))
-    resumed.go()
-    check_same(cube, cube_of(resumed, scene))
+    other, _ = resumed(scene, round((float(cube.event_time[0]) + later) / cube.time_step_s), threads)
+    check_same(cube, cube_of(other, scene))

@@ -64,8 +64,8 @@ def test_unequal_spheres_of_nearly_equal_size_move_alike():
 
 
 def test_thousands_of_small_spheres_near_a_great_one_are_all_listed():
-    """More than there was room for to begin with: a shell of them in touch with one that is fifty times as large."""
-    count, great = 1500, 50.0 * RADIUS
+    """A shell of them in touch with one fifty times as large: half of them come after it, more than there was room for."""
+    count, great = 3000, 50.0 * RADIUS
     share, turn = (np.arange(count) + 0.5) / count, np.pi * (1.0 + 5.0**0.5) * np.arange(count)
     outward = np.column_stack([np.cos(turn) * np.sin(np.arccos(1 - 2 * share)), np.sin(turn) * np.sin(np.arccos(1 - 2 * share)),
                                1 - 2 * share])  # fmt: skip

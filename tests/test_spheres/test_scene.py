@@ -1,7 +1,5 @@
 """From a scene file of spheres to a cube: fill, rest, discharge; the same bits however it is carried out."""
 
-import pickle
-
 import meshio
 import numpy as np
 import pytest
@@ -15,7 +13,7 @@ from silostudy.cube.io import read, write
 from silostudy.dem.engine import Engine
 from silostudy.dem.rain import pour
 from silostudy.tables.constants import ROUNDED_GRAVITY as GRAVITY
-from tests.test_spheres.small import carried, check_same, content, run, scene_of
+from tests.test_spheres.small import carried, check_same, content, resumed, run, scene_of
 
 pytestmark = pytest.mark.long
 
@@ -136,11 +134,8 @@ def test_any_skin_and_chunk(cube):
 @pytest.mark.parametrize("stop", [1237, 14001])  # while they rain in, and while they flow out
 def test_restart(cube, stop):
     scene = scene_of()
-    begun, resumed = run(scene), run(scene, threads=2)
-    begun.go(until=stop)
-    resumed.restore(pickle.loads(pickle.dumps(begun.checkpoint())))
-    resumed.go()
-    check_same(cube, cube_of(resumed, scene))
+    other, _ = resumed(scene, stop, threads=2)
+    check_same(cube, cube_of(other, scene))
 
 
 def test_observers_change_no_bit(small):
