@@ -127,6 +127,7 @@ def test_what_comes_over_a_joint_was_listed_before(of):
     """Lists go by a distance that is a push's where there is one, and shrinks by no more than a point moves."""
     shape, random = shape_of(of, opens(of)), np.random.default_rng(11)
     points = random.uniform((-0.1, -0.15, 0.0), (0.1, 0.15, of.top), (60, 3))
+    points[30:, 2] = of.bottom + random.uniform(-0.01, 0.01, 30)  # over the joint of hopper and walls, and back
     points = points[Sheet(of, True).within(points)]
     for point in points:
         step = random.normal(size=3)

@@ -74,5 +74,6 @@ def test_thousands_of_small_spheres_near_a_great_one_are_all_listed():
     engine.step_to(1)
     (part,), largest = engine.parts, int(np.argmax(engine.radius))
     listed = part.pairs.begin[engine.blocks_of(part)]
-    touched = (part.pairs.first[:listed] == largest) | (part.pairs.second[:listed] == largest)
-    assert touched.sum() == count
+    pairs = np.column_stack([part.pairs.first[:listed], part.pairs.second[:listed]])
+    partners = pairs[(pairs == largest).any(axis=1)].sum(axis=1) - largest
+    assert sorted(partners) == [number for number in range(count + 1) if number != largest]
