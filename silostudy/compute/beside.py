@@ -1,4 +1,4 @@
-"""Walls of silos of spheres beside what theories and codes say of them: the same silo and solid, level by level.
+"""Walls of silos of grains beside what theories and codes say of them: the same silo and solid, level by level.
 
 The grains' pressures are those of the sweep; the codes' are read at the depth of each level below the level surface.
 """
@@ -7,12 +7,16 @@ import numpy as np
 import xarray as xr
 
 from silostudy.compute.axes import axis_coordinates, axis_names
-from silostudy.compute.beside_areas import AVERAGED, largest_mean, of_profile
-from silostudy.compute.beside_codes import PHASES, at_depths, in_hopper, matched
+from silostudy.compute.beside_areas import AVERAGED, largest_mean, of_profile, step_of
+from silostudy.compute.beside_around import around, zones
+from silostudy.compute.beside_codes import PHASES, at_depths, by_phase, in_hopper, matched
+from silostudy.compute.beside_hopper import compared_in_hopper, in_cone
+from silostudy.compute.beside_plan import Plan, plan_of
 from silostudy.cube.assemble import Sweep, assemble
 from silostudy.cube.contract import variable
 from silostudy.scene.expand import Expansion
 
+SLIDES = 0.8  # of the largest friction of any level: with less a level counts as one where grains do not slide
 DEEP = 0.5  # diameters below the surface: where pressures are large enough that ratios of them tell something
 OF_METHODS = ("pressure_method_title", "pressure_method_number", "pressure_method_colour", "pressure_method_marker")
 SOURCES = ("en1991_4_2006", "silo_handbook")
@@ -24,9 +28,13 @@ def beside_cube(expansion: Expansion, scenes: xr.Dataset, codes: xr.Dataset | No
     axes = tuple(name for name in axis_names(study) if name != study.fillings)
     grains = scenes if study.fillings == "filling" else scenes.rename({study.fillings: "filling"})
     pressures = matched(expansion, codes, grains)
-    found = felt(grains, study.scene.silo.diameter_m) | in_cone(grains)
+    plan = plan_of(study)
+    found = felt(grains, plan) | in_cone(grains)
     found |= said(pressures, found)
-    found |= compared(found, study.scene.silo.diameter_m)
+    found |= compared(found, plan.width) | compared_in_hopper(found)
+    if plan.around:
+        deep = found["level_depth"] >= DEEP * plan.width
+        found |= around(grains, deep) | zones(pressures, found["level_depth"].mean("filling"), deep)
     arrays = {name: _in_order(value, name, axes) for name, value in found.items()}
     arrays |= {name: pressures[name].values for name in ("pressure_method", *OF_METHODS)}
     arrays |= {name: grains[name].values for name in ("filling", "wall_level")}
@@ -41,20 +49,20 @@ def _in_order(value: xr.DataArray, name: str, axes: tuple[str, ...]) -> np.ndarr
     return value.transpose(*dims).values
 
 
-def felt(grains: xr.Dataset, wide: float) -> dict[str, xr.DataArray]:
+def felt(grains: xr.Dataset, plan: Plan) -> dict[str, xr.DataArray]:
     """What the vertical wall felt: depths (m), pressures (Pa) by phase and area, friction and lateral pressure ratio."""
-    height, step = grains["wall_level_height"], _step(grains["wall_level_height"])
+    height, step = grains["wall_level_height"], step_of(grains["wall_level_height"])
     depth = grains["filled_height_at_rest"] - (height - height.isel(wall_level=0) + step / 2)
     depth = depth.where(depth >= step / 2)  # levels that are wholly below the surface
     rest, flow = (grains[f"wall_pressure_{when}"].where(depth.notnull()) for when in ("at_rest", "in_flow"))
-    ring = _by_phase(rest.mean("wall_turn"), flow.mean(("wall_turn", "flow_window")))
-    shear = _by_phase(
+    ring = by_phase(rest.mean("wall_turn"), flow.mean(("wall_turn", "flow_window")))
+    shear = by_phase(
         grains["wall_shear_at_rest"].mean("wall_turn"), grains["wall_shear_in_flow"].mean(("wall_turn", "flow_window"))
     )
     shear = shear.where(depth.notnull())
-    largest = _by_phase(_largest(rest.expand_dims("flow_window")), _largest(flow))
+    largest = by_phase(_largest(rest.expand_dims("flow_window")), _largest(flow))
     weight = grains["unit_weight_at_rest"]
-    each = shear.fillna(0.0) * step / (wide / 4)
+    each = shear.fillna(0.0) * step / plan.hydraulic_radius
     carried = each.isel(wall_level=slice(None, None, -1)).cumsum("wall_level").isel(wall_level=slice(None, None, -1)) - each / 2
     vertical = (weight * depth - carried.sel(phase="filling")).where(depth.notnull())
     return {
@@ -63,18 +71,19 @@ def felt(grains: xr.Dataset, wide: float) -> dict[str, xr.DataArray]:
         "largest_area_pressure": largest,
         "mobilised_wall_friction": shear.sum("wall_level") / ring.sum("wall_level"),
         "lateral_pressure_ratio_at_rest": ring.sel(phase="filling").sum("wall_level") / vertical.sum("wall_level"),
+        "stagnant_wall_height": _stagnant((shear / ring).sel(phase="discharge", drop=True), step),
         "contents_unit_weight": weight,
-        "averaging_side": _sides(step, wide, grains.sizes["wall_turn"]),
+        "averaging_side": _sides(step, plan, grains.sizes["wall_turn"]),
     }
 
 
-def _step(height: xr.DataArray) -> xr.DataArray:
-    """Height (m) of a level."""
-    return height.isel(wall_level=1) - height.isel(wall_level=0)
+def _stagnant(friction: xr.DataArray, step: xr.DataArray) -> xr.DataArray:
+    """Height (m) above the transition up to which every level's friction in flow (1) stays below most of the largest level's.
 
-
-def _by_phase(rest: xr.DataArray, flow: xr.DataArray) -> xr.DataArray:
-    return xr.concat([rest, flow], xr.IndexVariable("phase", list(PHASES)))
+    Where grains slide down a wall all of its friction acts; below, where they hardly move, less.
+    """
+    low = (friction < SLIDES * friction.max("wall_level")).cumprod("wall_level")
+    return low.sum("wall_level") * step
 
 
 def _largest(pressure: xr.DataArray) -> xr.DataArray:
@@ -85,26 +94,10 @@ def _largest(pressure: xr.DataArray) -> xr.DataArray:
     return xr.concat(each, xr.IndexVariable("averaging", list(AVERAGED)))
 
 
-def _sides(step: xr.DataArray, wide: float, around: int) -> xr.DataArray:
-    """Root of each averaging area over the diameter (1)."""
-    arc = np.pi * wide / around
-    each: list[xr.DataArray] = [(levels * step * (turns or around) * arc) ** 0.5 / wide for levels, turns in AVERAGED.values()]
+def _sides(step: xr.DataArray, plan: Plan, around: int) -> xr.DataArray:
+    """Side of each averaging area over the diameter (1)."""
+    each = [plan.side(levels * step, (turns or around) / around) / plan.width for levels, turns in AVERAGED.values()]
     return xr.concat(each, xr.IndexVariable("averaging", list(AVERAGED)))
-
-
-def in_cone(grains: xr.Dataset) -> dict[str, xr.DataArray]:
-    """What the hopper felt: place on it, mean pressure around (Pa) at rest and in flow, the largest, and its rise over rest."""
-    height, step = grains["hopper_level_height"], _step(grains["hopper_level_height"])
-    top = height.isel(wall_level=-1) + step / 2
-    rest = grains["hopper_pressure_at_rest"].mean("wall_turn")
-    flow = grains["hopper_pressure_in_flow"].mean("wall_turn")
-    rise = flow / rest
-    return {
-        "hopper_level_position": 1.0 - height / top,
-        "hopper_ring_pressure": _by_phase(rest, flow.mean("flow_window")),
-        "hopper_ring_largest": flow.max("flow_window"),
-        "hopper_switch_factor": rise.max("flow_window"),
-    }
 
 
 def said(codes: xr.Dataset, found: dict[str, xr.DataArray]) -> dict[str, xr.DataArray]:

@@ -1,6 +1,10 @@
-"""Largest mean pressure over areas of a round wall: one cell, blocks of cells, a whole ring."""
+"""Largest mean pressure over areas of a wall: one cell, blocks of cells, a whole ring.
+
+On a plane silo's walls a level has two cells, left and right: there blocks are of levels of both walls.
+"""
 
 import numpy as np
+import xarray as xr
 from numpy.lib.stride_tricks import sliding_window_view
 
 # name -> levels and turns of cells whose mean is one pressure; 0: all around
@@ -32,3 +36,8 @@ def largest_mean(pressure: np.ndarray, area: str) -> np.ndarray:
 def of_profile(pressure: np.ndarray, area: str) -> np.ndarray:
     """Mean (Pa; ..., levels) over an area whose lowest level is each, of a pressure that is the same all around."""
     return over_levels(pressure[..., None], AVERAGED[area][0])[..., 0]
+
+
+def step_of(height: xr.DataArray) -> xr.DataArray:
+    """Height (m) of a level."""
+    return height.isel(wall_level=1) - height.isel(wall_level=0)

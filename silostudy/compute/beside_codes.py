@@ -1,8 +1,9 @@
-"""What theories and codes say of the walls of a sweep of silos of spheres, at the levels where the grains were felt."""
+"""What theories and codes say of the walls of a sweep of silos of grains, at the levels where the grains were felt."""
 
 import numpy as np
 import xarray as xr
 
+from silostudy.compute.beside_plan import plan_of
 from silostudy.errors import BadInput
 from silostudy.scene.expand import Expansion
 
@@ -25,11 +26,13 @@ def matched(expansion: Expansion, codes: xr.Dataset | None, scenes: xr.Dataset) 
             raise BadInput(f"codes, axis {axis}", codes.sizes[axis], f"value(s), where the scenes' has {scenes.sizes[axis]}")
     if lacking := [phase for phase in PHASES if phase not in codes["phase"].values]:
         raise BadInput("codes", name, f"must have the phases {', '.join(PHASES)}; lacks {', '.join(lacking)}")
-    wide = expansion.study.scene.silo.diameter_m
-    if wide is not None and not np.allclose(codes["given_diameter"], wide, rtol=SAME):
-        raise BadInput(
-            "codes", float(codes["given_diameter"].values.ravel()[0]), f"m wide, where the scenes' silo is {wide:g} m"
-        )
+    plan = plan_of(expansion.study)
+    for given, expected, told in (
+        ("given_diameter", plan.width, "m wide, where the scenes' silo is {:g} m"),
+        ("hydraulic_radius", plan.hydraulic_radius, "m of hydraulic radius, where that of the scenes' plan is {:g} m"),
+    ):
+        if not np.allclose(codes[given], expected, rtol=SAME):
+            raise BadInput("codes", float(codes[given].values.ravel()[0]), told.format(expected))
     shared = [axis for axis in codes.attrs["sweep_axes"].split() if axis in codes.coords]
     return _as_full(codes.sel(phase=list(PHASES)).drop_vars(shared), scenes)
 
@@ -43,6 +46,11 @@ def _as_full(codes: xr.Dataset, scenes: xr.Dataset) -> xr.Dataset:
         told = f"m deep, where the grains fill {float(felt.values[worst]):.3g} m: these must agree within {100 * AS_FULL:.0f} %"
         raise BadInput("codes", float(said.values[worst]), told)
     return codes
+
+
+def by_phase(rest: xr.DataArray, flow: xr.DataArray) -> xr.DataArray:
+    """What holds at rest and in flow, as the phases that codes know."""
+    return xr.concat([rest, flow], xr.IndexVariable("phase", list(PHASES)))
 
 
 def depths_of(codes: xr.Dataset) -> xr.DataArray:

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from silostudy.compute.dem import run_of, scene_model
-from silostudy.compute.laboratory_readings import Readings, heap_angle, solid_fraction
+from silostudy.compute.laboratory_readings import Readings, crater_angle, heap_angle, rebound, solid_fraction
 from silostudy.config.laboratory import LaboratoryStudy
 from silostudy.config.spheres import SphereScene
 from silostudy.dem.branch import end_of
@@ -16,7 +16,18 @@ from silostudy.dem.integrate import INTEGRATORS
 from silostudy.dem.run import Run
 from silostudy.errors import BadInput
 from silostudy.scene.laboratory_cell import KPA, LaboratoryCase
-from silostudy.scene.laboratory_scenes import BORNE, SHEAR_WINDOWS, SHEARING, SLIDING, filling, heaping, pressing, shearing
+from silostudy.scene.laboratory_scenes import (
+    BORNE,
+    SHEAR_WINDOWS,
+    SHEARING,
+    SLIDING,
+    draining,
+    dropping,
+    filling,
+    heaping,
+    pressing,
+    shearing,
+)
 from silostudy.scene.spheres import material_of
 from silostudy.tables.constants import ROUNDED_GRAVITY
 
@@ -54,6 +65,9 @@ def measure(study: LaboratoryStudy, case: LaboratoryCase) -> Numbers:
     found: dict[str, list] = {}
     loose = _unit_weight(case, run, float(np.quantile(run.engine.places[:, 2], 0.95)))
     repose = heap_angle(_carried(heaping(case), None, "pouring of a heap"), case)
+    drawn = crater_angle(_carried(draining(case), None, "draining of a tray", spills=True), case)
+    drop = dropping(case)
+    back = rebound(_carried(drop, None, "drop of a grain"), drop.filling.speed_m_s)
     pressed: list[Readings] = []
     for stress in case.stresses:
         scene = pressing(case, stress, run.engine.time)
@@ -67,13 +81,19 @@ def measure(study: LaboratoryStudy, case: LaboratoryCase) -> Numbers:
         "tested_grain_diameter": np.array(case.grain),
         "loose_unit_weight": np.array(loose),
         "tested_repose_angle": np.array(repose),
+        "tested_drawn_angle": np.array(drawn),
+        "tested_restitution": np.array(back),
+        "asked_restitution": np.array(case.restitution),
         "path_horizontal_stress": _path(pressed, PATH),
         **{name: np.moveaxis(np.array(values), 0, -1) for name, values in found.items()},  # the stresses come last
     }
 
 
-def _carried(scene: SphereScene, end: Mapping[str, Any] | None, test: str) -> Run:
-    """The finished run of a test, which goes on from an end; BadInput where it does not come to its stop."""
+def _carried(scene: SphereScene, end: Mapping[str, Any] | None, test: str, *, spills: bool = False) -> Run:
+    """The finished run of a test, which goes on from an end; BadInput where it does not come to its stop, or loses grains.
+
+    spills: whether grains are to leave.
+    """
     model = scene_model(scene, Path())
     run = run_of(scene, model if end is None else replace(model, end=end))
     run.go()
@@ -81,7 +101,7 @@ def _carried(scene: SphereScene, end: Mapping[str, Any] | None, test: str) -> Ru
         raise run.recording.explosion
     if run.trouble:
         raise BadInput("test", test, run.trouble)
-    if lost := len(model.radius) - run.engine.n:
+    if (lost := len(model.radius) - run.engine.n) and not spills:
         raise BadInput("test", test, f"{lost} grain(s) left the cell")
     return run
 

@@ -11,11 +11,14 @@ from silostudy.compute.sphere_cube import sphere_arrays
 from silostudy.config.spheres import SphereScene
 from silostudy.dem.outcomes import WAYS, Looks, surface_angle
 from silostudy.dem.run import Run
+from silostudy.dem.space.lanes import VELOCITY
 from silostudy.scene.laboratory_cell import LaboratoryCase
+from silostudy.scene.laboratory_scenes import HOLE
 from silostudy.scene.space_silo import FLOOR, WALL
 
 POINTS = 100_000  # at which the inside is looked at: its solid fraction is then known to some 0.3 % of itself
 FLANK = (0.2, 0.7)  # of the tray's radius: the part of a heap between tip and foot
+SECTORS = 8  # in which profiles of a crater are taken
 MARGIN = 1.5  # mean diameters from every surface: grains stand in layers there
 
 
@@ -84,3 +87,24 @@ def heap_angle(run: Run, case: LaboratoryCase) -> float:
     near, far = FLANK[0] * reach, FLANK[1] * reach
     ways = [(along, *ends) for along in WAYS[:2] for ends in ((near, far), (-far, -near))]
     return float(np.radians(np.mean([surface_angle(looks, along, start, end, 0.0) for along, start, end in ways])))
+
+
+def crater_angle(run: Run, case: LaboratoryCase) -> float:
+    """Slope (rad) of what stays in a drained tray: mean of its profiles in sectors, from beside the hole up to the wall."""
+    places, radii = run.engine.places, np.asarray(run.engine.radius)
+    off, turn = np.hypot(places[:, 0], places[:, 1]), np.arctan2(places[:, 1], places[:, 0])
+    sector = np.floor((turn + pi) / (2.0 * pi) * SECTORS).astype(int) % SECTORS
+    near, far = 0.5 * HOLE * case.grain + case.grain, 0.5 * case.tray - MARGIN * case.grain
+    slopes = []
+    for number in range(SECTORS):
+        own = sector == number
+        profile = np.column_stack([off[own], np.zeros(own.sum()), places[own, 2]])
+        looks = Looks((profile,), (radii[own],), (run.engine.time,), np.empty(0), np.empty(0), np.array([0.0, 0.0, 1.0]))
+        slopes.append(surface_angle(looks, WAYS[0], near, far, 0.0))
+    return float(np.radians(np.nanmean(slopes)))
+
+
+def rebound(run: Run, speed: float) -> float:
+    """Speed away from the floor over the one towards it (1), of one grain that met it at a speed (m/s)."""
+    upward = run.engine.bodies.rows[0, VELOCITY[-1]]
+    return float(upward / speed)

@@ -17,6 +17,7 @@ def numbers(run: Run, opening: float) -> Numbers:
     return {
         "discs_at_start": np.array(len(run.engine.model.x)),
         "discs_left": np.array(run.engine.n),
+        "mean_grain_diameter": np.array(2.0 * run.engine.model.radius.mean()),
         "resting_normal_force": resting,
         "largest_normal_force": largest,
         "mass_let_out": np.array(run.dropped),

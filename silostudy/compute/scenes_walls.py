@@ -1,27 +1,23 @@
-"""What the walls of a round silo of spheres feel, over height and angle: at rest, and window by window in flow."""
-
-from typing import TypeGuard
+"""What the walls of a silo of grains feel, level by level: at rest, and window by window in flow."""
 
 import numpy as np
 
-from silostudy.compute.scenes_windows import Numbers, whole_windows
+from silostudy.compute.scenes_walls_plane import PLANE
+from silostudy.compute.scenes_walls_round import ROUND
+from silostudy.compute.scenes_windows import Numbers, Walled, whole_windows
 from silostudy.config.grain_scenes import AnyScene
-from silostudy.config.spheres import SphereScene
-from silostudy.cube.contents import levelled
 from silostudy.dem.run import CHECK_EVERY, Run
-from silostudy.dem.space.cells import areas, faces, middles
-from silostudy.scene.space_silo import HOPPER, LID, WALL
-from silostudy.scene.spheres import space_silo_of
 
-ROUND = (WALL, HOPPER)  # surfaces whose cells are levels and turns
+WALLED: dict[str, Walled] = {"discs": PLANE, "spheres": ROUND}
+SURFACES = ("wall", "hopper")
 
 
-def keeps_walls(scene: AnyScene) -> TypeGuard[SphereScene]:
-    """Whether the pressures on the walls of a scene are kept: of spheres in a round silo whose wall forces are recorded."""
-    return isinstance(scene, SphereScene) and scene.silo.plan == "circular" and scene.record.wall_force_window_s is not None
+def keeps_walls(scene: AnyScene) -> bool:
+    """Whether the pressures on a scene's walls are kept: of round silos of spheres, of plane ones of discs over a wedge."""
+    return WALLED[scene.grains].keeps(scene)
 
 
-def windows_in_flow(scene: SphereScene) -> int:
+def windows_in_flow(scene: AnyScene) -> int:
     """How many whole windows follow the first event: up to the stop where that comes after a time, else up to the limit."""
     last, window = scene.events[-1], scene.record.wall_force_window_s
     assert window is not None
@@ -29,14 +25,10 @@ def windows_in_flow(scene: SphereScene) -> int:
     return max(1, int(span / window + 1e-6) - 1)  # the outlet opens within a window, which is no whole one of the flow
 
 
-def wall_coordinates(scene: SphereScene) -> dict[str, np.ndarray]:
+def wall_coordinates(scene: AnyScene) -> dict[str, np.ndarray]:
     """Number of the level from below, angle about the axis (rad), number of the whole window after the first event."""
-    levels, turns = scene.record.pressure_cells
-    return {
-        "wall_level": np.arange(levels),
-        "wall_turn": 2.0 * np.pi * (np.arange(turns) + 0.5) / turns,
-        "flow_window": np.arange(windows_in_flow(scene)),
-    }
+    levels, turns = WALLED[scene.grains].cells(scene)
+    return {"wall_level": np.arange(levels), "wall_turn": turns, "flow_window": np.arange(windows_in_flow(scene))}
 
 
 def to_the_first_event(run: Run) -> None:
@@ -45,33 +37,26 @@ def to_the_first_event(run: Run) -> None:
         run.go(until=run.engine.step + CHECK_EVERY)
 
 
-def contents_now(run: Run, scene: SphereScene) -> Numbers:
-    """Height (m) of the level surface above the transition, and unit weight (N/m3), of the spheres where they are."""
-    space, engine = space_silo_of(scene), run.engine
-    weight = engine.mass * -scene.gravity_m_s2[2]
-    surface, unit_weight = levelled(engine.places[:, 2], weight, space.bottom, space.silo.area)
-    return {"filled_height_at_rest": np.array(surface - space.bottom), "unit_weight_at_rest": np.array(unit_weight)}
+def contents_now(run: Run, scene: AnyScene) -> Numbers:
+    """Height (m) of the level surface above the transition, and unit weight (N/m3), of the grains where they are."""
+    height, unit_weight = WALLED[scene.grains].contents(run, scene)
+    return {"filled_height_at_rest": np.array(height), "unit_weight_at_rest": np.array(unit_weight)}
 
 
-def wall_numbers(run: Run, scene: SphereScene, opening: float) -> Numbers:
+def wall_numbers(run: Run, scene: AnyScene, opening: float) -> Numbers:
     """Pressure and shear (Pa) on the cells of wall and hopper: in the last window at rest, in each after the first event at a
     time (s), and the largest pressure of any step after it."""
+    walled = WALLED[scene.grains]
     before, after, count = *_windows(run, opening), windows_in_flow(scene)
     ends = np.full(count, np.nan)
     ends[: len(after[:count])] = np.array(run.recording.window_time)[after[:count]] - opening
     found: Numbers = {"flow_window_end": ends}
-    seen = faces(run.engine.model.walls, LID)
-    starts = np.cumsum([0, *(face.count for face in seen)])
-    for stem in ROUND:
-        cells, height = np.full((len(run.recording.window), *scene.record.pressure_cells, 2, 3), np.nan), None
-        for face, start in zip(seen, starts, strict=False):
-            if face.name == stem:
-                surface = run.engine.model.walls[face.wall]
-                force = np.array([window[start : start + face.count, :2] for window in run.recording.window])
-                cells = (force / areas(surface)[:, None, None]).reshape(cells.shape)
-                height = middles(surface)[:, 2].reshape(scene.record.pressure_cells)[:, 0]
-        found |= _of_surface(stem, cells, before, after, count)
-        found[f"{stem}_level_height"] = np.full(cells.shape[1], np.nan) if height is None else height
+    levels, turns = walled.cells(scene)
+    missing = np.full((len(run.recording.window), levels, len(turns), 2, 3), np.nan)
+    seen = walled.felt(run, scene)
+    for stem in SURFACES:
+        found |= _of_surface(stem, seen[stem].cells if stem in seen else missing, before, after, count)
+        found[f"{stem}_level_height"] = seen[stem].height if stem in seen else np.full(levels, np.nan)
     return found
 
 

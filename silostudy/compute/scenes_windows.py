@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
@@ -21,6 +22,30 @@ class Swept:
 
     bodies: Mapping[str, tuple[str, ...]]
     numbers: Callable[[Run, float], Numbers]
+
+
+@dataclass(frozen=True)
+class Felt:
+    """What a surface felt: pressure and shear (Pa) of its cells (windows, levels, turns, two, mean and least and largest), and
+    the height (m) of the middle of each level."""
+
+    cells: np.ndarray
+    height: np.ndarray
+
+
+@dataclass(frozen=True)
+class Walled:
+    """How the walls of silos of one sort of grains are looked at, level by level.
+
+    keeps(scene): whether they are; cells(scene): how many levels, and the angles (rad) of a level's cells about the axis;
+    contents(run, scene): height (m) of the level surface above the transition and unit weight (N/m3); felt(run, scene): what
+    `wall` and `hopper` felt.
+    """
+
+    keeps: Callable[[Any], bool]
+    cells: Callable[[Any], tuple[int, np.ndarray]]
+    contents: Callable[[Run, Any], tuple[float, float]]
+    felt: Callable[[Run, Any], dict[str, Felt]]
 
 
 def at_rest_and_largest(run: Run, opening: float, sums: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

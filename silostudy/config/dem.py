@@ -115,7 +115,8 @@ class QuakeConfig(Strict):
     )
 
 
-DiscOutput: TypeAlias = Literal[tuple(key for key, row in OUTPUTS.items() if "only_discs" in row.demands)]  # type: ignore[valid-type]
+DRAWN = tuple(key for key, row in OUTPUTS.items() if row.stage == "dem" and "only_discs" in row.demands)
+DiscOutput: TypeAlias = Literal[DRAWN]  # type: ignore[valid-type]
 
 
 class DemScene(Asked, GrainScene):

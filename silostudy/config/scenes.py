@@ -37,6 +37,12 @@ class CodesConfig(Strict):
     )
 
 
+def _walls_are_kept(scene: Any) -> bool:
+    """Whether a sweep keeps the pressures on the walls of a scene, level by level."""
+    round_or_wedge = scene.silo.hopper_half_angle_deg is not None if scene.grains == "discs" else scene.silo.plan == "circular"
+    return bool(round_or_wedge and scene.record.wall_force_window_s)
+
+
 class ScenesStudy(SweepStudy):
     """What walls and floor carry in each of many discrete-element scenes, and what leaves through the outlet."""
 
@@ -45,14 +51,18 @@ class ScenesStudy(SweepStudy):
     kind: Literal["scenes"] = described("scenes: a sweep of discrete-element scenes", "")
     scene: BaseScene = described("the base scene: what a file of config/scenes holds", "")
     codes: CodesConfig | None = described(
-        "set the walls of round silos of spheres beside theories and codes; null: do not", "", default=None
+        "set the walls of round silos of spheres, or of plane ones of discs over a wedge, beside theories and codes; null: do "
+        "not",
+        "",
+        default=None,
     )
 
     @model_validator(mode="after")
-    def _flows_in_space(self) -> Self:
+    def _grains_that_are_drawn(self) -> Self:
         for key in self.outputs:
-            if "only_spheres" in OUTPUTS[key].demands and self.scene.grains != "spheres":
-                raise ValueError(f"output {key} needs scene.grains: spheres")
+            for grains in SCENES:
+                if f"only_{grains}" in OUTPUTS[key].demands and self.scene.grains != grains:
+                    raise ValueError(f"output {key} needs scene.grains: {grains}")
         return self
 
     @model_validator(mode="after")
@@ -66,11 +76,14 @@ class ScenesStudy(SweepStudy):
     def _walls_to_compare(self) -> Self:
         if self.codes is None:
             return self
-        if self.scene.grains != "spheres" or self.scene.silo.plan != "circular" or not self.scene.record.wall_force_window_s:
-            raise ValueError("codes needs scene.grains: spheres, scene.silo.plan: circular, scene.record.wall_force_window_s")
+        if not _walls_are_kept(self.scene):
+            raise ValueError(
+                "codes needs scene.record.wall_force_window_s, and scene.silo.plan: circular of spheres, "
+                "scene.silo.hopper_half_angle_deg of discs"
+            )
         swept = {key for axis in self.sweep for key in axis.settings()[0]}
-        if "silo.diameter_m" in swept:
-            raise ValueError("codes needs one silo.diameter_m, not a sweep of it")
+        if wide := swept & {"silo.diameter_m", "silo.width_m"}:
+            raise ValueError(f"codes needs one {wide.pop()}, not a sweep of it")
         if self.fillings is None:
             raise ValueError(
                 "codes needs an axis of the key seed alone, with two fillings at least: without, no scatter is known"
@@ -84,6 +97,12 @@ class ScenesStudy(SweepStudy):
         """Name of the axis of fillings: the one that sets nothing but the seed; None where there is none of two or more."""
         named = [axis.axis for axis in self.sweep if [*axis.settings()[0]] == ["seed"] and len(axis.settings()) > 1]
         return named[0] if named else None
+
+    @property
+    def silo_width(self) -> float:
+        """Diameter of the scene's round silo, or width of its plane one (m)."""
+        silo: Any = self.scene.silo
+        return silo.width_m if self.scene.grains == "discs" else silo.diameter_m
 
     @property
     def settings(self) -> str:

@@ -128,6 +128,12 @@ def checks(cube: xr.Dataset) -> Iterator[Check]:
     yield Check("upper K over Rankine's of upper phi, tau/sigma for its sine", upper / active_ratio(tan(steep)), 1.0, np.inf)
     yield Check("K over Rankine's active ratio of the row's phi", ratio.mean / active_ratio(sin(angle.mean)), 1.0, np.inf)
     yield Check("K over 1.1 (1 - sin phi)", ratio.mean / (1.1 * (1.0 - sin(angle.mean))), 0.0, 1.0)
+    wide = cube.isel({CELL: -1})
+    back = wide["tested_restitution"] / wide["asked_restitution"]
+    if back.notnull().any():
+        yield Check("restitution of a dropped grain over that asked for", float(back.mean()), 0.98, 1.02)
+    drawn = Found.of(wide["tested_drawn_angle"])
+    yield Check("drawn-down over poured angle of repose", drawn.mean / solid.repose_angle.mean, 1.0, np.inf)
     steady = cube.isel({CELL: -1})[["internal_steady_shear_ratio", "wall_steady_shear_ratio"]].mean(FILLING)
     for stress, inside, wall in zip(steady["normal_stress"].values, *(steady[name].values for name in steady), strict=True):
         yield Check(f"wall over internal friction, steady at {1e-3 * stress:g} kPa", wall / inside, 0.0, 1.0)

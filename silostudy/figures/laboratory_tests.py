@@ -36,6 +36,10 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     failed = [str(one) for one in checks(cube) if not one.holds]
     about = f"cell {float(wide[CELL]):g} grains wide, {int(wide['tested_grains'][0])} grains, {solid.loose.count} fillings; "
     about += f"poured heap {np.degrees(solid.repose_angle.mean):.1f} ± {np.degrees(solid.repose_angle.deviation):.1f} degrees"
+    drawn, back = Found.of(wide["tested_drawn_angle"]), float(wide["tested_restitution"].mean())
+    about += (
+        f", drawn down {np.degrees(drawn.mean):.1f} ± {np.degrees(drawn.deviation):.1f}; a grain comes back with {back:.3f}"
+    )
     figure.suptitle("\n".join([cube.attrs["title"], about, *failed]), fontsize=10)
     save(figure, pd.concat(numbers, ignore_index=True), stem)
 

@@ -9,7 +9,7 @@ from silostudy.config.laboratory import LaboratoryScene, LaboratoryStudy
 from silostudy.errors import BadInput
 from silostudy.scene.costs import COSTS, START
 from silostudy.scene.laboratory_cell import KPA, LaboratoryCase
-from silostudy.scene.laboratory_scenes import filling
+from silostudy.scene.laboratory_scenes import draining, filling
 from silostudy.scene.spheres import MPA, contacts_of, material_of
 
 FILLED = 0.6  # s: about what a filling takes to come to rest
@@ -40,5 +40,6 @@ def cost(case: LaboratoryCase) -> float:
     pressed = sum(PRESSED * case.height / case.speed(stress) for stress in case.stresses)
     spheres = COSTS[case.config.grains]
     steps = (FILLED + pressed + shears) / spheres.step(filling(case))
-    heap = FILLED / spheres.step(filling(case)) * case.heap_count
-    return START + steps * (spheres.look + case.count * spheres.each) + heap * spheres.each
+    step, tray = spheres.step(filling(case)), draining(case)
+    apart = FILLED / step * case.heap_count + (FILLED + tray.events[-1].value) / step * tray.filling.count
+    return START + steps * (spheres.look + case.count * spheres.each) + apart * spheres.each

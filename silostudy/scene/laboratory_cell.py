@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 from functools import cached_property
-from math import pi, sqrt
+from math import nan, pi, sqrt
 from pathlib import Path
 
 import numpy as np
@@ -10,6 +10,7 @@ import numpy as np
 from silostudy.config.laboratory import LaboratoryScene
 from silostudy.packing.sizes import SIZES
 from silostudy.scene.spheres import MPA, material_of
+from silostudy.tables.materials import PAIRS
 from silostudy.tables.references import own_files
 
 KPA = 1e3  # Pa
@@ -87,6 +88,13 @@ class LaboratoryCase:
     def modulus(self) -> float:
         """Young's modulus (Pa) that the grains are computed with."""
         return (self.config.grain.softened_modulus_MPa or material_of(self.config.grain).youngs_modulus / MPA) * MPA
+
+    @property
+    def restitution(self) -> float:
+        """Restitution (1) of grains and wall that the study or the table of pairs asks for; NaN where neither says one."""
+        known = PAIRS.get(frozenset((self.config.grain.material, self.config.wall.material)))
+        asked = self.config.walls.restitution
+        return asked if asked is not None else known.restitution if known else nan
 
     def speed(self, stress: float) -> float:
         """Speed (m/s) of an end at which the strain rate has the inertial number under a stress (Pa)."""

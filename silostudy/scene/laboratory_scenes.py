@@ -6,7 +6,7 @@ turns, and the floor is rough too, or the plate of the silo's wall: a torsional 
 engine are surfaces that turn in place.  A rough end holds what touches it against sliding and rolling, as if it were glued on.
 """
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from math import pi, sqrt
 from typing import Any
 
@@ -20,6 +20,7 @@ from silostudy.tables.constants import ROUNDED_GRAVITY
 ROOM = 1.8  # height of the cell over that of the filling: what rains in needs room
 RESTS = ({"when": "rest", "do": "lower_lid"},)
 STREAM, POURED = 5.0, 0.3  # width of the stream onto a heap in grains, its speed (m/s)
+HOLE, DRAWN_DEPTH = 6.0, 0.25  # width of the hole that a tray is drained by in grains, depth of its filling over its width
 FLUX = 0.15  # solid fraction of the rain
 SETTLES = 10.0  # s: a filling comes to rest by then, or the run ends
 LATE = 5.0  # times that a test may take over what it should at most
@@ -56,6 +57,30 @@ def heaping(case: LaboratoryCase) -> SphereScene:
     return _scene(case, SHEARING, RESTS, limit=SETTLES, silo=silo, rain=pour)
 
 
+def draining(case: LaboratoryCase) -> SphereScene:
+    """Grains fill a rough tray and flow out of a hole in its floor; what stays is a crater."""
+    width, hole = case.tray, HOLE * case.grain
+    count = round(LOOSE * 0.25 * pi * width**2 * DRAWN_DEPTH * width / case.grain_volume)
+    free = 0.58 * sqrt(ROUNDED_GRAVITY) * (hole - 1.5 * case.grain) ** 2.5  # m3/s, about, by Beverloo's law
+    lasts = 0.25 * pi * width**2 * DRAWN_DEPTH * width / free
+    fall = sqrt(2.0 * ROUNDED_GRAVITY * DRAWN_DEPTH * width)
+    across = 0.25 * pi * width**2 * fall * FLUX / case.grain_volume
+    rain = {"kind": "rain", "count": count, "speed_m_s": fall, "rate_1_s": across}
+    silo = {"plan": "circular", "diameter_m": width, "cylinder_depth_m": 2.0 * DRAWN_DEPTH * width}
+    opens = ({"when": "rest", "do": "open_outlet"},)
+    limit = SETTLES + lasts
+    return _scene(case, SHEARING, opens, limit=limit, lasts=lasts, silo=silo, rain=rain, outlets=[{"width_m": hole}])
+
+
+def dropping(case: LaboratoryCase) -> SphereScene:
+    """One grain meets the plate at a speed, without gravity."""
+    height = 4.0 * case.grain
+    drop = {"kind": "rain", "count": 1, "speed_m_s": POURED, "rate_1_s": 1.0 / POURED, "height_m": height}
+    lasts = 3.0 * height / POURED
+    still = (0.0, 0.0, 0.0)
+    return _scene(case, {}, (), limit=2.0 * lasts, lasts=lasts, rain=drop, gravity=still)
+
+
 def pressing(case: LaboratoryCase, stress: float, now: float) -> SphereScene:
     """The lid presses the cell to a stress (Pa) at a speed, and then bears it; now: time (s) at which it begins."""
     speed = case.speed(stress)
@@ -82,6 +107,7 @@ def shearing(case: LaboratoryCase, stress: float, now: float, surfaces: Mapping[
 def _scene(
     case: LaboratoryCase, surfaces: Mapping[str, dict], events: tuple[dict, ...], *, limit: float, window: float | None = None,
     lasts: float = 0.0, silo: Mapping[str, Any] | None = None, rain: Mapping[str, Any] | None = None,
+    outlets: Sequence[Mapping[str, Any]] = (), gravity: tuple[float, float, float] = (0.0, 0.0, -ROUNDED_GRAVITY),
 ) -> SphereScene:  # fmt: skip
     """A scene of the laboratory; silo, rain: what holds the grains and how they come in, None: the cell and its filling.
 
@@ -93,7 +119,7 @@ def _scene(
         "silo": silo or cell(case), "lid": True, "filling": rain or cell_rain(case),
         "grain": config.grain, "wall": config.wall, "spheres": config.spheres, "walls": plate(case), "surfaces": surfaces,
         "sizes": config.sizes, "seed": config.seed, "march": {"limit_s": limit},
-        "events": [*events, {"when": "after", "value": lasts, "do": "stop"}],
+        "outlets": outlets, "gravity_m_s2": gravity, "events": [*events, {"when": "after", "value": lasts, "do": "stop"}],
         "record": {"wall_force_window_s": window, "pressure_cells": [1, 1]},
     }  # fmt: skip
     return SphereScene.model_validate(content, context={"families": config.families})

@@ -4,10 +4,11 @@ import copy
 
 import numpy as np
 import pytest
+import xarray as xr
 import yaml
 
 from silostudy.choice.expand import expand_file
-from silostudy.compute.beside import beside_cube
+from silostudy.compute.beside import _stagnant, beside_cube
 from silostudy.compute.beside_areas import AVERAGED, largest_mean, of_profile
 from silostudy.compute.pressure import pressure_cube
 from silostudy.config.load import read_yaml
@@ -69,6 +70,23 @@ def test_ratios_are_those_that_the_pressures_were_made_with(beside):
     assert rise.sel(averaging="1x1").values == pytest.approx(FLOWS * PATCH)
     assert rise.sel(averaging="ring").values == pytest.approx(FLOWS * (1.0 + (PATCH - 1.0) / 16))
     assert beside["largest_over_rest"].sel(phase="filling").values == pytest.approx(1.0)
+
+
+def test_grains_slide_down_the_wall_above_the_effective_transition():
+    """Friction of 0.1 and 0.2 below and 0.3 above, with one more low level there: the two lowest levels do not slide."""
+    friction = xr.DataArray([[0.1, 0.2, 0.3, 0.1, 0.28, np.nan], [0.3] * 6], dims=("filling", "wall_level"))
+    assert _stagnant(friction, xr.DataArray(0.01)).values == pytest.approx([0.02, 0.0])
+
+
+def test_a_cell_that_feels_twice_its_level_is_seen_around(beside):
+    """Made-up pressures are even but for one cell of one window of the second level, above half a diameter in the low silo."""
+    around = beside.sel(phase="discharge")
+    ring = 1.0 + (PATCH - 1.0) / 16
+    assert around["largest_over_ring"].values == pytest.approx(PATCH / ring - 1.0)
+    assert beside["largest_over_ring"].sel(phase="filling").values == pytest.approx(0.0, abs=1e-12)
+    assert (around["deviation_around"] > 0.0).all()
+    even = beside["pressure_around"].sel(phase="filling")
+    assert (even.max("wall_turn") / even.min("wall_turn")).values == pytest.approx(1.0)
 
 
 def test_an_area_takes_cells_and_levels_together():

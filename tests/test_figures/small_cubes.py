@@ -12,6 +12,7 @@ from silostudy.choice.expand import expand
 from silostudy.compute.axes import sweep_of
 from silostudy.compute.dem_cube import cube_of as dem_cube
 from silostudy.compute.observers import grid_of
+from silostudy.compute.published import coordinates as published_coordinates
 from silostudy.config.load import read_yaml
 from silostudy.cube.assemble import assemble
 from silostudy.scene.expand import Expansion
@@ -34,6 +35,12 @@ PRICES = {
     "effect_instruction_share": [0.4, np.nan],
     "effect_memory_share": [0.3, 0.0],
     "effect_uncounted": ["", "no valgrind"],
+}
+# in place of the laboratory's row, which is made by a run of the whole pipeline
+ROUND = {"plan": "circular", "diameter_m": 0.1, "cylinder_depth_m": 0.1}
+MADE_UP = {
+    "solid": "wheat_e1",
+    "properties": {"unit_weight_kN_m3": 7.85, "wall_friction": 0.4, "lateral_pressure_ratio": 0.5},
 }
 STUDIES = ROOT / "config/studies"
 # what is changed of a shipped study so that its cube takes no time; a study not named here is computed as it ships
@@ -113,18 +120,14 @@ SMALLER: dict[str, dict] = {
         "trial_steps": 1000,
         "peer": False,
     },
-    "silo-of-spheres-codes": {  # the laboratory's row is made by a run of the whole pipeline
+    "silo-of-spheres": {},  # shown for all sweeps of silos beside codes
+    "silo-of-spheres-codes": {
         "materials": None,
-        "scene": {
-            "solid": "wheat",
-            "properties": {"unit_weight_kN_m3": 7.85, "wall_friction": 0.4, "lateral_pressure_ratio": 0.5},
-            "silo": {
-                "plan": "circular",
-                "diameter_m": 0.1,
-                "cylinder_depth_m": 0.1,
-                "hopper": {"half_angle_deg": 20, "outlet_width_m": 0.05},
-            },
-        },
+        "scene": MADE_UP | {"silo": ROUND | {"hopper": {"half_angle_deg": 20, "outlet_width_m": 0.05}}},
+    },
+    "silo-of-spheres-eccentric-codes": {
+        "materials": None,
+        "scene": MADE_UP | {"silo": ROUND | {"cylinder_depth_m": 0.2, "action_assessment_class": 3}},
     },
     "wheat-silo-today": {"uncertainty": {"log2_samples": 6, "seed": 1}},
 }
@@ -141,6 +144,29 @@ def flow_cube(study: str) -> xr.Dataset:
     flow = (1.0 + 0.02 * np.sin(np.arange(len(width)))) * 2700.0 * (width - 1.5 * diameter) ** 2.5
     numbers = {"mean_mass_flow": flow.reshape(shape), "mean_grain_diameter": diameter.reshape(shape)}
     return assemble(expansion.study, "scenes", numbers, sources=[], sweep=sweep_of(expansion))
+
+
+@cache
+def jam_cube(study: str) -> xr.Dataset:
+    """The cube of a sweep of discs over slots of which the narrow ones jam in every other filling."""
+    expansion = expansion_of(study)
+    shape = tuple(len(axis.settings()) for axis in expansion.study.sweep)
+    scenes = [case.scene.config for case in expansion.cases]
+    width = np.array([scene.silo.slit_width_m for scene in scenes])
+    jams = (width < 5.0 * 2.0 * scenes[0].radius_m) & (np.arange(len(width)) % 2 == 0)
+    flow = np.where(jams, 0.1, 1.0) * 500.0 * width**1.5
+    numbers = {"mean_discharge_rate": flow, "mean_grain_diameter": np.full(len(width), 2.0 * scenes[0].radius_m)}
+    shaped = {name: values.reshape(shape) for name, values in (numbers | {"limit_reached": jams.astype(float)}).items()}
+    return assemble(expansion.study, "scenes", shaped, sources=[], sweep=sweep_of(expansion))
+
+
+@cache
+def published_cube(study: str, off: tuple[float, ...] = (0.5, -0.8, 0.1)) -> xr.Dataset:
+    """The cube of a study of published cases whose fillings are all so many tolerances off."""
+    expansion = expansion_of(study)
+    own = published_coordinates(expansion.study)
+    values = np.broadcast_to(np.array(off)[:, None], (*expansion.shape, len(own["expectation"])))
+    return assemble(expansion.study, "published", {"off_published": values} | own, sources=[], sweep=sweep_of(expansion))
 
 
 def _nothing(*_: object) -> None:
@@ -212,6 +238,10 @@ def bin_cube() -> xr.Dataset:
 
 def cubes_of(output: str) -> list[xr.Dataset]:
     """The cubes that an output is drawn from."""
+    if output == "jams_over_outlet":
+        return [jam_cube(study_of(output))]
+    if OUTPUTS[output].stage == "published":
+        return [published_cube(study_of(output))]
     if "only_discs" in OUTPUTS[output].demands:
         return [dem_cube(carried(discs_of()), discs_of())]
     if OUTPUTS[output].stage == "dem":

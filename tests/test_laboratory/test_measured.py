@@ -35,6 +35,16 @@ def test_a_plate_s_friction_is_the_law_s_and_below_that_inside(usual):
     assert usual["wall_steady_shear_ratio"] < usual["internal_steady_shear_ratio"]
 
 
+def test_a_dropped_grain_comes_back_as_asked(usual):
+    assert usual["tested_restitution"] == pytest.approx(0.3, abs=0.003)
+    assert usual["asked_restitution"] == 0.3
+
+
+def test_what_is_drained_stays_steeper_than_what_is_poured(usual):
+    assert usual["tested_drawn_angle"] > usual["tested_repose_angle"]
+    assert np.radians(10.0) < usual["tested_drawn_angle"] < np.radians(45.0)
+
+
 def test_pressed_grains_are_denser_and_bear_on_the_wall_less_than_on_the_lid(usual):
     assert usual["loose_unit_weight"] < usual["tested_unit_weight"][0] < 0.74 * 9.81 * 1350
     assert 0.25 < usual["tested_lateral_pressure_ratio"][0] < 0.9

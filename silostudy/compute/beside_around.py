@@ -1,0 +1,46 @@
+"""How even silos of grains press around a round wall, beside patch loads and the zones of an eccentric flow channel."""
+
+import xarray as xr
+
+from silostudy.compute.beside_codes import at_depths, by_phase
+
+CHANNEL, PATCH = "channel_normal_pressure", "patch_load_factor"
+# what EN 1991-4, 5.2.4, says of the three zones of the wall: in the cube of pressures -> in this one
+ZONES = {CHANNEL: "code_channel_pressure", "adjacent_normal_pressure": "code_adjacent_pressure",
+         "static_normal_pressure": "code_static_pressure"}  # fmt: skip
+
+
+def around(grains: xr.Dataset, deep: xr.DataArray) -> dict[str, xr.DataArray]:
+    """Pressure (Pa) over the angle, mean of the deep levels, and how far cells are from the mean around their level (1).
+
+    Of each filling: the largest cell of any level and window over its ring's mean, less 1, and the root mean square.
+    """
+    rest = grains["wall_pressure_at_rest"].expand_dims("flow_window").where(deep)
+    flow = grains["wall_pressure_in_flow"].where(deep)
+    pressure = by_phase(*(cells.mean("flow_window").mean("wall_level") for cells in (rest, flow)))
+    off = [_off_ring(cells) for cells in (rest, flow)]
+    every = ("flow_window", "wall_level", "wall_turn")
+    return {
+        "pressure_around": pressure,
+        "wall_turn": grains["wall_turn"],
+        "largest_over_ring": by_phase(*(cells.max(every) for cells in off)),
+        "deviation_around": by_phase(*((cells**2).mean(every) ** 0.5 for cells in off)),
+    }
+
+
+def _off_ring(cells: xr.DataArray) -> xr.DataArray:
+    """Each cell's pressure over the mean around its level, less 1; missing where nothing presses."""
+    ring = cells.mean("wall_turn")
+    return cells / ring.where(ring > 0.0) - 1.0
+
+
+def zones(codes: xr.Dataset, depth: xr.DataArray, deep: xr.DataArray) -> dict[str, xr.DataArray]:
+    """What codes say of the wall around: patch pressure over wall pressure, and where a study has them, the pressures (Pa) of
+    flow channel, zone beside it and the rest, mean of the deep levels, with the channel's half width (rad)."""
+    found = {"code_patch_factor": codes[PATCH]} if PATCH in codes else {}
+    if CHANNEL not in codes:
+        return found
+    there = deep.any("filling")
+    said = {own: at_depths(codes, name, depth).where(there).mean("wall_level") for name, own in ZONES.items()}
+    width = {"code_channel_half_width": codes["channel_half_width"], "channel": codes["channel"]}
+    return found | said | width

@@ -1,0 +1,42 @@
+"""Hoppers of silos of grains beside what theories and codes say of them: at rest, in flow, and while the switch passes."""
+
+import xarray as xr
+
+from silostudy.compute.beside_areas import step_of
+from silostudy.compute.beside_codes import by_phase
+
+
+def in_cone(grains: xr.Dataset) -> dict[str, xr.DataArray]:
+    """What the hopper felt: place on it, mean pressure around (Pa) at rest and in flow, the largest, its rise over rest, and
+    the end (s) of the window of the largest."""
+    height = grains["hopper_level_height"]
+    top = height.isel(wall_level=-1) + step_of(height) / 2
+    rest = grains["hopper_pressure_at_rest"].mean("wall_turn")
+    flow = grains["hopper_pressure_in_flow"].mean("wall_turn")
+    return {
+        "hopper_level_position": 1.0 - height / top,
+        "hopper_ring_pressure": by_phase(rest, flow.mean("flow_window")),
+        "hopper_ring_largest": flow.max("flow_window"),
+        "hopper_switch_factor": (flow / rest).max("flow_window"),
+        "hopper_switch_time": _time_of_largest(flow, grains["flow_window_end"]),
+    }
+
+
+def _time_of_largest(flow: xr.DataArray, end: xr.DataArray) -> xr.DataArray:
+    """End (s after the first event) of the window in which each level feels most; missing where nothing was felt."""
+    there = flow.notnull().any("flow_window")
+    window = flow.fillna(-1.0).argmax("flow_window")
+    return end.isel(flow_window=window).where(there)
+
+
+def compared_in_hopper(found: dict[str, xr.DataArray]) -> dict[str, xr.DataArray]:
+    """Ratios of what methods say of the hopper to what the grains did: of its mean pressure, and next to the transition to the
+    largest window."""
+    if "code_hopper_pressure" not in found:
+        return {}
+    code, ring = found["code_hopper_pressure"], found["hopper_ring_pressure"]
+    both = code.notnull() & ring.notnull()
+    mean, felt = (values.where(both).sum("wall_level", min_count=1) for values in (code, ring))
+    top = {"wall_level": -1}
+    peak = found["hopper_ring_largest"].isel(top)
+    return {"code_over_grains_hopper": mean / felt, "code_over_grains_transition": code.isel(top) / peak.where(peak > 0.0)}

@@ -1,0 +1,74 @@
+"""Wall pressure around silos of spheres, at rest and in flow, beside the zones of an eccentric flow channel by the codes."""
+
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+import xarray as xr
+from matplotlib.axes import Axes
+
+from silostudy.figures.beside import interval, settings, told
+from silostudy.figures.style import look, plt, save, title
+
+KPA = 1e3
+PANELS = {"filling": ("at rest", "#0072b2"), "discharge": ("in flow", "#d55e00")}
+DASHES = ((0, (1, 1)), (0, (4, 2)), "-")  # by the size of the channel
+PHASE = "discharge"  # in which a channel flows
+
+
+def draw(cube: xr.Dataset, stem: Path) -> None:
+    """Writes the figure and its numbers: a panel a setting, the angle from x across and the pressure of the deep levels up."""
+    every = list(settings(cube))
+    figure, panels = plt.subplots(len(every), 1, figsize=(10.0, 1.0 + 3.4 * len(every)), squeeze=False, sharex=True)
+    numbers = []
+    for panel, (setting, one) in zip(panels.flat, every, strict=True):
+        numbers += [table.assign(**setting) for table in (*_grains(panel, one), *_codes(panel, one))]
+        off = 100.0 * float(one["deviation_around"].sel(phase="discharge").mean())
+        panel.set(title=f"{told(setting)}: cells are {off:.0f} % off the mean around in flow, root mean square")
+        panel.set(ylabel="pressure on the wall (kPa)", ylim=(0.0, None))
+    panels[-1, 0].set(xlabel="angle from the outlet's side (°)", xlim=(-180, 180), xticks=range(-180, 181, 45))
+    handles = {text: line for panel in panels.flat for line, text in zip(*panel.get_legend_handles_labels(), strict=True)}
+    figure.legend(handles.values(), handles.keys(), loc="outside lower center", ncols=2, fontsize=8)
+    figure.suptitle(cube.attrs["title"])
+    save(figure, pd.concat(numbers, ignore_index=True), stem)
+
+
+def _grains(panel: Axes, one: xr.Dataset) -> list[pd.DataFrame]:
+    """Draws the mean of the fillings with its interval at every angle; the tables shown."""
+    turn = np.degrees((one["wall_turn"].values + np.pi) % (2.0 * np.pi) - np.pi)
+    order, tables = np.argsort(turn), []
+    for phase, (name, colour) in PANELS.items():
+        felt = one["pressure_around"].sel(phase=phase).transpose("wall_turn", "filling").values[order] / KPA
+        table = pd.DataFrame([interval(values) for values in felt], columns=["pressure_kPa", "low_95_kPa", "high_95_kPa"])
+        table = table.assign(of=f"grains, {name}", angle_deg=turn[order])
+        panel.fill_between(table["angle_deg"], table["low_95_kPa"], table["high_95_kPa"], color=colour, alpha=0.15, linewidth=0)
+        panel.plot(table["angle_deg"], table["pressure_kPa"], "o-", color=colour, markersize=4, label=f"grains, {name}")
+        tables.append(table)
+    return tables
+
+
+def _codes(panel: Axes, one: xr.Dataset) -> list[pd.DataFrame]:
+    """Draws the zones of every method that knows an eccentric channel, by its size; the tables shown."""
+    if "code_channel_pressure" not in one:
+        return []
+    tables, half = [], one["code_channel_half_width"].sel(phase=PHASE)
+    for method in map(str, one["pressure_method"].values[half.notnull().any("channel").values]):
+        for size, dashes in zip(one["channel"].values, DASHES, strict=True):
+            name = f"{title(one, method)}, k_c = {size:.2f}"
+            table = _zones(one.sel(pressure_method=method, channel=size, phase=PHASE))
+            panel.plot(
+                table["angle_deg"], table["pressure_kPa"], color=look(one, method)["color"], linestyle=dashes, label=name
+            )
+            tables.append(table.assign(of=name))
+    return tables
+
+
+def _zones(one: xr.Dataset) -> pd.DataFrame:
+    """Pressure around the wall in steps: the channel up to its edge, what is beside it up to twice that angle, then static."""
+    edge = np.degrees(float(one["code_channel_half_width"]))
+    channel, adjacent, static = (float(one[f"code_{zone}_pressure"]) / KPA for zone in ("channel", "adjacent", "static"))
+    half = pd.DataFrame({
+        "angle_deg": [0.0, edge, edge, 2.0 * edge, 2.0 * edge, 180.0],
+        "pressure_kPa": [channel, channel, adjacent, adjacent, static, static],
+    })  # fmt: skip
+    return pd.concat([half[::-1].assign(angle_deg=lambda table: -table["angle_deg"]), half], ignore_index=True)

@@ -1,0 +1,67 @@
+"""Published cases over several fillings: how far each came out off the published number, in its tolerance."""
+
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+import xarray as xr
+
+from silostudy.figures.beside import interval
+from silostudy.figures.style import plt, save
+from silostudy.tables.published_cases import published_of
+
+MET, MISSED, OPEN = "#009e73", "#d55e00", "#888888"
+COLOURS = {"met": MET, "not met": MISSED, "mean met, not every filling": OPEN, "not seen": OPEN}
+
+
+def draw(cube: xr.Dataset, stem: Path) -> None:
+    """Writes the figure and its numbers: a row a published number, every filling and their mean with its interval."""
+    table, fillings = verdicts(cube)
+    figure, panel = plt.subplots(figsize=(10.0, 1.6 + 0.75 * len(table)))
+    panel.axvspan(-1.0, 1.0, color=MET, alpha=0.12, linewidth=0, label="within the tolerance")
+    panel.axvline(0.0, color="black", linewidth=0.8)
+    for place, (row, values) in enumerate(zip(table.itertuples(), fillings, strict=True)):
+        colour = COLOURS[row.verdict]
+        panel.plot(values, np.full(len(values), place), "o", color=colour, alpha=0.4, markersize=5)
+        panel.errorbar(row.off_tolerances, place, xerr=[[row.off_tolerances - row.low_95], [row.high_95 - row.off_tolerances]],
+                       fmt="D", color=colour, capsize=4)  # fmt: skip
+        told = f"{row.mean:.4g} {row.unit} ({row.published:g} ± {row.tolerance:g}): {row.verdict}"
+        panel.annotate(told, (0.99, place), xycoords=("axes fraction", "data"), xytext=(0, 9), textcoords="offset points",
+                       ha="right", fontsize=9)  # fmt: skip
+    panel.set_yticks(range(len(table)), table["title"])
+    panel.set_ylim(len(table) - 0.4, -0.7)
+    reach = max(3.0, 1.15 * float(np.nanmax(np.abs([*(value for one in fillings for value in one), 1.0]))))
+    panel.set(xlim=(-reach, reach), xlabel="off the published number, in its tolerance: fillings, mean and its 95 % interval")
+    panel.legend(loc="lower left", fontsize=8)
+    figure.suptitle(cube.attrs["title"])
+    each = pd.DataFrame([{"place": place, "off_tolerances": off} for place, values in enumerate(fillings) for off in values])
+    save(figure, pd.concat([table.assign(place=range(len(table)), of="mean"), each.assign(of="filling")]), stem)
+
+
+def verdicts(cube: xr.Dataset) -> tuple[pd.DataFrame, list[np.ndarray]]:
+    """(A row a published number: what the fillings came to, its interval, met or not and by how much; the fillings of each)."""
+    rows, fillings = [], []
+    for position, file in enumerate(map(str, cube["published_case"].values)):
+        for number, published in enumerate(published_of(Path(file).stem)):
+            values = cube["off_published"].isel(published_case=position, expectation=number).values
+            values = values[np.isfinite(values)]
+            off, low, high = interval(values)
+            rows.append({
+                "case": published.case, "title": published.title, "quantity": published.quantity, "unit": published.unit,
+                "published": published.value, "tolerance": published.tolerance, "fillings": len(values),
+                "mean": published.value + off * published.tolerance, "off_tolerances": off, "low_95": low, "high_95": high,
+                "fillings_met": int((np.abs(values) <= 1.0).sum()), "verdict": verdict(values),
+                "missed_by": max(abs(off) - 1.0, 0.0) * published.tolerance, "source": published.source,
+                "locator": published.locator,
+            })  # fmt: skip
+            fillings.append(values)
+    return pd.DataFrame(rows), fillings
+
+
+def verdict(off: np.ndarray) -> str:
+    """Whether fillings that are so many tolerances off meet the published number."""
+    if not len(off):
+        return "not seen"
+    if abs(off.mean()) > 1.0:
+        return "not met"
+    return "met" if (np.abs(off) <= 1.0).all() else "mean met, not every filling"

@@ -1,0 +1,42 @@
+"""Slots that jam: shares with their intervals, and powers with and without the fillings that jam."""
+
+import numpy as np
+import pandas as pd
+import pytest
+import xarray as xr
+
+from silostudy.figures.jams_over_outlet import over_outlet, power, share_interval
+from tests.test_figures.small_cubes import jam_cube
+
+
+def test_interval_of_a_share():
+    """Clopper and Pearson for 0, 5 and 10 of 10, as tables print them."""
+    assert share_interval(0, 10) == pytest.approx((0.0, 0.3085), abs=1e-4)
+    assert share_interval(5, 10) == pytest.approx((0.1871, 0.8129), abs=1e-4)
+    assert share_interval(10, 10) == pytest.approx((0.6915, 1.0), abs=1e-4)
+
+
+def test_power_is_that_of_the_flow():
+    table = pd.DataFrame({"outlet_diameters": [4.0, 5.0, 8.0], "flow": 3.0 * np.array([4.0, 5.0, 8.0]) ** 1.4})
+    assert power(table, "flow") == pytest.approx(1.4)
+    assert np.isnan(power(table[:1], "flow"))
+
+
+def test_jams_count_in_the_flow_of_all_and_not_in_that_of_the_others():
+    """Two of four fillings jam at a quarter of the flow; one that never came to rest counts nowhere."""
+    one = xr.Dataset(
+        {"limit_reached": (("outlet_width", "filling"), [[0.0, 0.0, 1.0, 1.0, 1.0]]),
+         "mean_discharge_rate": (("outlet_width", "filling"), [[4.0, 4.0, 1.0, 1.0, np.nan]]),
+         "mean_grain_diameter": (("outlet_width", "filling"), np.full((1, 5), 0.005))},
+        {"outlet_width": [0.02]},
+    )  # fmt: skip
+    (row,) = over_outlet(one).to_dict("records")
+    assert (row["fillings"], row["jammed"], row["share_jammed"]) == (4, 2, 0.5)
+    assert (row["flow_kg_m_s"], row["flow_with_jams_kg_m_s"]) == (4.0, 2.5)
+    assert row["outlet_diameters"] == pytest.approx(4.0)
+
+
+def test_the_shipped_study_is_read_by_its_axes():
+    cube = jam_cube("slot-of-discs")
+    assert cube.sizes["friction"] == 2
+    assert cube["friction_title"].values.tolist() == ["without friction", "friction of 0.5"]
