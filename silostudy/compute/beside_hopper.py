@@ -7,17 +7,19 @@ from silostudy.compute.beside_codes import by_phase
 
 
 def in_cone(grains: xr.Dataset) -> dict[str, xr.DataArray]:
-    """What the hopper felt: place on it, mean pressure around (Pa) at rest and in flow, the largest, its rise over rest, and
-    the end (s) of the window of the largest."""
+    """What the hopper felt: place on it, mean pressure around (Pa) at rest and in flow, the largest, its rise, and when.
+
+    The rise is over the mean of the fillings at rest: single levels of a filling may hang free.
+    """
     height = grains["hopper_level_height"]
     top = height.isel(wall_level=-1) + step_of(height) / 2
     rest = grains["hopper_pressure_at_rest"].mean("wall_turn")
-    flow = grains["hopper_pressure_in_flow"].mean("wall_turn")
+    flow, usual = grains["hopper_pressure_in_flow"].mean("wall_turn"), rest.mean("filling")
     return {
         "hopper_level_position": 1.0 - height / top,
         "hopper_ring_pressure": by_phase(rest, flow.mean("flow_window")),
         "hopper_ring_largest": flow.max("flow_window"),
-        "hopper_switch_factor": (flow / rest).max("flow_window"),
+        "hopper_switch_factor": (flow / usual.where(usual > 0.0)).max("flow_window"),
         "hopper_switch_time": _time_of_largest(flow, grains["flow_window_end"]),
     }
 

@@ -6,7 +6,7 @@ import numpy as np
 
 from silostudy.compute.dem import carry_through, run_of, scene_model
 from silostudy.compute.scenes_discs import DISCS
-from silostudy.compute.scenes_spheres import SPHERES
+from silostudy.compute.scenes_spheres import SHARES, SPHERES
 from silostudy.compute.scenes_walls import contents_now, keeps_walls, to_the_first_event, wall_coordinates, wall_numbers
 from silostudy.compute.scenes_windows import Numbers, Swept
 from silostudy.config.scenes import ScenesStudy
@@ -18,7 +18,8 @@ SWEPT: dict[str, Swept] = {"discs": DISCS, "spheres": SPHERES}
 def coordinates(study: ScenesStudy) -> dict[str, Any]:
     """The dimensions that a case's numbers have of their own."""
     walls = wall_coordinates(study.scene) if keeps_walls(study.scene) else {}
-    return {"body": list(SWEPT[study.scene.grains].bodies), **walls}
+    flow = {"flow_share": SHARES} if study.scene.grains == "spheres" else {}
+    return {"body": list(SWEPT[study.scene.grains].bodies), **flow, **walls}
 
 
 def sources(study: ScenesStudy) -> list[str]:

@@ -25,7 +25,8 @@ else:
     BaseScene = Annotated[_either, Discriminator(_model_of, **_NO_SECTION)]
 
 
-OWN = ("body", "wall_level", "wall_turn", "flow_window", "averaging")  # dimensions of its cubes that no axis may be named after
+# dimensions of its cubes that no axis may be named after
+OWN = ("body", "wall_level", "wall_turn", "flow_window", "flow_share", "averaging")
 FILLING = "filling"  # name of the axis of fillings in the cube beside codes
 
 

@@ -5,6 +5,7 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 import xarray as xr
+from matplotlib.ticker import ScalarFormatter
 from scipy.stats import beta, linregress
 
 from silostudy.figures.beside import settings, told
@@ -31,11 +32,14 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
             table[f"power_of_{column}"] = grows
         numbers.append(table.assign(**setting))
     jams.set(xlabel="width of the slot over the discs' diameter", ylabel="share of the fillings that jam", ylim=(-0.03, 1.03))
-    flows.set(xlabel="width of the slot over the discs' diameter", ylabel="mean flow (kg m$^{-1}$ s$^{-1}$)")
+    flows.set(xlabel="width of the slot over the discs' diameter", ylabel="mean flow (kg m⁻¹ s⁻¹)")
     flows.set(xscale="log", yscale="log")
+    for axis in (flows.xaxis, flows.yaxis):
+        axis.set_major_formatter(ScalarFormatter())
+        axis.set_minor_formatter(ScalarFormatter())
     for panel in (jams, flows):
         panel.legend(fontsize=8)
-    figure.suptitle(cube.attrs["title"])
+    figure.suptitle(f"{cube.attrs['title']}\nmeans over jams count them as slow flow, and ask for a larger power")
     save(figure, pd.concat(numbers, ignore_index=True), stem)
 
 

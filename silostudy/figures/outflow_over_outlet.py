@@ -6,9 +6,11 @@ import numpy as np
 import pandas as pd
 import xarray as xr
 from scipy.stats import linregress
+from scipy.stats import t as student
 
 from silostudy.errors import BadInput
 from silostudy.figures.style import plt, save
+from silostudy.tables.constants import ROUNDED_GRAVITY
 
 POWER = 2.5  # Beverloo's
 EDGES = (1.0, 2.0)  # diameters by which an outlet seems narrower: what is found for spheres
@@ -21,7 +23,7 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     if table["outlet_width_m"].nunique() < 2:
         raise BadInput("outlet_width", len(table), "cases flowed, of fewer than two outlets: no line goes through them")
     slope, cut = line(table)
-    low, high = (power(table, edge * diameter) for edge in EDGES)
+    (low, off_low), (high, off_high) = (power(table, edge * diameter) for edge in EDGES)
     figure, panel = plt.subplots(figsize=(6.4, 4.6))
     panel.plot(table["outlet_width_m"] / MM, table["root_of_flow"], "o", color="#0072b2", markersize=4, label="a filling")
     ends = np.array([cut, table["outlet_width_m"].max()])
@@ -31,10 +33,13 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     panel.set(xlabel="width of the outlet D (mm)", ylabel="mass flow to the power 2/5 (kg$^{2/5}$ s$^{-2/5}$)")
     panel.set(xlim=(0.0, None), ylim=(0.0, None))
     panel.legend(loc="lower right")
-    told = f"power of (D - k d): {low:.2f} for k = {EDGES[0]:g}, {high:.2f} for k = {EDGES[1]:g}; Beverloo: 5/2"
-    figure.suptitle(f"{cube.attrs['title']}\n{told}", fontsize=10)
+    told = (
+        f"power of (D - k d): {low:.2f} ± {off_low:.2f} for k = {EDGES[0]:g}, {high:.2f} ± {off_high:.2f} for k = {EDGES[1]:g}"
+    )
+    figure.suptitle(f"{cube.attrs['title']}\n{told}; Beverloo: 5/2{_constant(cube, slope)}", fontsize=10)
     shown = pd.concat([table.assign(kind="filling"), law.assign(kind="law")], ignore_index=True)
-    save(figure, shown.assign(power_for_k_1=low, power_for_k_2=high), stem)
+    about = {"power_for_k_1": low, "off_for_k_1": off_low, "power_for_k_2": high, "off_for_k_2": off_high}
+    save(figure, shown.assign(**about, constant=constant(cube, slope)), stem)
 
 
 def flows(cube: xr.Dataset) -> pd.DataFrame:
@@ -53,9 +58,29 @@ def line(table: pd.DataFrame) -> tuple[float, float]:
     return float(found.slope), float(-found.intercept / found.slope)
 
 
-def power(table: pd.DataFrame, edge: float) -> float:
-    """Power (1) of the outlet less an edge (m) that the flow grows with; NaN where an outlet is no wider than the edge."""
+def power(table: pd.DataFrame, edge: float) -> tuple[float, float]:
+    """Power (1) of the outlet less an edge (m) that the flow grows with, and half of its 95 % interval.
+
+    NaN where an outlet is no wider than the edge.
+    """
     free = table["outlet_width_m"] - edge
     if not (free > 0.0).all():
+        return np.nan, np.nan
+    found = linregress(np.log(free), np.log(table["mass_flow_kg_s"]))
+    return float(found.slope), float(student.ppf(0.975, len(table) - 2) * found.stderr) if len(table) > 2 else np.nan
+
+
+def constant(cube: xr.Dataset, slope: float) -> float:
+    """C (1) of W = C rho_b sqrt(g) (D - k d)^(5/2), from the line's slope (kg^2/5 s^-2/5 m^-1) and the contents at rest.
+
+    NaN where the cube does not hold their unit weight.  Source: mankoc_2007 (Beverloo's law).
+    """
+    if "unit_weight_at_rest" not in cube:
         return np.nan
-    return float(linregress(np.log(free), np.log(table["mass_flow_kg_s"])).slope)
+    return slope**POWER * np.sqrt(ROUNDED_GRAVITY) / float(cube["unit_weight_at_rest"].mean())
+
+
+def _constant(cube: xr.Dataset, slope: float) -> str:
+    """The constant in words, where it is known."""
+    found = constant(cube, slope)
+    return f"; C = {found:.2f}, 0.55 to 0.65 in print" if np.isfinite(found) else ""

@@ -4,11 +4,13 @@ import copy
 
 import numpy as np
 import pytest
+import xarray as xr
 import yaml
 
 from silostudy.choice.expand import expand_file
 from silostudy.compute.axes import sweep_of
 from silostudy.compute.beside import beside_cube
+from silostudy.compute.beside_hopper import in_cone
 from silostudy.compute.dem import run_of, scene_model
 from silostudy.compute.pressure import pressure_cube
 from silostudy.compute.scenes import coordinates
@@ -143,8 +145,8 @@ def test_the_made_up_solid_is_found_again_with_a_slot_s_hydraulic_radius(beside)
 def test_the_switch_is_seen_where_and_when_it_was_put(beside):
     """Three times the pressure next to the transition, in the third window; elsewhere every window is the first."""
     first = beside.isel(filling=0)
-    assert first["hopper_switch_factor"].values == pytest.approx([1.0] * 21 + [SWITCH])
-    assert first["hopper_switch_time"].values == pytest.approx([WINDOW] * 21 + [3 * WINDOW])
+    assert first["hopper_switch_factor"].values == pytest.approx([1.0] * 23 + [SWITCH])
+    assert first["hopper_switch_time"].values == pytest.approx([WINDOW] * 23 + [3 * WINDOW])
     code = first.sel(pressure_method="jenike_mass_flow", phase="filling")
     top = code["code_hopper_pressure"].values[-1]
     assert code["code_over_grains_transition"].item() == pytest.approx(top / (SWITCH * 1000.0))
@@ -152,8 +154,22 @@ def test_the_switch_is_seen_where_and_when_it_was_put(beside):
     assert np.isnan(first["code_over_grains_hopper"].sel(pressure_method="janssen")).all()
 
 
+def test_a_level_that_hangs_free_in_a_filling_is_no_endless_rise():
+    """Two fillings at 0 and 200 Pa, 300 Pa in flow: three times the usual pressure at rest in both."""
+    rest, flow = np.full((2, 2, 2), 200.0), np.full((2, 3, 2, 2), 300.0)
+    rest[0, 0] = 0.0
+    cells = ("wall_level", "wall_turn")
+    grains = xr.Dataset(
+        {"hopper_level_height": (("filling", "wall_level"), [[0.1, 0.2]] * 2),
+         "flow_window_end": (("filling", "flow_window"), [[0.02, 0.04, 0.06]] * 2),
+         "hopper_pressure_at_rest": (("filling", *cells), rest),
+         "hopper_pressure_in_flow": (("filling", "flow_window", *cells), flow)}
+    )  # fmt: skip
+    assert in_cone(grains)["hopper_switch_factor"].values == pytest.approx(np.array([[3.0, 1.5]] * 2))
+
+
 def test_sides_of_areas_on_a_plane_wall_are_heights(beside):
-    step = 1.1 / 22
+    step = 1.2 / 24
     assert beside["averaging_side"].isel(filling=0).values == pytest.approx(np.array([1, 2, 4, 1]) * step / WIDE)
 
 
