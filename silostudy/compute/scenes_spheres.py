@@ -10,8 +10,6 @@ from silostudy.dem.space.cells import faces
 from silostudy.scene.space_silo import FLOOR, HOPPER, LID, WALL
 
 SHARES = np.linspace(0.0, 1.0, 41)  # of the time from the first event to the end, at which what is left is counted
-SHARES = np.linspace(0.0, 1.0, 41)  # of the time from the first event to the end, at which what is left is counted
-SHARES = np.linspace(0.0, 1.0, 41)  # of the time from the first event to the end, at which what is left is counted
 BODIES = {"walls": (WALL,), "hopper": (HOPPER,), "floor": (FLOOR,)}
 
 
@@ -30,28 +28,6 @@ def numbers(run: Run, opening: float) -> Numbers:
     for name, sums in felt(run).items():
         found[f"{name}_at_rest"], found[f"largest_{name}"] = at_rest_and_largest(run, opening, sums)
     return found
-
-
-def left(time: np.ndarray, passed: np.ndarray, whole: float, opening: float, end: float) -> np.ndarray:
-    """Mass that has not passed the outlet over the whole (kg), at even shares of the time from an opening to an end (s).
-
-    time, passed: when (s) masses (kg) passed.
-    """
-    if np.isnan(opening):
-        return np.full(len(SHARES), np.nan)
-    through = np.concatenate([[0.0], np.cumsum(passed)])
-    return 1.0 - through[np.searchsorted(time, opening + SHARES * (end - opening), side="right")] / whole
-
-
-def left(time: np.ndarray, passed: np.ndarray, whole: float, opening: float, end: float) -> np.ndarray:
-    """Mass that has not passed the outlet over the whole (kg), at even shares of the time from an opening to an end (s).
-
-    time, passed: when (s) masses (kg) passed.
-    """
-    if np.isnan(opening):
-        return np.full(len(SHARES), np.nan)
-    through = np.concatenate([[0.0], np.cumsum(passed)])
-    return 1.0 - through[np.searchsorted(time, opening + SHARES * (end - opening), side="right")] / whole
 
 
 def left(time: np.ndarray, passed: np.ndarray, whole: float, opening: float, end: float) -> np.ndarray:

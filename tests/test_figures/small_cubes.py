@@ -14,8 +14,6 @@ from silostudy.compute.dem_cube import cube_of as dem_cube
 from silostudy.compute.observers import grid_of
 from silostudy.compute.published import coordinates as published_coordinates
 from silostudy.compute.scenes import coordinates as scene_coordinates
-from silostudy.compute.scenes import coordinates as scene_coordinates
-from silostudy.compute.scenes import coordinates as scene_coordinates
 from silostudy.config.load import read_yaml
 from silostudy.cube.assemble import assemble
 from silostudy.scene.expand import Expansion
@@ -176,30 +174,6 @@ def emptying_cube(study: str) -> xr.Dataset:
 
 
 @cache
-def emptying_cube(study: str) -> xr.Dataset:
-    """The cube of a sweep of silos of spheres that empty evenly in two seconds, each filling a little slower."""
-    expansion = expansion_of(study)
-    share = scene_coordinates(expansion.study)["flow_share"]
-    slower = 1.0 + 0.1 * np.arange(expansion.shape[-1])
-    left = np.broadcast_to(1.0 - share / slower[:, None], (*expansion.shape, len(share)))
-    numbers = {"share_left": left, "flow_share": share, "first_event_time": np.full(expansion.shape, 0.5)}
-    numbers |= {"end_time": np.full(expansion.shape, 2.5)}
-    return assemble(expansion.study, "scenes", numbers, sources=[], sweep=sweep_of(expansion))
-
-
-@cache
-def emptying_cube(study: str) -> xr.Dataset:
-    """The cube of a sweep of silos of spheres that empty evenly in two seconds, each filling a little slower."""
-    expansion = expansion_of(study)
-    share = scene_coordinates(expansion.study)["flow_share"]
-    slower = 1.0 + 0.1 * np.arange(expansion.shape[-1])
-    left = np.broadcast_to(1.0 - share / slower[:, None], (*expansion.shape, len(share)))
-    numbers = {"share_left": left, "flow_share": share, "first_event_time": np.full(expansion.shape, 0.5)}
-    numbers |= {"end_time": np.full(expansion.shape, 2.5)}
-    return assemble(expansion.study, "scenes", numbers, sources=[], sweep=sweep_of(expansion))
-
-
-@cache
 def published_cube(study: str, off: tuple[float, ...] = (0.5, -0.8, 0.1)) -> xr.Dataset:
     """The cube of a study of published cases whose fillings are all so many tolerances off."""
     expansion = expansion_of(study)
@@ -279,10 +253,6 @@ def cubes_of(output: str) -> list[xr.Dataset]:
     """The cubes that an output is drawn from."""
     if output == "jams_over_outlet":
         return [jam_cube(study_of(output))]
-    if output == "left_over_time":
-        return [emptying_cube(study_of(output))]
-    if output == "left_over_time":
-        return [emptying_cube(study_of(output))]
     if output == "left_over_time":
         return [emptying_cube(study_of(output))]
     if OUTPUTS[output].stage == "published":
