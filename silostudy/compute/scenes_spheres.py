@@ -15,7 +15,7 @@ BODIES = {"walls": (WALL,), "hopper": (HOPPER,), "floor": (FLOOR,)}
 def numbers(run: Run, opening: float) -> Numbers:
     """The numbers of a run whose first event came at a time (s), by the names of the contract."""
     _, passed, _ = passages(run)
-    found = {
+    numbers = {
         "grains_at_start": np.array(len(run.engine.model.x)),
         "grains_left": np.array(run.engine.n),
         "mean_grain_diameter": np.array(2.0 * run.engine.model.radius.mean()),
@@ -24,8 +24,8 @@ def numbers(run: Run, opening: float) -> Numbers:
         "mean_mass_flow": np.array(mean_outflow(run).get("mean_outflow_kg_s", np.nan)),
     }
     for name, sums in felt(run).items():
-        found[f"{name}_at_rest"], found[f"largest_{name}"] = at_rest_and_largest(run, opening, sums)
-    return found
+        numbers[f"{name}_at_rest"], numbers[f"largest_{name}"] = at_rest_and_largest(run, opening, sums)
+    return numbers
 
 
 def felt(run: Run) -> dict[str, np.ndarray]:

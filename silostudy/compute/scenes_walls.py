@@ -59,7 +59,7 @@ def wall_numbers(run: Run, scene: SphereScene, opening: float) -> Numbers:
     before, after, count = *_windows(run, opening), windows_in_flow(scene)
     ends = np.full(count, np.nan)
     ends[: len(after[:count])] = np.array(run.recording.window_time)[after[:count]] - opening
-    found: Numbers = {"flow_window_end": ends}
+    numbers: Numbers = {"flow_window_end": ends}
     seen = faces(run.engine.model.walls, LID)
     starts = np.cumsum([0, *(face.count for face in seen)])
     for stem in ROUND:
@@ -70,9 +70,9 @@ def wall_numbers(run: Run, scene: SphereScene, opening: float) -> Numbers:
                 force = np.array([window[start : start + face.count, :2] for window in run.recording.window])
                 cells = (force / areas(surface)[:, None, None]).reshape(cells.shape)
                 height = middles(surface)[:, 2].reshape(scene.record.pressure_cells)[:, 0]
-        found |= _of_surface(stem, cells, before, after, count)
-        found[f"{stem}_level_height"] = np.full(cells.shape[1], np.nan) if height is None else height
-    return found
+        numbers |= _of_surface(stem, cells, before, after, count)
+        numbers[f"{stem}_level_height"] = np.full(cells.shape[1], np.nan) if height is None else height
+    return numbers
 
 
 def _windows(run: Run, opening: float) -> tuple[np.ndarray, np.ndarray]:

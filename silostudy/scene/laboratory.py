@@ -41,4 +41,4 @@ def cost(case: LaboratoryCase) -> float:
     spheres = COSTS[case.config.grains]
     steps = (FILLED + pressed + shears) / spheres.step(filling(case))
     heap = FILLED / spheres.step(filling(case)) * case.heap_count
-    return START + steps * (spheres.look + case.count * spheres.each) + heap * spheres.each
+    return START + steps * (spheres.look + case.count * spheres.body) + heap * spheres.body
