@@ -93,5 +93,5 @@ def members(room: str, kind: type[R]) -> list[R]:
 
 def declared(module: Mapping[str, object]) -> tuple:
     """What a module's names ROW and ROWS hold."""
-    one, many = module.get("ROW"), module.get("ROWS", ())
-    return (*(() if one is None else (one,)), *many)  # type: ignore[misc]
+    row, many = module.get("ROW"), module.get("ROWS", ())
+    return (*(() if row is None else (row,)), *many)  # type: ignore[misc]

@@ -85,8 +85,8 @@ class Limit:
 
 def broken(limits: Iterable[Limit], quantity: str, phase: str, z, parameters: Mapping) -> np.ndarray:
     """Where any limit of a quantity in a phase is broken; without a place (z None) those of the depth are left out."""
-    found = np.zeros((), dtype=bool)
+    outside = np.zeros((), dtype=bool)
     for limit in limits:
         if limit.holds_for(quantity, phase) and not (z is None and limit.measure.of_depth):
-            found = found | limit.broken(z, parameters)
-    return found
+            outside = outside | limit.broken(z, parameters)
+    return outside

@@ -31,7 +31,7 @@ def faults_of_function(name: str, function: Callable, unit: str, asked: Iterable
     doc = getdoc(function) or ""
     if f"({unit}" not in doc and f"({written}" not in doc:
         yield f"{name}: its docstring must name its unit, ({written})"
-    if strange := [one for one in asked if one not in known]:
+    if strange := [parameter for parameter in asked if parameter not in known]:
         yield f"{name}: asks for {', '.join(strange)}, which has no unit; known: {', '.join(known)}"
 
 
@@ -45,11 +45,11 @@ def faults_of_trial(name: str, trial: Callable[[], object]) -> Iterator[str]:
 
 def check_numbers(call: Callable[[], object]) -> np.ndarray:
     """What a call gives, as an array; ValueError unless these are finite or NaN, real, and the same when called again."""
-    found = np.asarray(call())
-    if found.dtype.kind not in "fiub":
-        raise ValueError(f"gives no real numbers but {found.ravel()[:1]}")
-    if np.isinf(found).any():
+    values = np.asarray(call())
+    if values.dtype.kind not in "fiub":
+        raise ValueError(f"gives no real numbers but {values.ravel()[:1]}")
+    if np.isinf(values).any():
         raise ValueError("gives an infinite value")
-    if not np.array_equal(found, np.asarray(call()), equal_nan=True):
+    if not np.array_equal(values, np.asarray(call()), equal_nan=True):
         raise ValueError("gives other values when it is called again")
-    return found
+    return values

@@ -43,19 +43,19 @@ def _held(place: Path) -> list[Path]:
 @cache
 def _named(path: Path) -> set[Path]:
     """Files of the package that a module imports, and tables that it names."""
-    found = {file for file in [path.parent / "__init__.py"] if file.is_file()}
+    files = {file for file in [path.parent / "__init__.py"] if file.is_file()}
     if path.suffix != ".py":
-        return found
+        return files
     for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
         if isinstance(node, ast.ImportFrom) and node.module:
             if node.module == "silostudy.catalogue" and "members" in {alias.name for alias in node.names}:
-                found |= {*path.parent.glob("*.py"), *path.parent.glob("*/__init__.py")}  # it imports its whole folder
-            found |= _modules(node.module).union(*(_modules(f"{node.module}.{alias.name}") for alias in node.names))
+                files |= {*path.parent.glob("*.py"), *path.parent.glob("*/__init__.py")}  # it imports its whole folder
+            files |= _modules(node.module).union(*(_modules(f"{node.module}.{alias.name}") for alias in node.names))
         elif isinstance(node, ast.Import):
-            found = found.union(*(_modules(alias.name) for alias in node.names))
+            files = files.union(*(_modules(alias.name) for alias in node.names))
         elif isinstance(node, ast.Constant) and isinstance(node.value, str) and node.value.endswith((".csv", ".bib", ".html")):
-            found |= {folder / node.value for folder in (path.parent, PACKAGE / TABLES) if (folder / node.value).is_file()}
-    return found
+            files |= {folder / node.value for folder in (path.parent, PACKAGE / TABLES) if (folder / node.value).is_file()}
+    return files
 
 
 def _modules(name: str) -> set[Path]:

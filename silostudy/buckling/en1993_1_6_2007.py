@@ -74,10 +74,10 @@ def capacity_range(slenderness, alpha, delta):
     return PLASTIC_RANGE, np.sqrt(alpha / (1 - PLASTIC_RANGE)), 1.0
 
 
-def with_range(found, alpha, capacity_range):
+def with_range(shell, alpha, capacity_range):
     """Numbers of BEHIND with those of the capacity curve for an imperfection factor alpha."""
-    numbers = capacity_range(found["slenderness"], alpha, found["relative_imperfection"])
-    return {**found, **dict(zip(("plastic_range", "plastic_limit", "interaction_exponent"), numbers, strict=True))}
+    numbers = capacity_range(shell["slenderness"], alpha, shell["relative_imperfection"])
+    return {**shell, **dict(zip(("plastic_range", "plastic_limit", "interaction_exponent"), numbers, strict=True))}
 
 
 def buckles(critical, alpha, chi, yield_stress, length=np.nan, factor=np.nan) -> Strength:
@@ -131,10 +131,10 @@ def strength_by(parts):
 
     def strength(**given):
         """Strength (Pa) without internal pressure. Source: en1993_1_6_2007, annex D and section 8.5, second-hand."""
-        found, yield_stress = parts(**given), given["yield_stress"]
+        shell, yield_stress = parts(**given), given["yield_stress"]
         return buckles(
-            found["critical_stress"], found["imperfection_factor"], found["reduction"], yield_stress,
-            found["supported_length"], found["length_factor"],
+            shell["critical_stress"], shell["imperfection_factor"], shell["reduction"], yield_stress,
+            shell["supported_length"], shell["length_factor"],
         )  # fmt: skip
 
     strength.__signature__ = signature(parts)  # type: ignore[attr-defined]
@@ -146,8 +146,8 @@ def behind_by(parts, capacity_range):
 
     def behind(**given):
         """The numbers of BEHIND, stresses (Pa). Source: en1993_1_6_2007, annex D and section 8.5, second-hand."""
-        found = parts(**given)
-        return with_range(found, found["imperfection_factor"], capacity_range)
+        shell = parts(**given)
+        return with_range(shell, shell["imperfection_factor"], capacity_range)
 
     behind.__signature__ = signature(parts)  # type: ignore[attr-defined]
     return behind

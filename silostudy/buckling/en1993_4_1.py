@@ -86,10 +86,12 @@ def strength(edition: ModuleType) -> Callable[..., Strength]:
     own = parts(edition)
 
     def pressurised(**given):
-        one = own(**given)
-        found = en1993_1_6_2007.buckles(one["critical_stress"], one["reduced_factor"], one["reduction"], given["yield_stress"])
-        mode = np.where(one["foot_factor"] < one["pressurised_factor"], ELEPHANTS_FOOT, found.mode)
-        return Strength(found.elastic_local, found.elastic_general, found.elastic, found.strength, mode)
+        own_parts = own(**given)
+        strength = en1993_1_6_2007.buckles(
+            own_parts["critical_stress"], own_parts["reduced_factor"], own_parts["reduction"], given["yield_stress"]
+        )
+        mode = np.where(own_parts["foot_factor"] < own_parts["pressurised_factor"], ELEPHANTS_FOOT, strength.mode)
+        return Strength(strength.elastic_local, strength.elastic_general, strength.elastic, strength.strength, mode)
 
     pressurised.__doc__ = f"Strength (Pa) with internal pressure. Source: en1993_4_1 on {edition.ROW.title}, second-hand."
     pressurised.__signature__ = signature(own)  # type: ignore[attr-defined]
@@ -101,8 +103,8 @@ def behind(edition: ModuleType) -> Callable[..., dict]:
     own = parts(edition)
 
     def numbers(**given):
-        found = own(**given)
-        return en1993_1_6_2007.with_range(found, found["reduced_factor"], edition.capacity_range)
+        shell = own(**given)
+        return en1993_1_6_2007.with_range(shell, shell["reduced_factor"], edition.capacity_range)
 
     numbers.__signature__ = signature(own)  # type: ignore[attr-defined]
     return numbers

@@ -195,24 +195,24 @@ def evaluate(row: BucklingRule, parameters: Mapping) -> dict[str, np.ndarray]:
     """
     check_parameters(parameters)
     with np.errstate(invalid="ignore", divide="ignore"):  # outside a rule's scope its formula may break down
-        found = call(row.strength, parameters)
+        strength = call(row.strength, parameters)
         outside = [(limit.broken(None, parameters), limit.reason) for limit in row.limits]
     shape = np.broadcast_shapes(*(np.shape(parameters[name]) for name in parameters))
     conditions = [np.broadcast_to(condition, shape) for condition, _ in outside]
     scope = np.select(conditions, [reason for _, reason in outside], IN_SCOPE).astype(np.int8)
     classical = call(classical_stress, parameters)
     values = {
-        "elastic_local_stress": found.elastic_local,
-        "elastic_general_stress": found.elastic_general,
-        "elastic_buckling_stress": found.elastic,
-        "buckling_stress": found.strength,
-        "elastic_knockdown_factor": found.elastic / classical,
-        "knockdown_factor": found.strength / classical,
-        "supported_length": found.length,
-        "length_factor": found.length_factor,
+        "elastic_local_stress": strength.elastic_local,
+        "elastic_general_stress": strength.elastic_general,
+        "elastic_buckling_stress": strength.elastic,
+        "buckling_stress": strength.strength,
+        "elastic_knockdown_factor": strength.elastic / classical,
+        "knockdown_factor": strength.strength / classical,
+        "supported_length": strength.length,
+        "length_factor": strength.length_factor,
     }
     masked = {name: np.where(scope == IN_SCOPE, value, np.nan) for name, value in values.items()}
-    mode = np.where(scope == IN_SCOPE, found.mode, -1).astype(np.int8)
+    mode = np.where(scope == IN_SCOPE, strength.mode, -1).astype(np.int8)
     return {**masked, "buckling_mode": mode, "buckling_stress_scope": scope}
 
 

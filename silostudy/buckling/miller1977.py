@@ -111,16 +111,16 @@ def strength(reading: Reading) -> Callable[..., Strength]:
 
 def _smaller(local, general, yield_stress, inelastic, length) -> Strength:
     """The smaller of the local and the general strength, each reduced by yielding."""
-    found = np.fmin(local, general)
-    reduced = inelastic(found / yield_stress)
+    smaller = np.fmin(local, general)
+    reduced = inelastic(smaller / yield_stress)
     is_local = ~(general < local)
-    elastic = found / yield_stress <= 0.55
+    elastic = smaller / yield_stress <= 0.55
     mode = np.select(
         [reduced >= 1, is_local & elastic, is_local, elastic],
         [YIELDING, LOCAL_ELASTIC, LOCAL_INELASTIC, GENERAL_ELASTIC],
         GENERAL_INELASTIC,
     )
-    return Strength(local, general, found, reduced * yield_stress, mode, length)
+    return Strength(local, general, smaller, reduced * yield_stress, mode, length)
 
 
 def rings_count(*, ring_area, bay_length, thickness):

@@ -13,11 +13,11 @@ HALVINGS = 40
 def with_thickness(rule: BucklingRule, parameters: Mapping, thickness: np.ndarray) -> dict[str, np.ndarray]:
     """Every quantity of a rule for walls of this thickness (m); masked where the pressure it needs is unknown."""
     own = {name: value for name, value in parameters.items() if name != "inner_radius"}
-    found = evaluate(rule, {**own, "thickness": thickness, "shell_radius": parameters["inner_radius"] + thickness / 2})
+    values = evaluate(rule, {**own, "thickness": thickness, "shell_radius": parameters["inner_radius"] + thickness / 2})
     if rule.pressurised:
         unknown = np.isnan(parameters["lower_internal_pressure"]) | np.isnan(parameters["upper_internal_pressure"])
-        found["buckling_stress_scope"] = np.where(unknown, np.int8(NO_LOAD), found["buckling_stress_scope"])
-    return found
+        values["buckling_stress_scope"] = np.where(unknown, np.int8(NO_LOAD), values["buckling_stress_scope"])
+    return values
 
 
 def required_thickness(
@@ -36,13 +36,13 @@ def required_thickness(
             carries = safety * (force / thickness + own_weight) <= wall["buckling_stress"]
         return carries | (wall["buckling_stress_scope"] == LONG)  # only a thick wall is too long: the search goes on below it
 
-    found, lightest = enough(thick), enough(thin)
+    enough_thick, lightest = enough(thick), enough(thin)
     for _ in range(halvings):
         middle = np.sqrt(thin * thick)
         carries = enough(middle)
         thin, thick = np.where(carries, thin, middle), np.where(carries, middle, thick)
-    found &= with_thickness(rule, parameters, thick)["buckling_stress_scope"] == IN_SCOPE
-    scope = with_thickness(rule, parameters, np.where(found, thick * (1 - 1e-6), thick))["buckling_stress_scope"]
-    beyond = lightest | (~found & (scope == IN_SCOPE))  # lighter than the slenderest, or more than the stockiest carries
+    enough_thick &= with_thickness(rule, parameters, thick)["buckling_stress_scope"] == IN_SCOPE
+    scope = with_thickness(rule, parameters, np.where(enough_thick, thick * (1 - 1e-6), thick))["buckling_stress_scope"]
+    beyond = lightest | (~enough_thick & (scope == IN_SCOPE))  # lighter than the slenderest, or more than the stockiest carries
     scope = np.select([np.isnan(force), beyond], [NO_LOAD, OUT_OF_RANGE], scope).astype(np.int8)
-    return np.where(found, thick, np.nan), scope
+    return np.where(enough_thick, thick, np.nan), scope

@@ -68,9 +68,9 @@ def behind(edition: ModuleType, alpha: Callable, exponents: Callable, names: tup
     def numbers(**given):
         parts = {"axial": _axial(edition, given), "hoop": _hoop(given), "shear": _shear(alpha, given)}
         powers = dict(zip(parts, exponents(*(chi for _, chi in parts.values())), strict=True))
-        found = {f"{kind}_share": share for kind, (share, _) in parts.items()}
-        found |= {f"{kind}_reduction": chi for kind, (_, chi) in parts.items()}
-        return found | {f"{kind}_exponent": power for kind, power in powers.items()}
+        numbers_of_sum = {f"{kind}_share": share for kind, (share, _) in parts.items()}
+        numbers_of_sum |= {f"{kind}_reduction": chi for kind, (_, chi) in parts.items()}
+        return numbers_of_sum | {f"{kind}_exponent": power for kind, power in powers.items()}
 
     numbers.__signature__ = Signature([Parameter(name, Parameter.KEYWORD_ONLY) for name in names])  # type: ignore[attr-defined]
     return numbers
@@ -89,7 +89,7 @@ def interaction(edition: ModuleType, alpha: Callable, exponents: Callable, names
     return effect
 
 
-def one():
+def resistance():
     """What the sum may reach (1)."""
     return 1.0
 
@@ -102,7 +102,7 @@ def _row(edition: ModuleType, year: str, effect: Callable, formula: str, sources
         source=edition.ROW.source,
         locator="interaction of axial compression, hoop compression and shear, second-hand",
         effect=effect,
-        resistance=one,
+        resistance=resistance,
         unit="1",
         formula=f"U = s_x^k_x - k_i s_x s_th + s_th^k_th + s_tau^k_tau <= 1, s stress over design strength, {formula}, "
         "k_i = (chi_x chi_th)^2; tension counts as 0; axial strength with the solid's pressure (EN 1993-4-1)",

@@ -94,7 +94,7 @@ def behind(alpha: Callable) -> Callable:
     return numbers
 
 
-def _row(edition: str, alpha: Callable, limits: tuple[Limit, ...], formula: str, sources: str, one: bool) -> SteelCheck:
+def _row(edition: str, alpha: Callable, limits: tuple[Limit, ...], formula: str, sources: str, single: bool) -> SteelCheck:
     return SteelCheck(
         key=f"shear_buckling_{edition}",
         rank=2,
@@ -109,7 +109,7 @@ def _row(edition: str, alpha: Callable, limits: tuple[Limit, ...], formula: str,
         f"{formula}, lambda_0 0.4, beta 0.6, eta 1",
         validity="l the whole height with the thickness of each course in turn; the gain of short walls (omega < 10), on which "
         f"the editions disagree, is left out, which is safe; {sources}, printed standard not seen",
-        one_source=one,
+        one_source=single,
     )
 
 

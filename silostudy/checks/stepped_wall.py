@@ -32,8 +32,8 @@ def critical_pressure(
     least, waves, n = np.inf, 0, 2
     while n**2 * stiffness.min() / radius**3 < least:  # bending alone resists more waves by more than that
         form = n**2 / radius**3 * bending + youngs_modulus * radius**3 / n**6 * stretching
-        found = float(np.linalg.eigvalsh(form)[0])
-        least, waves, n = (found, n, n + 1) if found < least else (least, waves, n + 1)
+        pressure = float(np.linalg.eigvalsh(form)[0])
+        least, waves, n = (pressure, n, n + 1) if pressure < least else (least, waves, n + 1)
     return least, waves
 
 

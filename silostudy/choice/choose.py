@@ -37,24 +37,24 @@ def _together(fronts: Sequence[str], asked: Mapping[str, float]) -> list[list[st
 
 def _by_settings(fronts: Sequence[str], names: Collection[str]) -> list[Rows]:
     """The rows of every setting that was measured for all of the quantities."""
-    found: dict[str, dict[str, list[Measured]]] = {}
+    groups: dict[str, dict[str, list[Measured]]] = {}
     for row in rows_for(fronts, names):
-        found.setdefault(row.settings, {}).setdefault(row.quantity, []).append(row)
-    return [by for by in found.values() if len(by) == len(names)]
+        groups.setdefault(row.settings, {}).setdefault(row.quantity, []).append(row)
+    return [by for by in groups.values() if len(by) == len(names)]
 
 
 def cheapest(fronts: Sequence[str], asked: Mapping[str, float], scenes: Sequence[Traits]) -> tuple[Measured, dict[str, float]]:
     """A row of the cheapest settings that reach it, and the worst error expected by quantity."""
-    each = [(by, worst(by, scenes)) for by in _by_settings(fronts, asked)]
-    measured = [(by, errors) for by, errors in each if errors is not None]
+    tried = [(by, worst(by, scenes)) for by in _by_settings(fronts, asked)]
+    measured = [(by, errors) for by, errors in tried if errors is not None]
     if not measured:
-        rows = [row for by, _ in each for all_of in by.values() for row in all_of]
+        rows = [row for by, _ in tried for all_of in by.values() for row in all_of]
         raise BadInput("accuracy", dict(asked), f"was measured on no such scene: {_outside(rows, scenes)}")
     reached = [(by, errors) for by, errors in measured if all(errors[name] <= asked[name] for name in asked)]
     if not reached:
         least = {name: float(f"{min(errors[name] for _, errors in measured):.3g}") for name in asked}
         raise BadInput("accuracy", dict(asked), f"no measured setting reaches it; the least errors are {least}")
-    by, errors = min(reached, key=lambda one: max(row.cost for all_of in one[0].values() for row in all_of))
+    by, errors = min(reached, key=lambda group: max(row.cost for all_of in group[0].values() for row in all_of))
     return next(iter(by.values()))[0], errors
 
 
@@ -66,7 +66,7 @@ def _outside(rows: Sequence[Measured], scenes: Sequence[Traits]) -> str:
             ranges.setdefault(name, {})[span] = None
     told = []
     for name, spans in ranges.items():
-        beyond = [one[name] for one in scenes if not any(low <= one[name] <= high for low, high in spans)]
+        beyond = [scene[name] for scene in scenes if not any(low <= scene[name] <= high for low, high in spans)]
         if beyond:
             measured = " or ".join(f"{low:g} to {high:g}" for low, high in spans)
             told.append(f"{name} {beyond[0]:.3g} (measured {measured}; {TRAITS[name]})")
@@ -75,11 +75,11 @@ def _outside(rows: Sequence[Measured], scenes: Sequence[Traits]) -> str:
 
 def worst(by: Rows, scenes: Sequence[Traits]) -> dict[str, float] | None:
     """Worst error expected over the scenes, by quantity; None where one of the scenes is like none that was measured."""
-    found = dict.fromkeys(by, 0.0)
+    errors = dict.fromkeys(by, 0.0)
     for name, all_of in by.items():
         for scene in scenes:
             holding = [row.expected(scene) for row in all_of if row.holds(scene)]
             if not holding:
                 return None
-            found[name] = max(found[name], *holding)
-    return found
+            errors[name] = max(errors[name], *holding)
+    return errors

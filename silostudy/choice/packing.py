@@ -9,14 +9,14 @@ from silostudy.scene.packing import SlitScene, discs_of
 
 def packing_traits(study: PackingStudy, scenes: Sequence[SlitScene]) -> list[dict[str, float]]:
     """Of each scene: what the spread of its runs goes with; how far discs of a row are apart and offset, over the radius."""
-    found = []
-    for one in scenes:
-        discs, count = one.config.discs, len(discs_of(study, one.config, 1)[0])
+    traits = []
+    for scene in scenes:
+        discs, count = scene.config.discs, len(discs_of(study, scene.config, 1)[0])
         number = friction_scatter(discs.disc_friction, discs.wall_friction, count)
         offsets = {"offset": study.offset_m / discs.radius_m, "offset_gap": study.offset_gap_m / discs.radius_m}
-        pitch = (one.config.silo.width_m - 2.0 * discs.radius_m) / (one.config.across - 1) / discs.radius_m
-        found.append({"friction_scatter": number, "pitch": pitch, **offsets})
-    return found
+        pitch = (scene.config.silo.width_m - 2.0 * discs.radius_m) / (scene.config.across - 1) / discs.radius_m
+        traits.append({"friction_scatter": number, "pitch": pitch, **offsets})
+    return traits
 
 
 def friction_scatter(discs: float, walls: float, count: int) -> float:

@@ -23,7 +23,10 @@ def pressure_traits(study, scenes: Sequence[Scene]) -> list[dict[str, float]]:
         peak = np.fmax(peak, peak_number(curves["wall_normal_pressure"]))
         kink = np.fmax(kink, kink_number(curves["wall_normal_pressure"]))
     numbers = {"integral_number": integral, "peak_number": peak, "kink_number": kink}
-    numbers |= {"heap": np.array([one.silo.top_cone_height for one in scenes]), "scatter": np.array(list(map(scatter, scenes)))}
+    numbers |= {
+        "heap": np.array([scene.silo.top_cone_height for scene in scenes]),
+        "scatter": np.array(list(map(scatter, scenes))),
+    }
     return [{name: float(values[k]) for name, values in numbers.items()} for k in range(len(scenes))]
 
 
@@ -35,12 +38,12 @@ def shell_traits(study, scenes: Sequence[Scene]) -> list[dict[str, float]]:
             rubbed = curves.get("wall_friction_traction", curves["wall_normal_pressure"])
             smooth, jump = np.fmax(smooth, smooth_number(rubbed)), np.fmax(jump, jump_number(rubbed))
     own = [{"smooth_number": a, "jump_number": b} for a, b in zip(smooth.tolist(), jump.tolist(), strict=True)]
-    return [one | more for one, more in zip(pressure_traits(study, scenes), own, strict=True)]
+    return [traits | more for traits, more in zip(pressure_traits(study, scenes), own, strict=True)]
 
 
 def curves_of(study, scenes: Sequence[Scene]) -> Iterator[dict[str, np.ndarray]]:
     """quantity -> values at even levels, shape (scene, level), by method and phase; NaN where the method does not speak."""
-    depth = np.array([[one.silo.cylinder_depth] for one in scenes])
+    depth = np.array([[scene.silo.cylinder_depth] for scene in scenes])
     z = depth * np.linspace(0.0, 1.0, LEVELS)
     for key in study.method_keys:
         row = study.family(PRESSURE)[key]
@@ -49,9 +52,9 @@ def curves_of(study, scenes: Sequence[Scene]) -> Iterator[dict[str, np.ndarray]]
         for phase in study.phases:
             functions = row.bounded(phase)
             with np.errstate(all="ignore"):  # unknown parameters are NaN
-                found = {name: np.asarray(call(function, z, parameters)) for name, function in functions.items()}
-            if found:
-                yield {name: np.where(covered, np.broadcast_to(value, z.shape), np.nan) for name, value in found.items()}
+                curves = {name: np.asarray(call(function, z, parameters)) for name, function in functions.items()}
+            if curves:
+                yield {name: np.where(covered, np.broadcast_to(value, z.shape), np.nan) for name, value in curves.items()}
 
 
 def integral_number(curve: np.ndarray) -> np.ndarray:
@@ -138,5 +141,5 @@ def spread_number(a_phi: float, a_K: float, a_mu: float, lightest: float) -> flo
 
     In a single dimension a Sobol sequence hardly errs.
     """
-    each = sorted((log(a_phi), log(a_K), log(a_mu), -0.5 * log(lightest)))
-    return sum(each) - 0.9 * each[-1]
+    terms = sorted((log(a_phi), log(a_K), log(a_mu), -0.5 * log(lightest)))
+    return sum(terms) - 0.9 * terms[-1]

@@ -17,17 +17,17 @@ class Choice:
 
 def promises(choices: Iterable[Choice]) -> dict[str, str]:
     """Attributes of a cube: everything asked, chosen and measured, and the worst error expected; none without a choice."""
-    each = list(choices)
+    made = list(choices)
     worst: dict[str, float] = {}
-    for choice in each:
+    for choice in made:
         worst |= {name: max(error, worst.get(name, 0.0)) for name, error in choice.expected.items()}
-    found = {
-        "accuracy_asked": [_listed(choice.asked) for choice in each],
-        "accuracy_settings": [", ".join(f"{key} = {value}" for key, value in choice.settings.items()) for choice in each],
-        "accuracy_expected": [_listed(worst)] if each else [],
-        "accuracy_measured": [choice.measured for choice in each],
+    texts_by_name = {
+        "accuracy_asked": [_listed(choice.asked) for choice in made],
+        "accuracy_settings": [", ".join(f"{key} = {value}" for key, value in choice.settings.items()) for choice in made],
+        "accuracy_expected": [_listed(worst)] if made else [],
+        "accuracy_measured": [choice.measured for choice in made],
     }
-    return {name: "; ".join(dict.fromkeys(texts)) for name, texts in found.items() if texts}
+    return {name: "; ".join(dict.fromkeys(texts)) for name, texts in texts_by_name.items() if texts}
 
 
 def _listed(errors: dict[str, float]) -> str:

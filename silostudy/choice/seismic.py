@@ -15,8 +15,8 @@ def seismic_traits(study: SeismicStudy, scenes: Sequence[Shaken]) -> list[dict[s
         return [{"valley_number": 0.0} for _ in scenes]
     coarse = sought.coefficients
     step, middle = (coarse.stop - coarse.start) / (coarse.count - 1), 0.5 * (coarse.start + coarse.stop)
-    truths = [one.imitation.effective_mass_coefficient if one.imitation else middle for one in scenes]
-    numbers = (valley_number(one.tube, one.damping_ratio, step, truth) for one, truth in zip(scenes, truths, strict=True))
+    truths = [scene.imitation.effective_mass_coefficient if scene.imitation else middle for scene in scenes]
+    numbers = (valley_number(scene.tube, scene.damping_ratio, step, truth) for scene, truth in zip(scenes, truths, strict=True))
     return [{"valley_number": number} for number in numbers]
 
 

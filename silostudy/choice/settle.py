@@ -54,5 +54,5 @@ def settled_study(expansion: Expansion, where: str) -> tuple[Any, tuple[Case, ..
         return study, expansion.cases, (choice,)
     if study.scene.accuracy:  # the base scene
         study = study.model_copy(update={"scene": settled(study.scene, [study.scene], f"{where} (scene)")[0]})
-    each = [settled_case(case, f"{where} (scene)") for case in expansion.cases]
-    return study, tuple(case for case, _ in each), tuple(choice for _, choice in each if choice)
+    pairs = [settled_case(case, f"{where} (scene)") for case in expansion.cases]
+    return study, tuple(case for case, _ in pairs), tuple(choice for _, choice in pairs if choice)

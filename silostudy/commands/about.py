@@ -17,18 +17,18 @@ def cautions(expansion) -> list[str]:
     """What a study's author should know although it is no mistake."""
     from silostudy.scene.scene import solid_parameters
 
-    found: dict[str, int] = {}
+    notes: dict[str, int] = {}
     for case in expansion.cases:
         parameters = solid_parameters(case.scene, "")
         wall = case.scene.wall.key if case.scene.wall else "its own wall friction"
         if parameters["wall_friction"] < parameters["wall_friction_uncapped"]:
             text = f"{case.scene.solid.key} on {wall}: wall friction {parameters['wall_friction_uncapped']:.3g} capped at "
-            found[f"{text}tan(phi) = {parameters['wall_friction']:.3g}"] = 1
+            notes[f"{text}tan(phi) = {parameters['wall_friction']:.3g}"] = 1
         for name in ("wall_friction", "poisson_ratio"):
             if parameters[name] != parameters[name]:
                 text = f"{case.scene.solid.key} on {wall}: no {name} in the tables; methods that need it are masked"
-                found[text] = 1
-    return [f"note: {text}" for text in (*found, *unusual_inputs(expansion), *_switches(expansion))]
+                notes[text] = 1
+    return [f"note: {text}" for text in (*notes, *unusual_inputs(expansion), *_switches(expansion))]
 
 
 def unusual_inputs(expansion) -> list[str]:

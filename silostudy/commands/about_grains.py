@@ -36,10 +36,10 @@ def prices_of_effects(expansion) -> list[str]:
 
     model = settled_model(expansion.cases[0].scene, expansion.study.seeds[0], expansion.study.rest_limit_s)
     whole, share = prices(model)
-    each = whole / len(model.x)
-    seconds = f"{each * _work(expansion):,.0f} s on one core"
-    lines = [f"{each * 1e9:.0f} ns a particle-step here and now: at most {seconds}, and the compiling"]
-    return [*lines, *(f"  {name:30}{priced(one)}" for name, one in share.items())]
+    price = whole / len(model.x)
+    seconds = f"{price * _work(expansion):,.0f} s on one core"
+    lines = [f"{price * 1e9:.0f} ns a particle-step here and now: at most {seconds}, and the compiling"]
+    return [*lines, *(f"  {name:30}{priced(effect)}" for name, effect in share.items())]
 
 
 def _range(numbers: Iterable[int]) -> str:

@@ -67,8 +67,8 @@ def run_pressure(chosen) -> None:
     from silostudy.figures.style import save_table
     from silostudy.pressure import PRESSURE
 
-    found = [_measure(row) for row in PRESSURE.values()]
-    table = pd.DataFrame(found)
+    rows = [_measure(row) for row in PRESSURE.values()]
+    table = pd.DataFrame(rows)
     print(table.to_string(index=False, float_format=lambda value: f"{value:.3g}"))
     save_table(table, chosen.output)
 
@@ -84,9 +84,9 @@ def _measure(row) -> dict:
 
     def loop() -> None:
         for case in range(PEER_CASES):
-            one = {name: float(values[case, 0]) for name, values in few.items()}
+            numbers = {name: float(values[case, 0]) for name, values in few.items()}
             for depth in few_z[case]:
-                call(function, depth, one)
+                call(function, depth, numbers)
 
     whole, single = _seconds(lambda: call(function, z, scenes)) / z.size, _seconds(loop) / few_z.size
     return {"method": row.key, "phase": phase, "pressures_per_s": 1 / whole, "loop_per_s": 1 / single, "ratio": single / whole}

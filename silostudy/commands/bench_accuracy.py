@@ -75,7 +75,7 @@ def _wall_force(model: Model, places: np.ndarray) -> np.ndarray:
     edges[0], edges[-1] = -np.inf, np.inf
     stiffness = model.at_wall(0, 0).coefficients["normal_stiffness"]
     overlaps = (np.maximum(0.0, radius - places[:, 0]), np.maximum(0.0, places[:, 0] + radius - width))
-    return np.array([np.histogram(places[:, 1], edges, weights=stiffness * one)[0] for one in overlaps])
+    return np.array([np.histogram(places[:, 1], edges, weights=stiffness * overlap)[0] for overlap in overlaps])
 
 
 def _error(force: np.ndarray, exact: np.ndarray) -> float:
@@ -119,9 +119,9 @@ def _told(rows, asked: float) -> str:
         if best is None:
             words.append("not reached")
             continue
-        one = part.iloc[best]
-        costs.append(one["cpu_s"])
-        words.append(f"{one['code']} at {one['step_s']:g} s in {one['cpu_s']:.3g} s")
+        cheapest_run = part.iloc[best]
+        costs.append(cheapest_run["cpu_s"])
+        words.append(f"{cheapest_run['code']} at {cheapest_run['step_s']:g} s in {cheapest_run['cpu_s']:.3g} s")
     ratio = f"; LAMMPS takes {costs[1] / costs[0]:.1f} times as long" if len(costs) == 2 else ""
     return f"{asked:.0%}: {'; '.join(words)}{ratio}"
 

@@ -103,12 +103,12 @@ def in_turn(codes: dict, phase: str, steps: int, clock=time.perf_counter) -> lis
             runner.step(steps)
             seconds = clock() - start
             grains = (before + runner.grains) / 2.0
-            found = row(code, round(grains), phase, steps, seconds, grains * steps / seconds)
-            if code not in best or found["particle_steps_per_s"] > best[code]["particle_steps_per_s"]:
-                best[code] = found
+            measured = row(code, round(grains), phase, steps, seconds, grains * steps / seconds)
+            if code not in best or measured["particle_steps_per_s"] > best[code]["particle_steps_per_s"]:
+                best[code] = measured
     rows = list(best.values())
-    for one in rows:
-        one["ratio"] = one["particle_steps_per_s"] / rows[-1]["particle_steps_per_s"]
+    for line in rows:
+        line["ratio"] = line["particle_steps_per_s"] / rows[-1]["particle_steps_per_s"]
     return rows
 
 
@@ -165,24 +165,24 @@ def batch(with_peer: bool) -> list[dict]:
     settled = checkpoint(ours.engine)
 
     def discharge(_):
-        one = Ours(model)
-        restore(one.engine, settled)
-        one.open_slit()
-        one.step(BATCH_STEPS)
-        return one.grains
+        silo = Ours(model)
+        restore(silo.engine, settled)
+        silo.open_slit()
+        silo.step(BATCH_STEPS)
+        return silo.grains
 
     start = time.perf_counter()
     with ThreadPoolExecutor(os.cpu_count()) as pool:
         left = list(pool.map(discharge, range(BATCH)))
-    each = (time.perf_counter() - start) / BATCH
+    seconds = (time.perf_counter() - start) / BATCH
     rows = [
         row(
             f"silostudy, {os.cpu_count()} cores",
             len(model.x),
             "discharge",
             BATCH_STEPS,
-            1000 * each,
-            left[0] * BATCH_STEPS / each,
+            1000 * seconds,
+            left[0] * BATCH_STEPS / seconds,
         )
     ]
     if with_peer:
@@ -207,7 +207,7 @@ def batch(with_peer: bool) -> list[dict]:
                 1.0,
             )
         )
-        rows[0]["ratio"] = other / each
+        rows[0]["ratio"] = other / seconds
     return rows
 
 

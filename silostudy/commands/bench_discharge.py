@@ -58,7 +58,7 @@ def run(chosen) -> None:
             for seed in range(case.fillings):
                 rounds.append(filling(case, seed, with_peer))
                 bar.update()
-            rows += table(case, {name: np.array([one[name] for one in rounds]) for name in rounds[0]})
+            rows += table(case, {name: np.array([number[name] for number in rounds]) for name in rounds[0]})
     show(rows, chosen.output)
 
 
@@ -98,8 +98,8 @@ def table(case: Discharge, left: dict[str, np.ndarray]) -> list[dict]:
         for name, counts in left.items():
             row |= {f"{name}_left": float(counts[:, k].mean()), f"{name}_deviation": float(counts[:, k].std(ddof=1))}
         if len(left) > 1:
-            one, other = left.values()
-            row["mean_difference"] = float((one - other)[:, k].mean())
-            row["its_standard_error"] = float((one - other)[:, k].std(ddof=1) / np.sqrt(len(one)))
+            ours, theirs = left.values()
+            row["mean_difference"] = float((ours - theirs)[:, k].mean())
+            row["its_standard_error"] = float((ours - theirs)[:, k].std(ddof=1) / np.sqrt(len(ours)))
         rows.append(row)
     return rows

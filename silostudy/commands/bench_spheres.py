@@ -16,7 +16,7 @@ CHEAPER = "gran/hertz/history"  # a law of the peer without a restitution
 
 def run(chosen) -> None:
     with_peer, sizes = has_peer(), SIZES | (MOST if chosen.most else {})
-    show([found for size in sizes.values() for found in compare(size, with_peer)] + threads(), chosen.output)
+    show([line for size in sizes.values() for line in compare(size, with_peer)] + threads(), chosen.output)
 
 
 class Ours:
@@ -82,9 +82,9 @@ def peers_of(of: Bin, model, places, steps: int) -> dict:
 
 def beside(rows: list[dict], ours: Ours) -> list[dict]:
     """Rows with the rate of the engine over each code's, and what a sphere costs."""
-    for one in rows:
-        one["ratio"] = rows[0]["particle_steps_per_s"] / one["particle_steps_per_s"]
-        one["ns_per_particle_step"] = 1e9 / one["particle_steps_per_s"]
+    for row in rows:
+        row["ratio"] = rows[0]["particle_steps_per_s"] / row["particle_steps_per_s"]
+        row["ns_per_particle_step"] = 1e9 / row["particle_steps_per_s"]
     rows[0]["listed_pairs_per_sphere"] = ours.contacts
     rows[0]["bytes_per_sphere"] = ours.engine.nbytes / ours.grains
     return rows

@@ -120,16 +120,16 @@ def table(cube: "xr.Dataset", balanced: Mapping[str, Collection[str]]) -> list[s
     lines = [f"wall normal pressure (kPa) at depth {'':9}{head}   largest  at depth  factor  wall carries  balance"]
     for method in map(str, cube["pressure_method"].values):
         for phase in map(str, cube["phase"].values):
-            one = cube.sel(pressure_method=method, phase=phase)
-            pressure = one["wall_normal_pressure"].values / 1e3
-            if not one["wall_normal_pressure"].isnull().all():
+            state = cube.sel(pressure_method=method, phase=phase)
+            pressure = state["wall_normal_pressure"].values / 1e3
+            if not state["wall_normal_pressure"].isnull().all():
                 name = f"{method}, {phase}"
                 values = "".join(f"{_cell(pressure[i]):>9}" for i in quarters)
                 peak = int(nanargmax(pressure))
-                factor = float(one["overpressure_factor"][peak])
+                factor = float(state["overpressure_factor"][peak])
                 lines.append(
                     f"{name:44}{values}{pressure[peak]:10.2f}{depth[peak]:9.2f}m{factor:8.2f}"
-                    f"{_carried(one):>14}{_balance(one) if phase in balanced[method] else '-':>9}"
+                    f"{_carried(state):>14}{_balance(state) if phase in balanced[method] else '-':>9}"
                 )
     masked = "'-': no single state of equilibrium, or not covered by the method's source (scope variables of a cube; "
     masked += "`silostudy explain METHOD`)"
@@ -140,24 +140,24 @@ def _cell(value: float) -> str:
     return f"{value:.2f}" if isfinite(value) else "-"
 
 
-def _carried(one: "xr.Dataset") -> str:
+def _carried(state: "xr.Dataset") -> str:
     """Share of the cylinder's contents that hangs on the wall by friction."""
-    weight = _unit_weight(one) * float(one["cylinder_depth"]) * float(one["hydraulic_radius"])
-    share = float(one["axial_wall_force"][-1]) / weight
+    weight = _unit_weight(state) * float(state["cylinder_depth"]) * float(state["hydraulic_radius"])
+    share = float(state["axial_wall_force"][-1]) / weight
     return f"{share:.1%}" if isfinite(share) else "-"
 
 
-def _balance(one: "xr.Dataset") -> str:
+def _balance(state: "xr.Dataset") -> str:
     """Weight less vertical pressure and wall friction, over the weight, at the transition."""
-    weight = _unit_weight(one) * float(one["cylinder_depth"])
-    carried = float(one["vertical_pressure"][-1]) + float(one["axial_wall_force"][-1]) / float(one["hydraulic_radius"])
+    weight = _unit_weight(state) * float(state["cylinder_depth"])
+    carried = float(state["vertical_pressure"][-1]) + float(state["axial_wall_force"][-1]) / float(state["hydraulic_radius"])
     return f"{1 - carried / weight:.0e}" if isfinite(carried) else "-"
 
 
-def _unit_weight(one: "xr.Dataset") -> float:
+def _unit_weight(state: "xr.Dataset") -> float:
     """The unit weight (N m-3) that the method reckons with."""
-    own = float(one["design_unit_weight"]) if "design_unit_weight" in one else float("nan")
-    return own if isfinite(own) else float(one["unit_weight"])
+    own = float(state["design_unit_weight"]) if "design_unit_weight" in state else float("nan")
+    return own if isfinite(own) else float(state["unit_weight"])
 
 
 def hopper_table(cube: "xr.Dataset") -> list[str]:
@@ -168,10 +168,10 @@ def hopper_table(cube: "xr.Dataset") -> list[str]:
     lines = [f"hopper (kN){'':33}  contents      load      wall      ring    outlet  balance"]
     for method in map(str, cube["pressure_method"].values):
         for phase in map(str, cube["phase"].values):
-            one = cube.sel(pressure_method=method, phase=phase)
-            if isfinite(float(one["hopper_balance"])):
-                forces = "".join(f"{_cell(float(one[name]) / 1e3) if name in one else '-':>10}" for name in names)
-                lines.append(f"{f'{method}, {phase}':44}{forces}{float(one['hopper_balance']):>9.0e}")
+            state = cube.sel(pressure_method=method, phase=phase)
+            if isfinite(float(state["hopper_balance"])):
+                forces = "".join(f"{_cell(float(state[name]) / 1e3) if name in state else '-':>10}" for name in names)
+                lines.append(f"{f'{method}, {phase}':44}{forces}{float(state['hopper_balance']):>9.0e}")
     pattern = cube["flow_pattern"].attrs["flag_meanings"].split()[int(cube["flow_pattern"])].replace("_", " ")
     return [*lines, f"flow pattern by the mass-flow limit: {pattern}{_limit(cube)}"]
 
@@ -189,25 +189,25 @@ def values_used(cube: "xr.Dataset") -> list[str]:
 
     lines = []
     for method in map(str, cube["pressure_method"].values):
-        one = cube.sel(pressure_method=method)
-        if text := str(one["pressure_method_values"].values):
-            mean = f"phi {degrees(float(one['internal_friction_angle'])):.1f} deg"
+        of_method = cube.sel(pressure_method=method)
+        if text := str(of_method["pressure_method_values"].values):
+            mean = f"phi {degrees(float(of_method['internal_friction_angle'])):.1f} deg"
             for name, label in (("wall_friction", "mu"), ("lateral_pressure_ratio", "K"), ("a_phi", "a_phi"), ("a_K", "a_K")):
-                mean += f", {label} {float(one[name]):.3g}" if name in one else ""
-            mean += f", a_mu {float(one['a_mu']):.3g}" if "a_mu" in one else ""
-            lines.append(f"{method}: {text} (means: {mean}; unit weight {float(one['unit_weight']) / 1e3:.2f} kN/m3)")
-            lines += [f"  {line}" for line in _numbers_used(one)]
+                mean += f", {label} {float(of_method[name]):.3g}" if name in of_method else ""
+            mean += f", a_mu {float(of_method['a_mu']):.3g}" if "a_mu" in of_method else ""
+            lines.append(f"{method}: {text} (means: {mean}; unit weight {float(of_method['unit_weight']) / 1e3:.2f} kN/m3)")
+            lines += [f"  {line}" for line in _numbers_used(of_method)]
     return lines
 
 
-def _numbers_used(one: "xr.Dataset") -> list[str]:
+def _numbers_used(of_method: "xr.Dataset") -> list[str]:
     """A line for each different set of values: what is reckoned with them, mu, K and phi."""
     from math import degrees
 
-    found: dict[str, dict[str, list[str]]] = {}
-    for phase in map(str, one["phase"].values):
-        for quantity in map(str, one["used_for"].values):
-            values = one.sel(phase=phase, used_for=quantity)
+    phases_by_text: dict[str, dict[str, list[str]]] = {}
+    for phase in map(str, of_method["phase"].values):
+        for quantity in map(str, of_method["used_for"].values):
+            values = of_method.sel(phase=phase, used_for=quantity)
             mu, k, phi = (
                 float(values[f"used_{name}"]) for name in ("wall_friction", "lateral_pressure_ratio", "internal_friction_angle")
             )
@@ -215,6 +215,6 @@ def _numbers_used(one: "xr.Dataset") -> list[str]:
                 cut = float(values["used_wall_friction_uncapped"])
                 capped = f" (cut from {cut:.3g} to tan phi)" if bool(values["used_wall_friction_capped"]) else ""
                 text = f"mu {mu:.3g}{capped}, K {k:.3g}, phi {degrees(phi):.1f} deg"
-                found.setdefault(text, {}).setdefault(quantity, []).append(phase)
-    each = {text: (f"{what} ({', '.join(when)})" for what, when in whats.items()) for text, whats in found.items()}
-    return [f"{text}: {', '.join(what)}" for text, what in each.items()]
+                phases_by_text.setdefault(text, {}).setdefault(quantity, []).append(phase)
+    told = {text: (f"{what} ({', '.join(when)})" for what, when in whats.items()) for text, whats in phases_by_text.items()}
+    return [f"{text}: {', '.join(what)}" for text, what in told.items()]

@@ -11,4 +11,4 @@ def told(expansion) -> list[str]:
         return []
     listed = load_cases(expansion.study, expansion.cases[0].scene)
     head = "load cases of EN 1991-4, Table 3.1 (`silostudy list load-cases`)"
-    return [head, *(f"{one.row.title:56}{f'{one.state}: {one.why}' if one.why else one.state}" for one in listed)]
+    return [head, *(f"{case.row.title:56}{f'{case.state}: {case.why}' if case.why else case.state}" for case in listed)]

@@ -39,7 +39,7 @@ def ranges(cube: "xr.Dataset") -> list[str]:
         for check in map(str, cube[axis].values)
         if (cube[name + SCOPE].sel({axis: check}) == OUT_OF_RANGE).any()
     ]
-    return [f"{check}: out of range where not {'; '.join(one.words() for one in CHECKS[check].bounds)}" for check in silent]
+    return [f"{check}: out of range where not {'; '.join(limit.words() for limit in CHECKS[check].bounds)}" for check in silent]
 
 
 def strakes(cube: "xr.Dataset") -> list[str]:
@@ -49,10 +49,10 @@ def strakes(cube: "xr.Dataset") -> list[str]:
     head = f"{'under combinations: method, rule, strake':56}as built    needed   governed by{'':22}utilised   governed by"
     lines = [head]
     for method, rule, strake in _places(cube):
-        one = cube.sel({"pressure_method": method, "rule": rule, "strake": strake})
+        of_strake = cube.sel({"pressure_method": method, "rule": rule, "strake": strake})
         built = cube["place_thickness"].values[cube["place_strake"].values == strake][0]
         name = f"{method}, {rule}, {strake}"
-        needed, used = (_worst(one, f"design_strake_{what}") for what in ("thickness", "utilisation"))
+        needed, used = (_worst(of_strake, f"design_strake_{what}") for what in ("thickness", "utilisation"))
         text = MASKED if isnan(needed[0]) else f"{needed[0] * 1e3:7.2f} mm   {needed[1]}"
         lines.append(f"{name:56}{built * 1e3:7.2f} mm{text:43} {MASKED if isnan(used[0]) else f'{used[0]:8.3f}   {used[1]}'}")
     return [*lines, "needed: if the whole wall were so thick; as built, thick courses steady thin ones against wind"]
@@ -74,17 +74,17 @@ def _whole_wall(cube: "xr.Dataset") -> list[str]:
     return lines
 
 
-def _worst(one: "xr.Dataset", name: str) -> tuple[float, str]:
+def _worst(of_strake: "xr.Dataset", name: str) -> tuple[float, str]:
     """(largest number over cases and places, check and combination behind it)."""
     import numpy as np
 
-    values = one[name].values.ravel()
+    values = of_strake[name].values.ravel()
     if np.isnan(values).all():
         return float("nan"), ""
     place = int(np.nanargmax(values))
     words = []
     for what in ("check", "combination"):
-        flags = one[f"{name}_{what}"]
+        flags = of_strake[f"{name}_{what}"]
         words.append(flags.attrs["flag_meanings"].split()[int(flags.values.ravel()[place])])
     return float(values[place]), f"{words[0]} in {words[1]}"
 
@@ -102,12 +102,12 @@ def parts(cube: "xr.Dataset") -> list[str]:
     return lines
 
 
-def _part(one: "xr.Dataset", name: str, label: str) -> list[str]:
+def _part(part: "xr.Dataset", name: str, label: str) -> list[str]:
     """The largest utilisation, or that the method gives no load for it; nothing where no combination checks it."""
     from silostudy.cube.contract import SCOPE
     from silostudy.cube.unchecked import worst_combination
 
-    used, where = worst_combination(one[name], one[name + SCOPE])
+    used, where = worst_combination(part[name], part[name + SCOPE])
     if not where:
         return []
     return [f"{label:56}{'':53}{'-' if isnan(used) else f'{used:.3f}':>8}   {where if isnan(used) else f'in {where}'}"]

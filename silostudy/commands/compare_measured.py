@@ -11,12 +11,14 @@ def told(cube: "xr.Dataset") -> list[str]:
     from silostudy.cube.measured import deviations, neighbour, pressures_measured_in
 
     lines = []
-    for one in pressures_measured_in(cube):
-        table = deviations(cube, one, list(map(str, cube["pressure_method"].values)))
-        if not (table.phase == one.phase).any():
+    for measurement in pressures_measured_in(cube):
+        table = deviations(cube, measurement, list(map(str, cube["pressure_method"].values)))
+        if not (table.phase == measurement.phase).any():
             continue
-        found = [(where, *neighbour(table, where)) for where in ("below", "above")]
-        words = [f"next {where} {', '.join(names)} ({off:+.0%})" if names else f"none {where}" for where, names, off in found]
-        what = f"{one.quantity} {one.told} at {one.depth:g} m, {one.phase}, {one.solid}"
-        lines.append(f"measured in a silo of this size ({one.source}): {what}: {'; '.join(words)}")
+        neighbours = [(where, *neighbour(table, where)) for where in ("below", "above")]
+        words = [
+            f"next {where} {', '.join(names)} ({off:+.0%})" if names else f"none {where}" for where, names, off in neighbours
+        ]
+        what = f"{measurement.quantity} {measurement.told} at {measurement.depth:g} m, {measurement.phase}, {measurement.solid}"
+        lines.append(f"measured in a silo of this size ({measurement.source}): {what}: {'; '.join(words)}")
     return lines

@@ -56,30 +56,30 @@ def _shaken_table(cube: "xr.Dataset") -> list[str]:
     names = [("required_thickness",), ("utilisation", "strake_utilisation")]
     for method in map(str, cube["pressure_method"].values):
         for rule in map(str, cube["rule"].values):
-            one = cube.sel({"pressure_method": method, "rule": rule})
-            cells = [_shaken(one, [f"earthquake_{name}" for name in each]) for each in names if each[0] in cube]
+            walled = cube.sel({"pressure_method": method, "rule": rule})
+            cells = [_shaken(walled, [f"earthquake_{name}" for name in pair]) for pair in names if pair[0] in cube]
             lines.append(f"{f'{method}, {rule}':56}{''.join(cells)}")
     return [*lines, f"{cube.attrs['earthquake']}; characteristic values, no combination factors"]
 
 
-def _shaken(one: "xr.Dataset", names: list[str]) -> str:
+def _shaken(walled: "xr.Dataset", names: list[str]) -> str:
     """The largest of some variables over both sides, with what governs it and the side."""
-    if any(_unjudged(one, name) for name in names):
-        return f"  masked: {_reason(one, *names)}"
-    name = max(names, key=lambda name: float(one[name].max()))
-    sides = one[name].max([dim for dim in one[name].dims if dim != "side"])
-    side = str(one["side"].values[int(sides.values.argmax())])
-    largest, by = float(one[name].max()), _governing(one[name], one[f"{name}_check"])
+    if any(_unjudged(walled, name) for name in names):
+        return f"  masked: {_reason(walled, *names)}"
+    name = max(names, key=lambda name: float(walled[name].max()))
+    sides = walled[name].max([dim for dim in walled[name].dims if dim != "side"])
+    side = str(walled["side"].values[int(sides.values.argmax())])
+    largest, by = float(walled[name].max()), _governing(walled[name], walled[f"{name}_check"])
     number = f"{largest * 1e3:6.2f} mm" if "thickness" in name else f"{largest:10.3f}"
     return f"{number}{by:>14}{side:>8}"
 
 
-def _unjudged(one: "xr.Dataset", name: str) -> bool:
+def _unjudged(walled: "xr.Dataset", name: str) -> bool:
     """Whether a loaded part of the wall is masked, so that the largest of the rest does not speak for it."""
     from silostudy.buckling.family import IN_SCOPE, NO_LOAD
 
-    masked = one[name].isnull()
-    return bool((masked & ~one[f"{name}_scope"].isin([IN_SCOPE, NO_LOAD])).any() or masked.all())
+    masked = walled[name].isnull()
+    return bool((masked & ~walled[f"{name}_scope"].isin([IN_SCOPE, NO_LOAD])).any() or masked.all())
 
 
 def _unlooked(pressure: "xr.Dataset") -> list[str]:
@@ -96,27 +96,27 @@ def _settled(asked):
 
 def _line(cube: "xr.Dataset", keys: dict[str, str]) -> str:
     """Thickness (mm) and utilisation of one method and rule."""
-    one = cube.sel(keys)
-    cells = _thickness(one)
-    return cells + _utilisation(one) if "utilisation" in cube else cells
+    walled = cube.sel(keys)
+    cells = _thickness(walled)
+    return cells + _utilisation(walled) if "utilisation" in cube else cells
 
 
-def _thickness(one: "xr.Dataset") -> str:
-    largest = _first(one["largest_required_thickness"])
+def _thickness(walled: "xr.Dataset") -> str:
+    largest = _first(walled["largest_required_thickness"])
     if isnan(largest):
-        return f"masked: {_reason(one, 'required_thickness')}"
-    by = _governing(one["required_thickness"], one["required_thickness_check"])
-    return f"{largest * 1e3:6.2f} mm{by:>14}{_end(one['largest_required_thickness_friction_end']):>8}"
+        return f"masked: {_reason(walled, 'required_thickness')}"
+    by = _governing(walled["required_thickness"], walled["required_thickness_check"])
+    return f"{largest * 1e3:6.2f} mm{by:>14}{_end(walled['largest_required_thickness_friction_end']):>8}"
 
 
-def _utilisation(one: "xr.Dataset") -> str:
-    largest = _first(one["largest_utilisation"])
+def _utilisation(walled: "xr.Dataset") -> str:
+    largest = _first(walled["largest_utilisation"])
     places = ("utilisation", "strake_utilisation")
     if isnan(largest):
-        return f"  masked: {_reason(one, *places)}"
-    name = max(places, key=lambda name: float(one[name].max()))
-    by = _governing(one[name], one[f"{name}_check"])
-    return f"{largest:10.3f}{by:>14}{_end(one['largest_utilisation_friction_end']):>8}"
+        return f"  masked: {_reason(walled, *places)}"
+    name = max(places, key=lambda name: float(walled[name].max()))
+    by = _governing(walled[name], walled[f"{name}_check"])
+    return f"{largest:10.3f}{by:>14}{_end(walled['largest_utilisation_friction_end']):>8}"
 
 
 def _first(values: "xr.DataArray") -> float:
@@ -135,13 +135,13 @@ def _end(flags: "xr.DataArray") -> str:
     return flags.attrs["flag_meanings"].split()[int(flags.values.ravel()[0])]
 
 
-def _reason(one: "xr.Dataset", *names: str) -> str:
+def _reason(walled: "xr.Dataset", *names: str) -> str:
     """Why a number is masked: the first reason met that is no want of a load, and whether for a part of the wall alone."""
     from silostudy.buckling.family import IN_SCOPE, NO_LOAD, REASONS
 
-    flags = [flag for name in names for flag in one[f"{name}_scope"].values[one[name].isnull().values].ravel()]
+    flags = [flag for name in names for flag in walled[f"{name}_scope"].values[walled[name].isnull().values].ravel()]
     reasons = [REASONS[flag].replace("_", " ") for flag in flags if flag not in (IN_SCOPE, NO_LOAD)]
-    part = " in a part of the wall" if any(one[name].notnull().any() for name in names) else ""
+    part = " in a part of the wall" if any(walled[name].notnull().any() for name in names) else ""
     return f"{reasons[0]}{part}" if reasons else "no load"
 
 
@@ -153,11 +153,11 @@ def buckling(expansion) -> list[str]:
     modes = cube["buckling_mode"].attrs["flag_meanings"].split()
     lines = [f"{'rule':32}buckling stress  over classical  mode"]
     for rule in map(str, cube["rule"].values):
-        one = cube.sel({"rule": rule})
-        stress = float(one["buckling_stress"])
-        told = f"masked, its range: {cube['rule_limit'].values[int(one['rule_limit_broken'])]}"
+        walled = cube.sel({"rule": rule})
+        stress = float(walled["buckling_stress"])
+        told = f"masked, its range: {cube['rule_limit'].values[int(walled['rule_limit_broken'])]}"
         if not isnan(stress):
-            told = f"{stress / 1e6:11.2f} MPa{float(one['knockdown_factor']):16.3f}  {modes[int(one['buckling_mode'])]}"
+            told = f"{stress / 1e6:11.2f} MPa{float(walled['knockdown_factor']):16.3f}  {modes[int(walled['buckling_mode'])]}"
         lines.append(f"{rule:32}{told}")
     return lines
 
@@ -169,11 +169,11 @@ def seismic(expansion) -> list[str]:
     cube = seismic_cube(expansion)
     lines = [f"{'contents that move':24}   share  base shear  base moment  axial force   pressure  top peak"]
     for choice in map(str, cube["mass_choice"].values):
-        one = cube.sel(mass_choice=choice)
+        shaken = cube.sel(mass_choice=choice)
         numbers = (
-            f"{float(one['mass_choice_coefficient']):8.3f}{float(one['base_shear']) / 1e6:9.3f} MN"
-            f"{float(one['base_moment']) / 1e6:8.2f} MN m{float(one['seismic_axial_wall_force'].max()) / 1e3:8.1f} kN/m"
-            f"{float(one['seismic_wall_pressure'].max()) / 1e3:7.2f} kPa{float(one['top_peak']):5.2f} m/s2"
+            f"{float(shaken['mass_choice_coefficient']):8.3f}{float(shaken['base_shear']) / 1e6:9.3f} MN"
+            f"{float(shaken['base_moment']) / 1e6:8.2f} MN m{float(shaken['seismic_axial_wall_force'].max()) / 1e3:8.1f} kN/m"
+            f"{float(shaken['seismic_wall_pressure'].max()) / 1e3:7.2f} kPa{float(shaken['top_peak']):5.2f} m/s2"
         )
         lines.append(f"{choice:24}{numbers}")
     return lines

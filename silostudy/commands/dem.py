@@ -33,8 +33,8 @@ def run(chosen) -> None:
     if chosen.seeds < 1:
         raise BadInput("--seeds", chosen.seeds, "must be 1 or more")
     outputs = [output.with_name(f"{output.stem}-{seed}.nc") for seed in range(chosen.seeds)]
-    for each in outputs:
-        _check_places(scene, each, read)
+    for path in outputs:
+        _check_places(scene, path, read)
     run_ensemble(chosen, scene, choice, outputs)
 
 
@@ -67,7 +67,7 @@ def run_ensemble(chosen, scene, choice, outputs: list[Path]) -> None:
 
     _check_seeds(chosen, scene)
 
-    def one(seed: int):
+    def carried(seed: int):
         member = scene.model_copy(update={"seed": seed})
         task = run_of(member, _model(chosen, member))
         carry_through(task, member, checkpoint_of(member, outputs[seed]), lambda step: None)
@@ -75,7 +75,7 @@ def run_ensemble(chosen, scene, choice, outputs: list[Path]) -> None:
 
     failed = []
     with ThreadPoolExecutor(os.cpu_count()) as pool:
-        for member, task in tqdm(pool.map(one, range(len(outputs))), total=len(outputs), unit=" scenes", file=sys.stderr):
+        for member, task in tqdm(pool.map(carried, range(len(outputs))), total=len(outputs), unit=" scenes", file=sys.stderr):
             keep(task, member, choice, outputs[member.seed])
             if task.trouble:
                 failed.append(f"seed {member.seed}: {task.trouble}")
@@ -120,9 +120,9 @@ def _check_seeds(chosen, scene) -> None:
 
     from silostudy.errors import BadInput
 
-    one, other = (_model(chosen, scene.model_copy(update={"seed": seed})) for seed in (0, 1))
-    same = np.array_equal(one.place, other.place) and np.array_equal(one.radius, other.radius)
-    if same and not one.waiting:  # the seed says where those come in that wait
+    first, second = (_model(chosen, scene.model_copy(update={"seed": seed})) for seed in (0, 1))
+    same = np.array_equal(first.place, second.place) and np.array_equal(first.radius, second.radius)
+    if same and not first.waiting:  # the seed says where those come in that wait
         raise BadInput("--seeds", chosen.seeds, "the start is the same for every seed", str(chosen.scene))
 
 

@@ -61,12 +61,12 @@ def explanation(key: str, known: "Families") -> list[str]:
     families += [(known[family.name], explain_law) for family in FAMILIES.values()]
     families += [(part, explain_scene) for part in explain_scene.PARTS.values()]
     families.append((FILE_KINDS, explain_keys))
-    found = [topics[key]()] if key in topics else []
-    found += [told.explanation(family[key]) for family, told in families if key in family]
-    if not found:
+    parts = [topics[key]()] if key in topics else []
+    parts += [told.explanation(family[key]) for family, told in families if key in family]
+    if not parts:
         raise unknown(
             "method, rule, law, part of a scene or kind of study",
             key,
             dict.fromkeys([*(key for family, _ in families for key in family), *topics]),
         )
-    return [line for lines in found for line in lines]
+    return [line for lines in parts for line in lines]

@@ -39,15 +39,15 @@ def _clauses(key: str) -> list[str]:
     """A code's clauses, state by state: number, what it asks for, evidence, what carries it, remark and source."""
     from silostudy.tables.clauses import STATES, clauses
 
-    found = clauses(key)
-    lines = ["  clause by clause (numbers as accounts of the code give them; tables/clauses.csv):"] if found else []
-    for state in STATES if found else ():
+    rows = clauses(key)
+    lines = ["  clause by clause (numbers as accounts of the code give them; tables/clauses.csv):"] if rows else []
+    for state in STATES if rows else ():
         lines.append(f"  {state}")
-        for one in (clause for clause in found if clause.state == state):
+        for clause in (row for row in rows if row.state == state):
             told = [
-                f"{one.what} ({one.evidence})" if one.evidence else one.what,
-                *(["see " + ", ".join(one.names)] if one.names else []),
+                f"{clause.what} ({clause.evidence})" if clause.evidence else clause.what,
+                *(["see " + ", ".join(clause.names)] if clause.names else []),
             ]
-            told += [one.remark] if one.remark else []
-            lines.append(f"    {one.clause or '-':8} {'; '.join(told)} [{one.source}, {one.locator}]")
+            told += [clause.remark] if clause.remark else []
+            lines.append(f"    {clause.clause or '-':8} {'; '.join(told)} [{clause.source}, {clause.locator}]")
     return lines

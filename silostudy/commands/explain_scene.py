@@ -73,13 +73,13 @@ def _of_spheres(scene, model) -> list[str]:
         f"  step {model.dt:.3g} s; stability bound of the densest packing {packed_bound(model):.3g} s; Rayleigh time of the "
         f"smallest sphere {wave_times(scene, model)}; integrator {model.integrator}"
     )
-    each, memory = price_of_step(sample(model), SETTLING)
-    lines.append(f"  {run_cost(scene, model, each, memory)}")
+    price, memory = price_of_step(sample(model), SETTLING)
+    lines.append(f"  {run_cost(scene, model, price, memory)}")
     lines += [f"  {effect.name:30}{'on ' if effect.on else 'off'}  {effect.why}" for effect in sphere_effects(scene)]
     return lines + [f"  warning: {line}" for line in warnings(scene, model)]
 
 
-def run_cost(scene, model, each: float, memory: float) -> str:
+def run_cost(scene, model, price: float, memory: float) -> str:
     """What a run costs at most, from the CPU time (s) of a body's step and the memory (bytes) of a body."""
     from math import ceil
 
@@ -87,9 +87,9 @@ def run_cost(scene, model, each: float, memory: float) -> str:
 
     began = model.end["engine"]["step"] if model.end else 0
     count, steps, body = len(model.x), max(0, ceil(duration(scene) / model.dt) - int(began)), model.space.body
-    minutes, megabytes = count * steps * each / 60.0, count * memory / 1e6
+    minutes, megabytes = count * steps * price / 60.0, count * memory / 1e6
     return (
-        f"at most {steps:,} steps of {count:,} {body}s, {each * 1e9:.1f} ns each here and now: about {minutes:.2g} min of one "
+        f"at most {steps:,} steps of {count:,} {body}s, {price * 1e9:.1f} ns each here and now: about {minutes:.2g} min of one "
         f"core, looks and records apart; {memory:.0f} bytes a {body}, {megabytes:.3g} MB"
     )
 

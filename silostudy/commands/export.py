@@ -66,7 +66,7 @@ def _scene(expansion, case: str | None):
 
     if not expansion.shape and case is None:
         return expansion.cases[0].scene
-    known = {one.id: one.scene for one in expansion.cases}
+    known = {known_case.id: known_case.scene for known_case in expansion.cases}
     if case not in known:
         ids, count = ", ".join(list(known)[:SHOWN]), len(known)
         told = f"{ids}{f' and {count - SHOWN} more, see `silostudy cases`' if count > SHOWN else ''}"
@@ -93,20 +93,20 @@ def _wanted(cube, chosen) -> list[tuple[str, str]]:
     from silostudy.cube.load import given_cases, of_case
     from silostudy.errors import BadInput
 
-    one = of_case(cube, chosen.case)
-    given = given_cases(one)
+    case_cube = of_case(cube, chosen.case)
+    given = given_cases(case_cube)
     for key in chosen.load_case or ():
         if key not in given:
-            why = str(one["load_case_reason"].sel(load_case=key).values) or "it has no field of its own"
+            why = str(case_cube["load_case_reason"].sel(load_case=key).values) or "it has no field of its own"
             raise BadInput("--load-case", key, f"is not given for this silo: {why}; given: {', '.join(given)}")
     if not given:
-        why = str(one["load_case_reason"].values[0])
+        why = str(case_cube["load_case_reason"].values[0])
         raise BadInput("--load-case", chosen.load_case, f"no load case has a field for this silo: {why}")
-    found = [
+    loads = [
         (key, values) for key in chosen.load_case or given for values in given[key] if values in (chosen.values or given[key])
     ]
-    if not found:
+    if not loads:
         raise BadInput(
             "--values", chosen.values, "none of the load cases is given with this set; see `silostudy list load-cases`"
         )
-    return found
+    return loads

@@ -44,14 +44,14 @@ def run_fronts(chosen) -> None:
             temporary.write_text(HEAD + rows.to_csv(index=False), encoding="utf-8")
         print(f"{len(rows)} settings -> {chosen.output}")
         return
-    found = pd.DataFrame([{**vars(trial), "met": trial.met} for trial in trials(tell, kinds)])
-    found["cost_ratio"] = found["cost"] / found["cheapest"]
+    table = pd.DataFrame([{**vars(trial), "met": trial.met} for trial in trials(tell, kinds)])
+    table["cost_ratio"] = table["cost"] / table["cheapest"]
     with replacing(chosen.output) as temporary:
-        found.to_csv(temporary, index=False, float_format="%.4g")
-    for (kind, quantity), each in found.groupby(["kind", "quantity"], sort=False):
-        print(f"{kind}, {quantity}: met in {each['met'].mean():.1%} of {len(each)}; at most 1.5 times the cheapest cost in "
-              f"{(each['cost_ratio'] <= 1.5).mean():.0%}; median ratio {each['cost_ratio'].median():.2f}"
-              + _settings_told(each["setting"] / each["least"]))  # fmt: skip
+        table.to_csv(temporary, index=False, float_format="%.4g")
+    for (kind, quantity), group in table.groupby(["kind", "quantity"], sort=False):
+        print(f"{kind}, {quantity}: met in {group['met'].mean():.1%} of {len(group)}; at most 1.5 times the cheapest cost in "
+              f"{(group['cost_ratio'] <= 1.5).mean():.0%}; median ratio {group['cost_ratio'].median():.2f}"
+              + _settings_told(group["setting"] / group["least"]))  # fmt: skip
 
 
 def _settings_told(ratio) -> str:

@@ -32,10 +32,10 @@ def find_arch(engine: Engine) -> Arch | None:
     length, before = shortest_path(graph, directed=False, unweighted=True, indices=n, return_predecessors=True)
     if not np.isfinite(length[n + 1]):
         return None
-    chain, at = [], before[n + 1]
-    while at != n:
-        chain.append(int(at))
-        at = before[at]
+    chain, link = [], before[n + 1]
+    while link != n:
+        chain.append(int(link))
+        link = before[link]
     places = engine.places[chain[::-1]]
     highest = int(np.argmax(places[:, 1]))
     span = float(np.hypot(*(places[-1] - places[0])))

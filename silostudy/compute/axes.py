@@ -17,9 +17,9 @@ def sweep_of(expansion: Expansion) -> Sweep:
     return Sweep(axis_names(expansion.study), axis_coordinates(expansion.study), cases)
 
 
-def stacked(found: Sequence[Mapping[str, Any]], shape: tuple[int, ...]) -> dict[str, np.ndarray]:
+def stacked(cases: Sequence[Mapping[str, Any]], shape: tuple[int, ...]) -> dict[str, np.ndarray]:
     """The cases' numbers in one array a name, shape (axes..., own dimensions); shorter histories are filled up with NaN."""
-    return {name: _in_one([np.asarray(one[name]) for one in found], shape) for name in found[0]}
+    return {name: _in_one([np.asarray(case[name]) for case in cases], shape) for name in cases[0]}
 
 
 def _in_one(arrays: list[np.ndarray], shape: tuple[int, ...]) -> np.ndarray:

@@ -17,17 +17,17 @@ def used_variables(expansion: Expansion, methods: list[AskedMethod], given: Sequ
     given: the parameters handed to each method.
     """
     shape = (len(methods), len(expansion.study.phases), *expansion.shape, len(USED_FOR))
-    found = {name: np.full(shape, np.nan) for name in USED}
+    used = {name: np.full(shape, np.nan) for name in USED}
     for m, (method, parameters) in enumerate(zip(methods, given, strict=True)):
         for p, phase in enumerate(expansion.study.phases):
             for q, quantity in enumerate(USED_FOR):
                 for name, value in _values_used(method, phase, quantity, parameters).items():
-                    found[name][m, p, ..., q] = np.broadcast_to(value, (*expansion.shape, 1))[..., 0]
+                    used[name][m, p, ..., q] = np.broadcast_to(value, (*expansion.shape, 1))[..., 0]
     radii = np.array([case.scene.silo.hydraulic_radius for case in expansion.cases]).reshape(*expansion.shape, 1)
     with np.errstate(divide="ignore", invalid="ignore"):
-        depth = radii / (found["lateral_pressure_ratio"] * found["wall_friction"])
-    cut = (found["wall_friction"] < found["wall_friction_uncapped"] * (1 - 1e-12)).astype(np.int8)
-    named = {f"used_{name}": value for name, value in found.items()}
+        depth = radii / (used["lateral_pressure_ratio"] * used["wall_friction"])
+    cut = (used["wall_friction"] < used["wall_friction_uncapped"] * (1 - 1e-12)).astype(np.int8)
+    named = {f"used_{name}": value for name, value in used.items()}
     return {**named, "depth_constant": np.where(np.isfinite(depth), depth, np.nan), "used_wall_friction_capped": cut}
 
 
@@ -38,11 +38,11 @@ def _values_used(method: AskedMethod, phase: str, quantity: str, parameters: Map
     if function is None:
         return {}
     own, asked = method.row.used.get(phase, {}).get(quantity, {}), parameters_of(function)
-    found = {name: call(own[name], None, parameters) for name in own}
+    values = {name: call(own[name], None, parameters) for name in own}
     for name in USED.keys() - own.keys():
         if (source := _handed(name, quantity)).removesuffix("_uncapped") in asked:
-            found[name] = parameters[source]
-    return found
+            values[name] = parameters[source]
+    return values
 
 
 def _functions(row: PressureMethod, phase: str) -> Quantities:
@@ -56,11 +56,11 @@ def _handed(name: str, quantity: str) -> str:
 def limit_variables(expansion: Expansion, methods: list[AskedMethod], given: Sequence[Mapping]) -> dict:
     """Which limit keeps a method from giving a wall pressure, (method, phase, axes...): numbers on the axis of limits."""
     words = list(dict.fromkeys([INSIDE, *(limit.words() for method in methods for limit in method.row.limits)]))
-    found = np.zeros((len(methods), len(expansion.study.phases), *expansion.shape), dtype=np.int8)
+    broken_limits = np.zeros((len(methods), len(expansion.study.phases), *expansion.shape), dtype=np.int8)
     for m, (method, parameters) in enumerate(zip(methods, given, strict=True)):
         for p, phase in enumerate(expansion.study.phases):
             for limit in reversed(method.row.limits) if method.functions(phase) else ():
                 if limit.holds_for("wall_normal_pressure", phase) and not limit.measure.of_depth:
                     broken = np.broadcast_to(limit.broken(None, parameters), (*expansion.shape, 1))[..., 0]
-                    found[m, p] = np.where(broken, words.index(limit.words()), found[m, p])
-    return {"limit_broken": found, "limit": words}
+                    broken_limits[m, p] = np.where(broken, words.index(limit.words()), broken_limits[m, p])
+    return {"limit_broken": broken_limits, "limit": words}

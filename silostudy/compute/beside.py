@@ -29,13 +29,13 @@ def beside_cube(expansion: Expansion, scenes: xr.Dataset, codes: xr.Dataset | No
     grains = scenes if study.fillings == "filling" else scenes.rename({study.fillings: "filling"})
     pressures = matched(expansion, codes, grains)
     plan = plan_of(study)
-    found = felt(grains, plan) | in_cone(grains)
-    found |= said(pressures, found)
-    found |= compared(found, plan.width) | compared_in_hopper(found)
+    data = felt(grains, plan) | in_cone(grains)
+    data |= said(pressures, data)
+    data |= compared(data, plan.width) | compared_in_hopper(data)
     if plan.around:
-        deep = found["level_depth"] >= DEEP * plan.width
-        found |= around(grains, deep) | zones(pressures, found["level_depth"].mean("filling"), deep)
-    arrays = {name: _in_order(value, name, axes) for name, value in found.items()}
+        deep = data["level_depth"] >= DEEP * plan.width
+        data |= around(grains, deep) | zones(pressures, data["level_depth"].mean("filling"), deep)
+    arrays = {name: _in_order(value, name, axes) for name, value in data.items()}
     arrays |= {name: pressures[name].values for name in ("pressure_method", *OF_METHODS)}
     arrays |= {name: grains[name].values for name in ("filling", "wall_level")}
     arrays |= {"phase": np.array(PHASES), "averaging": np.array(list(AVERAGED))}
@@ -62,8 +62,11 @@ def felt(grains: xr.Dataset, plan: Plan) -> dict[str, xr.DataArray]:
     shear = shear.where(depth.notnull())
     largest = by_phase(_largest(rest.expand_dims("flow_window")), _largest(flow))
     weight = grains["unit_weight_at_rest"]
-    each = shear.fillna(0.0) * step / plan.hydraulic_radius
-    carried = each.isel(wall_level=slice(None, None, -1)).cumsum("wall_level").isel(wall_level=slice(None, None, -1)) - each / 2
+    by_level = shear.fillna(0.0) * step / plan.hydraulic_radius
+    carried = (
+        by_level.isel(wall_level=slice(None, None, -1)).cumsum("wall_level").isel(wall_level=slice(None, None, -1))
+        - by_level / 2
+    )
     vertical = (weight * depth - carried.sel(phase="filling")).where(depth.notnull())
     return {
         "level_depth": depth,
@@ -90,31 +93,31 @@ def _largest(pressure: xr.DataArray) -> xr.DataArray:
     """Largest mean over each area in any window."""
     values = pressure.transpose(..., "flow_window", "wall_level", "wall_turn")
     shaped = values.isel(wall_turn=0, drop=True).max("flow_window")
-    each = [shaped.copy(data=np.fmax.reduce(largest_mean(values.values, area), axis=-2)) for area in AVERAGED]
-    return xr.concat(each, xr.IndexVariable("averaging", list(AVERAGED)))
+    means = [shaped.copy(data=np.fmax.reduce(largest_mean(values.values, area), axis=-2)) for area in AVERAGED]
+    return xr.concat(means, xr.IndexVariable("averaging", list(AVERAGED)))
 
 
 def _sides(step: xr.DataArray, plan: Plan, around: int) -> xr.DataArray:
     """Side of each averaging area over the diameter (1)."""
-    each = [plan.side(levels * step, (turns or around) / around) / plan.width for levels, turns in AVERAGED.values()]
-    return xr.concat(each, xr.IndexVariable("averaging", list(AVERAGED)))
+    sides = [plan.side(levels * step, (turns or around) / around) / plan.width for levels, turns in AVERAGED.values()]
+    return xr.concat(sides, xr.IndexVariable("averaging", list(AVERAGED)))
 
 
-def said(codes: xr.Dataset, found: dict[str, xr.DataArray]) -> dict[str, xr.DataArray]:
+def said(codes: xr.Dataset, felt_arrays: dict[str, xr.DataArray]) -> dict[str, xr.DataArray]:
     """What theories and codes say at the levels, whose depth is the mean over the fillings."""
-    depth, position = (found[name].mean("filling") for name in ("level_depth", "hopper_level_position"))
+    depth, position = (felt_arrays[name].mean("filling") for name in ("level_depth", "hopper_level_position"))
     data = {"code_wall_pressure": at_depths(codes, "wall_normal_pressure", depth)}
     if "hopper_normal_pressure" in codes:
         data["code_hopper_pressure"] = in_hopper(codes, position)
     return data
 
 
-def compared(found: dict[str, xr.DataArray], wide: float) -> dict[str, xr.DataArray]:
+def compared(arrays: dict[str, xr.DataArray], wide: float) -> dict[str, xr.DataArray]:
     """Ratios of what codes say to what the grains did, and of the grains' peaks to their rest."""
-    code, ring, largest = (found[name] for name in ("code_wall_pressure", "ring_pressure", "largest_area_pressure"))
-    deep = found["level_depth"] >= DEEP * wide
+    code, ring, largest = (arrays[name] for name in ("code_wall_pressure", "ring_pressure", "largest_area_pressure"))
+    deep = arrays["level_depth"] >= DEEP * wide
     both = code.notnull() & ring.notnull()
-    said_force, felt_force = (one.where(both).sum("wall_level", min_count=1) for one in (code, ring))
+    said_force, felt_force = (pressure.where(both).sum("wall_level", min_count=1) for pressure in (code, ring))
     rest = ring.sel(phase="filling", drop=True)
     means = {area: _averaged(code, area) for area in AVERAGED}
     rests = {area: _averaged(rest, area) for area in AVERAGED}

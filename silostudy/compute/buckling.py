@@ -28,9 +28,9 @@ def buckling_cube(expansion: Expansion) -> xr.Dataset:
     rules = [study.family(BUCKLING)[key] for key in study.rule_keys]
     rules += [study.family(RIVALS)[key] for key in study.rival_keys]
     parameters = {name: _gathered(expansion, name) for name in PARAMETERS}
-    found = [evaluate(rule, parameters) for rule in rules]
-    data: dict = {name: np.array([one[name] for one in found]) for name in QUANTITIES}
-    data |= {name: (np.array([one[name] for one in found]), flags(told, meanings)) for name, told, meanings in FLAGS}
+    results = [evaluate(rule, parameters) for rule in rules]
+    data: dict = {name: np.array([result[name] for result in results]) for name in QUANTITIES}
+    data |= {name: (np.array([result[name] for result in results]), flags(told, meanings)) for name, told, meanings in FLAGS}
     data |= {name: parameters[name] for name in SHOWN} | rule_coordinates(rules) | limit_variables(rules, parameters)
     if all(case.scene.test for case in expansion.cases):
         data |= _measured(expansion) | charts()
@@ -48,11 +48,11 @@ def rule_coordinates(rules: list[BucklingRule]) -> dict[str, list[str]]:
 def limit_variables(rules: list[BucklingRule], parameters: Mapping) -> dict:
     """Which limit of its range masks a rule, (rule, axes...): numbers on the axis of limits, of several the first."""
     words = list(dict.fromkeys([INSIDE, *(limit.words() for rule in rules for limit in rule.limits)]))
-    found = np.zeros((len(rules), *np.shape(parameters["thickness"])), dtype=np.int8)
+    broken_limits = np.zeros((len(rules), *np.shape(parameters["thickness"])), dtype=np.int8)
     for place, rule in enumerate(rules):
         for limit in reversed(rule.limits):
-            found[place] = np.where(limit.broken(None, parameters), words.index(limit.words()), found[place])
-    return {"rule_limit_broken": found, "rule_limit": words}
+            broken_limits[place] = np.where(limit.broken(None, parameters), words.index(limit.words()), broken_limits[place])
+    return {"rule_limit_broken": broken_limits, "rule_limit": words}
 
 
 def _gathered(expansion: Expansion, name: str) -> np.ndarray:

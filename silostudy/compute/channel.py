@@ -26,7 +26,7 @@ def channel_variables(expansion: Expansion, methods: list[AskedMethod], given: S
                 for name, function in method.row.channel[phase].items():
                     place = z if name in CHANNEL_QUANTITIES else None
                     value, scope = masked(method.row, name, phase, function, place, parameters)
-                    at = (m, p, ..., c, slice(None)) if name in CHANNEL_QUANTITIES else (m, p, ..., c)
+                    spot = (m, p, ..., c, slice(None)) if name in CHANNEL_QUANTITIES else (m, p, ..., c)
                     last = slice(None) if name in CHANNEL_QUANTITIES else 0
-                    values[name][at], scopes[name][at] = value[..., last], scope[..., last]
+                    values[name][spot], scopes[name][spot] = value[..., last], scope[..., last]
     return values | with_reasons(scopes) | {"channel": list(CHANNEL_SIZES)}

@@ -67,7 +67,7 @@ def checks_cube(expansion: Resolved, pressure: xr.Dataset, seismic: xr.Dataset |
     notes |= {**earthquake_told(shaken), **excluded(rules)} if shaken is not None else {}
     sources = [rule.source for rule in rules] + [method.row.source for method in methods_of(expansion)]
     made = [row for part in PARTS for row in rows_of(study, part)]
-    sources += [row.source for row in made] + [one.source for one in loads.combinations if one.source]
+    sources += [row.source for row in made] + [combination.source for combination in loads.combinations if combination.source]
     return assemble(study, "checks", data, sources=sources, notes=notes, sweep=sweep)
 
 
@@ -91,11 +91,11 @@ def actions(loads: Load) -> dict:
     critical, waves = courses_critical(source)
     own = loads.factor("permanent") * place.own_weight
     return {
-        "combination": [one.key for one in loads.combinations],
-        "combination_title": [one.title or one.key for one in loads.combinations],
-        "combination_contents": [one.contents for one in loads.combinations],
+        "combination": [combination.key for combination in loads.combinations],
+        "combination_title": [combination.title or combination.key for combination in loads.combinations],
+        "combination_contents": [combination.contents for combination in loads.combinations],
         "action": ["permanent", "permanent_favourable", *ACTIONS],
-        "combination_factor": np.array([list(one.factors.values()) for one in loads.combinations]),
+        "combination_factor": np.array([list(combination.factors.values()) for combination in loads.combinations]),
         "place": np.arange(1, place.z.shape[-1] + 1),
         "place_depth": place.z,
         "place_strake": place.strake + 1,
@@ -118,7 +118,7 @@ def utilisations(rules, rows, loads: Load, built) -> dict:
     unjudged |= (by_check["scope"] == OUT_OF_RANGE).any(axis=(0, 1))
     used, check, combination = combined(by_rule["utilisation"], by_check["utilisation"], unjudged)
     told = flags("check by which the wall is used most", _names(rows)), flags("in which combination", _keys(loads))
-    found = {
+    data = {
         "design_utilisation": used,
         "design_utilisation_check": (check, told[0]),
         "design_utilisation_combination": (combination, told[1]),
@@ -130,8 +130,8 @@ def utilisations(rules, rows, loads: Load, built) -> dict:
         "design_check_effect": by_check["effect"],
         "design_check_resistance": by_check["resistance"],
     }
-    found |= strakes_behind(rules, rows, loads, built, by_rule["utilisation"], by_check["utilisation"])
-    return found | _by_strake(loads, "design_strake_utilisation", (used, check, combination), unjudged, told)
+    data |= strakes_behind(rules, rows, loads, built, by_rule["utilisation"], by_check["utilisation"])
+    return data | _by_strake(loads, "design_strake_utilisation", (used, check, combination), unjudged, told)
 
 
 def thicknesses(rules, rows, loads: Load) -> dict:
@@ -139,10 +139,10 @@ def thicknesses(rules, rows, loads: Load) -> dict:
     (by_rule, scope), by_check = needed_by_rules(rules, loads), needed(rows, loads)
     unjudged = (np.isnan(by_rule) & (scope != NO_LOAD)).any(axis=1) | loads.unloaded
     most, check, combination = combined(by_rule, by_check, unjudged)
-    unjudged |= np.array([beyond(rows, loads, one) for one in most])
+    unjudged |= np.array([beyond(rows, loads, most_of_rule) for most_of_rule in most])
     most = np.where(unjudged, np.nan, most)
     told = flags("check that asks for the most", _names(rows)), flags("in which combination", _keys(loads))
-    found = {
+    data = {
         "design_thickness": most,
         "design_thickness_check": (check, told[0]),
         "design_thickness_combination": (combination, told[1]),
@@ -150,10 +150,10 @@ def thicknesses(rules, rows, loads: Load) -> dict:
         "steel_check": [row.key for row in rows],
         "design_check_thickness": np.fmax.reduce(by_check, axis=1),
     }
-    return found | _by_strake(loads, "design_strake_thickness", (most, check, combination), unjudged, told)
+    return data | _by_strake(loads, "design_strake_thickness", (most, check, combination), unjudged, told)
 
 
-def _by_strake(loads: Load, name: str, found: tuple, unjudged: np.ndarray, told: tuple) -> dict:
+def _by_strake(loads: Load, name: str, values_with_causes: tuple, unjudged: np.ndarray, told: tuple) -> dict:
     """The largest number of every strake, over all its depths and both its ends, with what governs it.
 
     NaN where any part of it is beyond the rule: the largest of the rest would speak for a strake not judged.
@@ -161,20 +161,20 @@ def _by_strake(loads: Load, name: str, found: tuple, unjudged: np.ndarray, told:
     strake = loads.source.places.strake
     if strake.max() < 0:
         return {}
-    each = [_of_strake(strake == number, found, unjudged) for number in range(int(strake.max()) + 1)]
-    values, check, combination = (np.stack(parts, axis=-1) for parts in zip(*each, strict=True))
+    strakes = [_of_strake(strake == number, values_with_causes, unjudged) for number in range(int(strake.max()) + 1)]
+    values, check, combination = (np.stack(parts, axis=-1) for parts in zip(*strakes, strict=True))
     return {
-        "strake": np.arange(1, len(each) + 1),
+        "strake": np.arange(1, len(strakes) + 1),
         name: values,
         f"{name}_check": (check, told[0]),
         f"{name}_combination": (combination, told[1]),
     }
 
 
-def _of_strake(here: np.ndarray, found: tuple, unjudged: np.ndarray) -> tuple:
-    values, *governing = found
+def _of_strake(here: np.ndarray, values_with_causes: tuple, unjudged: np.ndarray) -> tuple:
+    values, *governing = values_with_causes
     place = np.argmax(np.where(here & ~np.isnan(values), values, -np.inf), axis=-1)[..., None]
-    largest, *governing = (np.take_along_axis(one, place, axis=-1)[..., 0] for one in (values, *governing))
+    largest, *governing = (np.take_along_axis(array, place, axis=-1)[..., 0] for array in (values, *governing))
     return np.where((unjudged & here).any(axis=-1), np.nan, largest), *governing
 
 
@@ -183,4 +183,4 @@ def _names(rows) -> list[str]:
 
 
 def _keys(loads: Load) -> list[str]:
-    return [one.key for one in loads.combinations]
+    return [combination.key for combination in loads.combinations]

@@ -31,13 +31,13 @@ class Characteristic:
 def given(expansion: Resolved, place: WallPlaces, pressure: xr.Dataset, seismic: xr.Dataset | None) -> Characteristic:
     """Everything that the combinations draw on."""
     scenes = [case.scene for case in expansion.cases]
-    numbers = {name: of_cases(expansion, [one.steelwork[name] for one in scenes]) for name in scenes[0].steelwork}
+    numbers = {name: of_cases(expansion, [scene.steelwork[name] for scene in scenes]) for name in scenes[0].steelwork}
     numbers |= {
-        "inner_radius": of_cases(expansion, [one.silo.diameter / 2 for one in scenes]),
-        "wall_height": of_cases(expansion, [one.silo.wall_depth for one in scenes]),
-        "roof": of_cases(expansion, [one.shell.roof_force for one in scenes]),
-        "snow": of_cases(expansion, [one.shell.snow_force for one in scenes]),
-        "steel_weight": of_cases(expansion, [one.shell.unit_weight for one in scenes]),
+        "inner_radius": of_cases(expansion, [scene.silo.diameter / 2 for scene in scenes]),
+        "wall_height": of_cases(expansion, [scene.silo.wall_depth for scene in scenes]),
+        "roof": of_cases(expansion, [scene.shell.roof_force for scene in scenes]),
+        "snow": of_cases(expansion, [scene.shell.snow_force for scene in scenes]),
+        "steel_weight": of_cases(expansion, [scene.shell.unit_weight for scene in scenes]),
     }
     return Characteristic(
         expansion, place, numbers, _patch(pressure, place, numbers["inner_radius"]), _shaken(place, seismic, numbers)
@@ -60,78 +60,80 @@ def _shaken(place: WallPlaces, seismic: xr.Dataset | None, numbers: Mapping) -> 
     if seismic is None:
         return None
     names = {"force": "seismic_axial_wall_force", "shear": "wall_shear_force", "pressure": "seismic_wall_pressure"}
-    found = {key: np.interp(place.z, seismic["depth"], seismic[name]) for key, name in names.items()}
-    return found | {"shear": tube.ring_forces(0.0, found["shear"], numbers["inner_radius"])[1]}
+    forces = {key: np.interp(place.z, seismic["depth"], seismic[name]) for key, name in names.items()}
+    return forces | {"shear": tube.ring_forces(0.0, forces["shear"], numbers["inner_radius"])[1]}
 
 
-def lacking(one: Combination, source: Characteristic) -> np.ndarray:
+def lacking(combination: Combination, source: Characteristic) -> np.ndarray:
     """Why a combination cannot be checked, flag of REASONS (axes..., 1): the action that leads it is not given."""
     shape = (*source.expansion.shape, 1)
-    if one.earthquake:
+    if combination.earthquake:
         missing = source.shaken is None or source.expansion.study.checks.earthquake is None
         return np.full(shape, NO_EARTHQUAKE if missing else IN_SCOPE)
-    if one.leading in ("wind", "suction"):
+    if combination.leading in ("wind", "suction"):
         return np.where(np.isnan(source.numbers["wind_pressure"]), NO_WIND, IN_SCOPE)
     return np.full(shape, IN_SCOPE)
 
 
-def of_contents(one: Combination, source: Characteristic) -> dict[str, np.ndarray]:
+def of_contents(combination: Combination, source: Characteristic) -> dict[str, np.ndarray]:
     """Force, shear (N/m) and pressures (Pa) of the solid in a combination, shape (method, axes..., place)."""
     place, phases = source.places, list(source.expansion.study.phases)
-    each = {"force": place.force, "pressure": place.pressure, "patch_force": source.patch[0], "patch_shear": source.patch[1]}
+    by_name = {"force": place.force, "pressure": place.pressure, "patch_force": source.patch[0], "patch_shear": source.patch[1]}
     nothing = np.zeros(place.guaranteed.shape)
-    if one.contents == "empty":
-        return {**dict.fromkeys(each, nothing), "guaranteed": nothing}
-    if one.contents == FILLING:
+    if combination.contents == "empty":
+        return {**dict.fromkeys(by_name, nothing), "guaranteed": nothing}
+    if combination.contents == FILLING:
         known = FILLING in phases
-        chosen = {key: one[:, phases.index(FILLING)] if known else nothing * np.nan for key, one in each.items()}
+        chosen = {key: value[:, phases.index(FILLING)] if known else nothing * np.nan for key, value in by_name.items()}
     else:
-        chosen = {key: np.fmax.reduce(value, axis=1) for key, value in each.items()}
-    factor = one.solids * _share_of_solids(one, source)
-    found = {key: factor * value for key, value in chosen.items()}
-    return found | {"guaranteed": min(factor, 1.0) * place.guaranteed}
+        chosen = {key: np.fmax.reduce(value, axis=1) for key, value in by_name.items()}
+    factor = combination.solids * _share_of_solids(combination, source)
+    actions = {key: factor * value for key, value in chosen.items()}
+    return actions | {"guaranteed": min(factor, 1.0) * place.guaranteed}
 
 
-def _share_of_solids(one: Combination, source: Characteristic) -> float:
+def _share_of_solids(combination: Combination, source: Characteristic) -> float:
     asked = source.expansion.study.checks.earthquake
-    return asked.solids_factor if one.earthquake and asked else 1.0
+    return asked.solids_factor if combination.earthquake and asked else 1.0
 
 
-def of_wind(one: Combination, source: Characteristic) -> dict[str, np.ndarray]:
+def of_wind(combination: Combination, source: Characteristic) -> dict[str, np.ndarray]:
     """Axial force and shear (N/m) of the wind, and where the silo is empty what presses from outside (Pa)."""
     number = source.numbers
     moment, shear = tube.wind_forces(
         source.places.below_top,
-        pressure=np.nan_to_num(number["wind_pressure"]) * one.wind,
+        pressure=np.nan_to_num(number["wind_pressure"]) * combination.wind,
         force_coefficient=np.nan_to_num(number["force_coefficient"]),
         diameter=2 * number["inner_radius"],
     )
     axial, sheared = tube.ring_forces(moment, shear, number["inner_radius"])
-    outside = {name: getattr(one, key) * number[name] for name, key in (("wind_pressure", "wind"), ("suction", "suction"))}
-    if one.contents != "empty":  # the solid presses outward, as hard as it stands there
+    outside = {
+        name: getattr(combination, key) * number[name] for name, key in (("wind_pressure", "wind"), ("suction", "suction"))
+    }
+    if combination.contents != "empty":  # the solid presses outward, as hard as it stands there
         outside = {name: np.zeros_like(value) for name, value in outside.items()}
     return {"force": axial, "shear": sheared, **outside}
 
 
-def of_earthquake(one: Combination, source: Characteristic) -> dict[str, np.ndarray]:
+def of_earthquake(combination: Combination, source: Characteristic) -> dict[str, np.ndarray]:
     """Axial force and shear (N/m) and pressure (Pa) of the earthquake, divided by q; 0 without one."""
     asked = source.expansion.study.checks.earthquake
-    if not one.earthquake or source.shaken is None or asked is None:
+    if not combination.earthquake or source.shaken is None or asked is None:
         return dict.fromkeys(("force", "shear", "pressure"), np.zeros(source.places.z.shape))
-    return {key: one.earthquake / asked.behaviour_factor * value for key, value in source.shaken.items()}
+    return {key: combination.earthquake / asked.behaviour_factor * value for key, value in source.shaken.items()}
 
 
-def acting(one: Combination, source: Characteristic) -> dict[str, np.ndarray]:
+def acting(combination: Combination, source: Characteristic) -> dict[str, np.ndarray]:
     """The checks' actions in a combination, shape (method, axes..., place); axial_wall_force without the wall's own weight.
 
     Pressed and lifted sides of an earthquake as in the shell's: what it adds to the pressure steadies nothing.
     """
-    solid, wind, shaken = of_contents(one, source), of_wind(one, source), of_earthquake(one, source)
-    lifted = one.side == "lifted"
+    solid, wind, shaken = of_contents(combination, source), of_wind(combination, source), of_earthquake(combination, source)
+    lifted = combination.side == "lifted"
     steady = solid["guaranteed"]
-    imposed = one.permanent * source.numbers["roof"] + one.snow * source.numbers["snow"]
+    imposed = combination.permanent * source.numbers["roof"] + combination.snow * source.numbers["snow"]
     pushed = -shaken["force"] if lifted else shaken["force"]
-    found = {
+    forces = {
         "axial_wall_force": solid["force"] + solid["patch_force"] + imposed + wind["force"] + pushed,
         "shear_wall_force": solid["patch_shear"] + wind["shear"] + shaken["shear"],
         "upper_internal_pressure": solid["pressure"] + (0.0 if lifted else shaken["pressure"]),
@@ -139,6 +141,6 @@ def acting(one: Combination, source: Characteristic) -> dict[str, np.ndarray]:
         "wind_pressure": wind["wind_pressure"],
         "suction": wind["suction"],
     }
-    found["lower_internal_pressure"] = np.fmin(found["lower_internal_pressure"], found["upper_internal_pressure"])
+    forces["lower_internal_pressure"] = np.fmin(forces["lower_internal_pressure"], forces["upper_internal_pressure"])
     shape = solid["force"].shape
-    return {name: np.broadcast_to(value, shape) for name, value in found.items()}
+    return {name: np.broadcast_to(value, shape) for name, value in forces.items()}

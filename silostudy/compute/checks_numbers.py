@@ -36,8 +36,8 @@ OF_SILO = {
 
 def given_numbers(loads: Load) -> dict:
     """Every number, (axes...), partial factors without a dimension; NaN where the study does not give it."""
-    axes, found = loads.source.expansion.shape, {}
+    axes, data = loads.source.expansion.shape, {}
     for name, own in OF_WALL.items():
         value = loads.parameters[own]
-        found[name] = value if name.startswith("partial") else value.reshape(axes)
-    return found | {name: loads.source.numbers[own].reshape(axes) for name, own in OF_SILO.items()}
+        data[name] = value if name.startswith("partial") else value.reshape(axes)
+    return data | {name: loads.source.numbers[own].reshape(axes) for name, own in OF_SILO.items()}

@@ -17,15 +17,15 @@ TOLERANCE = 1e-9  # relative, within which two phases count as alike
 def contents_load_cases(source: Characteristic, pressure: xr.Dataset) -> dict[str, tuple]:
     """The worst load case of axial force and pressure at every place, and of both forces in the hopper's wall."""
     phases, place = list(source.expansion.study.phases), source.places
-    found = {
+    cases = {
         "axial_wall_force_load_case": (place.force, source.patch[0]),
         "wall_pressure_load_case": (place.pressure, np.zeros_like(place.pressure)),
     }
-    found |= {name: (force, np.zeros_like(force)) for name, force in _of_hopper(pressure).items()}
+    cases |= {name: (force, np.zeros_like(force)) for name, force in _of_hopper(pressure).items()}
     told = flags(
-        "load case of the contents that is the worst", [NONE, *phases, *(f"{one}_with_patch" for one in phases), ALIKE]
+        "load case of the contents that is the worst", [NONE, *phases, *(f"{phase}_with_patch" for phase in phases), ALIKE]
     )
-    return {name: (_worst(*parts), told) for name, parts in found.items()}
+    return {name: (_worst(*parts), told) for name, parts in cases.items()}
 
 
 def _of_hopper(pressure: xr.Dataset) -> Mapping[str, np.ndarray]:
@@ -48,5 +48,5 @@ def _worst(symmetric: np.ndarray, patch: np.ndarray) -> np.ndarray:
     most, least = filled.max(axis=1), np.where(known, whole, np.inf).min(axis=1)
     with np.errstate(invalid="ignore"):
         alike = (known.sum(axis=1) > 1) & (most - least <= TOLERANCE * np.abs(most))
-    found = np.where(alike & ~patched, 2 * count + 1, 1 + phase + count * patched)
-    return np.where(known.any(axis=1) & (most > 0), found, 0).astype(np.int8)
+    case = np.where(alike & ~patched, 2 * count + 1, 1 + phase + count * patched)
+    return np.where(known.any(axis=1) & (most > 0), case, 0).astype(np.int8)

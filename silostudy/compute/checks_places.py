@@ -78,5 +78,5 @@ def _with_ends(expansion: Resolved, levels: np.ndarray) -> tuple[np.ndarray, np.
     columns = ((share, end_share), (levels, end_z), (strake_at(share, edges), number))
     joined = [np.concatenate(pair, axis=-1) for pair in columns]
     order = np.lexsort((joined[2], np.round(joined[0], 9)), axis=-1)
-    found = [np.take_along_axis(values, order, axis=-1) for values in joined]
-    return found[0], found[1], found[2]
+    ordered = [np.take_along_axis(values, order, axis=-1) for values in joined]
+    return ordered[0], ordered[1], ordered[2]

@@ -14,15 +14,15 @@ def rows_of(study, part: str) -> list[SteelCheck]:
     return [row for row in CHECKS.values() if row.part == part and (not row.one_source or row.key in study.checks.one_source)]
 
 
-def acts(row: SteelCheck, one: Combination) -> bool:
+def acts(row: SteelCheck, combination: Combination) -> bool:
     """Whether a combination gives a check anything to look at."""
-    idle = bool(row.idle_with) and row.idle_with <= one.actions
-    return not idle and (not row.acts_in or bool(row.acts_in & one.actions))
+    idle = bool(row.idle_with) and row.idle_with <= combination.actions
+    return not idle and (not row.acts_in or bool(row.acts_in & combination.actions))
 
 
 def scope(row: SteelCheck, parameters: Mapping, combinations: Sequence[Combination], lacks, shape) -> np.ndarray:
     """Flag of REASONS of a check in every combination (first axis); lacks: flags by combination and case."""
-    idle = np.array([not acts(row, one) for one in combinations]).reshape(-1, *[1] * (len(shape) - 1))
+    idle = np.array([not acts(row, combination) for combination in combinations]).reshape(-1, *[1] * (len(shape) - 1))
     missing = {name: np.isnan(np.asarray(parameters[name], dtype=float)) for name in sorted(row.needs)}
     # of what a study gives all is missing, or a method says nothing somewhere
     absent = [name for name, where in missing.items() if name in GIVEN_BY and where.all()]
@@ -31,7 +31,7 @@ def scope(row: SteelCheck, parameters: Mapping, combinations: Sequence[Combinati
     reasons += [NO_LOAD] * len(missing)
     conditions += [limit.broken(None, parameters) for limit in row.bounds]
     reasons += [OUT_OF_RANGE] * len(row.bounds)
-    conditions, reasons = ([np.broadcast_to(one, shape) for one in many] for many in (conditions, reasons))
+    conditions, reasons = ([np.broadcast_to(part, shape) for part in many] for many in (conditions, reasons))
     return np.select(conditions, reasons, IN_SCOPE).astype(np.int8)
 
 
@@ -53,9 +53,9 @@ def combined(buckling: np.ndarray, checked: np.ndarray, unjudged: np.ndarray) ->
     buckling: (rule, combination, method, ...); checked: (check, combination, method, ...); unjudged: where a rule is silent.
     """
     own, when = largest(np.moveaxis(buckling, 1, 0))
-    found = [(own, when)] + [tuple(np.broadcast_to(part, own.shape) for part in largest(one)) for one in checked]
-    values, check = largest(np.array([value for value, _ in found]))
-    combination = np.take_along_axis(np.array([place for _, place in found]), check[None].astype(int), axis=0)[0]
+    parts = [(own, when)] + [tuple(np.broadcast_to(part, own.shape) for part in largest(of_check)) for of_check in checked]
+    values, check = largest(np.array([value for value, _ in parts]))
+    combination = np.take_along_axis(np.array([place for _, place in parts]), check[None].astype(int), axis=0)[0]
     values = np.where(unjudged, np.nan, values)
     silent = np.isnan(values)
     return values, np.where(silent, 0, check).astype(np.int8), np.where(silent, 0, combination).astype(np.int8)

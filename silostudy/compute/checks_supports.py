@@ -31,10 +31,13 @@ def hopper_forces(pressure: xr.Dataset, loads: Load) -> dict[str, np.ndarray]:
     plate = loads.source.numbers["steel_weight"] * loads.source.numbers["hopper_thickness"]
     nothing = np.zeros(np.broadcast_shapes(height.shape, plate.shape))
     weight = np.nan_to_num(hopper.meridional_force(nothing, nothing, wall_weight=plate, **shape))
-    each = {"hopper_meridional_force": along, "hopper_hoop_force": round_it}
-    found = {name: np.array([_of_contents(one, value, loads) for one in loads.combinations]) for name, value in each.items()}
-    found["hopper_meridional_force"] = found["hopper_meridional_force"] + loads.factor("permanent") * weight
-    return found
+    forces = {"hopper_meridional_force": along, "hopper_hoop_force": round_it}
+    arrays = {
+        name: np.array([_of_contents(combination, value, loads) for combination in loads.combinations])
+        for name, value in forces.items()
+    }
+    arrays["hopper_meridional_force"] = arrays["hopper_meridional_force"] + loads.factor("permanent") * weight
+    return arrays
 
 
 def pressures_in_hopper(pressure: xr.Dataset) -> tuple[np.ndarray, np.ndarray]:
@@ -51,53 +54,53 @@ def heights(pressure: xr.Dataset) -> tuple[np.ndarray, np.ndarray]:
     return top - pressure["hopper_position"].values * (top - bottom), half_angle
 
 
-def _of_contents(one: Combination, values: np.ndarray, loads: Load) -> np.ndarray:
+def _of_contents(combination: Combination, values: np.ndarray, loads: Load) -> np.ndarray:
     """A force of the solid in a combination: of the worst phase or of filling, with its factor; 0 in an empty silo."""
     phases = list(loads.source.expansion.study.phases)
-    if one.contents == "empty":
+    if combination.contents == "empty":
         return np.zeros(values[:, 0].shape)
-    if one.contents == FILLING:
+    if combination.contents == FILLING:
         chosen = values[:, phases.index(FILLING)] if FILLING in phases else values[:, 0] * np.nan
     else:
         chosen = np.fmax.reduce(values, axis=1)
-    return one.solids * chosen
+    return combination.solids * chosen
 
 
 def parameters_below(pressure: xr.Dataset, loads: Load, built: Mapping) -> dict[str, np.ndarray]:
     """The parameters of everything below the cylinder, without a place: (combination, method, axes..., 1); NaN: not known."""
     source, number = loads.source, loads.source.numbers
-    found = {name: number[name] for name in NUMBERS} | {"inner_radius": number["inner_radius"]}
-    found |= {name: loads.parameters[name] for name in ("yield_stress", "youngs_modulus")}
-    found |= {name: loads.parameters[name] for name in ("partial_yield", "partial_buckling", "partial_joint")}
+    values = {name: number[name] for name in NUMBERS} | {"inner_radius": number["inner_radius"]}
+    values |= {name: loads.parameters[name] for name in ("yield_stress", "youngs_modulus")}
+    values |= {name: loads.parameters[name] for name in ("partial_yield", "partial_buckling", "partial_joint")}
     foot = {name: built[name][..., -1:] for name in ("axial_wall_force", "thickness") if name in built}
     angle = [case.scene.silo.hopper.half_angle if case.scene.silo.hopper else np.nan for case in source.expansion.cases]
-    found["hopper_half_angle"] = np.reshape(angle, (*source.expansion.shape, 1))
-    found["thickness"] = foot.get("thickness", np.full_like(number["inner_radius"], np.nan))
-    found["anchor_tension"] = anchor_tension(loads)
+    values["hopper_half_angle"] = np.reshape(angle, (*source.expansion.shape, 1))
+    values["thickness"] = foot.get("thickness", np.full_like(number["inner_radius"], np.nan))
+    values["anchor_tension"] = anchor_tension(loads)
     force = foot.get("axial_wall_force", loads.parameters["axial_wall_force"][..., -1:] * np.nan)
-    found["hopper_meridional_force"] = np.full(force.shape, np.nan)
-    found["hopper_hoop_force"] = np.full(force.shape, np.nan)
+    values["hopper_meridional_force"] = np.full(force.shape, np.nan)
+    values["hopper_hoop_force"] = np.full(force.shape, np.nan)
     if "hopper_position" in pressure:
         forces = hopper_forces(pressure, loads)
-        found |= forces | {"hopper_top_force": forces["hopper_meridional_force"][..., :1]}
-    top = found.get("hopper_top_force", found["hopper_meridional_force"])
-    found["support_force"] = force + top * np.cos(found["hopper_half_angle"])
-    return found
+        values |= forces | {"hopper_top_force": forces["hopper_meridional_force"][..., :1]}
+    top = values.get("hopper_top_force", values["hopper_meridional_force"])
+    values["support_force"] = force + top * np.cos(values["hopper_half_angle"])
+    return values
 
 
 def anchor_lifts(loads: Load) -> dict[str, np.ndarray]:
     """What lifts the foot of the wall and what holds it down (N/m), (combination, 1, axes..., 1): the contents hold nothing."""
-    source, number, found = loads.source, loads.source.numbers, []
+    source, number, lifts = loads.source, loads.source.numbers, []
     asked = source.expansion.study.checks.earthquake
-    for one in loads.combinations:
-        wind = of_wind(one, source)["force"][..., -1:]
-        pressure = one.wind * np.nan_to_num(number["wind_pressure"])
+    for combination in loads.combinations:
+        wind = of_wind(combination, source)["force"][..., -1:]
+        pressure = combination.wind * np.nan_to_num(number["wind_pressure"])
         silo = {"height": number["wall_height"], "radius": number["inner_radius"], "top_held": number["top_held"] > 0}
-        shaken = of_earthquake(one, source)["force"][..., -1:] * (asked.overstrength if asked else 1.0)
-        dead = one.permanent_favourable * (source.places.own_weight[..., -1:] + number["roof"])
-        each = {"bending": wind, "harmonics": tube.wind_lift(pressure=pressure, **silo), "earthquake": shaken, "weight": dead}
-        found.append({name: np.broadcast_to(value, wind.shape) for name, value in each.items()})
-    return {f"anchor_lift_{name}": np.array([one[name] for one in found])[:, None] for name in found[0]}
+        shaken = of_earthquake(combination, source)["force"][..., -1:] * (asked.overstrength if asked else 1.0)
+        dead = combination.permanent_favourable * (source.places.own_weight[..., -1:] + number["roof"])
+        lift = {"bending": wind, "harmonics": tube.wind_lift(pressure=pressure, **silo), "earthquake": shaken, "weight": dead}
+        lifts.append({name: np.broadcast_to(value, wind.shape) for name, value in lift.items()})
+    return {f"anchor_lift_{name}": np.array([part[name] for part in lifts])[:, None] for name in lifts[0]}
 
 
 def anchor_tension(loads: Load) -> np.ndarray:
@@ -115,16 +118,16 @@ def below(pressure: xr.Dataset, loads: Load, built: Mapping) -> dict:
     study, shape = loads.source.expansion.study, (*loads.shape[:-1], 1)
     support = {**parameters, "hopper_meridional_force": top}
     rows = rows_of(study, SUPPORT)
-    found: dict = _checked(rows, support, loads, shape, SUPPORT)
-    found["support_check_loaded_by"] = [
+    data: dict = _checked(rows, support, loads, shape, SUPPORT)
+    data["support_check_loaded_by"] = [
         " ".join(whose for name, whose in LOADED_BY.items() if name in row.needs) for row in rows
     ]
     if "hopper_position" in pressure:
         names = ("hopper_meridional_force", "hopper_hoop_force")
-        found |= _checked(rows_of(study, HOPPER), parameters, loads, parameters[names[0]].shape, HOPPER)
-        found |= {name: parameters[name] for name in names}
+        data |= _checked(rows_of(study, HOPPER), parameters, loads, parameters[names[0]].shape, HOPPER)
+        data |= {name: parameters[name] for name in names}
         # every stress there is a force over the thickness, the hopper's present weight in the force
-        found["hopper_required_thickness"] = found["hopper_check_utilisation"] * parameters["hopper_thickness"]
+        data["hopper_required_thickness"] = data["hopper_check_utilisation"] * parameters["hopper_thickness"]
     inner: dict[str, Callable] = {
         "transition_ring_force": transition_ring.ring_force,
         "ring_effective_area": transition_ring.effective_area,
@@ -140,7 +143,7 @@ def below(pressure: xr.Dataset, loads: Load, built: Mapping) -> dict:
         "anchor_tension": parameters["anchor_tension"],
         "support_force": parameters["support_force"],
     }
-    return found | behind | {name: np.broadcast_to(value, shape)[..., 0] for name, value in tension.items()}
+    return data | behind | {name: np.broadcast_to(value, shape)[..., 0] for name, value in tension.items()}
 
 
 def _checked(rows: Sequence, parameters: Mapping, loads: Load, shape, part: str) -> dict:

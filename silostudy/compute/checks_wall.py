@@ -37,13 +37,13 @@ class Load:
 
     def factor(self, name: str) -> np.ndarray:
         """A factor of every combination, (combination, 1, 1..., 1)."""
-        values = np.array([one.factors[name] for one in self.combinations])
+        values = np.array([combination.factors[name] for combination in self.combinations])
         return values.reshape(-1, *[1] * (len(self.shape) - 1))
 
     @property
     def unloaded(self) -> np.ndarray:
         """Where on the wall a method gives no load in any combination with contents, (method, axes..., place)."""
-        full = [bool(one.solids) for one in self.combinations]
+        full = [bool(combination.solids) for combination in self.combinations]
         if not any(full):
             return np.zeros(self.shape[1:], dtype=bool)
         silent = np.isnan(self.parameters["axial_wall_force"]) | np.isnan(self.parameters["upper_internal_pressure"])
@@ -52,11 +52,13 @@ class Load:
 
 def load(source: Characteristic, combinations: Sequence[Combination]) -> Load:
     """Everything that the checks of the wall ask for but its thickness."""
-    each = [acting(one, source) for one in combinations]
-    actions = {name: np.array([one[name] for one in each]) for name in each[0]}
+    acting_by = [acting(combination, source) for combination in combinations]
+    actions = {name: np.array([forces[name] for forces in acting_by]) for name in acting_by[0]}
     steel = wall_parameters(source.expansion, actions["lower_internal_pressure"], actions["upper_internal_pressure"])
     asked, number = source.expansion.study.checks, source.numbers
-    empty = np.array([one.contents == "empty" for one in combinations]).reshape(-1, *[1] * (actions["suction"].ndim - 1))
+    empty = np.array([combination.contents == "empty" for combination in combinations]).reshape(
+        -1, *[1] * (actions["suction"].ndim - 1)
+    )
     beside = {
         "wall_height": number["wall_height"],
         "edge_factor": np.where(empty, number["edge_factor"], np.nan_to_num(number["edge_factor"], nan=1.0)),
@@ -64,7 +66,7 @@ def load(source: Characteristic, combinations: Sequence[Combination]) -> Load:
         "partial_buckling": asked.gamma_M1,
         "partial_joint": asked.gamma_M2,
     }
-    lacks = np.array([lacking(one, source) for one in combinations])[:, None]
+    lacks = np.array([lacking(combination, source) for combination in combinations])[:, None]
     return Load(source, combinations, {**steel, **actions, **beside}, lacks)
 
 
@@ -88,23 +90,23 @@ def of_one_thickness(loads: Load) -> Callable[[np.ndarray], dict[str, np.ndarray
     source, own = loads.source, {**loads.parameters}
     above = loads.factor("permanent") * source.numbers["steel_weight"] * source.places.below_top
 
-    def at(thickness):
+    def given_wall(thickness):
         wall = {**own, "thickness": thickness, "thinnest": thickness, "wall_above": above}
         return {**wall, "critical_external_pressure": _outside(loads, call(external_pressure.critical_pressure, wall))}
 
-    return at
+    return given_wall
 
 
 def _outside(loads: Load, critical) -> np.ndarray:
     """Critical external pressure (Pa); without bound where the solid stands, so that nothing is asked of the edges there."""
-    full = np.isin([one.contents for one in loads.combinations], ["empty"], invert=True)
+    full = np.isin([combination.contents for combination in loads.combinations], ["empty"], invert=True)
     return np.where(full.reshape(-1, *[1] * (len(loads.shape) - 1)), np.inf, critical)
 
 
 def courses_critical(source: Characteristic) -> tuple[np.ndarray, np.ndarray]:
     """(external pressure (Pa) at which the wall with its courses buckles, waves round it), (axes..., 1); NaN without wind."""
-    found = np.array([_of_case(case.scene) for case in source.expansion.cases])
-    return of_cases(source.expansion, found[:, 0].tolist()), of_cases(source.expansion, found[:, 1].tolist())
+    results = np.array([_of_case(case.scene) for case in source.expansion.cases])
+    return of_cases(source.expansion, results[:, 0].tolist()), of_cases(source.expansion, results[:, 1].tolist())
 
 
 def _of_case(scene) -> tuple[float, float]:
@@ -127,7 +129,7 @@ def _critical(thicknesses, shares, height: float, diameter: float, steel, edges)
 
 def checked(rows: Sequence[SteelCheck], loads: Load, parameters: Mapping) -> dict[str, np.ndarray]:
     """Utilisation, its scope, and effect and resistance where they are stresses (Pa): (check, combination, method, ...)."""
-    found: dict[str, list] = {"utilisation": [], "scope": [], "effect": [], "resistance": []}
+    lists: dict[str, list] = {"utilisation": [], "scope": [], "effect": [], "resistance": []}
     for row in rows:
         with np.errstate(invalid="ignore", divide="ignore", over="ignore"):
             effect, resistance = (
@@ -136,17 +138,17 @@ def checked(rows: Sequence[SteelCheck], loads: Load, parameters: Mapping) -> dic
             flags = scope(row, parameters, loads.combinations, loads.lacks, loads.shape)
             used, flags = judged(effect / resistance, flags)
         of_stress = (flags == 0) & (row.unit == "Pa")
-        found["utilisation"].append(used)
-        found["scope"].append(flags)
-        found["effect"].append(np.where(of_stress, effect, np.nan))
-        found["resistance"].append(np.where(of_stress, resistance, np.nan))
-    return {name: np.array(values).reshape(len(rows), *loads.shape) for name, values in found.items()}
+        lists["utilisation"].append(used)
+        lists["scope"].append(flags)
+        lists["effect"].append(np.where(of_stress, effect, np.nan))
+        lists["resistance"].append(np.where(of_stress, resistance, np.nan))
+    return {name: np.array(values).reshape(len(rows), *loads.shape) for name, values in lists.items()}
 
 
 def needed(rows: Sequence[SteelCheck], loads: Load) -> np.ndarray:
     """Thickness (m) at which each check just holds in a wall of one thickness, (check, combination, method, axes..., place)."""
-    at = of_one_thickness(loads)
-    return np.array([_needed(row, loads, at) for row in rows]).reshape(len(rows), *loads.shape)
+    wall_of = of_one_thickness(loads)
+    return np.array([_needed(row, loads, wall_of) for row in rows]).reshape(len(rows), *loads.shape)
 
 
 def beyond(rows: Sequence[SteelCheck], loads: Load, thickness: np.ndarray) -> np.ndarray:
@@ -154,44 +156,44 @@ def beyond(rows: Sequence[SteelCheck], loads: Load, thickness: np.ndarray) -> np
     thinnest = np.broadcast_to(loads.source.numbers["inner_radius"], loads.shape) / SLENDEREST
     wall = of_one_thickness(loads)(np.where(thickness > 0, thickness, thinnest))
     with np.errstate(invalid="ignore", divide="ignore", over="ignore"):
-        each = [scope(row, wall, loads.combinations, loads.lacks, loads.shape) for row in rows]
-    return (np.array(each).reshape(len(rows), *loads.shape) == OUT_OF_RANGE).any(axis=(0, 1))
+        scopes = [scope(row, wall, loads.combinations, loads.lacks, loads.shape) for row in rows]
+    return (np.array(scopes).reshape(len(rows), *loads.shape) == OUT_OF_RANGE).any(axis=(0, 1))
 
 
-def _needed(row: SteelCheck, loads: Load, at: Callable) -> np.ndarray:
+def _needed(row: SteelCheck, loads: Load, wall_of: Callable) -> np.ndarray:
     radius = np.broadcast_to(loads.source.numbers["inner_radius"], loads.shape)
     with np.errstate(invalid="ignore", divide="ignore", over="ignore"):
-        found = call(row.needed, at(radius)) if row.needed else _sought(row, at, radius)
-        found = np.broadcast_to(found, loads.shape)
-        wall = at(np.where(found > 0, found, radius / SLENDEREST))
+        thickness = call(row.needed, wall_of(radius)) if row.needed else _sought(row, wall_of, radius)
+        thickness = np.broadcast_to(thickness, loads.shape)
+        wall = wall_of(np.where(thickness > 0, thickness, radius / SLENDEREST))
         flags = scope(row, wall, loads.combinations, loads.lacks, loads.shape)
-    return judged(found, flags)[0]
+    return judged(thickness, flags)[0]
 
 
-def _sought(row: SteelCheck, at: Callable, radius: np.ndarray) -> np.ndarray:
+def _sought(row: SteelCheck, wall_of: Callable, radius: np.ndarray) -> np.ndarray:
     """The thickness (m) by halving the range of log R/t; NaN where the stockiest does not do, 0 where the slenderest does."""
     thin, thick = radius / SLENDEREST, radius / STOCKIEST
-    enough, idle = (row.utilisation(at(end)) <= 1 for end in (thick, thin))
+    enough, idle = (row.utilisation(wall_of(end)) <= 1 for end in (thick, thin))
     for _ in range(HALVINGS):
         middle = np.sqrt(thin * thick)
-        carries = row.utilisation(at(middle)) <= 1
+        carries = row.utilisation(wall_of(middle)) <= 1
         thin, thick = np.where(carries, thin, middle), np.where(carries, middle, thick)
     return np.where(idle, 0.0, np.where(enough, thick, np.nan))
 
 
 def buckled(rules, loads: Load, parameters: Mapping) -> dict[str, np.ndarray]:
     """Axial stress over design strength by rule, its scope, and the strength (Pa), each (rule, combination, method, ...)."""
-    found: dict[str, list] = {"utilisation": [], "scope": [], "strength": []}
+    lists: dict[str, list] = {"utilisation": [], "scope": [], "strength": []}
     stress = parameters["axial_wall_force"] / parameters["thickness"]
     silent = (loads.lacks > 0) | np.isnan(stress)
     for rule in rules:
-        one = with_thickness(rule, parameters, parameters["thickness"])
-        strength = np.broadcast_to(one["buckling_stress"], loads.shape) / parameters["partial_buckling"]
-        flags = np.where(silent, NO_LOAD, np.broadcast_to(one["buckling_stress_scope"], loads.shape)).astype(np.int8)
-        found["utilisation"].append(np.where(flags == IN_SCOPE, stress / strength, np.nan))
-        found["scope"].append(flags)
-        found["strength"].append(np.where(flags == IN_SCOPE, strength, np.nan))
-    return {name: np.array(values) for name, values in found.items()}
+        shell = with_thickness(rule, parameters, parameters["thickness"])
+        strength = np.broadcast_to(shell["buckling_stress"], loads.shape) / parameters["partial_buckling"]
+        flags = np.where(silent, NO_LOAD, np.broadcast_to(shell["buckling_stress_scope"], loads.shape)).astype(np.int8)
+        lists["utilisation"].append(np.where(flags == IN_SCOPE, stress / strength, np.nan))
+        lists["scope"].append(flags)
+        lists["strength"].append(np.where(flags == IN_SCOPE, strength, np.nan))
+    return {name: np.array(values) for name, values in lists.items()}
 
 
 def needed_by_rules(rules, loads: Load) -> tuple[np.ndarray, np.ndarray]:
@@ -199,5 +201,5 @@ def needed_by_rules(rules, loads: Load) -> tuple[np.ndarray, np.ndarray]:
     source, own = loads.source, loads.parameters
     above = loads.factor("permanent") * source.numbers["steel_weight"] * source.places.below_top
     force = np.where(loads.lacks > 0, np.nan, own["axial_wall_force"])
-    each = [required_thickness(rule, own, force, own["partial_buckling"], own_weight=above) for rule in rules]
-    return np.array([one[0] for one in each]), np.array([one[1] for one in each])
+    pairs = [required_thickness(rule, own, force, own["partial_buckling"], own_weight=above) for rule in rules]
+    return np.array([pair[0] for pair in pairs]), np.array([pair[1] for pair in pairs])

@@ -30,7 +30,7 @@ def cube_of(run: Run, scene: AnyScene, choice: Choice | None = None) -> xr.Datas
         "event_time": np.array([time for time, _, _ in record.happened], float),
         "event_action": np.array([f"{trigger}: {action}" for _, trigger, action in record.happened], dtype=str),
     }
-    kept = {name: values for name, values in data.items() if values.size}
+    filled = {name: values for name, values in data.items() if values.size}
     notes = {
         **promises([choice] if choice else []),
         **scene.own_methods,
@@ -47,7 +47,7 @@ def cube_of(run: Run, scene: AnyScene, choice: Choice | None = None) -> xr.Datas
         notes |= {"grain_kinds": ", ".join(scene.kinds)}
     if run.trouble:
         notes["stopped"] = run.trouble
-    return assemble(scene, "dem", kept, sources=[*sources_of(model), *(SOURCES if scene.record.fields else ())], notes=notes)
+    return assemble(scene, "dem", filled, sources=[*sources_of(model), *(SOURCES if scene.record.fields else ())], notes=notes)
 
 
 def disc_arrays(run: Run) -> dict[str, np.ndarray]:
@@ -129,16 +129,19 @@ def _cells(model: Model) -> dict[str, np.ndarray]:
 
 
 def _snapshots(run: Run) -> dict[str, np.ndarray]:
-    found = run.recording.snapshots
-    if not found:
+    snapshots = run.recording.snapshots
+    if not snapshots:
         return {}
-    motion = np.full((len(found), len(run.engine.model.x), 5), np.nan)
-    for k, snapshot in enumerate(found):
+    motion = np.full((len(snapshots), len(run.engine.model.x), 5), np.nan)
+    for k, snapshot in enumerate(snapshots):
         motion[k, snapshot["label"]] = snapshot["motion"]
-    contacts = [(k, on, row) for k, s in enumerate(found) for on, name in enumerate(("pairs", "walls")) for row in s[name]]
+    contacts = [(k, on, row) for k, s in enumerate(snapshots) for on, name in enumerate(("pairs", "walls")) for row in s[name]]
     table = np.array([row for _, _, row in contacts]).reshape(-1, 6)
     data = {f"disc_{name}": motion[:, :, k] for k, name in enumerate(("x", "y", "u", "v", "spin"))}
-    data |= {"snapshot": np.arange(len(found)), "snapshot_time": np.array([float(snapshot["time"]) for snapshot in found])}
+    data |= {
+        "snapshot": np.arange(len(snapshots)),
+        "snapshot_time": np.array([float(snapshot["time"]) for snapshot in snapshots]),
+    }
     data |= {"contact_snapshot": np.array([k for k, _, _ in contacts], np.int32)}
     data |= {"contact_on_wall": np.array([on for _, on, _ in contacts], np.int8)}
     for k, name in enumerate(("first", "second")):

@@ -39,10 +39,10 @@ def _kinds(file: str, folder: Path, kinds: int) -> np.ndarray:
     held, key = opened(folder / file, "filling.file"), "filling.file"
     if KIND not in held:
         raise BadInput(key, file, f"must hold {KIND}: the scene has {kinds} kinds of spheres")
-    found = held[KIND].to_numpy()[~np.isnan(_metres(held[GIVEN_SPHERES[0]], file, key))]
-    if not np.isin(found, np.arange(kinds)).all():
+    numbers = held[KIND].to_numpy()[~np.isnan(_metres(held[GIVEN_SPHERES[0]], file, key))]
+    if not np.isin(numbers, np.arange(kinds)).all():
         raise BadInput(key, file, f"{KIND} must be from 0 to {kinds - 1}, as the scene counts its kinds")
-    return found.astype(int)
+    return numbers.astype(int)
 
 
 def _given(file: str, folder: Path, key: str, names: tuple[str, ...], body: str) -> list[np.ndarray]:

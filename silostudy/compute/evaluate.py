@@ -68,8 +68,8 @@ def sources_of(expansion: Expansion) -> list[str]:
 
 def gather(expansion: Expansion, method: AskedMethod) -> dict[str, np.ndarray]:
     """Every parameter a method may ask for, in SI, and the plan's shape: arrays of shape (axes..., 1)."""
-    each = parameters_of_scenes([case.scene for case in expansion.cases], method.row, method.as_printed)
-    return {name: values.reshape(*expansion.shape, 1) for name, values in each.items()}
+    parameters = parameters_of_scenes([case.scene for case in expansion.cases], method.row, method.as_printed)
+    return {name: values.reshape(*expansion.shape, 1) for name, values in parameters.items()}
 
 
 def masked(row: PressureMethod, quantity: str, phase: str, function: Callable, place, parameters: Mapping) -> tuple:
@@ -90,9 +90,9 @@ def masked(row: PressureMethod, quantity: str, phase: str, function: Callable, p
     return np.where(scope == IN_SCOPE, value, np.nan), scope
 
 
-def above_contact(found: tuple, z: np.ndarray, parameters: Mapping) -> tuple:
+def above_contact(evaluated: tuple, z: np.ndarray, parameters: Mapping) -> tuple:
     """Values on the cylinder, masked above the highest contact of solid and wall."""
-    value, scope = found
+    value, scope = evaluated
     above = (z < parameters["contact_depth"]) & ~np.isin(scope, [NO_PLAN, NO_PROPERTY])
     return np.where(above, np.nan, value), np.where(above, np.int8(ABOVE_CONTACT), scope)
 
@@ -119,9 +119,9 @@ def filled(expansion, given, methods, names, evaluate, *last_shape) -> dict:
 
 def method_coordinates(methods: list[AskedMethod]) -> dict[str, list[str]]:
     """The axis of methods with what figures need to know of them, so that a figure is a function of the cube alone."""
-    found = {f"_{name}": [getattr(method, name) for method in methods] for name in ("title", "drawn")}
-    found |= {"": [method.label for method in methods]}
+    columns = {f"_{name}": [getattr(method, name) for method in methods] for name in ("title", "drawn")}
+    columns |= {"": [method.label for method in methods]}
     for name in ("number", "colour", "marker", "initial_state"):
-        found[f"_{name}"] = [getattr(method.row, name) for method in methods]
-    found["_values"] = ["; ".join(f"{q}: {v}" for q, v in method.row.values.items()) for method in methods]
-    return {f"pressure_method{name}": texts for name, texts in found.items()}
+        columns[f"_{name}"] = [getattr(method.row, name) for method in methods]
+    columns["_values"] = ["; ".join(f"{q}: {v}" for q, v in method.row.values.items()) for method in methods]
+    return {f"pressure_method{name}": texts for name, texts in columns.items()}

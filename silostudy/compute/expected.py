@@ -18,13 +18,13 @@ class Verdict:
     quantity: Outcome
     value: float
     tolerance: float
-    found: float
+    computed: float
     source: str
 
     @property
     def met(self) -> bool:
         """Whether the run came as near as it must."""
-        return abs(self.found - self.value) <= self.tolerance
+        return abs(self.computed - self.value) <= self.tolerance
 
     @property
     def _digits(self) -> int:
@@ -33,8 +33,8 @@ class Verdict:
         return max(4, 2 + int(np.ceil(np.log10(size)))) if size > 0.0 else 4
 
     def __str__(self) -> str:
-        told = f"{self.quantity.key} {self.found:.{self._digits}g} {self.quantity.unit}"
-        if np.isnan(self.found):
+        told = f"{self.quantity.key} {self.computed:.{self._digits}g} {self.quantity.unit}"
+        if np.isnan(self.computed):
             told = f"{self.quantity.key} not seen in this run"
         met = "met" if self.met else "not met"
         return f"{told}; published {self.value:.{self._digits}g} +- {self.tolerance:.3g} ({self.source}): {met}"
@@ -46,12 +46,12 @@ def verdicts(run: Run, scene: AnyScene) -> list[Verdict]:
     return [_verdict(looks, asked) for asked in scene.expected]
 
 
-def notes_of(found: list[Verdict]) -> dict[str, Any]:
+def notes_of(verdicts: list[Verdict]) -> dict[str, Any]:
     """Attributes of a cube: each quantity found, published, and its tolerance; one that is expected again has a number."""
-    parts = {"found": "found", "published": "value", "tolerance": "tolerance"}
+    parts = {"found": "computed", "published": "value", "tolerance": "tolerance"}
     notes: dict[str, Any] = {}
-    for number, verdict in enumerate(found):
-        again = sum(other.quantity is verdict.quantity for other in found[:number])
+    for number, verdict in enumerate(verdicts):
+        again = sum(other.quantity is verdict.quantity for other in verdicts[:number])
         row = f"{verdict.quantity.key.replace('-', '_')}{f'_{again + 1}' if again else ''}_{verdict.quantity.suffix}"
         notes |= {f"{name}_{row}": float(getattr(verdict, part)) for name, part in parts.items()}
     return notes
@@ -59,7 +59,7 @@ def notes_of(found: list[Verdict]) -> dict[str, Any]:
 
 def _verdict(looks: Looks, asked: Any) -> Verdict:
     row = OUTCOMES[asked.kind]
-    arguments = {one.argument: getattr(asked, one.name) for one in row.asks if one.argument}
+    arguments = {field.argument: getattr(asked, field.name) for field in row.asks if field.argument}
     value, tolerance = (getattr(asked, f"{name}_{row.suffix}") for name in ("value", "tolerance"))
     return Verdict(row, value, tolerance, row.find(looks, **arguments), f"{asked.source}, {asked.locator}")
 

@@ -61,8 +61,8 @@ def mesh(load: Load, strakes: tuple[np.ndarray, np.ndarray], *, size: float) -> 
     whole = np.concatenate([half, 2 * np.pi - half[-2:0:-1]])
     foot = int(np.argmin(np.abs(depths - load.transition)))
     sides = [depths[: foot + 1] + side * EPSILON for side in (-1, 1)]
-    each = [thicknesses[np.minimum(np.searchsorted(feet, side), len(thicknesses) - 1)] for side in sides]
-    return Mesh(depths, whole, load.radius_at(depths), np.mean(each, axis=0), foot, size)
+    courses = [thicknesses[np.minimum(np.searchsorted(feet, side), len(thicknesses) - 1)] for side in sides]
+    return Mesh(depths, whole, load.radius_at(depths), np.mean(courses, axis=0), foot, size)
 
 
 def _filled(edges: np.ndarray, size: float) -> np.ndarray:
@@ -80,12 +80,12 @@ def nodal_forces(load: Load, on: Mesh) -> np.ndarray:
     z, along = _points(on.depths)
     theta, around = _points(np.append(on.angles, 2 * np.pi))
     force = _traction(load, z[:, :, None, None], theta)  # (row, point, column, point, xyz)
-    found = np.zeros((len(on.depths), len(on.angles), 3))
+    forces = np.zeros((len(on.depths), len(on.angles), 3))
     for ring, down in enumerate(along):
         for angle, across in enumerate(around):
             share = np.einsum("rpcqx,rp,cq->rcx", force, down, across)
-            found[ring : ring + len(z)] += np.roll(share, angle, axis=1)
-    return found
+            forces[ring : ring + len(z)] += np.roll(share, angle, axis=1)
+    return forces
 
 
 def _points(ends: np.ndarray) -> tuple[np.ndarray, tuple[np.ndarray, np.ndarray]]:
@@ -98,7 +98,7 @@ def _points(ends: np.ndarray) -> tuple[np.ndarray, tuple[np.ndarray, np.ndarray]
 
 def _traction(load: Load, z: np.ndarray, theta: np.ndarray) -> np.ndarray:
     """Force per depth and angle (N m-1 rad-1) along x, y, z: on a hopper's wall p_n - p_t tan(beta) outward."""
-    normal, traction = load.at(z, theta)
+    normal, traction = load.stress(z, theta)
     slope = np.where(z > load.transition, np.nan_to_num(np.tan(load.half_angle)), 0.0)
     outward, down = normal - traction * slope, traction + normal * slope
     parts = (outward * np.cos(theta), outward * np.sin(theta), -down)

@@ -16,14 +16,14 @@ def floor_variables(expansion: Expansion, methods: list[AskedMethod], given: Seq
 
     def on_floor(row, phase, parameters):
         functions, x = row.floor.get(phase, {}), places * parameters["diameter"] / 2
-        found: dict[str, tuple] = {}
+        values: dict[str, tuple] = {}
         for name in FLOOR_QUANTITIES if phase in row.phases else ():
             if name not in functions:
-                found[name] = np.nan, np.int8(NO_QUANTITY)
+                values[name] = np.nan, np.int8(NO_QUANTITY)
                 continue
             value, scope = masked(row, name, phase, functions[name], x, parameters)
             hopper = np.isin(scope, [IN_SCOPE, OUT_OF_RANGE]) & np.isfinite(parameters["hopper_half_angle"])
-            found[name] = np.where(hopper, np.nan, value), np.where(hopper, np.int8(NO_FLOOR), scope)
-        return found
+            values[name] = np.where(hopper, np.nan, value), np.where(hopper, np.int8(NO_FLOOR), scope)
+        return values
 
     return {**filled(expansion, given, methods, FLOOR_QUANTITIES, on_floor, places.size), "floor_position": places}

@@ -31,17 +31,17 @@ SOURCES = ("kiyama_fujimura_1983", "sasaki_yoshimura_effective_mass", "en1998_4_
 
 def grains_cube(expansion: Expansion, tell: Callable[[str], None] = lambda text: None) -> xr.Dataset:
     """The cube of a grains study; `tell` hears of each case as it is done.  Equal fillings are settled once."""
-    study, settled, found = expansion.study, {}, []
+    study, settled, cases = expansion.study, {}, []
     for number, case in enumerate(expansion.cases):
-        each = []
+        fillings = []
         for seed in study.seeds:
             key = case.scene.filling, seed
             if key not in settled:
                 settled[key] = settle(case.scene, seed, study.rest_limit_s)
-            each.append(_shaken(study, case.scene, *settled[key]))
-        found.append({name: np.array([one[name] for one in each]) for name in each[0]})
-        tell(f"case {number + 1} of {len(expansion.cases)}: walls carry {found[-1]['carried_in_phase'][:, 0].mean():.3f}")
-    data = {**stacked(found, expansion.shape), "filling": np.array(study.seeds), "carrier": list(CARRIERS)}
+            fillings.append(_shaken(study, case.scene, *settled[key]))
+        cases.append({name: np.array([filling[name] for filling in fillings]) for name in fillings[0]})
+        tell(f"case {number + 1} of {len(expansion.cases)}: walls carry {cases[-1]['carried_in_phase'][:, 0].mean():.3f}")
+    data = {**stacked(cases, expansion.shape), "filling": np.array(study.seeds), "carrier": list(CARRIERS)}
     sources = [*SOURCES, *({"obspy_sample_knet"} if any(case.scene.shaking.record for case in expansion.cases) else ())]
     return assemble(study, "grains", data, sources=sources, sweep=sweep_of(expansion))
 

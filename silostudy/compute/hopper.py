@@ -55,14 +55,14 @@ def heights(parameters: Mapping) -> tuple[np.ndarray, np.ndarray]:
 
 def _totals(row: PressureMethod, phase: str, offered: list[str], parameters: Mapping) -> dict[str, tuple]:
     functions = row.totals.get(phase, {})
-    found = {}
+    totals = {}
     for name in offered if phase in row.phases else ():
         if name not in functions:
-            found[name] = np.nan, np.int8(NO_QUANTITY)
+            totals[name] = np.nan, np.int8(NO_QUANTITY)
             continue
         value, scope = masked(row, name, phase, functions[name], None, parameters)
-        found[name] = value[..., 0], scope[..., 0]
-    return found
+        totals[name] = value[..., 0], scope[..., 0]
+    return totals
 
 
 def _of_wall(row: PressureMethod, phase: str, x: np.ndarray, parameters: Mapping) -> dict[str, tuple]:
@@ -87,8 +87,8 @@ def balanced(row: PressureMethod, phase: str, parameters: Mapping) -> dict[str, 
     missing = 1 - (wall + ring + outlet) / (weight[..., 0] + transition)
     scope = np.where(scope == IN_SCOPE, _of_wall_scope(row, phase, parameters), scope)
     scope = np.where((scope == IN_SCOPE) & np.isnan(missing), np.int8(OUT_OF_RANGE), scope)
-    found = (np.broadcast_to(value, scope.shape) for value in (weight[..., 0], wall, missing))
-    return {name: (np.where(scope == IN_SCOPE, value, np.nan), scope) for name, value in zip(BALANCE, found, strict=True)}
+    parts = (np.broadcast_to(value, scope.shape) for value in (weight[..., 0], wall, missing))
+    return {name: (np.where(scope == IN_SCOPE, value, np.nan), scope) for name, value in zip(BALANCE, parts, strict=True)}
 
 
 def _of_wall_scope(row: PressureMethod, phase: str, parameters: Mapping) -> np.ndarray:
@@ -131,7 +131,7 @@ def _shape(parameters: Mapping) -> dict:
     """The hopper's dimensions and its flow pattern by the mass-flow limit, (axes...)."""
     friction = parameters["effective_friction_angle"], parameters["hopper_wall_friction"]
     pattern = mass_flow.flow_pattern(parameters["hopper_half_angle"], *friction, parameters["circular"])
-    found = {
+    shape = {
         "hopper_height": heights(parameters)[0],
         "hopper_half_angle": parameters["hopper_half_angle"],
         "outlet_width": parameters["outlet_width"],
@@ -141,4 +141,4 @@ def _shape(parameters: Mapping) -> dict:
     flags = np.arange(len(mass_flow.PATTERNS), dtype=np.int8)
     meanings = {"flag_values": flags, "flag_meanings": " ".join(mass_flow.PATTERNS)}
     told = {**attributes("flow_pattern"), **meanings}
-    return {**{name: value[..., 0] for name, value in found.items()}, "flow_pattern": (pattern[..., 0], told)}
+    return {**{name: value[..., 0] for name, value in shape.items()}, "flow_pattern": (pattern[..., 0], told)}

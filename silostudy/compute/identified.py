@@ -66,7 +66,7 @@ def _measured(scene: Shaken, question: identify.Question) -> np.ndarray:
 
 def _histories(asked: Identification, question: identify.Question, measured: np.ndarray) -> dict:
     """Histories of the top, and their Fourier amplitudes in the stated band."""
-    tops = np.array([identify.top_acceleration(question, one) for one in asked.shown_coefficients])
+    tops = np.array([identify.top_acceleration(question, coefficient) for coefficient in asked.shown_coefficients])
     frequency, transform = spectrum(np.vstack([measured, tops]), question.base.dt, question.band)
     return {
         "measured_acceleration": measured,
@@ -83,7 +83,7 @@ def _answers(bank: identify.Bank, measured: np.ndarray, refinement: int, random:
     wanted = identify.transform(question, measured)
     amplitude, phase = amplitude_error(bank.known, wanted), phase_error(bank.known, wanted)
     fine, coarse = question.coefficients, question.coefficients[::refinement]
-    found = [
+    answers = [
         *(identify.vertex(amplitude, fine), identify.least(amplitude[::refinement], coarse)),
         *(identify.vertex(phase, fine), identify.least(phase[::refinement], coarse)),
     ]
@@ -94,10 +94,10 @@ def _answers(bank: identify.Bank, measured: np.ndarray, refinement: int, random:
         "amplitude_error": amplitude,
         "phase_error": phase,
         "phase_error_as_printed": phase_error_as_printed(bank.known, wanted),
-        "effective_mass_coefficient": np.array(found),
-        "candidate_end": np.array([identify.end_of(one, fine) for one in found]),
-        "uncertainty": identify.stated(found[0], estimate.uncertainty, fine),
-        "coarse_uncertainty": identify.stated(found[1], wider, fine),
+        "effective_mass_coefficient": np.array(answers),
+        "candidate_end": np.array([identify.end_of(coefficient, fine) for coefficient in answers]),
+        "uncertainty": identify.stated(answers[0], estimate.uncertainty, fine),
+        "coarse_uncertainty": identify.stated(answers[1], wider, fine),
         "uncertainty_contribution": estimate.contributions,
     }
 

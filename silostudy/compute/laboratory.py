@@ -62,7 +62,7 @@ def sources(study: LaboratoryStudy) -> list[str]:
 def measure(study: LaboratoryStudy, case: LaboratoryCase) -> Numbers:
     """The numbers of one cell, by the names of the contract; BadInput where a test does not come to its end, or balance."""
     run = _carried(filling(case), None, "filling")
-    found: dict[str, list] = {}
+    lists: dict[str, list] = {}
     loose = _unit_weight(case, run, float(np.quantile(run.engine.places[:, 2], 0.95)))
     repose = heap_angle(_carried(heaping(case), None, "pouring of a heap"), case)
     drawn = crater_angle(_carried(draining(case), None, "draining of a tray", spills=True), case)
@@ -75,7 +75,7 @@ def measure(study: LaboratoryStudy, case: LaboratoryCase) -> Numbers:
         pressed.append(Readings.of(run, scene, case))
         numbers = _pressed(case, run, pressed, stress) | _sheared(case, run, stress)
         for name, value in numbers.items():
-            found.setdefault(name, []).append(value)
+            lists.setdefault(name, []).append(value)
     return {
         "tested_grains": np.array(case.count),
         "tested_grain_diameter": np.array(case.grain),
@@ -85,7 +85,7 @@ def measure(study: LaboratoryStudy, case: LaboratoryCase) -> Numbers:
         "tested_restitution": np.array(back),
         "asked_restitution": np.array(case.restitution),
         "path_horizontal_stress": _path(pressed, PATH),
-        **{name: np.moveaxis(np.array(values), 0, -1) for name, values in found.items()},  # the stresses come last
+        **{name: np.moveaxis(np.array(values), 0, -1) for name, values in lists.items()},  # the stresses come last
     }
 
 
@@ -128,21 +128,21 @@ def _pressed(case: LaboratoryCase, run: Run, pressed: list[Readings], stress: fl
 
 def _sheared(case: LaboratoryCase, run: Run, stress: float) -> Numbers:
     """Shear over normal stress of the solid in itself and on the plate of the wall, at a stress (Pa)."""
-    end, found = end_of(run), Numbers()
+    end, measured = end_of(run), Numbers()
     for name, surfaces in (("internal", SHEARING), ("wall", SLIDING)):
         test = f"{name} shear at {stress / KPA:g} kPa"
         scene = shearing(case, stress, run.engine.time, surfaces)
         read = Readings.of(_carried(scene, end, test), scene, case)
         ratio, late = read.shear / read.vertical, slice(-(SHEAR_WINDOWS // 3), None)
         smooth = np.convolve(ratio, np.full(SMOOTHED, 1.0 / SMOOTHED), "valid")
-        found |= {
+        measured |= {
             f"{name}_shear_ratio": ratio[:SHEAR_WINDOWS],
             f"{name}_peak_shear_ratio": np.array(smooth.max()),
             f"{name}_steady_shear_ratio": np.array(ratio[late].mean()),
             f"{name}_torque_imbalance": _small("lid + floor + wall torque", read.twist(late), f"of the floor's in {test}"),
             f"{name}_stress_error": _small("lid stress", read.vertical[late].mean() / stress - 1.0, f"of the stress of {test}"),
         }
-    return found
+    return measured
 
 
 def _small(name: str, share: float, of: str) -> np.ndarray:
@@ -154,7 +154,9 @@ def _small(name: str, share: float, of: str) -> np.ndarray:
 
 def _loading(pressed: list[Readings]) -> tuple[np.ndarray, np.ndarray]:
     """Vertical and horizontal stresses (Pa) of all windows of the pressing up to now."""
-    return np.concatenate([one.vertical for one in pressed]), np.concatenate([one.horizontal for one in pressed])
+    return np.concatenate([history.vertical for history in pressed]), np.concatenate(
+        [history.horizontal for history in pressed]
+    )
 
 
 def _path(pressed: list[Readings], points: int) -> np.ndarray:

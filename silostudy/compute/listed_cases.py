@@ -12,9 +12,9 @@ def listed_variables(expansion: Expansion) -> dict:
     """State and reason of every load case, (load_case, axes...); nothing where no method of the study gives any."""
     if not {key for row in LOAD_CASES.values() for key in row.methods} & set(expansion.study.method_keys):
         return {}
-    each = [load_cases(expansion.study, case.scene) for case in expansion.cases]
-    states = np.array([[LISTED_STATES.index(one.state) for one in listed] for listed in each], dtype=np.int8)
-    reasons = np.array([[one.why for one in listed] for listed in each])
+    cases = [load_cases(expansion.study, case.scene) for case in expansion.cases]
+    states = np.array([[LISTED_STATES.index(case.state) for case in listed] for listed in cases], dtype=np.int8)
+    reasons = np.array([[case.why for case in listed] for listed in cases])
     shape = (len(LOAD_CASES), *expansion.shape)
     told = flags("how far the study computes the load case", [state.replace(" ", "_") for state in LISTED_STATES])
     return {

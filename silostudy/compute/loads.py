@@ -36,8 +36,8 @@ ROUND = np.pi
 def loads_cube(expansion: Resolved) -> xr.Dataset:
     """The cube of the loads: every load case of each silo with its state, its field in pieces, its forces."""
     study = expansion.study
-    each = [_of_silo(study, case.scene) for case in expansion.cases]
-    data: dict = stacked(each, expansion.shape)
+    silos = [_of_silo(study, case.scene) for case in expansion.cases]
+    data: dict = stacked(silos, expansion.shape)
     labels: dict = {
         "load_case_title": [row.title for row in LOAD_CASES.values()],
         "value_set": list(SETS),
@@ -70,18 +70,18 @@ def _of_silo(study, scene: Scene) -> dict:
     listed = load_cases(study, scene)
     shape, levels = (len(listed), len(SETS)), study.loads.levels
     sizes = {"depth": levels, "normal_pressure": levels, "friction_traction": levels}
-    found: dict = {f"load_{name}": np.full((*shape, len(PIECES), size), np.nan) for name, size in sizes.items()}
-    found |= {f"load_{name}": np.full((*shape, len(PIECES)), np.nan) for name in ("angle_from", "angle_to", "waves")}
-    found |= {f"load_{name}": np.full(shape, np.nan) for name in FORCES}
-    for place, one in enumerate(listed):
+    arrays: dict = {f"load_{name}": np.full((*shape, len(PIECES), size), np.nan) for name, size in sizes.items()}
+    arrays |= {f"load_{name}": np.full((*shape, len(PIECES)), np.nan) for name in ("angle_from", "angle_to", "waves")}
+    arrays |= {f"load_{name}": np.full(shape, np.nan) for name in FORCES}
+    for place, case in enumerate(listed):
         for number, values in enumerate(SETS):
-            if load := _load(one, values, study, scene):
-                _written(found, (place, number), load)
+            if load := _load(case, values, study, scene):
+                _written(arrays, (place, number), load)
     silo, hopper = scene.silo, scene.silo.hopper
-    found |= {"load_radius": silo.diameter / 2, "load_perimeter": silo.perimeter, "load_transition_depth": silo.cylinder_depth}
-    found |= {"load_half_angle": hopper.half_angle if hopper else np.nan}
-    found["load_weight"] = scene.silo.volume * _given(scene)["unit_weight"][0, 0]
-    return found
+    arrays |= {"load_radius": silo.diameter / 2, "load_perimeter": silo.perimeter, "load_transition_depth": silo.cylinder_depth}
+    arrays |= {"load_half_angle": hopper.half_angle if hopper else np.nan}
+    arrays["load_weight"] = scene.silo.volume * _given(scene)["unit_weight"][0, 0]
+    return arrays
 
 
 FORCES = {
@@ -98,15 +98,15 @@ def _sum(load: Load) -> float:
     return load.vertical_force(hopper=False) + load.vertical_force(hopper=True) + load.bottom_force
 
 
-def _written(found: Mapping[str, np.ndarray], at: tuple[int, int], load: Load) -> None:
+def _written(arrays: Mapping[str, np.ndarray], position: tuple[int, int], load: Load) -> None:
     for piece in load.pieces:
-        here = (*at, PIECES.index(piece.name))
+        here = (*position, PIECES.index(piece.name))
         for name, values in (("depth", piece.depth), ("normal_pressure", piece.normal), ("friction_traction", piece.traction)):
-            found[f"load_{name}"][here] = values
+            arrays[f"load_{name}"][here] = values
         for name in ("angle_from", "angle_to", "waves"):
-            found[f"load_{name}"][here] = getattr(piece, name)
+            arrays[f"load_{name}"][here] = getattr(piece, name)
     for name, force in FORCES.items():
-        found[f"load_{name}"][at] = force(load)
+        arrays[f"load_{name}"][position] = force(load)
 
 
 def _given(scene: Scene) -> dict:
@@ -119,58 +119,58 @@ def _usual_method() -> PressureMethod:
     return PRESSURE[next(iter(LOAD_CASES.values())).methods[0]]
 
 
-def _load(one: Listed, values: str, study, scene: Scene) -> Load | None:
+def _load(case: Listed, values: str, study, scene: Scene) -> Load | None:
     """The field of a load case of the contents with one set; None where the case has none, or is not computed."""
-    build = FIELDS.get(one.row.field)
-    if build is None or one.state != COMPUTED or (build is _channels and values != ALONE):
+    build = FIELDS.get(case.row.field)
+    if build is None or case.state != COMPUTED or (build is _channels and values != ALONE):
         return None
-    method = PRESSURE[one.row.methods[0]]
+    method = PRESSURE[case.row.methods[0]]
     given, levels = parameters_of_scenes([scene], method), study.loads.levels
-    pieces = build(one, values, study, scene, given)
-    bottom = _bottom(one.row.phase, values, scene)
+    pieces = build(case, values, study, scene, given)
+    bottom = _bottom(case.row.phase, values, scene)
     if build is _channels:
         bottom = bottom if scene.silo.hopper is None else np.nan  # what a hopper carries beside a channel is not known
     else:
-        pieces += _hopper(one, method, given, levels, scene)
+        pieces += _hopper(case, method, given, levels, scene)
     silo, unit_weight = scene.silo, given["unit_weight"][0, 0]
     shape = {"radius": silo.diameter / 2, "perimeter": silo.perimeter, "transition": silo.cylinder_depth}
     half_angle = silo.hopper.half_angle if silo.hopper else np.nan
     weight = silo.volume * unit_weight
-    return Load(one.row.title, tuple(pieces), **shape, half_angle=half_angle, weight=weight, bottom_force=bottom)
+    return Load(case.row.title, tuple(pieces), **shape, half_angle=half_angle, weight=weight, bottom_force=bottom)
 
 
 def _levels(start: float, end: float, count: int) -> np.ndarray:
     return np.linspace(start, end, count)
 
 
-def _wall(one: Listed, values: str, study, scene: Scene, given: Mapping) -> list[Piece]:
+def _wall(case: Listed, values: str, study, scene: Scene, given: Mapping) -> list[Piece]:
     """The symmetrical pressures of a set, all round from the highest wall contact to the transition."""
     z = _levels(scene.silo.contact_depth, scene.silo.cylinder_depth, study.loads.levels)
-    functions = [on_wall.on_cylinder(quantity, values, one.row.phase) for quantity in ON_WALL]
+    functions = [on_wall.on_cylinder(quantity, values, case.row.phase) for quantity in ON_WALL]
     normal, traction = (np.broadcast_to(call(function, z, given), (1, z.size))[0] for function in functions)
     return [Piece("wall", z, normal, traction, 0.0, ROUND, 0, last=True)]
 
 
-def _with_patch(one: Listed, values: str, study, scene: Scene, given: Mapping) -> list[Piece]:
+def _with_patch(case: Listed, values: str, study, scene: Scene, given: Mapping) -> list[Piece]:
     """The symmetrical pressures and on them the patch: p cos(theta) on a thin circular wall, a band round another plan."""
-    method = PRESSURE[one.row.methods[0]]
-    of = {name: _total(method, name, one.row.phase, given) for name in ("patch_pressure", "patch_depth", "patch_height")}
+    method = PRESSURE[case.row.methods[0]]
+    of = {name: _total(method, name, case.row.phase, given) for name in ("patch_pressure", "patch_depth", "patch_height")}
     waves = 1
     if np.isnan(of["patch_pressure"]):
-        waves, of["patch_pressure"] = 0, _total(method, "band_pressure", one.row.phase, given)
+        waves, of["patch_pressure"] = 0, _total(method, "band_pressure", case.row.phase, given)
         of["patch_depth"] = scene.silo.cylinder_depth / 2
     half = of["patch_height"] / 2
     z = _levels(of["patch_depth"] - half, of["patch_depth"] + half, study.loads.levels)
     strip = Piece("patch", z, np.full(z.size, of["patch_pressure"]), np.zeros(z.size), 0.0, ROUND, waves, last=False)
-    return [*_wall(one, values, study, scene, given), strip]
+    return [*_wall(case, values, study, scene, given), strip]
 
 
-def _channels(one: Listed, values: str, study, scene: Scene, given: Mapping) -> list[Piece]:
+def _channels(case: Listed, values: str, study, scene: Scene, given: Mapping) -> list[Piece]:
     """Three zones of wall: in the channel, beside it, and at rest."""
-    size = CHANNEL_SIZES[_channels_before(one)]
-    method = next(PRESSURE[key] for key in one.row.methods if key in study.method_keys)
+    size = CHANNEL_SIZES[_channels_before(case)]
+    method = next(PRESSURE[key] for key in case.row.methods if key in study.method_keys)
     given = {**given, "channel_size": np.full((1, 1), size)}
-    functions = method.channel[one.row.phase]
+    functions = method.channel[case.row.phase]
     edge = float(np.ravel(call(functions["channel_half_width"], None, given))[0])
     ends = (0.0, edge, min(2 * edge, ROUND), ROUND)
     z = _levels(scene.silo.contact_depth, scene.silo.cylinder_depth, study.loads.levels)
@@ -184,21 +184,21 @@ def _channels(one: Listed, values: str, study, scene: Scene, given: Mapping) -> 
     return pieces
 
 
-def _channels_before(one: Listed) -> int:
+def _channels_before(case: Listed) -> int:
     """How many channels stand before this one in the table: its place among the sizes."""
-    return [row.key for row in LOAD_CASES.values() if row.field == one.row.field].index(one.row.key)
+    return [row.key for row in LOAD_CASES.values() if row.field == case.row.field].index(case.row.key)
 
 
-def _hopper(one: Listed, method: PressureMethod, given: Mapping, levels: int, scene: Scene) -> list[Piece]:
+def _hopper(case: Listed, method: PressureMethod, given: Mapping, levels: int, scene: Scene) -> list[Piece]:
     """The pressures on the wall of a cone or a square pyramid in the phase of the case, with the hopper's own sets."""
     if scene.silo.hopper is None or scene.silo.plan not in WITH_HOPPER:
         return []
     top, bottom = (float(height[0, 0]) for height in heights(given))
     x = _levels(top, bottom, levels)
     names = ("hopper_normal_pressure", "hopper_friction_traction")
-    functions = (method.hopper[one.row.phase][name] for name in names)
+    functions = (method.hopper[case.row.phase][name] for name in names)
     normal, traction = (
-        masked(method, name, one.row.phase, function, x, given)[0][0] for name, function in zip(names, functions, strict=True)
+        masked(method, name, case.row.phase, function, x, given)[0][0] for name, function in zip(names, functions, strict=True)
     )
     if np.isnan(normal).any():
         return []

@@ -59,12 +59,12 @@ def _filmed(study, case, number: int) -> Film:
     config = case.scene.config
     rested = settle(study, config, number)
     frames: list[Frame] = []
-    found = discharge(study, config, rested, lambda run: frames.append(snapshot(run.engine)))
+    flowed = discharge(study, config, rested, lambda run: frames.append(snapshot(run.engine)))
     sides = cells_of(rested).sides
-    means = found.windows[:, sides][..., MEAN]  # (windows, 2 walls, cells, 2 ways)
+    means = flowed.windows[:, sides][..., MEAN]  # (windows, 2 walls, cells, 2 ways)
     means = means.reshape(-1, SAMPLE, *means.shape[1:]).mean(axis=1)
     forces = np.concatenate([rested.walls[sides][None], means])[: len(frames)]
-    return Film(case.id, config.across, number, config.remedy, frames, forces, bool(found.removed))
+    return Film(case.id, config.across, number, config.remedy, frames, forces, bool(flowed.removed))
 
 
 def _cube(expansion: Expansion, films: list[Film]) -> xr.Dataset:

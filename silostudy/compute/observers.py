@@ -24,7 +24,7 @@ DEEP = 0.05  # of a radius: overlap beyond which the cube warns
 
 def observers_of(scene: AnyScene, model: Model) -> tuple[Observer, ...]:
     """The observers that a scene asks for."""
-    found = []
+    observers = []
     if asked := scene.record.fields:
         width, grid = width_of(asked, model), grid_of(scene, asked, model)
         if grid.cells > MOST:
@@ -33,10 +33,10 @@ def observers_of(scene: AnyScene, model: Model) -> tuple[Observer, ...]:
             )
             raise BadInput("record.fields.width_mm", 1e3 * width, told)
         read = partial(fields_now, grid=grid, width=width)
-        found.append(Observer(FIELDS, _steps(asked.every_s, model.dt), read))
+        observers.append(Observer(FIELDS, _steps(asked.every_s, model.dt), read))
     if scene.record.contact_statistics is not None:
-        found.append(Observer(STATISTICS, _steps(scene.record.contact_statistics.every_s, model.dt), statistics))
-    return tuple(found)
+        observers.append(Observer(STATISTICS, _steps(scene.record.contact_statistics.every_s, model.dt), statistics))
+    return tuple(observers)
 
 
 def _steps(every: float, dt: float) -> int:
@@ -63,13 +63,13 @@ def grid_of(scene: AnyScene, asked: FieldsConfig, model: Model) -> Grid:
 
 def observed(run: Run, scene: AnyScene) -> dict[str, np.ndarray]:
     """Arrays of the cube by name of what a run's observers read."""
-    found: dict[str, np.ndarray] = {}
+    arrays: dict[str, np.ndarray] = {}
     asked, model = scene.record.fields, run.engine.model
     if asked and (readings := run.recording.readings.get(FIELDS)):
-        found |= _fields(*_columns(readings), grid_of(scene, asked, model), model)
+        arrays |= _fields(*_columns(readings), grid_of(scene, asked, model), model)
     if readings := run.recording.readings.get(STATISTICS):
-        found |= _statistics(*_columns(readings), run.engine.space.ways)
-    return found
+        arrays |= _statistics(*_columns(readings), run.engine.space.ways)
+    return arrays
 
 
 def _columns(readings: list) -> tuple[np.ndarray, list[np.ndarray]]:

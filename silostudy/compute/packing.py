@@ -22,20 +22,20 @@ def packing_cube(expansion: Resolved, tell: Callable[[str], None] = lambda text:
     """The cube of a packing study; `tell` hears how far it is.  Equal fillings are settled once, for all their slits."""
     study, groups = expansion.study, _groups(expansion)
     tasks = [(members, run) for members in groups for run in range(study.runs + 1)]
-    found: list[dict[int, dict]] = [{} for _ in expansion.cases]
+    filled_runs: list[dict[int, dict]] = [{} for _ in expansion.cases]
 
-    def one(task) -> list[tuple[int, int, dict]]:
+    def filled(task) -> list[tuple[int, int, dict]]:
         members, run = task
         return [(case, run, values) for case, values in _of_one_filling(expansion, members, run)]
 
     with ThreadPoolExecutor(os.cpu_count()) as pool:
-        first = one(tasks[0])  # alone, so that the kernel is compiled once
-        for done, results in enumerate(chain([first], pool.map(one, tasks[1:])), 1):
+        first = filled(tasks[0])  # alone, so that the kernel is compiled once
+        for done, results in enumerate(chain([first], pool.map(filled, tasks[1:])), 1):
             for case, run, values in results:
-                found[case][run] = values
+                filled_runs[case][run] = values
             if done * 20 // len(tasks) > (done - 1) * 20 // len(tasks):
                 tell(f"{done} of {len(tasks)} fillings settled and let out")
-    return _cube(expansion, [[runs[run] for run in range(study.runs + 1)] for runs in found])
+    return _cube(expansion, [[runs[run] for run in range(study.runs + 1)] for runs in filled_runs])
 
 
 def _groups(expansion: Resolved) -> list[list[int]]:
@@ -49,18 +49,18 @@ def _groups(expansion: Resolved) -> list[list[int]]:
 def _of_one_filling(expansion: Resolved, members: list[int], run: int) -> list[tuple[int, dict]]:
     study = expansion.study
     rested = settle(study, expansion.cases[members[0]].scene.config, run)
-    found = []
+    runs = []
     for number in members:
         config = expansion.cases[number].scene.config
         values = in_flow(study, config, rested, discharge(study, config, rested))
-        found.append((number, at_rest(config, rested) | values))
-    return found
+        runs.append((number, at_rest(config, rested) | values))
+    return runs
 
 
-def _cube(expansion: Resolved, found: list[list[dict]]) -> xr.Dataset:
+def _cube(expansion: Resolved, cases: list[list[dict]]) -> xr.Dataset:
     study, silo = expansion.study, expansion.study.scene.silo
-    runs_in_one = [{name: np.array([one[name] for one in runs]) for name in runs[0]} for runs in found]
-    samples = found[0][0]["passed_discs"].size
+    runs_in_one = [{name: np.array([run[name] for run in runs]) for name in runs[0]} for runs in cases]
+    samples = cases[0][0]["passed_discs"].size
     labels = {
         "run": np.arange(study.runs + 1),
         "layer": (np.arange(LAYERS) + 0.5) * (silo.height_m / LAYERS),

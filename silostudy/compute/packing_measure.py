@@ -113,31 +113,31 @@ def at_rest(config: PackingScene, rested: Rested) -> dict[str, np.ndarray | floa
     }
 
 
-def in_flow(study: PackingStudy, config: PackingScene, rested: Rested, found: Discharge) -> dict[str, np.ndarray | float]:
+def in_flow(study: PackingStudy, config: PackingScene, rested: Rested, flowed: Discharge) -> dict[str, np.ndarray | float]:
     """Wall forces, flow and displacements of a discharge, by the names of the contract."""
-    return _walls(config, rested, found) | _flow(config, rested, found) | _moved(config, rested, found)
+    return _walls(config, rested, flowed) | _flow(config, rested, flowed) | _moved(config, rested, flowed)
 
 
-def _walls(config: PackingScene, rested: Rested, found: Discharge) -> dict[str, np.ndarray | float]:
+def _walls(config: PackingScene, rested: Rested, flowed: Discharge) -> dict[str, np.ndarray | float]:
     cells = cells_of(rested)
-    sides = found.windows[:, cells.sides]  # (windows, 2, cells, 2, 3)
+    sides = flowed.windows[:, cells.sides]  # (windows, 2, cells, 2, 3)
     still = rested.walls[cells.sides]  # (2, cells, 2)
     normal, shear = sides[..., NORMAL, :], sides[..., SHEAR, :]
-    single, floor = normal[..., MOST], found.windows[:, cells.halves, NORMAL, MOST]
+    single, floor = normal[..., MOST], flowed.windows[:, cells.halves, NORMAL, MOST]
     when, wall, cell = np.unravel_index(int(np.argmax(single)), single.shape)
     mean = normal[..., MEAN]
     band = layers(mean)  # (windows, 2, layers)
     early = slice(0, round(EARLY / WINDOW))
     total, rest = mean.sum(axis=(1, 2)), float(still[..., NORMAL].sum())
     sampled = {"side_normal_force": total, "side_shear_force": shear[..., MEAN].sum(axis=(1, 2))}
-    sampled["floor_force"] = found.windows[:, cells.halves, NORMAL, MEAN].sum(axis=1)
+    sampled["floor_force"] = flowed.windows[:, cells.halves, NORMAL, MEAN].sum(axis=1)
     coarse = {name: _by_sample(values) for name, values in sampled.items()}
     top = int(np.argmax(coarse["side_normal_force"]))
     rest_floor = rested.walls[cells.floor, NORMAL]
     return {
         **coarse,
         "contact_overpressure": seen(mean.reshape(len(mean), -1), single.reshape(len(mean), -1)) / still[..., NORMAL].max(),
-        "floor_overpressure": seen(found.windows[:, cells.halves, NORMAL, MEAN], floor) / rest_floor.max(),
+        "floor_overpressure": seen(flowed.windows[:, cells.halves, NORMAL, MEAN], floor) / rest_floor.max(),
         "wall_overpressure": _overpressure(config, normal, still[..., NORMAL]),
         "layer_force_peak": band.max(axis=(0, 1)),
         "layer_force_mean": band[early].mean(axis=(0, 1)),
@@ -192,31 +192,31 @@ def _sliding(values: np.ndarray, count: int) -> np.ndarray:
     return np.lib.stride_tricks.sliding_window_view(values, count, axis=-1).sum(axis=-1)
 
 
-def _flow(config: PackingScene, rested: Rested, found: Discharge) -> dict[str, np.ndarray | float]:
-    time = np.arange(len(found.passed)) * WINDOW * SAMPLE
-    first = found.stops[0] if found.stops else None
+def _flow(config: PackingScene, rested: Rested, flowed: Discharge) -> dict[str, np.ndarray | float]:
+    time = np.arange(len(flowed.passed)) * WINDOW * SAMPLE
+    first = flowed.stops[0] if flowed.stops else None
     flowing = (time >= 0.1) & (time <= (first[0] if first else time[-1]))
     mass = float(rested.model.mass[0])
     enough = flowing.sum() >= 10 and not config.remedy
-    arch = first[1] if first and (found.stopped or found.removed) else None
+    arch = first[1] if first and (flowed.stopped or flowed.removed) else None
     return {
-        "passed_discs": found.passed,
-        "discharge_rate": float(np.polyfit(time[flowing], found.passed[flowing], 1)[0]) * mass if enough else np.nan,
-        "flow_stopped": float(found.stopped or bool(found.removed)),
+        "passed_discs": flowed.passed,
+        "discharge_rate": float(np.polyfit(time[flowing], flowed.passed[flowing], 1)[0]) * mass if enough else np.nan,
+        "flow_stopped": float(flowed.stopped or bool(flowed.removed)),
         "stop_time": first[0] if first and arch else np.nan,
         "arch_discs": float(len(arch.discs)) if arch else np.nan,
         "arch_span": arch.span if arch else np.nan,
         "arch_height": arch.height if arch else np.nan,
-        "discs_removed": float(len(found.removed)),
+        "discs_removed": float(len(flowed.removed)),
     }
 
 
-def _moved(config: PackingScene, rested: Rested, found: Discharge) -> dict[str, np.ndarray | float]:
+def _moved(config: PackingScene, rested: Rested, flowed: Discharge) -> dict[str, np.ndarray | float]:
     """Displacements from rest to the end of the early flow and to the end: a disc has moved by its radius or more."""
     radius, width, slit = config.discs.radius_m, config.silo.width_m, config.silo.slit_width_m
     x, y = rested.places.T
-    early = found.places[min(round(EARLY / WINDOW / SAMPLE), len(found.places) - 1)]
-    ways = {"early": early, "late": found.places[-1]}
+    early = flowed.places[min(round(EARLY / WINDOW / SAMPLE), len(flowed.places) - 1)]
+    ways = {"early": early, "late": flowed.places[-1]}
     gone = {name: ~(np.hypot(*(place - rested.places).T) < radius) for name, place in ways.items()}
     fall = np.where(np.isnan(early[:, 1]) | (early[:, 1] < 0.0), y, y - early[:, 1])
     top = y > y.max() - 3.0 * radius

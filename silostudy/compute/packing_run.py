@@ -103,46 +103,46 @@ def discharge(
     swap_walls(engine, FLOOR, HALVES)
     samples = round(study.discharge_s / WINDOW / SAMPLE)
     quiet = round(study.stopped_s / WINDOW / SAMPLE)
-    found = Discharge(np.empty(0), np.zeros(samples + 1), np.full((samples + 1, len(rested.places), 2), np.nan))
-    found.places[0] = engine.places
+    flowed = Discharge(np.empty(0), np.zeros(samples + 1), np.full((samples + 1, len(rested.places), 2), np.nan))
+    flowed.places[0] = engine.places
     for k in range(1, samples + 1):
         run.go(until=k * SAMPLE * window)
         if run.recording.explosion is not None:
             raise run.recording.explosion
         engine.list_contacts()
-        found.passed[k], found.places[k] = _passed(run, found), engine.places
+        flowed.passed[k], flowed.places[k] = _passed(run, flowed), engine.places
         watch(run)
-        _look_for_stop(study, config, run, found, k, quiet)
-        if found.stopped and _still(engine):
-            found.passed[k:], found.places[k:] = found.passed[k], found.places[k]
+        _look_for_stop(study, config, run, flowed, k, quiet)
+        if flowed.stopped and _still(engine):
+            flowed.passed[k:], flowed.places[k:] = flowed.passed[k], flowed.places[k]
             break
     recorded = np.array(run.recording.window)
     missing = samples * SAMPLE - len(recorded)
-    found.windows = np.concatenate([recorded, np.repeat(recorded[-1:], missing, axis=0)])
-    return found
+    flowed.windows = np.concatenate([recorded, np.repeat(recorded[-1:], missing, axis=0)])
+    return flowed
 
 
-def _look_for_stop(study, config, run: Run, found: Discharge, k: int, quiet: int) -> None:
+def _look_for_stop(study, config, run: Run, flowed: Discharge, k: int, quiet: int) -> None:
     """Note whether the flow has stopped at sample k, and take a disc out where the case asks for it."""
-    last = int(np.flatnonzero(np.diff(found.passed[: k + 1], prepend=-1.0))[-1])
-    since = max([last, *(round(time / WINDOW / SAMPLE) for time, _ in found.removed)])
+    last = int(np.flatnonzero(np.diff(flowed.passed[: k + 1], prepend=-1.0))[-1])
+    since = max([last, *(round(time / WINDOW / SAMPLE) for time, _ in flowed.removed)])
     arch = find_arch(run.engine) if k - since >= quiet else None
-    found.stopped = arch is not None
+    flowed.stopped = arch is not None
     if arch is None:
         return
     time = last * SAMPLE * WINDOW
-    if not found.stops or found.stops[-1][0] < time or config.remedy:
-        found.stops.append((time, arch))
+    if not flowed.stops or flowed.stops[-1][0] < time or config.remedy:
+        flowed.stops.append((time, arch))
     if config.remedy:
-        found.removed.append((k * SAMPLE * WINDOW, arch.roof))
-        found.stopped = False
+        flowed.removed.append((k * SAMPLE * WINDOW, arch.roof))
+        flowed.stopped = False
         run.insert(Event("after", 0.0, "remove", (arch.roof,)))
 
 
-def _passed(run: Run, found: Discharge) -> int:
+def _passed(run: Run, flowed: Discharge) -> int:
     """Discs that have passed the level of the floor."""
     engine = run.engine
-    return engine.most - int((engine.column(Y) > 0.0).sum()) - len(found.removed)
+    return engine.most - int((engine.column(Y) > 0.0).sum()) - len(flowed.removed)
 
 
 def _still(engine: Engine) -> bool:

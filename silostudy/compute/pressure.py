@@ -88,18 +88,18 @@ def _on_wall(expansion: Resolved, methods: list[AskedMethod], given: list[dict],
     scopes = {name: np.full(shape, NO_PHASE, dtype=np.int8) for name in values}
     for m, (method, parameters) in enumerate(zip(methods, given, strict=True)):
         for p, phase in enumerate(expansion.study.phases):
-            found = evaluate(method, phase, z, parameters)
-            for name in values.keys() & found.keys():
-                values[name][m, p], scopes[name][m, p] = found[name]
+            quantities = evaluate(method, phase, z, parameters)
+            for name in values.keys() & quantities.keys():
+                values[name][m, p], scopes[name][m, p] = quantities[name]
     return values | with_reasons(scopes)
 
 
 def _handed(given: list[dict]) -> dict[str, np.ndarray]:
     """The properties of the solid that each method was handed, (method, axes...)."""
-    found = {name: np.array([one[name] for one in given])[..., 0] for name in (*HANDED, *HANDED_IF_KNOWN)}
-    found = {name: value for name, value in found.items() if name in HANDED or not np.isnan(value).all()}
-    capped = [one["wall_friction"] < one["wall_friction_uncapped"] for one in given]
-    return {**found, "wall_friction_capped": np.array(capped).astype(np.int8)[..., 0]}
+    handed = {name: np.array([parameters[name] for parameters in given])[..., 0] for name in (*HANDED, *HANDED_IF_KNOWN)}
+    handed = {name: value for name, value in handed.items() if name in HANDED or not np.isnan(value).all()}
+    capped = [parameters["wall_friction"] < parameters["wall_friction_uncapped"] for parameters in given]
+    return {**handed, "wall_friction_capped": np.array(capped).astype(np.int8)[..., 0]}
 
 
 def offered(methods: list[AskedMethod]) -> list[str]:
@@ -125,19 +125,19 @@ def evaluate(method: AskedMethod, phase: str, z: np.ndarray, parameters: Mapping
     row, functions = method.row, method.functions(phase)
     if not functions:
         return {}
-    found = {}
+    quantities = {}
     for name in QUANTITIES:
         if name in functions:
             value = masked(row, name, phase, functions[name], z, parameters)
-            found[name] = above_contact(value, z, parameters)
+            quantities[name] = above_contact(value, z, parameters)
         else:
-            found[name] = np.nan, np.int8(NO_QUANTITY)
-    pressure, scope = found["wall_normal_pressure"]
+            quantities[name] = np.nan, np.int8(NO_QUANTITY)
+    pressure, scope = quantities["wall_normal_pressure"]
     with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
         static = call(row.static, z, parameters)
         factor = pressure / np.where(static > 0, static, np.nan)  # 0 / 0, as at the surface, is no factor
-    found["overpressure_factor"] = factor, np.where((scope == IN_SCOPE) & np.isnan(factor), np.int8(OUT_OF_RANGE), scope)
-    return found
+    quantities["overpressure_factor"] = factor, np.where((scope == IN_SCOPE) & np.isnan(factor), np.int8(OUT_OF_RANGE), scope)
+    return quantities
 
 
 def depth_coordinates(study, z: np.ndarray) -> dict[str, np.ndarray]:

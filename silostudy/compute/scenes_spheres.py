@@ -16,7 +16,7 @@ BODIES = {"walls": (WALL,), "hopper": (HOPPER,), "floor": (FLOOR,)}
 def numbers(run: Run, opening: float) -> Numbers:
     """The numbers of a run whose first event came at a time (s), by the names of the contract."""
     time, passed, _ = passages(run)
-    found = {
+    numbers = {
         "share_left": left(time, passed, float(run.engine.model.mass.sum()), opening, run.engine.time),
         "grains_at_start": np.array(len(run.engine.model.x)),
         "grains_left": np.array(run.engine.n),
@@ -26,8 +26,8 @@ def numbers(run: Run, opening: float) -> Numbers:
         "mean_mass_flow": np.array(mean_outflow(run).get("mean_outflow_kg_s", np.nan)),
     }
     for name, sums in felt(run).items():
-        found[f"{name}_at_rest"], found[f"largest_{name}"] = at_rest_and_largest(run, opening, sums)
-    return found
+        numbers[f"{name}_at_rest"], numbers[f"largest_{name}"] = at_rest_and_largest(run, opening, sums)
+    return numbers
 
 
 def left(time: np.ndarray, passed: np.ndarray, whole: float, opening: float, end: float) -> np.ndarray:

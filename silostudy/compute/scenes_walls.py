@@ -50,14 +50,14 @@ def wall_numbers(run: Run, scene: AnyScene, opening: float) -> Numbers:
     before, after, count = *_windows(run, opening), windows_in_flow(scene)
     ends = np.full(count, np.nan)
     ends[: len(after[:count])] = np.array(run.recording.window_time)[after[:count]] - opening
-    found: Numbers = {"flow_window_end": ends}
+    numbers: Numbers = {"flow_window_end": ends}
     levels, turns = walled.cells(scene)
     missing = np.full((len(run.recording.window), levels, len(turns), 2, 3), np.nan)
     seen = walled.felt(run, scene)
     for stem in SURFACES:
-        found |= _of_surface(stem, seen[stem].cells if stem in seen else missing, before, after, count)
-        found[f"{stem}_level_height"] = seen[stem].height if stem in seen else np.full(levels, np.nan)
-    return found
+        numbers |= _of_surface(stem, seen[stem].cells if stem in seen else missing, before, after, count)
+        numbers[f"{stem}_level_height"] = seen[stem].height if stem in seen else np.full(levels, np.nan)
+    return numbers
 
 
 def _windows(run: Run, opening: float) -> tuple[np.ndarray, np.ndarray]:

@@ -74,10 +74,10 @@ def by_body(run: Run, cells: np.ndarray, bodies: Mapping[str, tuple[str, ...]]) 
 
     What is missing in a cell, as the load on a line is, adds nothing.
     """
-    each = sums_by_wall(run.engine.model, np.nan_to_num(cells), axis=1)
-    found = {body: np.zeros(len(cells)) for body in bodies}
+    held_by_wall = sums_by_wall(run.engine.model, np.nan_to_num(cells), axis=1)
+    held_by_body = {body: np.zeros(len(cells)) for body in bodies}
     for body, stems in bodies.items():
-        for name, held in each.items():
+        for name, held in held_by_wall.items():
             if any(f"{name}_".startswith(f"{stem}_") for stem in stems):
-                found[body] += held
-    return np.column_stack(list(found.values()))
+                held_by_body[body] += held
+    return np.column_stack(list(held_by_body.values()))

@@ -28,13 +28,13 @@ SOURCES = ("sasaki_yoshimura_effective_mass", "nigam_jennings_1969", "en1998_4_2
 def seismic_cube(expansion: Resolved, tell: Callable[[str], None] = lambda text: None) -> xr.Dataset:
     """The cube of a seismic study; `tell` hears of each case as it is done."""
     study = expansion.study
-    found = []
+    cases = []
     for number, case in enumerate(expansion.cases):
-        found.append(_case(study, case.scene, np.random.default_rng([study.seed, number])))
-        shares = ", ".join(f"{share:.3f}" for share in found[-1]["mass_choice_coefficient"])
-        ends = "; the identified one is an end of the candidates" if found[-1].get("candidate_end", [0])[0] else ""
+        cases.append(_case(study, case.scene, np.random.default_rng([study.seed, number])))
+        shares = ", ".join(f"{share:.3f}" for share in cases[-1]["mass_choice_coefficient"])
+        ends = "; the identified one is an end of the candidates" if cases[-1].get("candidate_end", [0])[0] else ""
         tell(f"case {number + 1} of {len(expansion.cases)}: demand for C_eff = {shares}{ends}")
-    data: dict = stacked(found, expansion.shape) | _labels(study)
+    data: dict = stacked(cases, expansion.shape) | _labels(study)
     data["depth"] = data["depth"], {**attributes("depth"), "long_name": "depth below the top of the contents"}
     sources = [*SOURCES, *(case.scene.source for case in expansion.cases if case.scene.source)]
     notes = {"assumed": ", ".join(study.assumed), "published": study.published or "", **expansion.promise}
@@ -59,13 +59,13 @@ def _case(study, scene: Shaken, random: np.random.Generator) -> dict[str, np.nda
     unreduced = identify.emptied(scene.tube)
     alpha = stiffness_reduction(scene.empty_frequency or unreduced, unreduced)
     choices = dict(STATED)
-    found = _given(scene, alpha, unreduced)
+    arrays = _given(scene, alpha, unreduced)
     if study.sine is not None:
-        found |= _resonance(study.sine, scene, unreduced)
+        arrays |= _resonance(study.sine, scene, unreduced)
     if study.identification is not None:
-        found |= identified(study.identification, scene, alpha, random)
-        choices = {"identified": float(found["effective_mass_coefficient"][0]), **choices}
-    return found | _demand(study, scene, alpha, list(choices.values()))
+        arrays |= identified(study.identification, scene, alpha, random)
+        choices = {"identified": float(arrays["effective_mass_coefficient"][0]), **choices}
+    return arrays | _demand(study, scene, alpha, list(choices.values()))
 
 
 def _given(scene: Shaken, alpha: float, unreduced: float) -> dict:
@@ -98,15 +98,15 @@ def _resonance(sine, scene: Shaken, unreduced: float) -> dict:
 
     alpha, error = stiffness_reduction(sine.empty_frequency_Hz, unreduced), sine.rounding_Hz
     coefficients = [0.0, shifted(sine.empty_frequency_Hz, sine.full_frequency_Hz), 1.0]
-    shapes = [modes(scene.tube, one, alpha) for one in coefficients]
-    gains = [transfer(expand(sine.frequency_Hz), one, sine.damping_ratio)[:, 0] for one in shapes]
+    shapes = [modes(scene.tube, share, alpha) for share in coefficients]
+    gains = [transfer(expand(sine.frequency_Hz), shape, sine.damping_ratio)[:, 0] for shape in shapes]
     bounds = [(sine.empty_frequency_Hz - s * error, sine.full_frequency_Hz + s * error) for s in (1, -1)]
     return {
         "sine_stiffness_reduction": alpha,
         "sine_damping_ratio": sine.damping_ratio,
         "sine_base_acceleration": sine.base_acceleration_gal / 100,
         "sine_coefficient": np.array(coefficients),
-        "sine_frequency": np.array([one.frequency[0] for one in shapes]),
+        "sine_frequency": np.array([shape.frequency[0] for shape in shapes]),
         "sine_coefficient_bound": np.array([shifted(*pair) for pair in bounds]),
         "resonance": np.abs(gains) * sine.base_acceleration_gal / 100,
     }
@@ -117,17 +117,17 @@ def _demand(study, scene: Shaken, alpha: float, shares: list[float]) -> dict:
     tube = scene.tube
     depth = np.array(expand(study.relative_depth)) * tube.fill_height
     heights = np.append(tube.fill_height - depth, 0.0)  # the base last: the depths need not reach it
-    found = [demand(tube, alpha, one, scene.damping_ratio, scene.base, heights) for one in shares]
+    demands = [demand(tube, alpha, share, scene.damping_ratio, scene.base, heights) for share in shares]
     return {
         "depth": depth,
         "mass_choice_coefficient": np.array(shares),
-        "wall_shear_force": np.array([one.shear_force[:-1] for one in found]),
-        "wall_bending_moment": np.array([one.bending_moment[:-1] for one in found]),
-        "seismic_axial_wall_force": np.array([one.axial_wall_force[:-1] for one in found]),
-        "wall_acceleration": np.array([one.acceleration[:-1] for one in found]),
-        "seismic_wall_pressure": np.array([one.wall_pressure[:-1] for one in found]),
-        "base_shear": np.array([one.shear_force[-1] for one in found]),
-        "base_moment": np.array([one.bending_moment[-1] for one in found]),
-        "top_peak": np.array([one.top_peak for one in found]),
-        "top_peak_sampled": np.array([one.top_peak_sampled for one in found]),
+        "wall_shear_force": np.array([answer.shear_force[:-1] for answer in demands]),
+        "wall_bending_moment": np.array([answer.bending_moment[:-1] for answer in demands]),
+        "seismic_axial_wall_force": np.array([answer.axial_wall_force[:-1] for answer in demands]),
+        "wall_acceleration": np.array([answer.acceleration[:-1] for answer in demands]),
+        "seismic_wall_pressure": np.array([answer.wall_pressure[:-1] for answer in demands]),
+        "base_shear": np.array([answer.shear_force[-1] for answer in demands]),
+        "base_moment": np.array([answer.bending_moment[-1] for answer in demands]),
+        "top_peak": np.array([answer.top_peak for answer in demands]),
+        "top_peak_sampled": np.array([answer.top_peak_sampled for answer in demands]),
     }

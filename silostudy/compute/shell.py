@@ -47,10 +47,10 @@ def shell_cube(expansion: Resolved, pressure: xr.Dataset, seismic: xr.Dataset | 
     sources += [check.source for check in SOLID_CHECKS.values()]
     notes: dict = {**expansion.promise, **study.own_methods}
     if study.earthquake:
-        one = of_this_study(expansion, seismic).sel(mass_choice=study.earthquake.mass_choice)
-        data |= shaken(expansion, rules, levels, at_ends, one, safety, dead)
+        of_choice = of_this_study(expansion, seismic).sel(mass_choice=study.earthquake.mass_choice)
+        data |= shaken(expansion, rules, levels, at_ends, of_choice, safety, dead)
         data["side"] = list(SIDES)
-        notes |= earthquake_told(one) | excluded(rules)
+        notes |= earthquake_told(of_choice) | excluded(rules)
         sources.append("en1998_4_2006")
     return assemble(study, "shell", data, sources=sources, notes=notes, sweep=sweep)
 
@@ -66,13 +66,13 @@ def _dead(wall: Wall) -> float:
 def shaken(expansion, rules, levels: Places, at_ends: Places | None, seismic, safety, dead) -> dict:
     """Loads, thickness and utilisation on both sides of a wall that an earthquake bends, all under `earthquake_` names."""
     looked = [sides_of(place, seismic) for place in (levels, at_ends) if place]
-    found = []
+    sides = []
     for side in SIDES:
-        here, *rest = (one[side] for one in looked)
+        here, *rest = (looked_at[side] for looked_at in looked)
         pressures = {name: here.parameters[name] for name in ("lower_internal_pressure", "upper_internal_pressure")}
         loads = {"axial_wall_force": here.force, **pressures}
-        found.append(loads | strengths(expansion, rules, here, rest[0] if rest else None, safety, dead))
-    return beside(found)
+        sides.append(loads | strengths(expansion, rules, here, rest[0] if rest else None, safety, dead))
+    return beside(sides)
 
 
 def sides_of(place: Places, seismic: xr.Dataset) -> dict[str, Places]:
@@ -94,12 +94,12 @@ def strengths(expansion, rules, levels: Places, at_ends: Places | None, safety, 
     """The thickness that the loads ask for, and where the wall's thickness is given its utilisation."""
     weight = of_cases(expansion, [case.scene.shell.unit_weight for case in expansion.cases]) * levels.height
     largest = np.fmax.reduce(levels.force, axis=1) + dead
-    found = required_thicknesses(rules, levels.parameters, largest, safety, weight)
+    arrays = required_thicknesses(rules, levels.parameters, largest, safety, weight)
     if levels.thickness is None or at_ends is None:
-        return found
-    found |= utilisations(rules, levels.parameters, levels.force, safety, levels.thickness, levels.own_weight + dead)
-    found |= {"wall_thickness": levels.thickness, "own_weight_axial_force": levels.own_weight}
-    return found | strake_variables(expansion, rules, at_ends, safety, dead)
+        return arrays
+    arrays |= utilisations(rules, levels.parameters, levels.force, safety, levels.thickness, levels.own_weight + dead)
+    arrays |= {"wall_thickness": levels.thickness, "own_weight_axial_force": levels.own_weight}
+    return arrays | strake_variables(expansion, rules, at_ends, safety, dead)
 
 
 def strake_variables(expansion, rules, at_ends: Places, safety, dead) -> dict:
@@ -110,12 +110,12 @@ def strake_variables(expansion, rules, at_ends: Places, safety, dead) -> dict:
     def parted(values):
         return values.reshape(*values.shape[:-1], count, len(ENDS))
 
-    found = {"strake_depth": parted(at_ends.z), "strake_axial_wall_force": parted(at_ends.force)}
-    found |= {"strake_thickness": parted(at_ends.thickness)[..., 0]}
+    arrays = {"strake_depth": parted(at_ends.z), "strake_axial_wall_force": parted(at_ends.force)}
+    arrays |= {"strake_thickness": parted(at_ends.thickness)[..., 0]}
     for name, given in used.items():
         values, *told = given if isinstance(given, tuple) else (given,)
-        found[f"strake_{name}"] = (parted(values), *told) if told else parted(values)
-    return found | {"strake": np.arange(1, count + 1), "strake_end": list(ENDS)}
+        arrays[f"strake_{name}"] = (parted(values), *told) if told else parted(values)
+    return arrays | {"strake": np.arange(1, count + 1), "strake_end": list(ENDS)}
 
 
 def load_variables(pressure: xr.Dataset, force, source, pressures) -> dict:

@@ -37,17 +37,17 @@ def earthquake_loads(z: np.ndarray, seismic: xr.Dataset) -> list[np.ndarray]:
     return [np.interp(z, seismic["depth"], seismic[name]) for name in ("seismic_axial_wall_force", "seismic_wall_pressure")]
 
 
-def earthquake_told(one: xr.Dataset) -> dict[str, str | float]:
+def earthquake_told(of_choice: xr.Dataset) -> dict[str, str | float]:
     """What the shell's cube says of its earthquake."""
     return {
-        "earthquake": one.attrs["title"],
-        "earthquake_base_motion": str(one["base_motion"].values),
-        "earthquake_mass_coefficient": float(one["mass_choice_coefficient"]),
-        "earthquake_mass_coefficient_end": int(one["candidate_end"][0])
-        if str(one["mass_choice"].values) == "identified"
+        "earthquake": of_choice.attrs["title"],
+        "earthquake_base_motion": str(of_choice["base_motion"].values),
+        "earthquake_mass_coefficient": float(of_choice["mass_choice_coefficient"]),
+        "earthquake_mass_coefficient_end": int(of_choice["candidate_end"][0])
+        if str(of_choice["mass_choice"].values) == "identified"
         else 0,
-        "earthquake_base_shear_N": float(one["base_shear"]),
-        "earthquake_base_moment_N_m": float(one["base_moment"]),
+        "earthquake_base_shear_N": float(of_choice["base_shear"]),
+        "earthquake_base_moment_N_m": float(of_choice["base_moment"]),
     }
 
 
@@ -63,17 +63,17 @@ def sides(force, lower, upper, *, seismic_force, seismic_pressure) -> dict[str, 
     }
 
 
-def beside(found: list[dict]) -> dict:
+def beside(sides: list[dict]) -> dict:
     """Variables of every side in one, under names of their own: dimension `side` first."""
     stacked: dict = {}
-    for name in found[0]:
+    for name in sides[0]:
         own = PREFIX + name
         if own.removesuffix(SCOPE) not in VARIABLES:  # the wall's own thickness has no sides
             continue
-        each = [one[name] for one in found]
-        if isinstance(each[0], tuple):
-            told = {**each[0][1], **({"long_name": VARIABLES[own].long_name} if own in VARIABLES else {})}
-            stacked[own] = np.array([values for values, _ in each]), told
+        values_by_side = [side[name] for side in sides]
+        if isinstance(values_by_side[0], tuple):
+            told = {**values_by_side[0][1], **({"long_name": VARIABLES[own].long_name} if own in VARIABLES else {})}
+            stacked[own] = np.array([values for values, _ in values_by_side]), told
         else:
-            stacked[own] = np.array(each)
+            stacked[own] = np.array(values_by_side)
     return stacked

@@ -15,11 +15,11 @@ def worst_of_ends(expansion: Resolved, data: dict) -> dict:
 
     NaN where any loaded part of the wall is beyond the rule: the largest of the rest would speak for a wall not judged.
     """
-    found = _over_ends(expansion, "required_thickness", _most(data, "required_thickness", 1))
+    arrays = _over_ends(expansion, "required_thickness", _most(data, "required_thickness", 1))
     if "utilisation" not in data:
-        return found
+        return arrays
     used = np.fmax(_most(data, "utilisation", 1), _most(data, "strake_utilisation", 2))
-    return found | _over_ends(expansion, "utilisation", np.fmax.reduce(used, axis=2))
+    return arrays | _over_ends(expansion, "utilisation", np.fmax.reduce(used, axis=2))
 
 
 def _most(data: dict, name: str, last: int) -> np.ndarray:
@@ -39,7 +39,7 @@ def _over_ends(expansion: Resolved, name: str, values: np.ndarray) -> dict:
             alike = np.max(values, axis=number + 2, keepdims=True) <= np.min(values, axis=number + 2, keepdims=True)
             ends = np.where(alike, ENDS.index("alike"), ends)
             values, ends = (
-                np.broadcast_to(np.take_along_axis(one, place, axis=number + 2), values.shape) for one in (values, ends)
+                np.broadcast_to(np.take_along_axis(array, place, axis=number + 2), values.shape) for array in (values, ends)
             )
     values = np.where(np.isinf(values), np.nan, values)
     governing = np.where(np.isnan(values), 0, ends).astype(np.int8)

@@ -45,9 +45,9 @@ def at_strake_ends(expansion: Resolved, pressure: xr.Dataset, levels: Places) ->
     share, z = ends(expansion, edges_and_thicknesses(expansion)[0])
     force = between_levels(levels.z, levels.force, z, rubbing(pressure))
     names = ("lower_internal_pressure", "upper_internal_pressure")
-    found = _places(expansion, z, share, force, [between_levels(levels.z, levels.parameters[name], z) for name in names])
+    places = _places(expansion, z, share, force, [between_levels(levels.z, levels.parameters[name], z) for name in names])
     below = np.arange(z.shape[-1]) // len(ENDS)  # at its top too, a strake is as thick as it is
-    return replace(found, thickness=edges_and_thicknesses(expansion)[1][..., below])
+    return replace(places, thickness=edges_and_thicknesses(expansion)[1][..., below])
 
 
 def _places(expansion: Resolved, z, share, force, pressures) -> Places:

@@ -59,30 +59,30 @@ def ends(expansion: Resolved, edges: np.ndarray) -> tuple[np.ndarray, np.ndarray
     return share, above + share * height
 
 
-def between_levels(z: np.ndarray, values: np.ndarray, at: np.ndarray, slopes: np.ndarray | None = None) -> np.ndarray:
-    """Values (..., axes..., depth) at depths z (m), shape (axes..., depth), brought to depths `at`, shape (axes..., place).
+def between_levels(z: np.ndarray, values: np.ndarray, to: np.ndarray, slopes: np.ndarray | None = None) -> np.ndarray:
+    """Values (..., axes..., depth) at depths z (m), shape (axes..., depth), brought to depths `to`, shape (axes..., place).
 
     Cubic between neighbours, by their slopes or those of their surroundings, and never beyond the neighbours; 0 at the
     surface, NaN below the last level.
     """
-    found = np.full((*values.shape[:-1], at.shape[-1]), np.nan)
+    brought = np.full((*values.shape[:-1], to.shape[-1]), np.nan)
     for place in np.ndindex(z.shape[:-1]):
         key = (..., *place, slice(None))
-        found[key] = _one(z[place], values[key], at[place], None if slopes is None else slopes[key])
-    return found
+        brought[key] = _one(z[place], values[key], to[place], None if slopes is None else slopes[key])
+    return brought
 
 
-def _one(z: np.ndarray, values: np.ndarray, at: np.ndarray, slopes: np.ndarray | None) -> np.ndarray:
+def _one(z: np.ndarray, values: np.ndarray, to: np.ndarray, slopes: np.ndarray | None) -> np.ndarray:
     if z[0] > 0:
         nothing = np.zeros((*values.shape[:-1], 1))
         z, values = np.append(0.0, z), np.concatenate([nothing, values], axis=-1)
         slopes = None if slopes is None else np.concatenate([nothing, slopes], axis=-1)
     if len(z) < 2:
-        return np.where(at == z[0], values[..., :1], np.nan)
+        return np.where(to == z[0], values[..., :1], np.nan)
     steep = np.gradient(values, z, axis=-1) if slopes is None else slopes
-    k = np.clip(np.searchsorted(z, at * (1 - 1e-12)) - 1, 0, len(z) - 2)
+    k = np.clip(np.searchsorted(z, to * (1 - 1e-12)) - 1, 0, len(z) - 2)
     step, first, second = z[k + 1] - z[k], values[..., k], values[..., k + 1]
-    t = np.where(at <= z[-1] * (1 + 1e-9), np.clip((at - z[k]) / step, 0.0, 1.0), np.nan)
+    t = np.where(to <= z[-1] * (1 + 1e-9), np.clip((to - z[k]) / step, 0.0, 1.0), np.nan)
     chord = (second - first) / step
     before, after = (np.where(np.isnan(steep[..., j]), chord, steep[..., j]) for j in (k, k + 1))
     cubic = first + t * step * before + t**2 * (3 * (second - first) - step * (2 * before + after))

@@ -26,12 +26,12 @@ def required_thicknesses(rules, parameters: Mapping, force: np.ndarray, safety, 
     own_weight: axial force (N/m) per thickness (m) of the wall above.
     """
     design = designed(parameters, safety)
-    found = [required_thickness(rule, design, force, safety, own_weight=own_weight) for rule in rules]
+    results = [required_thickness(rule, design, force, safety, own_weight=own_weight) for rule in rules]
     acting = {**design, "axial_wall_force": safety * force, "wall_above": safety * np.asarray(own_weight)}
-    each = (call(row.needed, acting) for row in SOLID_CHECKS.values() if row.needed)
-    checked = np.array([np.broadcast_to(one, force.shape) for one in each])
+    needs = (call(row.needed, acting) for row in SOLID_CHECKS.values() if row.needed)
+    checked = np.array([np.broadcast_to(need, force.shape) for need in needs])
     thick = THIN_WALL.broken(None, {**parameters, "thickness": checked})
-    thinnest, scope = (np.array(each) for each in zip(*found, strict=True))
+    thinnest, scope = (np.array(part) for part in zip(*results, strict=True))
     scope = np.where(thick.any(axis=0) & ~np.isnan(thinnest), np.int8(OUT_OF_RANGE), scope)
     largest, governs = worst(np.where(thick.any(axis=0), np.nan, thinnest), checked[:, None])
     meaning = "why required_thickness is masked, or what but the strength keeps the wall from being thinner"
@@ -46,20 +46,20 @@ def required_thicknesses(rules, parameters: Mapping, force: np.ndarray, safety, 
 
 def worst(buckling: np.ndarray, checked: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """(largest of buckling's numbers and those of each check; position in NAMES); NaN where a rule is silent."""
-    each = np.stack([buckling, *(np.broadcast_to(one, buckling.shape) for one in checked)])
+    uses = np.stack([buckling, *(np.broadcast_to(use, buckling.shape) for use in checked)])
     silent = np.isnan(buckling)
-    largest = np.where(silent, np.nan, np.fmax.reduce(each, axis=0))
-    return largest, np.where(silent, 0, np.argmax(np.nan_to_num(each, nan=-np.inf), axis=0)).astype(np.int8)
+    largest = np.where(silent, np.nan, np.fmax.reduce(uses, axis=0))
+    return largest, np.where(silent, 0, np.argmax(np.nan_to_num(uses, nan=-np.inf), axis=0)).astype(np.int8)
 
 
 def utilisations(rules, parameters: Mapping, force, safety, thickness, dead) -> dict:
     """Stress, strength, mode and utilisation of a wall of given thickness (m); dead: axial force (N/m) beside the solid's."""
     design = designed(parameters, safety)
     stress = (force + dead) / thickness
-    found = [with_thickness(rule, design, thickness) for rule in rules]
+    shells = [with_thickness(rule, design, thickness) for rule in rules]
     shape = (len(rules), force.shape[0], *force.shape[2:])
     names = ("buckling_stress", "buckling_stress_scope", "buckling_mode", "supported_length")
-    strength, scope, mode, length = (np.array([np.broadcast_to(one[name], shape[1:]) for one in found]) for name in names)
+    strength, scope, mode, length = (np.array([np.broadcast_to(shell[name], shape[1:]) for shell in shells]) for name in names)
     used = safety * stress / strength[:, :, None]
     masked = np.where(np.isnan(stress), NO_LOAD, np.broadcast_to(scope[:, :, None], used.shape)).astype(np.int8)
     acting = {

@@ -25,27 +25,31 @@ SIZES = {
 def silo_variables(expansion: Expansion, methods: Sequence[AskedMethod]) -> dict:
     """Sizes and kinds of every case, and the origin of every property by method."""
     scenes = [case.scene for case in expansion.cases]
-    found = {name: _of_cases(expansion, [getattr(one.silo, own) for one in scenes]) for name, own in SIZES.items()}
-    found["given_slenderness"] = _of_cases(expansion, [one.silo.cylinder_depth / one.silo.diameter for one in scenes])
-    capped = [float(one.characteristic_friction == "capped") for one in scenes]
-    found["given_friction_capped"] = _of_cases(expansion, capped)
-    found["given_dynamic_bottom"] = _of_cases(expansion, [float(one.silo.dynamic_bottom) for one in scenes])
-    found["given_contact_share"] = _of_cases(expansion, [one.contact_share for one in scenes])
-    found["given_solid"] = _of_cases(expansion, [one.solid.key for one in scenes])
-    found["given_wall"] = _of_cases(expansion, [one.wall.key if one.wall else "" for one in scenes])
-    found["given_hopper_wall"] = _of_cases(expansion, [one.hopper_wall.key if one.hopper_wall else "" for one in scenes])
-    return found | _origins(expansion, methods, scenes)
+    numbers = {name: _of_cases(expansion, [getattr(scene.silo, own) for scene in scenes]) for name, own in SIZES.items()}
+    numbers["given_slenderness"] = _of_cases(expansion, [scene.silo.cylinder_depth / scene.silo.diameter for scene in scenes])
+    capped = [float(scene.characteristic_friction == "capped") for scene in scenes]
+    numbers["given_friction_capped"] = _of_cases(expansion, capped)
+    numbers["given_dynamic_bottom"] = _of_cases(expansion, [float(scene.silo.dynamic_bottom) for scene in scenes])
+    numbers["given_contact_share"] = _of_cases(expansion, [scene.contact_share for scene in scenes])
+    numbers["given_solid"] = _of_cases(expansion, [scene.solid.key for scene in scenes])
+    numbers["given_wall"] = _of_cases(expansion, [scene.wall.key if scene.wall else "" for scene in scenes])
+    numbers["given_hopper_wall"] = _of_cases(
+        expansion, [scene.hopper_wall.key if scene.hopper_wall else "" for scene in scenes]
+    )
+    return numbers | _origins(expansion, methods, scenes)
 
 
 def contents_mass(expansion: Expansion, given: Sequence) -> np.ndarray:
     """Mass (kg) of the contents with the unit weight handed to each method, (method, axes...)."""
     volume = _of_cases(expansion, [case.scene.silo.volume for case in expansion.cases])
-    return np.array([capacity(volume=volume, unit_weight=one["unit_weight"][..., 0]) for one in given])
+    return np.array([capacity(volume=volume, unit_weight=parameters["unit_weight"][..., 0]) for parameters in given])
 
 
 def _origins(expansion: Expansion, methods: Sequence[AskedMethod], scenes) -> dict:
-    found = [[origins(one, method.row.table_key or method.row.key, method.row.varies) for one in scenes] for method in methods]
-    numbers = np.array(found, dtype=np.int8).reshape(len(methods), *expansion.shape, len(PROPERTIES))
+    numbers_of = [
+        [origins(scene, method.row.table_key or method.row.key, method.row.varies) for scene in scenes] for method in methods
+    ]
+    numbers = np.array(numbers_of, dtype=np.int8).reshape(len(methods), *expansion.shape, len(PROPERTIES))
     told = flags("where the property handed to the method comes from", ORIGINS)
     return {"solid_property": list(PROPERTIES), "property_origin": (numbers, told)}
 

@@ -168,23 +168,26 @@ def _cells(model: Model) -> dict[str, np.ndarray]:
 
 def _snapshots(run: Run) -> dict[str, np.ndarray]:
     """Places, velocities, spins and contacts of every snapshot, and how deep its deepest overlap is."""
-    found, model = run.recording.snapshots, run.engine.model
-    if not found:
+    snapshots, model = run.recording.snapshots, run.engine.model
+    if not snapshots:
         return {}
-    motion = np.full((len(found), len(model.x), len(MOTION)), np.nan)
-    for k, snapshot in enumerate(found):
+    motion = np.full((len(snapshots), len(model.x), len(MOTION)), np.nan)
+    for k, snapshot in enumerate(snapshots):
         motion[k, snapshot["label"]] = snapshot["motion"]
-    tables = [(k, on, snapshot[name]) for k, snapshot in enumerate(found) for on, name in enumerate(("pairs", "walls"))]
+    tables = [(k, on, snapshot[name]) for k, snapshot in enumerate(snapshots) for on, name in enumerate(("pairs", "walls"))]
     table, counts = np.vstack([rows for *_, rows in tables]), [len(rows) for *_, rows in tables]
     data = {f"grain_{name}": motion[:, :, k] for k, name in enumerate(MOTION)}
-    data |= {"snapshot": np.arange(len(found)), "snapshot_time": np.array([float(snapshot["time"]) for snapshot in found])}
+    data |= {
+        "snapshot": np.arange(len(snapshots)),
+        "snapshot_time": np.array([float(snapshot["time"]) for snapshot in snapshots]),
+    }
     data |= {"contact_snapshot": np.repeat(np.array([k for k, *_ in tables], np.int32), counts)}
     data |= {"contact_on_wall": np.repeat(np.array([on for _, on, _ in tables], np.int8), counts)}
     for k, name in enumerate(("first", "second")):
         data[f"contact_{name}"] = table[:, k].astype(np.int32)
     for k, name in enumerate(("x", "y", "z"), start=2):
         data[f"contact_{name}"], data[f"contact_load_{name}"] = table[:, k], table[:, k + 3]
-    return data | {"deepest_overlap": np.array([_deepest(model, motion[k], snapshot) for k, snapshot in enumerate(found)])}
+    return data | {"deepest_overlap": np.array([_deepest(model, motion[k], snapshot) for k, snapshot in enumerate(snapshots)])}
 
 
 def _deepest(model: Model, motion: np.ndarray, snapshot: dict) -> float:

@@ -88,10 +88,10 @@ def _indices(pressure: Callable, whole: np.ndarray, asked) -> np.ndarray:
     def largest(points):
         return np.max(pressure(points.T)[0][:, whole], axis=1)
 
-    found = sobol_indices(
+    indices = sobol_indices(
         func=largest, n=2**asked.log2_samples, dists=[uniform()] * len(SAMPLED), rng=np.random.default_rng(asked.seed)
     )
-    return np.array([found.first_order, found.total_order])
+    return np.array([indices.first_order, indices.total_order])
 
 
 def _assemble(expansion: Resolved, methods: list[AskedMethod], quantiles: Mapping, indices: np.ndarray) -> xr.Dataset:

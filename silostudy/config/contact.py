@@ -41,18 +41,18 @@ class LineContactConfig(Strict):
 def own_coefficients(families: Mapping[str, Family]) -> tuple[Coefficient, ...]:
     """Coefficients that come from fields of their own, of all laws."""
     rows = (row for family in families.values() for row in family.values())
-    return tuple(dict.fromkeys(one for row in rows for one in row.coefficients if one.own))
+    return tuple(dict.fromkeys(coefficient for row in rows for coefficient in row.coefficients if coefficient.own))
 
 
 @cache
 def own_fields(coefficients: tuple[Coefficient, ...]) -> type[BaseModel]:
     """Model of the fields that laws bring along."""
     fields: dict[str, Any] = {}
-    for one in coefficients:
-        bound = {"gt" if one.positive else "ge": 0}
-        fields[one.field] = (
-            float | None if one.default is None else float,
-            described(one.text, one.unit, default=one.default, **bound),
+    for coefficient in coefficients:
+        bound = {"gt" if coefficient.positive else "ge": 0}
+        fields[coefficient.field] = (
+            float | None if coefficient.default is None else float,
+            described(coefficient.text, coefficient.unit, default=coefficient.default, **bound),
         )
     return create_model("OwnFields", __base__=Strict, **fields)
 
@@ -86,10 +86,10 @@ class LawsConfig(Strict):
 
     def with_values(self, values: Mapping[str, Any]) -> Self:
         """The section with other values, sound as a whole; one of fields that stand for each other drops those it replaces."""
-        groups = [group for law in self.laws.values() for one in law.coefficients for group in one.fields]
+        groups = [group for law in self.laws.values() for coefficient in law.coefficients for group in coefficient.fields]
         dropped = {field for group in groups if any(field in values for field in group) for field in group}
-        kept = {name: value for name, value in self.model_dump().items() if name not in dropped}
-        return type(self).model_validate(kept | dict(values), context={"families": self._families})
+        staying = {name: value for name, value in self.model_dump().items() if name not in dropped}
+        return type(self).model_validate(staying | dict(values), context={"families": self._families})
 
     @model_validator(mode="after")
     def _fields_of_laws(self, info: ValidationInfo) -> Self:
@@ -105,7 +105,11 @@ class LawsConfig(Strict):
         """Fields of laws count as fields where only what differs from the defaults is asked for."""
         content = handler(self)
         if info.exclude_defaults:
-            unchanged = [one.field for one in self._own if content.get(one.field, one.default) == one.default]
+            unchanged = [
+                coefficient.field
+                for coefficient in self._own
+                if content.get(coefficient.field, coefficient.default) == coefficient.default
+            ]
             content = {name: value for name, value in content.items() if name not in unchanged}
         return content
 
@@ -142,7 +146,7 @@ class ContactConfig(LawsConfig):
     @model_validator(mode="after")
     def _what_the_laws_need(self) -> Self:
         for law in self.laws.values():
-            for group in (group for one in law.coefficients for group in one.fields):
+            for group in (group for coefficient in law.coefficients for group in coefficient.fields):
                 given = sum(getattr(self, field) is not None for field in group)
                 if len(group) > 1 and given != 1:
                     raise ValueError(

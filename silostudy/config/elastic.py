@@ -78,7 +78,9 @@ class TouchConfig(LawsConfig):
     @model_validator(mode="after")
     def _what_the_laws_need(self) -> Self:
         laws = list(self.laws.values())
-        taken = [(field, law) for law in laws for one in law.coefficients for group in one.fields for field in group]
+        taken = [
+            (field, law) for law in laws for coefficient in law.coefficients for group in coefficient.fields for field in group
+        ]
         for field, law in taken:
             if field in type(self).model_fields and field not in OF_PAIR and getattr(self, field) is None:
                 raise ValueError(f"the law {law.key} needs the key {field}")
@@ -99,5 +101,5 @@ class TouchConfig(LawsConfig):
 
 def _behind_dashpots(law: Law) -> set[str]:
     """Fields that a law's dashpots follow from, where they follow from a restitution; none where they do not."""
-    groups = (one.fields for one in law.coefficients if ("restitution",) in one.fields)
+    groups = (coefficient.fields for coefficient in law.coefficients if ("restitution",) in coefficient.fields)
     return {field for fields in groups for group in fields for field in group}

@@ -24,8 +24,8 @@ def described(text: str, unit: str = "1", **constraints):
 def section_of(row: Any, name: str = "") -> Any:
     """Model of a section whose `kind` chooses a row of a family, with the fields that the row asks for; name: of the model."""
     fields: dict[str, Any] = {"kind": (Literal[row.key], described(f"{row.key}: {row.title}", ""))}
-    for one in row.asks:
-        fields[one.name] = one.kind, described(one.text, one.unit, default=one.default, **one.bounds)
+    for field in row.asks:
+        fields[field.name] = field.kind, described(field.text, field.unit, default=field.default, **field.bounds)
     return create_model(f"{row.key.capitalize()}{name}Config", __base__=Strict, __doc__=f"{row.title}.", **fields)
 
 

@@ -68,7 +68,7 @@ def _follows(item: Any, items: list[Any]) -> bool:
     """Whether a list is called too short only because of the mistakes in it, or a section no list because of those in it."""
     place = item["loc"] if item["type"] == "too_short" else item["loc"][:-1]
     follows = item["type"] == "too_short" or (item["type"] == "tuple_type" and isinstance(item["input"], dict))
-    inner = (one["loc"] for one in items if one is not item and one["type"] != "tuple_type")
+    inner = (error["loc"] for error in items if error is not item and error["type"] != "tuple_type")
     return follows and any(len(loc) > len(place) and loc[: len(place)] == place for loc in inner)
 
 
@@ -117,7 +117,7 @@ def _untold(item: Any, key: str, where: str) -> str:
     tag = item["ctx"].get("tag")
     if tag is None:
         return f"{where}: {key}: is missing"
-    return f"{where}: {unknown(key, tag, (one.strip(chr(39)) for one in item['ctx']['expected_tags'].split(', '))).reason}"
+    return f"{where}: {unknown(key, tag, (known.strip(chr(39)) for known in item['ctx']['expected_tags'].split(', '))).reason}"
 
 
 def _holds(node: Any, part: Any) -> bool:

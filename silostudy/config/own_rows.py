@@ -27,10 +27,10 @@ Families = dict[str, Family]  # by the name of the family
 def joined(families: Iterable[Family], path: Path, where: str = "") -> Families:
     """The families with the rows of a user's file; BadInput names file, row and what is wrong with it."""
     rows, shipped = own_rows(path, where), {family.name: family for family in families}
-    found = {name: family.joined(_joining(family, rows, path, where)) for name, family in shipped.items()}
-    if all(len(found[name]) == len(family) for name, family in shipped.items()):
-        raise _refused(path, f"holds no {' and no '.join(found)}", where)
-    return found
+    joint = {name: family.joined(_joining(family, rows, path, where)) for name, family in shipped.items()}
+    if all(len(joint[name]) == len(family) for name, family in shipped.items()):
+        raise _refused(path, f"holds no {' and no '.join(joint)}", where)
+    return joint
 
 
 def _joining(family: Family, rows: Iterable[Row], path: Path, where: str) -> list[Row]:
@@ -105,10 +105,10 @@ def _check_import(node: ast.AST, path: Path, where: str) -> None:
 
 def _beside(top: str, folder: Path) -> bool:
     """Whether a module would come from the folder of the user's file, or from where the command runs."""
-    found = find_spec(top)
-    if found is None:
+    spec = find_spec(top)
+    if spec is None:
         return (folder / f"{top}.py").exists() or (folder / top).is_dir()
-    places = [Path(place).resolve() for place in (found.submodule_search_locations or [found.origin or ""])]
+    places = [Path(place).resolve() for place in (spec.submodule_search_locations or [spec.origin or ""])]
     near = [place for place in (folder.resolve(), Path.cwd()) if any(file.is_relative_to(place) for file in places)]
     return bool(near) and not any(file.is_relative_to(home) for file in places for home in INSTALLED)
 

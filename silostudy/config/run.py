@@ -140,10 +140,14 @@ class GrainScene(OwnMethods):
     @model_validator(mode="after")
     def _shows_what_is_expected(self) -> Self:
         looked = self.record.snapshots_s or self.record.snapshots_every_s
-        unseen = [one.kind for one in self.expected if OUTCOMES[one.kind].of_snapshots and not looked]
+        unseen = [outcome.kind for outcome in self.expected if OUTCOMES[outcome.kind].of_snapshots and not looked]
         if unseen:
             raise ValueError(f"expected: {', '.join(unseen)} needs record.snapshots_s or record.snapshots_every_s")
-        unfelt = [one.kind for one in self.expected if OUTCOMES[one.kind].of_windows and not self.record.wall_force_window_s]
+        unfelt = [
+            outcome.kind
+            for outcome in self.expected
+            if OUTCOMES[outcome.kind].of_windows and not self.record.wall_force_window_s
+        ]
         if unfelt:
             raise ValueError(f"expected: {', '.join(unfelt)} needs record.wall_force_window_s")
         return self

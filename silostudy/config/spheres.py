@@ -115,13 +115,13 @@ class SphereScene(GrainScene):
         walls = {"": ("walls", self.wall, self.walls)}
         walls |= {name: (f"surfaces.{name}", *self._surface(name)) for name in self.surfaces}
         named = {name for pair in self.pairs for name in pair.between if name not in self.grain_kinds}
-        found = {}
+        sections = {}
         for name in dict.fromkeys([*walls, *sorted(named - {WALLS})]):
             section, wall, touch = walls.get(name, walls[""])
             if name not in self.surfaces:  # one of the other walls, whatever a pair of another kind says of it
                 section, touch = self._apart(section, touch, kind, WALLS)
-            found[name] = wall, *(self._apart(section, touch, kind, name) if name else (section, touch))
-        return {name: (section, wall, touch) for name, (wall, section, touch) in found.items()}
+            sections[name] = wall, *(self._apart(section, touch, kind, name) if name else (section, touch))
+        return {name: (section, wall, touch) for name, (wall, section, touch) in sections.items()}
 
     def _surface(self, name: str) -> tuple[MaterialConfig, TouchConfig]:
         """Material and contact of a surface that is not like the other walls."""

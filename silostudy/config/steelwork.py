@@ -150,7 +150,7 @@ class Checks(Strict):
     @field_validator("combinations")
     @classmethod
     def _distinct(cls, combinations):
-        distinct(tuple(one.combination for one in combinations or ()))
+        distinct(tuple(choice.combination for choice in combinations or ()))
         return combinations
 
     @field_validator("one_source")

@@ -37,7 +37,7 @@ class Apart(Strict):
     def _known_fields(self, info: ValidationInfo) -> Self:
         families = families_of(info)
         own = own_coefficients({name: families.get(family.name, family) for name, family in self.choices.items()})
-        known = [*type(self).model_fields, *(one.field for one in own)]
+        known = [*type(self).model_fields, *(coefficient.field for coefficient in own)]
         for name in self.__pydantic_extra__ or ():
             if name not in known:
                 raise ValueError(f"{name}: unknown key; known: {', '.join(known)}; laws are those of the section")
@@ -47,7 +47,7 @@ class Apart(Strict):
 def apart_from(name: str, text: str, *sections: type[Strict]) -> Any:
     """Model, under a name and with a text, of what differs from sections, the last of which has laws."""
     choices = sections[-1].choices  # type: ignore[attr-defined]
-    every = (one for section in sections for one in section.model_fields.items())
+    every = (field for section in sections for field in section.model_fields.items())
     fields: dict[str, Any] = {key: (_nullable(field), _null(field)) for key, field in every if key not in choices}
     made = create_model(name, __base__=Apart, __doc__=text, **fields)
     made.choices = choices

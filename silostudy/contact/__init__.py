@@ -28,11 +28,11 @@ def of_grains(grains: str, told: Callable[[Law], Law]) -> Mapping[str, Family]:
 
     told: what a law says of itself in scenes of these grains.
     """
-    found = {
+    families = {
         name: Family(family.name, (told(row) for row in family.values() if grains in row.grains), family.takes)
         for name, family in FAMILIES.items()
     }
-    return {name: family for name, family in found.items() if family}
+    return {name: family for name, family in families.items() if family}
 
 
 LAWS, SPHERE_LAWS = of_grains("discs", lambda row: row), of_grains("spheres", lambda row: row.of_spheres)

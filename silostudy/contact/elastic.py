@@ -49,8 +49,8 @@ def restitution_of_cut(damping: float) -> float:
         return 1.0 if t < 1e-3 else -rates(t, state)[1]
 
     pressing.terminal = True  # type: ignore[attr-defined]
-    found = solve_ivp(rates, (0.0, 50.0), (0.0, 1.0), events=pressing, rtol=1e-10, atol=1e-13)
-    return float(-found.y[1, -1])
+    path = solve_ivp(rates, (0.0, 50.0), (0.0, 1.0), events=pressing, rtol=1e-10, atol=1e-13)
+    return float(-path.y[1, -1])
 
 
 @cache  # takes a tenth of a second, and a scene asks for both contacts, a sweep in every case

@@ -108,11 +108,11 @@ class Law(Row):
         yield from super().faults()
         unit = self.unit if "discs" in self.grains else self.unit.removesuffix(" m-1")
         yield from faults_of_function("law", self.law, unit, (), ())
-        for one in self.coefficients:
-            if not one.unit:
-                yield f"coefficient {one.name}: has no unit"
-            if one.own and not (one.fields and one.text):
-                yield f"coefficient {one.name}: needs a field of its own and a text, or says how it is prepared"
+        for coefficient in self.coefficients:
+            if not coefficient.unit:
+                yield f"coefficient {coefficient.name}: has no unit"
+            if coefficient.own and not (coefficient.fields and coefficient.text):
+                yield f"coefficient {coefficient.name}: needs a field of its own and a text, or says how it is prepared"
         for name, function in self.compiled.items():
             if not _is_jitable(function):
                 yield f"{name}: must be decorated with numba's register_jitable"
@@ -132,7 +132,7 @@ class Law(Row):
     @property
     def of_spheres(self) -> Self:
         """The law with the units and fields that its coefficients have in scenes of spheres."""
-        return replace(self, coefficients=tuple(one.of_spheres for one in self.coefficients))
+        return replace(self, coefficients=tuple(coefficient.of_spheres for coefficient in self.coefficients))
 
     @property
     def at_rest(self) -> str:

@@ -29,14 +29,14 @@ def limited(value, cap):
     return _limited_three(value, cap) if isinstance(value, tuple) else _limited_one(value, cap)
 
 
-def product(one, other):
+def product(first, second):
     """Product of two numbers, scalar product of two vectors."""
-    return _product_three(one, other) if isinstance(one, tuple) else one * other
+    return _product_three(first, second) if isinstance(first, tuple) else first * second
 
 
-def same(one, other):
+def same(first, second):
     """Whether two are equal."""
-    return _same_three(one, other) if isinstance(one, tuple) else one == other
+    return _same_three(first, second) if isinstance(first, tuple) else first == second
 
 
 def _less_one(value, factor, motion):
@@ -78,20 +78,20 @@ def _limited_three(value, cap):
     return (share * value[0], share * value[1], share * value[2]), 1.0 if sticks else 0.0
 
 
-def _product_one(one, other):
-    return one * other
+def _product_one(first, second):
+    return first * second
 
 
-def _product_three(one, other):
-    return one[0] * other[0] + one[1] * other[1] + one[2] * other[2]
+def _product_three(first, second):
+    return first[0] * second[0] + first[1] * second[1] + first[2] * second[2]
 
 
-def _same_one(one, other):
-    return one == other
+def _same_one(first, second):
+    return first == second
 
 
-def _same_three(one, other):
-    return one[0] == other[0] and one[1] == other[1] and one[2] == other[2]
+def _same_three(first, second):
+    return first[0] == second[0] and first[1] == second[1] and first[2] == second[2]
 
 
 @overload(less, jit_options={"forceinline": True})
@@ -115,10 +115,10 @@ def _limited(value, cap):
 
 
 @overload(product, jit_options={"forceinline": True})
-def _product(one, other):
-    return _product_three if isinstance(one, types.BaseTuple) else _product_one
+def _product(first, second):
+    return _product_three if isinstance(first, types.BaseTuple) else _product_one
 
 
 @overload(same, jit_options={"forceinline": True})
-def _same(one, other):
-    return _same_three if isinstance(one, types.BaseTuple) else _same_one
+def _same(first, second):
+    return _same_three if isinstance(first, types.BaseTuple) else _same_one

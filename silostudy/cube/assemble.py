@@ -65,5 +65,5 @@ def assemble(
 
 def _beside(name: str, dims: tuple[str, ...], arrays: Arrays) -> dict[str, str]:
     """Attributes that depend on the rest of the cube: whose scope is told, and which depth is an axis of its own."""
-    found = {"ancillary_variables": name + SCOPE} if name + SCOPE in arrays else {}
-    return found | ({"axis": "Z"} if name == "depth" and dims == ("depth",) else {})
+    attributes = {"ancillary_variables": name + SCOPE} if name + SCOPE in arrays else {}
+    return attributes | ({"axis": "Z"} if name == "depth" and dims == ("depth",) else {})

@@ -44,10 +44,10 @@ VARIABLES = _variables()
 
 def variable(name: str) -> Variable:
     """The row of a variable, or of the one that it is the scope of; BadInput where there is none."""
-    found = VARIABLES.get(name.removesuffix(SCOPE))
-    if found is None:
+    known = VARIABLES.get(name.removesuffix(SCOPE))
+    if known is None:
         raise BadInput("variable", name, f"not in the cube's contract; known: {', '.join(VARIABLES)}")
-    return found
+    return known
 
 
 def check(cube: xr.Dataset) -> xr.Dataset:
@@ -62,10 +62,10 @@ def check(cube: xr.Dataset) -> xr.Dataset:
     return cube
 
 
-def _of_an_axis(one: xr.DataArray, axes: list[str]) -> bool:
+def _of_an_axis(array: xr.DataArray, axes: list[str]) -> bool:
     """Whether a variable is an axis' own coordinate, or one that hangs beside it where several keys change together."""
-    name, along = str(one.name), [str(dim) for dim in one.dims]
-    return name in axes or (len(along) == 1 and along[0] in axes and name.startswith(f"{along[0]}_") and name in one.coords)
+    name, along = str(array.name), [str(dim) for dim in array.dims]
+    return name in axes or (len(along) == 1 and along[0] in axes and name.startswith(f"{along[0]}_") and name in array.coords)
 
 
 def _labels(coordinate: xr.DataArray, dim: str, axes: list[str]) -> bool:
@@ -73,14 +73,14 @@ def _labels(coordinate: xr.DataArray, dim: str, axes: list[str]) -> bool:
 
 
 def _check_variable(cube: xr.Dataset, name: str, axes: list[str]) -> None:
-    known, one = variable(name), cube[name]
+    known, array = variable(name), cube[name]
     expected = known.dims_in(axes, relative="relative_depth" in cube.dims)
     role = "coordinate" if name in cube.coords else "data"
-    if one.dims != expected:
-        raise BadInput(f"dimensions of {name}", one.dims, f"must be {expected}")
+    if array.dims != expected:
+        raise BadInput(f"dimensions of {name}", array.dims, f"must be {expected}")
     if name.endswith(SCOPE):
         return
-    if one.attrs.get("units", "1") != known.units:
-        raise BadInput(f"units of {name}", one.attrs["units"], f"must be {known.units}")
+    if array.attrs.get("units", "1") != known.units:
+        raise BadInput(f"units of {name}", array.attrs["units"], f"must be {known.units}")
     if role != known.role:
         raise BadInput(f"role of {name}", role, f"must be {known.role}")

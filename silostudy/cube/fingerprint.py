@@ -15,7 +15,7 @@ PIECE = 100_000  # values read at once
 
 def damaged(paths: Iterable[Path]) -> list[Path]:
     """Files that are not what was written, with a word on each; a cube whose attributes alone changed is kept, with a word."""
-    found = []
+    broken = []
     for path in paths:
         if as_written(path):
             continue
@@ -23,8 +23,8 @@ def damaged(paths: Iterable[Path]) -> list[Path]:
             print(f"silostudy: {path} was edited, and its data are what was written: kept", file=sys.stderr)
         else:
             print(f"silostudy: {path} is damaged: a run moves it to {path.name}.damaged and makes it again", file=sys.stderr)
-            found.append(path)
-    return found
+            broken.append(path)
+    return broken
 
 
 def holds_its_data(path: Path) -> bool:

@@ -21,27 +21,27 @@ def parts(cube: xr.Dataset, method: str, rule: str) -> Iterator[dict]:
     state: `checked`; `masked` where a rule or check is beyond its range on a part that is loaded; `not checked`.
     Strakes from the top, hopper, then each check of ring, beam and anchors; the worst of all cases of a sweep.
     """
-    one = cube.sel({"pressure_method": method, "rule": rule})
+    steel = cube.sel({"pressure_method": method, "rule": rule})
     for combination in map(str, cube["combination"].values):
-        here = one.sel(combination=combination)
+        here = steel.sel(combination=combination)
         for strake in map(int, cube["strake"].values) if "strake" in cube.dims else ():
             yield {"part": f"strake {strake}", "combination": combination, **_strake(here, strake)}
         if "hopper_check" in cube.dims:
             yield {"part": "hopper", "combination": combination, **_hopper(here)}
         for check in map(str, cube["support_check"].values):
-            found = _support(here.sel(support_check=check), check)
-            yield {"part": check.replace("_", " "), "combination": combination, **found}
+            support = _support(here.sel(support_check=check), check)
+            yield {"part": check.replace("_", " "), "combination": combination, **support}
 
 
 def _strake(here: xr.Dataset, strake: int) -> dict:
     inside = here["place_strake"] == strake
     names = [BUCKLING, *map(str, here["steel_check"].values)]
-    each = [here["design_buckling_utilisation"], *here["design_check_utilisation"]]
+    arrays = [here["design_buckling_utilisation"], *here["design_check_utilisation"]]
     flags = here["design_buckling_utilisation" + SCOPE]
     beyond = inside & (flags != 0) & (flags != flags.attrs["flag_meanings"].split().index(NO_LOAD))
     scopes = here["design_check_utilisation" + SCOPE]
     unjudged = inside & (scopes == scopes.attrs["flag_meanings"].split().index(OUT_OF_RANGE))
-    return _worst(names, [one.where(inside) for one in each], here, WALL_CASES, bool(beyond.any() or unjudged.any()))
+    return _worst(names, [array.where(inside) for array in arrays], here, WALL_CASES, bool(beyond.any() or unjudged.any()))
 
 
 def _hopper(here: xr.Dataset) -> dict:
@@ -55,25 +55,25 @@ def _support(here: xr.Dataset, check: str) -> dict:
 
 
 def _worst(
-    names: list[str], each: list[xr.DataArray], here: xr.Dataset, cases: Mapping[str, str], masked: bool = False
+    names: list[str], uses: list[xr.DataArray], here: xr.Dataset, cases: Mapping[str, str], masked: bool = False
 ) -> dict:
     """The largest of some checks, each over places and cases, and what acts where it stands."""
-    arrays = xr.broadcast(*each)
-    values = np.array([one.values for one in arrays])
+    arrays = xr.broadcast(*uses)
+    values = np.array([array.values for array in arrays])
     if np.isnan(values).all() or masked:
         return {"utilisation": np.nan, "governed_by": "", "load_case": "", "state": "masked" if masked else "not checked"}
     check, *place = np.unravel_index(np.nanargmax(values), values.shape)
-    at = dict(zip(map(str, arrays[0].dims), map(int, place), strict=True))
-    found = {"utilisation": float(values[(check, *place)]), "governed_by": names[check]}
-    return {**found, "load_case": _load_case(here, cases, at), "state": "checked"}
+    position = dict(zip(map(str, arrays[0].dims), map(int, place), strict=True))
+    worst = {"utilisation": float(values[(check, *place)]), "governed_by": names[check]}
+    return {**worst, "load_case": _load_case(here, cases, position), "state": "checked"}
 
 
-def _load_case(here: xr.Dataset, cases: Mapping[str, str], at: Mapping[str, int]) -> str:
+def _load_case(here: xr.Dataset, cases: Mapping[str, str], position: Mapping[str, int]) -> str:
     """The load case of the contents at a place: of each action by its name, where they come from different ones."""
     contents = str(here["combination_contents"].values)
     if contents != "full":
         return contents
-    told = {what: _flag(here[name], at) for what, name in cases.items() if name in here}
+    told = {what: _flag(here[name], position) for what, name in cases.items() if name in here}
     phases = {case.removesuffix(PATCHED) for case in told.values()}
     if not told:
         return contents
@@ -82,8 +82,8 @@ def _load_case(here: xr.Dataset, cases: Mapping[str, str], at: Mapping[str, int]
     return "; ".join(f"{what}: {case}" for what, case in told.items()).replace("_", " ")
 
 
-def _flag(values: xr.DataArray, at: Mapping[str, int]) -> str:
+def _flag(values: xr.DataArray, position: Mapping[str, int]) -> str:
     """A flag in words at a place; at what lies below the cylinder: of the foot of the wall and the top of the hopper."""
     ends = {"place": -1, "hopper_position": 0}
-    one = values.isel({dim: at.get(str(dim), ends.get(str(dim), 0)) for dim in values.dims})
-    return values.attrs["flag_meanings"].split()[int(one)]
+    flag = values.isel({dim: position.get(str(dim), ends.get(str(dim), 0)) for dim in values.dims})
+    return values.attrs["flag_meanings"].split()[int(flag)]

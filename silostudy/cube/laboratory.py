@@ -25,10 +25,10 @@ class Found:
     @classmethod
     def of(cls, values: xr.DataArray) -> "Found":
         """Of the fillings that were computed; BadInput for fewer than two."""
-        kept = values.values[np.isfinite(values.values)]
-        if len(kept) < 2:
-            raise BadInput("filling", len(kept), "filling(s) of a cell were computed: a scatter needs two")
-        return cls(float(kept.mean()), float(kept.std(ddof=1)), len(kept))
+        known = values.values[np.isfinite(values.values)]
+        if len(known) < 2:
+            raise BadInput("filling", len(known), "filling(s) of a cell were computed: a scatter needs two")
+        return cls(float(known.mean()), float(known.std(ddof=1)), len(known))
 
     @property
     def factor(self) -> float:
@@ -55,12 +55,12 @@ class Solid:
         """Of the cell at a position, the last one's: the widest; BadInput for a cube with further axes."""
         if others := set(cube.attrs["sweep_axes"].split()) - OWN_AXES:
             raise BadInput("sweep", ", ".join(sorted(others)), "one solid is one row: select a position on it first")
-        one = cube.isel({CELL: cell})
-        upright = one.sel(normal_stress=float(one["row_vertical_stress"]))
-        on_wall = one.sel(normal_stress=float(one["row_horizontal_stress"]))
+        tested = cube.isel({CELL: cell})
+        upright = tested.sel(normal_stress=float(tested["row_vertical_stress"]))
+        on_wall = tested.sel(normal_stress=float(tested["row_horizontal_stress"]))
         return cls(
-            loose=Found.of(one["loose_unit_weight"]),
-            repose_angle=Found.of(one["tested_repose_angle"]),
+            loose=Found.of(tested["loose_unit_weight"]),
+            repose_angle=Found.of(tested["tested_repose_angle"]),
             unit_weight=Found.of(upright["tested_unit_weight"]),
             friction_angle=Found.of(xr.apply_ufunc(np.arctan, upright["internal_peak_shear_ratio"])),
             wall_friction=Found.of(on_wall["wall_steady_shear_ratio"]),

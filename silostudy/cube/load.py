@@ -1,7 +1,7 @@
 """A load case of a loads cube as a field: pressure and friction of the contents at any depth and angle, edges not smeared.
 
     load = load_case("results/eccentric-silo/loads.nc", "channel_40", "wall_normal")
-    normal, traction = load.at(z, theta)  # Pa; z (m) below the equivalent surface, theta (rad) from the outlet's side
+    normal, traction = load.stress(z, theta)  # Pa; z (m) below the equivalent surface, theta (rad) from the outlet's side
 
 The wall and below it the hopper's are sums of pieces, each straight between its levels and smooth within its angles.
 """
@@ -36,7 +36,7 @@ class Piece:
     last: bool
     on_hopper: bool = False
 
-    def at(self, z: np.ndarray, theta: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    def stress(self, z: np.ndarray, theta: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """(pressure, friction (Pa)) of this piece, 0 outside of it; theta between 0 and pi."""
         ends_here = (z == self.depth[-1]) if self.last else False
         begins = z > self.depth[0] if self.on_hopper else z >= self.depth[0]
@@ -71,13 +71,13 @@ class Load:
     weight: float
     bottom_force: float
 
-    def at(self, z, theta) -> tuple[np.ndarray, np.ndarray]:
+    def stress(self, z, theta) -> tuple[np.ndarray, np.ndarray]:
         """(wall normal pressure, friction down the wall (Pa)) at depth z (m) and angle theta (rad); 0 where nothing presses."""
         z, theta = np.broadcast_arrays(np.asarray(z, dtype=float), np.asarray(theta, dtype=float))
         turned = np.abs(theta)
         turned = np.where(turned > np.pi, np.abs(np.remainder(theta + np.pi, 2 * np.pi) - np.pi), turned)
-        each = [piece.at(z, turned) for piece in self.pieces]
-        normal, traction = np.sum(each, axis=0)
+        stresses = [piece.stress(z, turned) for piece in self.pieces]
+        normal, traction = np.sum(stresses, axis=0)
         return normal, traction
 
     def radius_at(self, z) -> np.ndarray:
@@ -100,7 +100,7 @@ class Load:
 
     def overturning_moment(self) -> float:
         """Moment (N m) of the horizontal force about the transition."""
-        return sum(self._sideways(one, self.transition - one.depth) for one in self.pieces if not one.on_hopper)
+        return sum(self._sideways(piece, self.transition - piece.depth) for piece in self.pieces if not piece.on_hopper)
 
     def _sideways(self, piece: Piece, lever) -> float:
         return piece.around()[1] * self._integral(piece.depth, piece.normal, lever)
@@ -123,10 +123,10 @@ class Load:
     def columns(self, *, levels: int, step: float) -> dict[str, np.ndarray]:
         """Columns of a table over the grid: depth (m), angle (deg), inner radius (m), pressure and friction (kPa)."""
         depths, angles = self.grid(levels=levels, step=step)
-        z, theta = (one.ravel() for one in np.meshgrid(depths, angles, indexing="ij"))
-        normal, traction = self.at(z, theta)
-        found = {"depth_m": z, "angle_deg": np.degrees(theta), "radius_m": self.radius_at(z)}
-        return found | {"normal_kPa": normal / 1e3, "friction_kPa": traction / 1e3}
+        z, theta = (grid.ravel() for grid in np.meshgrid(depths, angles, indexing="ij"))
+        normal, traction = self.stress(z, theta)
+        columns = {"depth_m": z, "angle_deg": np.degrees(theta), "radius_m": self.radius_at(z)}
+        return columns | {"normal_kPa": normal / 1e3, "friction_kPa": traction / 1e3}
 
     def edges(self) -> tuple[np.ndarray, np.ndarray]:
         """(depths (m), angles (rad)) at which the load steps or bends: ends of pieces, for the lines of a mesh."""
@@ -146,13 +146,13 @@ def load_case(cube: xr.Dataset | Path | str, load_case: str, values: str, case: 
     cube = cube if isinstance(cube, xr.Dataset) else read(Path(cube))
     if "load_normal_pressure" not in cube:
         raise BadInput("cube", cube.attrs["title"], f"must be a loads cube; it is of the stage {cube.attrs.get('stage')}")
-    one = of_case(cube, case)
-    given = given_cases(one)
+    case_cube = of_case(cube, case)
+    given = given_cases(case_cube)
     if load_case not in given:
         raise unknown("load case", load_case, given)
     if values not in given[load_case]:
         raise unknown(f"set of characteristic values of {load_case}", values, given[load_case])
-    return _load(one.sel(load_case=load_case, value_set=values))
+    return _load(case_cube.sel(load_case=load_case, value_set=values))
 
 
 def of_case(cube: xr.Dataset, case: str | None) -> xr.Dataset:
@@ -166,32 +166,34 @@ def of_case(cube: xr.Dataset, case: str | None) -> xr.Dataset:
     return cube.isel(dict(zip(axes, map(int, np.argwhere(ids == case)[0]), strict=True)))
 
 
-def given_cases(one: xr.Dataset) -> dict[str, list[str]]:
+def given_cases(case_cube: xr.Dataset) -> dict[str, list[str]]:
     """Load case -> the sets of characteristic values that its field is given with, of one silo."""
-    there = one["load_angle_to"].notnull().any("load_piece").transpose("load_case", "value_set").values
-    sets = one["value_set"].values
-    return {str(key): list(map(str, sets[row])) for key, row in zip(one["load_case"].values, there, strict=True) if row.any()}
+    there = case_cube["load_angle_to"].notnull().any("load_piece").transpose("load_case", "value_set").values
+    sets = case_cube["value_set"].values
+    return {
+        str(key): list(map(str, sets[row])) for key, row in zip(case_cube["load_case"].values, there, strict=True) if row.any()
+    }
 
 
-def _load(one: xr.Dataset) -> Load:
-    transition = float(one["load_transition_depth"])
-    there = [place for place in range(one.sizes["load_piece"]) if np.isfinite(float(one["load_angle_to"][place]))]
-    pieces = tuple(_piece(one.isel(load_piece=place), transition) for place in there)
-    numbers = {name: float(one[f"load_{name}"]) for name in ("radius", "perimeter", "half_angle", "weight", "bottom_force")}
-    title = f"{one['load_case_title'].values}, {one['value_set'].values}"
+def _load(loaded: xr.Dataset) -> Load:
+    transition = float(loaded["load_transition_depth"])
+    there = [place for place in range(loaded.sizes["load_piece"]) if np.isfinite(float(loaded["load_angle_to"][place]))]
+    pieces = tuple(_piece(loaded.isel(load_piece=place), transition) for place in there)
+    numbers = {name: float(loaded[f"load_{name}"]) for name in ("radius", "perimeter", "half_angle", "weight", "bottom_force")}
+    title = f"{loaded['load_case_title'].values}, {loaded['value_set'].values}"
     return Load(title=title, pieces=pieces, transition=transition, **numbers)
 
 
-def _piece(one: xr.Dataset, transition: float) -> Piece:
+def _piece(piece_cube: xr.Dataset, transition: float) -> Piece:
     names = {"depth": "load_depth", "normal": "load_normal_pressure", "traction": "load_friction_traction"}
-    arrays = {key: one[name].values for key, name in names.items()}
+    arrays = {key: piece_cube[name].values for key, name in names.items()}
     below = bool(arrays["depth"][0] >= transition)
     return Piece(
-        name=str(one["load_piece"].values),
+        name=str(piece_cube["load_piece"].values),
         **arrays,
-        angle_from=float(one["load_angle_from"]),
-        angle_to=float(one["load_angle_to"]),
-        waves=int(one["load_waves"]),
+        angle_from=float(piece_cube["load_angle_from"]),
+        angle_to=float(piece_cube["load_angle_to"]),
+        waves=int(piece_cube["load_waves"]),
         last=below or bool(arrays["depth"][-1] == transition),
         on_hopper=below,
     )

@@ -16,54 +16,56 @@ FORMULAS = {"1 - sin(phi)": lambda here: 1 - np.sin(float(here["internal_frictio
 
 def pressures_measured_in(here: xr.Dataset) -> list[Measured]:
     """The measured wall pressures of a silo of these very dimensions."""
-    return [one for one in measured_pressures() if _of_this_size(here, one)]
+    return [measurement for measurement in measured_pressures() if _of_this_size(here, measurement)]
 
 
-def cases_of(cube: xr.Dataset, one: Measured) -> list[int]:
+def cases_of(cube: xr.Dataset, measurement: Measured) -> list[int]:
     """Places on the cube's axis `silo` with the solid, the wall and the size that a measurement is answered with.
 
     What the measurement leaves open (the size, the wall) any case has.  BadInput where the cube holds no such case.
     """
-    found = []
+    cases = []
     if not {"silo_solid", "silo_wall"} <= set(cube.coords):
         raise BadInput("sweep", "silo", "the points of this axis must set solid and wall, which the measurements are known by")
     for place in range(cube.sizes["silo"]):
         here = cube.isel(silo=place)
-        on_wall = one.taken_wall in ("", str(here["silo_wall"].values))
-        sized = np.isnan(one.diameter) or _of_this_size(here, one)
-        if str(here["silo_solid"].values) == one.taken_solid and on_wall and sized:
-            found.append(place)
-    if not found:
-        size = "" if np.isnan(one.diameter) else f" of {one.diameter:g} m x {one.height:g} m"
-        wall = f" on {one.taken_wall}" if one.taken_wall else ""
-        raise BadInput("sweep", "silo", f"no point is the silo{size} with {one.taken_solid}{wall} of {one.measurement}")
-    return found
+        on_wall = measurement.taken_wall in ("", str(here["silo_wall"].values))
+        sized = np.isnan(measurement.diameter) or _of_this_size(here, measurement)
+        if str(here["silo_solid"].values) == measurement.taken_solid and on_wall and sized:
+            cases.append(place)
+    if not cases:
+        size = "" if np.isnan(measurement.diameter) else f" of {measurement.diameter:g} m x {measurement.height:g} m"
+        wall = f" on {measurement.taken_wall}" if measurement.taken_wall else ""
+        raise BadInput(
+            "sweep", "silo", f"no point is the silo{size} with {measurement.taken_solid}{wall} of {measurement.measurement}"
+        )
+    return cases
 
 
-def _of_this_size(here: xr.Dataset, one: Measured) -> bool:
+def _of_this_size(here: xr.Dataset, measurement: Measured) -> bool:
     sizes = 4 * float(here["hydraulic_radius"]), float(here["cylinder_depth"])
-    return bool(np.allclose((one.diameter, one.height), sizes, rtol=1e-6, atol=0))
+    return bool(np.allclose((measurement.diameter, measurement.height), sizes, rtol=1e-6, atol=0))
 
 
-def measured_value(here: xr.Dataset, one: Measured) -> float:
+def measured_value(here: xr.Dataset, measurement: Measured) -> float:
     """The measured value (SI): as it stands, or as its formula makes it of the solid that the methods were handed."""
-    return FORMULAS[one.formula](here) if one.formula else one.value
+    return FORMULAS[measurement.formula](here) if measurement.formula else measurement.value
 
 
-def deviations(here: xr.Dataset, one: Measured, methods: Sequence[str]) -> pd.DataFrame:
+def deviations(here: xr.Dataset, measurement: Measured, methods: Sequence[str]) -> pd.DataFrame:
     """Each method's value in every phase, by how much it is off (1), and which of the measured phase bracket it."""
-    rows, measured = [], measured_value(here, one)
+    rows, measured = [], measured_value(here, measurement)
     for method in methods:
         for phase in map(str, here["phase"].values):
-            computed = _computed(here.sel(pressure_method=method, phase=phase), one)
+            computed = _computed(here.sel(pressure_method=method, phase=phase), measurement)
             if np.isfinite(computed):
-                row = {"measurement": one.measurement, "pressure_method": method, "phase": phase}
+                row = {"measurement": measurement.measurement, "pressure_method": method, "phase": phase}
                 rows.append(row | {"measured": measured, "computed": computed, "off": computed / measured - 1})
     table = pd.DataFrame(rows, columns=COLUMNS).sort_values("off", kind="stable", ignore_index=True)
-    same = table[table.phase == one.phase]
+    same = table[table.phase == measurement.phase]
     below, above = same[same.off < 0].off.max(), same[same.off >= 0].off.min()
     bracket = np.where(table.off == below, "next below", np.where(table.off == above, "next above", ""))
-    return table.assign(bracket=np.where(table.phase == one.phase, bracket, ""))
+    return table.assign(bracket=np.where(table.phase == measurement.phase, bracket, ""))
 
 
 def neighbour(table: pd.DataFrame, where: str) -> tuple[list[str], float]:
@@ -72,15 +74,15 @@ def neighbour(table: pd.DataFrame, where: str) -> tuple[list[str], float]:
     return list(rows.pressure_method), float(rows.off.iloc[0]) if len(rows) else np.nan
 
 
-def _computed(state: xr.Dataset, one: Measured) -> float:
+def _computed(state: xr.Dataset, measurement: Measured) -> float:
     """What answers a measurement in one state: a value behind the wall pressure, or a quantity at the measured depth.
 
     NaN at a depth that the cube does not reach.
     """
-    values = state[one.answer]
+    values = state[measurement.answer]
     if "used_for" in values.dims:
         return float(values.sel(used_for=PRESSURE))
-    return float(np.interp(one.depth, state["depth"].values, values.values, left=np.nan, right=np.nan))
+    return float(np.interp(measurement.depth, state["depth"].values, values.values, left=np.nan, right=np.nan))
 
 
 def swelling_over_filling(here: xr.Dataset, swollen: str, filled: str) -> tuple[np.ndarray, np.ndarray]:

@@ -18,43 +18,43 @@ def silences(cube: xr.Dataset, *, in_every_case: bool = False, titles: bool = Fa
     """
     lines = []
     for key in map(str, cube["pressure_method"].values):
-        one = cube.sel(pressure_method=key)
-        method = str(one["pressure_method_title"].values) if titles else key
-        phases = [phase for phase in map(str, cube["phase"].values) if _reasons(one.sel(phase=phase)) != [NOT_COVERED]]
-        told = [phase for phase in phases if not in_every_case or _silent(one.sel(phase=phase)).all()]
-        lines += [f"{method}, {phase}: {text}" for phase in told if (text := _silence(one.sel(phase=phase)))]
+        of_method = cube.sel(pressure_method=key)
+        method = str(of_method["pressure_method_title"].values) if titles else key
+        phases = [phase for phase in map(str, cube["phase"].values) if _reasons(of_method.sel(phase=phase)) != [NOT_COVERED]]
+        told = [phase for phase in phases if not in_every_case or _silent(of_method.sel(phase=phase)).all()]
+        lines += [f"{method}, {phase}: {text}" for phase in told if (text := _silence(of_method.sel(phase=phase)))]
         if not phases:
             lines.append(f"{method}: gives nothing: {', '.join(map(str, cube['phase'].values))} not covered by its source")
     return lines
 
 
-def _silence(one: xr.Dataset) -> str:
+def _silence(of_method: xr.Dataset) -> str:
     """What is told of a method in a phase; empty where it speaks in every case."""
-    silent = _silent(one)
+    silent = _silent(of_method)
     if not silent.any():
         return ""
     count = f" in {int(silent.sum())} of {silent.size} cases" if silent.ndim else ""
-    limits = _limits(one, silent)
+    limits = _limits(of_method, silent)
     broken = [f"out of its range, {', '.join(limits)}"] if limits else []
-    reasons = [reason.replace("_", " ") for reason in _reasons(one) if not (limits and reason == OUT_OF_RANGE)]
+    reasons = [reason.replace("_", " ") for reason in _reasons(of_method) if not (limits and reason == OUT_OF_RANGE)]
     return f"gives nothing{count}: {'; '.join([*reasons, *broken])}"
 
 
-def _silent(one: xr.Dataset) -> xr.DataArray:
-    return one[PRESSURE].isnull().all([dim for dim in DEPTHS if dim in one[PRESSURE].dims])
+def _silent(state: xr.Dataset) -> xr.DataArray:
+    return state[PRESSURE].isnull().all([dim for dim in DEPTHS if dim in state[PRESSURE].dims])
 
 
-def _reasons(one: xr.Dataset) -> list[str]:
+def _reasons(state: xr.Dataset) -> list[str]:
     """Flags of the cases in which a method is silent."""
-    flags = one[PRESSURE + SCOPE]
-    here = flags.values[np.broadcast_to(_silent(one).values[..., None], flags.shape)]
+    flags = state[PRESSURE + SCOPE]
+    here = flags.values[np.broadcast_to(_silent(state).values[..., None], flags.shape)]
     return [flags.attrs["flag_meanings"].split()[flag] for flag in np.unique(here)]
 
 
-def _limits(one: xr.Dataset, silent: xr.DataArray) -> list[str]:
+def _limits(state: xr.Dataset, silent: xr.DataArray) -> list[str]:
     """The limits that these cases break, in words."""
-    numbers = np.unique(one["limit_broken"].values[silent.values])
-    return [str(one["limit"].values[number]) for number in numbers if number > 0]
+    numbers = np.unique(state["limit_broken"].values[silent.values])
+    return [str(state["limit"].values[number]) for number in numbers if number > 0]
 
 
 def reason(cube: xr.Dataset, name: str, method: str, phase: str) -> str:

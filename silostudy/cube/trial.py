@@ -56,12 +56,12 @@ def _read_all(path: bytes, opened) -> None:
         _allow(SECONDS)
         with opened(os.fsdecode(path)) as file:
             held, size = file.variables.values(), os.stat(path).st_size
-            if any(one.size > (TEXTS if one.dtype is str else DENSEST) * size for one in held):
+            if any(array.size > (TEXTS if array.dtype is str else DENSEST) * size for array in held):
                 os._exit(TOO_MANY)
-            _allow(2 * SECONDS + sum(one.size for one in held) // VALUES_A_SECOND)
+            _allow(2 * SECONDS + sum(array.size for array in held) // VALUES_A_SECOND)
             file.__dict__  # noqa: B018  reads the attributes
-            for one in held:
-                one.__dict__, one[...]
+            for array in held:
+                array.__dict__, array[...]
     finally:
         os._exit(0)
 

@@ -13,7 +13,7 @@ NO_LOAD = "load_or_pressure_masked"
 
 def unchecked(cube: xr.Dataset) -> list[str]:
     """A line for every reason: the checks and the combinations in which no place of the silo was looked at for it."""
-    found: dict[tuple[str, tuple[str, ...]], list[str]] = {}
+    checks_by_reason: dict[tuple[str, tuple[str, ...]], list[str]] = {}
     count = 0
     for axis, name in PARTS.items():
         if name not in cube:
@@ -21,10 +21,10 @@ def unchecked(cube: xr.Dataset) -> list[str]:
         for check in map(str, cube[axis].values):
             count += 1
             for why, combinations in _reasons(cube[name + SCOPE].sel({axis: check})).items():
-                found.setdefault((why, tuple(combinations)), []).append(check)
+                checks_by_reason.setdefault((why, tuple(combinations)), []).append(check)
     lines = [
         f"{'every check' if len(checks) == count else ', '.join(checks)}: not checked in {', '.join(combinations)}: {why}"
-        for (why, combinations), checks in found.items()
+        for (why, combinations), checks in checks_by_reason.items()
     ]
     absent = [] if "hopper_check" in cube else ["hopper's wall: not checked: no hopper, or no hopper_position"]
     left_out = cube.attrs["one_source_left_out"]
@@ -54,14 +54,14 @@ def worst_combination(values: xr.DataArray, scope: xr.DataArray) -> tuple[float,
 def _reasons(scope: xr.DataArray) -> dict[str, list[str]]:
     """Reason in words -> the combinations in which it keeps the check from being made anywhere."""
     meanings = scope.attrs["flag_meanings"].split()
-    found: dict[str, list[str]] = {}
+    reasons: dict[str, list[str]] = {}
     for combination in map(str, scope["combination"].values):
         flags = scope.sel(combination=combination).values
         if flags.size and (flags > 0).all():
             counts = np.bincount(flags.ravel())
-            found.setdefault(_words(meanings[int(counts.argmax())]), []).append(combination)
-    idle = found.pop(_words(IDLE), [])
-    return found if found or len(idle) < scope.sizes["combination"] else {"no combination has what it is for": idle}
+            reasons.setdefault(_words(meanings[int(counts.argmax())]), []).append(combination)
+    idle = reasons.pop(_words(IDLE), [])
+    return reasons if reasons or len(idle) < scope.sizes["combination"] else {"no combination has what it is for": idle}
 
 
 def _words(meaning: str) -> str:

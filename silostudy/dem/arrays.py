@@ -115,7 +115,7 @@ class Scratch(NamedTuple):
     cell_begin: np.ndarray
     order: np.ndarray
     near: np.ndarray  # (4, n): x, y, z, reach (m) in that order
-    found: np.ndarray  # neighbours of one body
+    close: np.ndarray  # neighbours of one body
     wide: np.ndarray  # the wide list: later bodies that may come near, body after body
     wide_begin: np.ndarray  # where those of each body begin
     wide_body: np.ndarray  # bodies that may come near walls

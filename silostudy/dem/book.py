@@ -133,12 +133,12 @@ def contact_book(space, laws, *, unequal, flat, varied, moving=False):
             gathered(rows, contacts, shape, start, many, lanes)
             gathered(ledger.mean, contacts, shape, start, many, ledger.lanes)
             for k in range(many):
-                at, c = start + k, own(table, k)
+                slot, c = start + k, own(table, k)
                 if unequal:
-                    a, b, m = contacts.arm[at], contacts.other[at], contacts.mass[at]
+                    a, b, m = contacts.arm[slot], contacts.other[slot], contacts.mass[slot]
                 normal, distance = facing(lanes, k)
-                raw, was, twisted = a + b - distance, old[3][at], old[2][at]
-                stored, turned = carry(history.entry(old[0], at), normal), carry(history.entry(old[1], at), normal)
+                raw, was, twisted = a + b - distance, old[3][slot], old[2][slot]
+                stored, turned = carry(history.entry(old[0], slot), normal), carry(history.entry(old[1], slot), normal)
                 touching, depth, radius = seen(lanes, k, raw, a, b, m, was, dt, c)
                 closing, sliding, rolling = rates(lanes, k, normal, a, b, depth, flat)
                 twisting = twisting_of(lanes, k, normal) if twists else 0.0
@@ -165,7 +165,7 @@ def contact_book(space, laws, *, unequal, flat, varied, moving=False):
                 braking -= product(less(moment, 1.0, rolled), turning) + (twist - wound) * winding
                 if moving:
                     force, couple = whole(push - pull, drag, normal), about(moment, twist, normal)
-                    driving += wall_power(rows, shape, contacts.first[at], contacts.second[at], force, couple)
+                    driving += wall_power(rows, shape, contacts.first[slot], contacts.second[slot], force, couple)
                 lost = product(less(held, 1.0, drag), along)
                 _, unlimited = tangential_law(stored, sliding, touch, NO_LIMIT, NO_LIMIT, c[1])
                 if not same(drag, unlimited) or (history.holds(held) and not history.holds(drag)):

@@ -73,9 +73,9 @@ def values(model: Model, contacts: Contacts) -> Values:
     return {
         (*of, name): float(value)
         for pairs, contact in zip((True, False), contacts, strict=True)
-        for number, one in enumerate(contact.sets)
+        for number, coefficients in enumerate(contact.sets)
         for of in _meant(model, number, pairs=pairs, varied=isinstance(contact, Varied))
-        for name, value in one.coefficients.items()
+        for name, value in coefficients.coefficients.items()
     }
 
 
@@ -84,7 +84,7 @@ def _meant(model: Model, number: int, *, pairs: bool, varied: bool) -> list[tupl
     if pairs:
         return [("", number)]
     kind, wall = divmod(number, len(model.walls)) if varied else (0, None)
-    return [(one.name, kind) for place, one in enumerate(model.walls) if wall in (None, place)]
+    return [(surface.name, kind) for place, surface in enumerate(model.walls) if wall in (None, place)]
 
 
 def differences(model: Model, end: Mapping[str, Any]) -> Iterator[str]:
@@ -95,8 +95,8 @@ def differences(model: Model, end: Mapping[str, Any]) -> Iterator[str]:
         if then != now:
             yield f"other {name}" + (f": {then} there, {now} here" if name.startswith("march") else "")
             return
-    units = {one.name: one.unit for contact in (model.pair_contact, model.wall_contact) for row in contact.rows
-             for one in row.coefficients}  # fmt: skip
+    units = {coefficient.name: coefficient.unit for contact in (model.pair_contact, model.wall_contact) for row in contact.rows
+             for coefficient in row.coefficients}  # fmt: skip
     for key, now in values(model, (model.pair_contact, model.wall_contact)).items():
         then, unit = end["stated"].get(key, now), units[key[-1]]
         if then != now and unit != NUMBER:
@@ -174,13 +174,13 @@ def _memories_here(engine, end: Mapping[str, Any]) -> dict[str, np.ndarray]:
 
 def _coefficients_here(engine, end: Mapping[str, Any]) -> list[float]:
     """Coefficients in the order of a checkpoint: as they stand there, where both models state the same, else as stated here."""
-    model, found = engine.model, []
+    model, values_here = engine.model, []
     for pairs, contact in zip((True, False), engine.contacts, strict=True):
-        for number, one in enumerate(contact.sets):
+        for number, coefficients in enumerate(contact.sets):
             of = _meant(model, number, pairs=pairs, varied=isinstance(contact, Varied))[0]
-            for row in one.rows:
+            for row in coefficients.rows:
                 for name in (coefficient.name for coefficient in row.coefficients):
-                    now = one.coefficients[name]
+                    now = coefficients.coefficients[name]
                     agreed = end["stated"].get((*of, name)) == now
-                    found.append(end["held"][(*of, name)] if agreed else now)
-    return found
+                    values_here.append(end["held"][(*of, name)] if agreed else now)
+    return values_here

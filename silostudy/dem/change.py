@@ -11,20 +11,20 @@ from silostudy.dem.snapshot import from_walls, length
 from silostudy.dem.varied import Varied
 
 
-def keep_discs(engine: Engine, kept: np.ndarray) -> None:
+def keep_discs(engine: Engine, staying: np.ndarray) -> None:
     """Drop the bodies that are not marked; the others keep their order, so that every sum keeps its own."""
     pairs, near = engine.take_memories()
-    number = np.cumsum(kept) - 1
+    number = np.cumsum(staying) - 1
     first, second = pairs.key >> SHIFT, pairs.key & LOW
-    stay = kept[first] & kept[second]
+    stay = staying[first] & staying[second]
     pairs = pairs.picked(stay, (number[first] << SHIFT | number[second])[stay])
     disc, wall = near.key >> SHIFT, near.key & LOW
-    stay = kept[disc]
+    stay = staying[disc]
     near = near.picked(stay, (number[disc] << SHIFT | wall)[stay])
-    left = int(kept.sum())
+    left = int(staying.sum())
     for column in engine.bodies:
         if len(column) >= engine.n:
-            column[:left] = column[: engine.n][kept]
+            column[:left] = column[: engine.n][staying]
     engine.n = left
     engine.give_memories(pairs, near)
 

@@ -26,7 +26,13 @@ def checkpoint(engine: Engine) -> dict[str, np.ndarray]:
         "whole": engine.record.whole.copy(),
         "account": engine.ledger.account.copy(),
         "coefficients": np.array(
-            [value for contact in engine.contacts for one in contact.sets for law in one.ordered for value in law]
+            [
+                value
+                for contact in engine.contacts
+                for coefficients in contact.sets
+                for law in coefficients.ordered
+                for value in law
+            ]
         ),
     }
 
@@ -34,8 +40,8 @@ def checkpoint(engine: Engine) -> dict[str, np.ndarray]:
 def restore(engine: Engine, saved: dict[str, np.ndarray]) -> None:
     """Go on from a checkpoint of the same model."""
     engine.n = engine.most  # those that wait count, for they may have come in by then
-    kept = np.isin(engine.labels, saved["label"])
-    keep_discs(engine, kept)
+    staying = np.isin(engine.labels, saved["label"])
+    keep_discs(engine, staying)
     engine.clock[0] = int(saved["step"])
     engine.bodies.rows[: engine.n] = saved["rows"]
     engine.bodies.held[: engine.n] = saved["held"]
@@ -52,7 +58,7 @@ def restore(engine: Engine, saved: dict[str, np.ndarray]) -> None:
 def _contacts_from(engine: Engine, values: list) -> tuple[Contact | Varied, Contact | Varied]:
     contacts = []
     for contact in engine.contacts:
-        names = [one.name for row in contact.rows for one in row.coefficients]
-        sets = tuple(one.changed({name: float(values.pop(0)) for name in names}) for one in contact.sets)
+        names = [coefficient.name for row in contact.rows for coefficient in row.coefficients]
+        sets = tuple(coefficients.changed({name: float(values.pop(0)) for name in names}) for coefficients in contact.sets)
         contacts.append(Varied(sets) if isinstance(contact, Varied) else sets[0])
     return contacts[0], contacts[1]

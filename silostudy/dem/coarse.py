@@ -115,8 +115,8 @@ def fields(now: Instant, grid: Grid, width: float) -> Fields:
     there = lump[:, None] > 0.0
     mean = np.divide(momentum, lump[:, None], out=np.full_like(momentum, np.nan), where=there)
     kinetic = np.where(there[:, None], flow - momentum[:, :, None] * mean[:, None, :], 0.0) / volume
-    found = lump / volume[:, 0, 0], solid / volume[:, 0, 0], mean, stress / volume, kinetic, push / volume[:, 0]
-    return Fields(*(values[(slice(None), *[slice(ways)] * (values.ndim - 1))] for values in found))
+    sums = lump / volume[:, 0, 0], solid / volume[:, 0, 0], mean, stress / volume, kinetic, push / volume[:, 0]
+    return Fields(*(values[(slice(None), *[slice(ways)] * (values.ndim - 1))] for values in sums))
 
 
 def spread(
@@ -125,16 +125,16 @@ def spread(
     start: np.ndarray,
     branch: np.ndarray | None,
     weight: np.ndarray,
-    one: np.ndarray,
+    vector: np.ndarray,
     other: np.ndarray,
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Sums over cells of weights (cells), of them times one (cells, 3), times its dyads with another (cells, 3, 3).
+    """Sums over cells of weights (cells), of them times a vector (cells, 3), times its dyads with another (cells, 3, 3).
 
     Shared along branches (m) and within a kernel's reach (m); the sample is turned and shifted at random for each that is
     spread: what lies in a row at a wall must not all miss the same.
     """
     total, (count, ways), random = np.zeros((grid.cells, 13)), start.shape, np.random.default_rng(0)
-    solids = [_solid(np.zeros_like(start) if values is None else values) for values in (start, branch, one, other)]
+    solids = [_solid(np.zeros_like(start) if values is None else values) for values in (start, branch, vector, other)]
     turns, shifts = reach * rotations(random, count, ways), random.random(count)
     lines = 1 if branch is None else LINES
     share(*solids, weight, turns, shifts, sample(ways), lines, grid.shape, grid.round, total)
@@ -155,11 +155,11 @@ def rotations(random: np.random.Generator, count: int, ways: int) -> np.ndarray:
 
 
 @njit(**OPTIONS)
-def share(start, branch, one, other, weight, turns, shifts, points, lines, shape, round, total):
-    """Add to each cell its share of all weights, of their products with one, and with the dyads of one and other."""
+def share(start, branch, vector, other, weight, turns, shifts, points, lines, shape, round, total):
+    """Add to each cell its share of all weights, of their products with the vector, and with its dyads with the other."""
     for i in range(len(start)):
         turn, part = turns[i], weight[i] / (len(points) * lines)
-        first, second = (one[i, 0], one[i, 1], one[i, 2]), (other[i, 0], other[i, 1], other[i, 2])
+        first, second = (vector[i, 0], vector[i, 1], vector[i, 2]), (other[i, 0], other[i, 1], other[i, 2])
         for k in range(len(points)):
             dx, dy, dz = points[k, 0], points[k, 1], points[k, 2]
             x0 = start[i, 0] + turn[0, 0] * dx + turn[0, 1] * dy + turn[0, 2] * dz
@@ -175,10 +175,10 @@ def share(start, branch, one, other, weight, turns, shifts, points, lines, shape
 
 
 @register_jitable
-def add(total, cell, part, one, other):
-    """Add a part of a weight, of one and of its dyad with other to a cell."""
+def add(total, cell, part, vector, other):
+    """Add a part of a weight, of the vector and of its dyad with the other to a cell."""
     total[cell, 0] += part
     for a in range(3):
-        total[cell, 1 + a] += part * one[a]
+        total[cell, 1 + a] += part * vector[a]
         for b in range(3):
-            total[cell, 4 + 3 * a + b] += part * one[a] * other[b]
+            total[cell, 4 + 3 * a + b] += part * vector[a] * other[b]

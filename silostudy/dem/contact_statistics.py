@@ -70,7 +70,7 @@ def sliding_share(engine, pairs: Contacts, branch: np.ndarray) -> float:
     kind = np.empty(engine.most, int)
     kind[engine.labels] = engine.kind
     sets, which = np.unique(set_of_pair(kind[pairs.first], kind[pairs.second]), return_inverse=True)
-    friction = np.array([contact.numbered(each).coefficients[spring.FRICTION.name] for each in sets])[which]
+    friction = np.array([contact.numbered(number).coefficients[spring.FRICTION.name] for number in sets])[which]
     normal = branch / length(branch)[:, None]
     pressing = (pairs.force * normal).sum(axis=1)
     drag = length(pairs.force - pressing[:, None] * normal)

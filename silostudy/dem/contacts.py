@@ -62,7 +62,11 @@ class Contact:
 
     def scaled(self, *, stiffness: float, damping: float) -> "Contact":
         """The same laws with springs and dashpots stronger by these factors."""
-        powers = {one.name: (one.stiffness_power, one.damping_power) for row in self.rows for one in row.coefficients}
+        powers = {
+            coefficient.name: (coefficient.stiffness_power, coefficient.damping_power)
+            for row in self.rows
+            for coefficient in row.coefficients
+        }
         changed = {
             name: value * (stiffness ** powers[name][0] * damping ** powers[name][1])
             for name, value in self.coefficients.items()

@@ -275,10 +275,10 @@ class Engine:
 
     def _joined(self, which: int, counter: int) -> Memory:
         """The parts' memories as one: a pair that two threads share is kept once, its histories being the same."""
-        kept = [part.memories[which].picked(slice(part.scratch.counts[counter])) for part in self.parts]
-        key = np.concatenate([memory.key for memory in kept])
+        memories = [part.memories[which].picked(slice(part.scratch.counts[counter])) for part in self.parts]
+        key = np.concatenate([memory.key for memory in memories])
         _, order = np.unique(key, return_index=True)
-        return Memory(*(np.concatenate(columns, axis=-1) for columns in zip(*kept, strict=True))).picked(order)
+        return Memory(*(np.concatenate(columns, axis=-1) for columns in zip(*memories, strict=True))).picked(order)
 
     def give_memories(self, pair_memory: Memory, wall_memory: Memory) -> None:
         """Go on with these histories: the next list is made with them."""

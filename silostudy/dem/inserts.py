@@ -20,7 +20,7 @@ class Insert(Entry):
 
     def arguments(self, section: Any) -> Mapping[str, Any]:
         """What an entry gives, by the names of its arguments."""
-        return {one.argument: getattr(section, one.name) for one in self.asks}
+        return {field.argument: getattr(section, field.name) for field in self.asks}
 
 
 def line(name: str, ends: tuple[Pair, Pair]) -> Wall:

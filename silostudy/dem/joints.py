@@ -53,8 +53,8 @@ def across_widest(tips: list[Tip]) -> tuple[Tip, Tip, float]:
     angles = [atan2(tip.way[1], tip.way[0]) for tip in turned]
     gaps = [after - before for before, after in pairwise([*angles, angles[0] + 2.0 * pi])]
     widest = int(np.argmax(gaps))
-    one, other = sorted((turned[widest], turned[(widest + 1) % len(turned)]), key=lambda tip: tip.wall)
-    return one, other, gaps[widest]
+    first, second = sorted((turned[widest], turned[(widest + 1) % len(turned)]), key=lambda tip: tip.wall)
+    return first, second, gaps[widest]
 
 
 def tips_of(number: int, wall: Any) -> tuple[Tip, Tip]:
@@ -66,15 +66,15 @@ def tips_of(number: int, wall: Any) -> tuple[Tip, Tip]:
 
 def meeting(tips: list[Tip], close: float) -> list[list[Tip]]:
     """Those ends that stand in one place (m), place by place."""
-    found: list[list[Tip]] = []
+    groups: list[list[Tip]] = []
     for tip in tips:
-        for group in found:
+        for group in groups:
             if np.hypot(*(tip.place - group[0].place)) <= close:
                 group.append(tip)
                 break
         else:
-            found.append([tip])
-    return found
+            groups.append([tip])
+    return groups
 
 
 def stands_on(wall: Any, place: np.ndarray, close: float) -> bool:

@@ -119,8 +119,8 @@ def kernel(pieces: Pieces):
             copy_ghosts(shared.bodies, share.scratch, share.base)
             meet(gate, parties)
             if shaken:
-                at = min(step, shared.quake.shape[0] - 1)
-                pull = pushed(march.gravity, shared.quake, at)
+                row = min(step, shared.quake.shape[0] - 1)
+                pull = pushed(march.gravity, shared.quake, row)
             word = sweep(shared, share, march, pull, 0.5 * march.dt if half_start and step == 0 else march.dt)
             step += 1
             if word == STALE:

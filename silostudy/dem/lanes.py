@@ -45,11 +45,11 @@ def scatter(rows, first, second, start, count, force):
 @intrinsic
 def _gather(typing, rows, first, second, start, lanes, offset):
     def generate(context, builder, signature, args):
-        data, one, two, out = (base_of(context, builder, signature, args, k) for k in (0, 1, 2, 4))
+        data, firsts, seconds, out = (base_of(context, builder, signature, args, k) for k in (0, 1, 2, 4))
         relative = []
         for lane in range(WIDTH):
-            a = load(builder, data, row_of(builder, one, args[3], lane, ROW), EIGHT)
-            b = load(builder, data, row_of(builder, two, args[3], lane, ROW), EIGHT)
+            a = load(builder, data, row_of(builder, firsts, args[3], lane, ROW), EIGHT)
+            b = load(builder, data, row_of(builder, seconds, args[3], lane, ROW), EIGHT)
             relative.append(mix(builder, builder.fsub(a, b), builder.fadd(a, b), [0, 1, 2, 3, 12, 4, 6, 7]))
         for component, column in enumerate(transpose(builder, relative)[:6]):
             store(builder, column, out, lane_of(builder, args[5], component, STRETCH), EIGHT)
@@ -61,13 +61,13 @@ def _gather(typing, rows, first, second, start, lanes, offset):
 @intrinsic
 def _scatter(typing, rows, first, second, start, force, offset):
     def generate(context, builder, signature, args):
-        data, one, two, lanes = (base_of(context, builder, signature, args, k) for k in (0, 1, 2, 4))
+        data, firsts, seconds, lanes = (base_of(context, builder, signature, args, k) for k in (0, 1, 2, 4))
         fx, fy, own, others = (
             load(builder, lanes, lane_of(builder, args[5], component, STRETCH), EIGHT) for component in range(4)
         )
         nothing = ir.Constant(EIGHT, [0.0] * WIDTH)  # for the spin that stands before the force in a row
         for lane, push in enumerate(transpose(builder, [nothing, fx, fy, own, nothing, fx, fy, others])):
-            for indices, half, add in ((one, [0, 1, 2, 3], builder.fadd), (two, [4, 5, 6, 7], builder.fsub)):
+            for indices, half, add in ((firsts, [0, 1, 2, 3], builder.fadd), (seconds, [4, 5, 6, 7], builder.fsub)):
                 place = plus(builder, row_of(builder, indices, args[3], lane, ROW), W)
                 total = add(load(builder, data, place, FOUR), mix(builder, push, push, half))
                 store(builder, total, data, place, FOUR)

@@ -31,8 +31,8 @@ def below(engine, floor: float) -> np.ndarray:
 def number_of(engine, what: tuple) -> int | None:
     """The engine's number of a body given by its label, or by a place (m) that it is nearest to; None: it is gone."""
     if len(what) == 1:
-        found = np.flatnonzero(engine.labels == what[0])
-        return int(found[0]) if len(found) else None
+        places = np.flatnonzero(engine.labels == what[0])
+        return int(places[0]) if len(places) else None
     place = engine.bodies.rows[: engine.n, engine.space.place]
     return int(np.argmin(length(place - np.asarray(what)))) if len(place) else None
 

@@ -20,7 +20,7 @@ TOO_DEEP = 0.5  # of the smaller radius: discs or walls that overlap by more are
 
 
 @njit(**OPTIONS)
-def remember(contacts, begin, end, base, ghost, memory, kept):
+def remember(contacts, begin, end, base, ghost, memory, count):
     """Append the histories of a stretch of the list that are not zero to the memory; gives the new count."""
     for k in range(begin, end):
         held, turned = history.entry(contacts.stored, k), history.entry(contacts.rolled, k)
@@ -29,35 +29,35 @@ def remember(contacts, begin, end, base, ghost, memory, kept):
             first, second = np.int64(contacts.first[k]), np.int64(contacts.second[k])
             first = np.int64(ghost[first - base]) if first >= base else first
             second = np.int64(ghost[second - base]) if second >= base else second
-            memory.key[kept] = (first << SHIFT) | second
-            history.enter(memory.stored, kept, held)
-            history.enter(memory.rolled, kept, turned)
-            history.enter(memory.twisted, kept, twisted)
-            history.enter(memory.touched, kept, touched)
-            kept += 1
-    return kept
+            memory.key[count] = (first << SHIFT) | second
+            history.enter(memory.stored, count, held)
+            history.enter(memory.rolled, count, turned)
+            history.enter(memory.twisted, count, twisted)
+            history.enter(memory.touched, count, touched)
+            count += 1
+    return count
 
 
 @njit(**OPTIONS)
-def hand_over(old, at, new, place, same):
+def hand_over(old, spot, new, place, same):
     """Give an entry of a list what the memory holds at a place, or nothing where it is of another contact."""
     if same:
-        history.enter(new, place, history.entry(old, at))
+        history.enter(new, place, history.entry(old, spot))
     else:
         history.forget(new, place)
 
 
 @njit(**OPTIONS)
-def recall(contacts, place, key, memory, kept, at):
-    """Give a new list entry the history of its key, or none; the keys come in order, so the search goes on from `at`."""
-    while at < kept and memory.key[at] < key:
-        at += 1
-    same = at < kept and memory.key[at] == key
-    hand_over(memory.stored, at, contacts.stored, place, same)
-    hand_over(memory.rolled, at, contacts.rolled, place, same)
-    hand_over(memory.twisted, at, contacts.twisted, place, same)
-    hand_over(memory.touched, at, contacts.touched, place, same)
-    return at
+def recall(contacts, place, key, memory, count, spot):
+    """Give a new list entry the history of its key, or none; the keys come in order, so the search goes on from `spot`."""
+    while spot < count and memory.key[spot] < key:
+        spot += 1
+    same = spot < count and memory.key[spot] == key
+    hand_over(memory.stored, spot, contacts.stored, place, same)
+    hand_over(memory.rolled, spot, contacts.rolled, place, same)
+    hand_over(memory.twisted, spot, contacts.twisted, place, same)
+    hand_over(memory.touched, spot, contacts.touched, place, same)
+    return spot
 
 
 @njit(**OPTIONS)
@@ -116,7 +116,7 @@ def sieve(bodies, contacts, skin, gap, i, scratch, begin, end, fill):
     Branches that nobody can foresee would cost more than writing those that are not kept.
     """
     (x, y, z), wide, equal = place(bodies, i), scratch.wide, bodies.radius.size == 1
-    own, at, pressed = bodies.radius[0 if equal else i], np.uint64(fill), scratch.counts[PRESSED]
+    own, slot, pressed = bodies.radius[0 if equal else i], np.uint64(fill), scratch.counts[PRESSED]
     allowed = own + skin[i // BLOCK] + gap
     for t in range(np.uint64(begin), np.uint64(end)):
         j = np.uint64(wide[t])
@@ -125,20 +125,20 @@ def sieve(bodies, contacts, skin, gap, i, scratch, begin, end, fill):
         square = (xj - x) * (xj - x) + (yj - y) * (yj - y) + (zj - z) * (zj - z)
         reach, least = allowed + other + skin[j // np.uint64(BLOCK)], own + other - TOO_DEEP * min(own, other)
         pressed = i + 1 if square < least * least else pressed
-        contacts.first[at], contacts.second[at] = i, j
-        at += np.uint64(square < reach * reach)
+        contacts.first[slot], contacts.second[slot] = i, j
+        slot += np.uint64(square < reach * reach)
     scratch.counts[PRESSED] = pressed
-    return np.int64(at)
+    return np.int64(slot)
 
 
 @njit(**OPTIONS)
 def list_pairs(bodies, contacts, memory, blocks, scratch, gap, lo, hi, base):
     """List the near pairs of bodies lo to hi, then the pairs that reach back to earlier threads; False if room is short."""
-    kept, room, dummy = scratch.counts[KEPT_PAIRS], contacts.first.size - WIDTH, base + scratch.ghost.size
+    count, room, dummy = scratch.counts[KEPT_PAIRS], contacts.first.size - WIDTH, base + scratch.ghost.size
     scratch.slot[:] = -1
     scratch.counts[GHOSTS] = 0
     scratch.counts[PRESSED] = 0
-    fill, at, far = 0, 0, lo - 1
+    fill, spot, far = 0, 0, lo - 1
     for i in range(lo, hi):
         if (i - lo) % BLOCK == 0:
             fill = pad(contacts, fill, dummy, dummy + 1)
@@ -154,7 +154,7 @@ def list_pairs(bodies, contacts, memory, blocks, scratch, gap, lo, hi, base):
             if second < 0:
                 return False
             enter(bodies, contacts, k, i, j, i, second)
-            at = recall(contacts, k, (np.int64(i) << SHIFT) | j, memory, kept, at)
+            spot = recall(contacts, k, (np.int64(i) << SHIFT) | j, memory, count, spot)
         fill = after
     last = (hi - lo + BLOCK - 1) // BLOCK
     fill = pad(contacts, fill, dummy, dummy + 1)
@@ -170,7 +170,7 @@ def list_crossing(bodies, contacts, memory, blocks, scratch, gap, fill, base):
     crossing = scratch.cross[0]
     if fill + crossing > contacts.first.size - WIDTH:
         return -1
-    at = 0
+    spot = 0
     for k in range(1, crossing + 1):
         key = scratch.cross[k]
         i, j = key >> SHIFT, key & LOW
@@ -180,7 +180,7 @@ def list_crossing(bodies, contacts, memory, blocks, scratch, gap, fill, base):
         if first < 0:
             return -1
         enter(bodies, contacts, fill, i, j, first, j)
-        at = recall(contacts, fill, key, memory, scratch.counts[KEPT_PAIRS], at)
+        spot = recall(contacts, fill, key, memory, scratch.counts[KEPT_PAIRS], spot)
         fill += 1
     return fill
 
@@ -188,7 +188,7 @@ def list_crossing(bodies, contacts, memory, blocks, scratch, gap, fill, base):
 @njit(**OPTIONS)
 def list_walls(bodies, near, memory, walls, blocks, scratch, gap, dummy):
     """List the bodies near each live wall, in the order (body, wall); False if room is short."""
-    fill, at, kept = 0, 0, scratch.counts[KEPT_WALLS]
+    fill, spot, count = 0, 0, scratch.counts[KEPT_WALLS]
     for t in range(scratch.counts[WIDE_WALLS]):
         i, q = scratch.wide_body[t], scratch.wide_wall[t]
         radius = bodies.radius[i if bodies.radius.size > 1 else 0]
@@ -205,7 +205,7 @@ def list_walls(bodies, near, memory, walls, blocks, scratch, gap, dummy):
             near.arm[fill], near.mass[fill] = bodies.radius[i], bodies.mass[i]
         if near.which.size > 1:
             near.which[fill] = set_at_wall(bodies.kind[i if bodies.kind.size > 1 else 0], q, walls.live.size)
-        at = recall(near, fill, (np.int64(i) << SHIFT) | q, memory, kept, at)
+        spot = recall(near, fill, (np.int64(i) << SHIFT) | q, memory, count, spot)
         fill += 1
     near.begin[0] = pad(near, fill, dummy, 0)
     return True
@@ -215,6 +215,6 @@ def list_walls(bodies, near, memory, walls, blocks, scratch, gap, dummy):
 def harvest(contacts, near, pair_memory, wall_memory, scratch, last, base):
     """Take the histories out of both lists into sorted memories; `last` is the number of blocks."""
     begin, never = contacts.begin, np.int64(1) << 62
-    kept = remember(contacts, begin[last], begin[last + 1], base, scratch.ghost, pair_memory, 0)
-    scratch.counts[KEPT_PAIRS] = remember(contacts, 0, begin[last], base, scratch.ghost, pair_memory, kept)
+    count = remember(contacts, begin[last], begin[last + 1], base, scratch.ghost, pair_memory, 0)
+    scratch.counts[KEPT_PAIRS] = remember(contacts, 0, begin[last], base, scratch.ghost, pair_memory, count)
     scratch.counts[KEPT_WALLS] = remember(near, 0, near.begin[0], never, scratch.ghost, wall_memory, 0)

@@ -14,24 +14,24 @@ REACH = 4.5  # radii: size of the densest packing whose bound is taken
 def packings(model: Model) -> list[Model]:
     """Of each kind the smallest bodies in the densest order on a floor, with each contact that the kind has; larger ones are
     heavier, or touch fewer of them."""
-    found = []
+    models = []
     for kind in range(model.kinds):
         smallest = least_of_kind(model, model.radius, kind)
         pairs = [model.between(kind, other) for other in range(model.kinds)]
         walls = [model.at_wall(kind, wall) for wall in range(len(model.walls))] or [model.wall_contact.numbered(0)]
-        found += [packed(model, smallest, pair, wall) for pair in differing(pairs) for wall in differing(walls)]
-    return found
+        models += [packed(model, smallest, pair, wall) for pair in differing(pairs) for wall in differing(walls)]
+    return models
 
 
-def packed(model: Model, one: int, pair: Contact, wall: Contact) -> Model:
+def packed(model: Model, body: int, pair: Contact, wall: Contact) -> Model:
     """Bodies that are all like one of a model in the densest order on a floor."""
-    r, space = float(model.radius[one]), model.space
+    r, space = float(model.radius[body]), model.space
     place = r * space.densest()
     place = place[length(place) < REACH * r]
     walls = (model.level_wall(2.0 * REACH * r, float(place[:, -1].min()) - r),)
     columns = dict(zip(model.columns, place.T, strict=False)) | dict.fromkeys(model.columns[space.ways + 1 :])
     contacts = {"pair_contact": pair, "wall_contact": wall}
-    alike = {"radius": np.full(len(place), r), "density": float(np.broadcast_to(model.density, len(model.x))[one])}
+    alike = {"radius": np.full(len(place), r), "density": float(np.broadcast_to(model.density, len(model.x))[body])}
     return replace(model, **(columns | alike | contacts | {"walls": walls, "waiting": 0, "kind": None}))
 
 
@@ -43,4 +43,4 @@ def least_of_kind(model: Model, values: np.ndarray, kind: int) -> int:
 
 def differing(contacts: list[Contact]) -> list[Contact]:
     """Those contacts that no other before them equals."""
-    return [one for number, one in enumerate(contacts) if one not in contacts[:number]]
+    return [contact for number, contact in enumerate(contacts) if contact not in contacts[:number]]

@@ -36,7 +36,7 @@ class Part:
         return histories(room, self.engine.space.components)
 
     def _contacts(self, room: int, laws: Laws, other: float, mass: float, varied: bool) -> Contacts:
-        each = room if self.engine.model.unequal else 1
+        length = room if self.engine.model.unequal else 1
         return Contacts(
             first=np.zeros(room, np.int32),
             second=np.zeros(room, np.int32),
@@ -44,9 +44,9 @@ class Part:
             rolled=self._histories(room if laws.rolls else 0),
             twisted=aligned(room * laws.winds),
             touched=aligned(room * laws.clings),
-            arm=np.full(each, self.engine.bodies.radius[0]),
-            other=np.full(each, other),
-            mass=np.full(each, mass),
+            arm=np.full(length, self.engine.bodies.radius[0]),
+            other=np.full(length, other),
+            mass=np.full(length, mass),
             which=np.zeros(room if varied else 1, np.int32),
             begin=np.zeros(self.engine.most // BLOCK + 3, np.int64),
             beyond=np.zeros(self.engine.most // BLOCK + 3, np.int64),
@@ -70,7 +70,7 @@ class Part:
             cell_begin=np.zeros(engine.n + 1024, np.int32),
             order=np.zeros(engine.n, np.int32),
             near=aligned(4, engine.n),
-            found=np.zeros(self.near_room, np.int32),
+            close=np.zeros(self.near_room, np.int32),
             wide=np.zeros(2 * self.room, np.int32),
             wide_begin=np.zeros(engine.n + 1, np.int64),
             wide_body=np.zeros(2 * self.wall_room, np.int32),

@@ -45,11 +45,11 @@ def pour(engine, rain: Rain, first: int, last: int) -> int:
     taken, reach = place[near], engine.radius[near]
     spots: list[np.ndarray] = []
     for label in range(first, last):
-        found = _free(rain.spots(random, radius[label], TRIES), radius[label], taken, reach)
-        if found is None:
+        spot = _free(rain.spots(random, radius[label], TRIES), radius[label], taken, reach)
+        if spot is None:
             break
-        spots.append(found)
-        taken, reach = np.vstack([taken, found]), np.append(reach, radius[label])
+        spots.append(spot)
+        taken, reach = np.vstack([taken, spot]), np.append(reach, radius[label])
     if spots:
         add_bodies(engine, np.arange(first, first + len(spots)), np.array(spots), rain.velocity)
     return len(spots)

@@ -38,14 +38,14 @@ def reader(space: Dimension, laws: Laws, unequal: bool, flat: bool, varied: bool
     forces = force_pass(space, laws, unequal=unequal, flat=flat, varied=varied, moving=moving)
     force_of, stretch = space.force_of, space.stretch
 
-    def read(rows, contacts, shape, count, lanes, out, found, stored, rolled, dt, c):
+    def read(rows, contacts, shape, count, lanes, out, total, stored, rolled, dt, c):
         for start in range(0, count, stretch):
             many = min(stretch, count - start)
             forces(rows, contacts, shape, start, many, lanes, out, stored, rolled, dt, c)
             for k in range(many):
                 force = force_of(out, k)
                 for way in range(len(force)):
-                    found[start + k, way] = force[way]
+                    total[start + k, way] = force[way]
 
     return njit(**OPTIONS)(named(read, repr((space, laws, unequal, flat, varied, moving))))
 
@@ -53,13 +53,13 @@ def reader(space: Dimension, laws: Laws, unequal: bool, flat: bool, varied: bool
 def _forces(engine, part, contacts, count, flat):
     """Force (count, d) of each contact of a part's list on its first body."""
     space, unequal, contact = engine.space, engine.model.unequal, engine.contacts[flat]
-    found = np.zeros((count, space.ways))
+    total = np.zeros((count, space.ways))
     lanes, out = aligned(*space.lanes), aligned(*space.forces)
     read = reader(space, contact.laws, unequal, flat, part.varied[flat], flat and engine.model.moving)
     stored, rolled = contacts.stored[..., :count].copy(), contacts.rolled[..., :count].copy()
     contacts, c = contacts._replace(twisted=contacts.twisted.copy(), touched=contacts.touched.copy()), engine.coefficients(part)
-    read(engine.bodies.rows, contacts, engine.walls.shape, count, lanes, out, found, stored, rolled, engine.model.dt, c[flat])
-    return found
+    read(engine.bodies.rows, contacts, engine.walls.shape, count, lanes, out, total, stored, rolled, engine.model.dt, c[flat])
+    return total
 
 
 def pair_contacts(engine) -> Contacts:
@@ -134,23 +134,23 @@ def length(vectors: np.ndarray) -> np.ndarray:
 def _touches(engine, i, j=None) -> list[Touch]:
     """Reduced mass and radius of each contact of discs i with discs j, or with walls."""
     mass, radius = (of[i] if j is None else 1.0 / (1.0 / of[i] + 1.0 / of[j]) for of in (engine.mass, engine.radius))
-    return [Touch(*each, engine.model.dt) for each in zip(mass, radius, strict=True)]
+    return [Touch(*numbers, engine.model.dt) for numbers in zip(mass, radius, strict=True)]
 
 
 def _against_walls(engine, i, walls) -> list[Touch]:
     """Reduced mass and radius of each contact of bodies i with walls, which may be bent."""
     place, space = engine.bodies.rows[:, engine.space.place], engine.space
-    bent = [space.bent(engine.walls.shape, q, *at) for q, at in zip(walls, place[i], strict=True)]
+    bent = [space.bent(engine.walls.shape, q, *spot) for q, spot in zip(walls, place[i], strict=True)]
     radius = engine.radius[i]
-    return [Touch(*each, engine.model.dt) for each in zip(engine.mass[i], radius / (1.0 - radius * bent), strict=True)]
+    return [Touch(*numbers, engine.model.dt) for numbers in zip(engine.mass[i], radius / (1.0 - radius * bent), strict=True)]
 
 
 def _listed(contacts, count: int, n: int):
     """First, second, set of coefficients, and all histories (zero where none is kept) of a list, without what pads it."""
     real = np.flatnonzero(contacts.first[:count] < n)
-    kept = contacts.stored, contacts.rolled, contacts.twisted, contacts.touched
+    histories = contacts.stored, contacts.rolled, contacts.twisted, contacts.touched
     which = contacts.which[real] if len(contacts.which) > 1 else np.zeros(len(real), int)
-    return [contacts.first[real], contacts.second[real], which, *([entry(history, k) for k in real] for history in kept)]
+    return [contacts.first[real], contacts.second[real], which, *([entry(history, k) for k in real] for history in histories)]
 
 
 def _energy(contacts: list[Contact], touches, overlaps, *histories) -> float:

@@ -45,11 +45,11 @@ class Extremes:
     def corners(self) -> list[tuple[float, float, float]]:
         """Oscillators (stiffness of total and of incremental springs, damping) that bound all others."""
         k, slid = self.stiffness, min(self.incremental, self.stiffness)
-        found = []
+        oscillators = []
         for total, incremental in ((k, 0.0), (k - slid, slid)):
-            found.append((total, incremental, max(self.damping, self.least_damped * k)))
-            found += [(share * total, share * incremental, self.least_damped * share * k) for share in (1.0, SOFTEST)]
-        return found
+            oscillators.append((total, incremental, max(self.damping, self.least_damped * k)))
+            oscillators += [(share * total, share * incremental, self.least_damped * share * k) for share in (1.0, SOFTEST)]
+        return oscillators
 
 
 def longest_step(model: Model) -> float:
@@ -98,18 +98,18 @@ def standing(model: Model, bound: float) -> float:
 
 def _undamped(model: Model) -> list[str]:
     """The springs of a model that have no dashpot: of which contact, which law."""
-    found = [
+    undamped = [
         f"{f'{model.space.body}s' if other is not None else 'walls'} {row.key}"
-        for contact, one, other in _lone(model)
+        for contact, body, other in _lone(model)
         for row, k, d in zip(
             springs(contact.rows),
-            stiffness_of(contact, model, one, other, 0.0),
-            damping_of(contact, model, one, other, 0.0),
+            stiffness_of(contact, model, body, other, 0.0),
+            damping_of(contact, model, body, other, 0.0),
             strict=True,
         )
         if k.any() and not d.any()
     ]
-    return list(dict.fromkeys(found))
+    return list(dict.fromkeys(undamped))
 
 
 def check_step(model: Model) -> float:
@@ -149,38 +149,40 @@ def _network(model: Model) -> list[tuple]:
     distance = length(away)
     near = distance < model.radius[i] + model.radius[j] + NEAR * np.minimum(model.radius[i], model.radius[j])
     if not distance.all():
-        one = int(np.argmin(distance))
+        closest = int(np.argmin(distance))
         raise BadInput(
-            ", ".join(model.columns[: model.space.ways]), f"{model.space.body}s {i[one]}, {j[one]}", "stand in the same place"
+            ", ".join(model.columns[: model.space.ways]),
+            f"{model.space.body}s {i[closest]}, {j[closest]}",
+            "stand in the same place",
         )
     i, j, normals = i[near], j[near], away[near] / distance[near, None]
     kind = np.zeros(len(place), int) if model.kind is None else model.kind
-    found: list[tuple] = [
-        (model.between(one, other), i[these], j[these], normals[these])
-        for other in range(model.kinds)
-        for one in range(other + 1)
-        if (these := set_of_pair(kind[i], kind[j]) == set_of_pair(one, other)).any() or model.kinds == 1
+    groups: list[tuple] = [
+        (model.between(first, second), i[these], j[these], normals[these])
+        for second in range(model.kinds)
+        for first in range(second + 1)
+        if (these := set_of_pair(kind[i], kind[j]) == set_of_pair(first, second)).any() or model.kinds == 1
     ]
     walls = model.space.walls_of(model.walls)
     for q in np.flatnonzero(walls.live):
         away = model.space.all_from_wall(walls.shape, q, place)
         distance = length(away)
         touching = (distance < (1.0 + NEAR) * model.radius) & (distance > 0.0)
-        for one in range(model.kinds):
-            body = np.flatnonzero(touching & (kind == one))
-            found.append((model.at_wall(one, int(q)), body, None, away[body] / distance[body, None]))
-    return found
+        for number in range(model.kinds):
+            body = np.flatnonzero(touching & (kind == number))
+            groups.append((model.at_wall(number, int(q)), body, None, away[body] / distance[body, None]))
+    return groups
 
 
 def _lone(model: Model) -> list[tuple]:
     """Lone contacts of the lightest body of each kind, with those of its own and of other kinds and with each wall."""
-    found: list[tuple] = []
+    contacts: list[tuple] = []
     light = [np.array([least_of_kind(model, model.mass, kind)]) for kind in range(model.kinds)]
-    for kind, one in enumerate(light):
+    for kind, body in enumerate(light):
         walls = [model.at_wall(kind, wall) for wall in range(len(model.walls))] or [model.wall_contact.numbered(0)]
-        found += [(model.between(kind, other), one, light[other]) for other in range(kind + 1)]
-        found += [(wall, one, None) for wall in differing(walls)]
-    return found
+        contacts += [(model.between(kind, other), body, light[other]) for other in range(kind + 1)]
+        contacts += [(wall, body, None) for wall in differing(walls)]
+    return contacts
 
 
 def _extremes(model: Model, network: list[tuple], dt: float) -> Extremes:
@@ -204,7 +206,7 @@ def _on_lid(model: Model, strengths) -> float:
     """What a lid of a mass adds at most (1/s2 or 1/s) when it touches as many bodies as it can: rows of one more motion."""
     if model.lid is None:
         return 0.0
-    strongest = max(strengths(contact, model, one, None)[0][0] for contact, one, other in _lone(model) if other is None)
+    strongest = max(strengths(contact, model, body, None)[0][0] for contact, body, other in _lone(model) if other is None)
     return float(model.lid.touching * strongest / model.lid.mass)
 
 
@@ -213,12 +215,12 @@ def _largest(model: Model, network: list[tuple], lone: list[tuple], strengths) -
     n, mass, radius, space = len(model.x), model.mass, model.radius, model.space
     light = space.inverse_inertia
     root = np.sqrt(np.r_[np.tile(mass, space.ways), np.tile(mass * radius**2 / light, len(space.spin))])
-    blocks, found = [], 0.0
+    blocks, highest = [], 0.0
     for contact, i, j in lone:  # two translations and two rotations pull at a tangential spring
         bodies = np.r_[i, [] if j is None else j].astype(int)
         turn = light / radius[bodies] ** 2
         ways = (np.array([1.0 + 0.0 * turn, 1.0 + light + 0.0 * turn, turn, turn]) / mass[bodies]).sum(axis=1)
-        found = max(found, *(ways * np.ravel(strengths(contact, model, i, j))))
+        highest = max(highest, *(ways * np.ravel(strengths(contact, model, i, j))))
     for contact, i, j, normals in network:
         normal, tangential, rolling, twisting = np.sqrt(strengths(contact, model, i, j))
         still, spins = np.zeros_like(normals), np.zeros((len(i), len(space.spin)))
@@ -233,9 +235,9 @@ def _largest(model: Model, network: list[tuple], lone: list[tuple], strengths) -
             blocks.append(row if j is None else row + _rows(strength, j, -along, other, n))
     scaled = vstack(blocks).tocsr() @ diags(1.0 / root)
     if scaled.nnz == 0:
-        return found
+        return highest
     start = np.random.default_rng(0).standard_normal(len(root))  # an even start may be blind to the stiffest mode
-    return max(found, float(eigsh(scaled.T @ scaled, k=1, tol=1e-3, v0=start, return_eigenvectors=False)[0]))
+    return max(highest, float(eigsh(scaled.T @ scaled, k=1, tol=1e-3, v0=start, return_eigenvectors=False)[0]))
 
 
 def _rows(strength, body, along, turn, n):

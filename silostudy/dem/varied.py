@@ -73,7 +73,8 @@ class Varied:
         """With other values of coefficients, in all sets or in some."""
         numbers = set(range(len(self.sets)) if which is None else which)
         return replace(
-            self, sets=tuple(one.changed(values) if number in numbers else one for number, one in enumerate(self.sets))
+            self,
+            sets=tuple(contact.changed(values) if number in numbers else contact for number, contact in enumerate(self.sets)),
         )
 
 

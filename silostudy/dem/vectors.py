@@ -74,8 +74,8 @@ def transpose(builder, rows):
 
 
 @intrinsic
-def fetch(typing, rows, at):
-    """Ask for the cache line that number `at` of an array stands in: it will be read and written soon."""
+def fetch(typing, rows, row):
+    """Ask for the cache line that number `row` of an array stands in: it will be read and written soon."""
 
     def generate(context, builder, signature, args):
         byte = ir.IntType(8).as_pointer()
@@ -85,7 +85,7 @@ def fetch(typing, rows, at):
         builder.call(ask, [place, ir.Constant(LANE, 1), ir.Constant(LANE, 3), ir.Constant(LANE, 1)])
         return context.get_dummy_value()
 
-    return types.void(rows, at), generate
+    return types.void(rows, row), generate
 
 
 @register_jitable(forceinline=True)

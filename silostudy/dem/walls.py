@@ -170,7 +170,7 @@ def note_walls(rows, walls, near, start, count, force, record, part):
     The back of a line has a normal and cells of its own.
     """
     for k in range(count):
-        i, q, at = near.first[start + k], near.second[start + k], start + k
+        i, q, slot = near.first[start + k], near.second[start + k], start + k
         tx, ty, length = walls.shape[q, 2], walls.shape[q, 3], walls.shape[q, OWN_LENGTH]
         dx, dy, along = nearest(walls.shape, q, rows[i, X], rows[i, Y])
         along -= walls.shape[q, OWN_START]
@@ -178,10 +178,10 @@ def note_walls(rows, walls, near, start, count, force, record, part):
         fx, fy = force[FORCE_X, k], force[FORCE_Y, k]
         inner, back = walls.cells[q, 1], walls.cells[q, 2]
         behind = back > 0 and dy * tx - dx * ty < 0.0
-        record.force[part, at, 0] = fx * ty - fy * tx if behind else fy * tx - fx * ty
-        record.force[part, at, 1] = upward * (fx * tx + fy * ty)
+        record.force[part, slot, 0] = fx * ty - fy * tx if behind else fy * tx - fx * ty
+        record.force[part, slot, 1] = upward * (fx * tx + fy * ty)
         place = 0 if along <= 0.0 else inner + 1 if along >= length else 1 + min(int(along / length * inner), inner - 1)
-        record.cell[part, at] = walls.cells[q, 0] + place + (back if behind else 0)
+        record.cell[part, slot] = walls.cells[q, 0] + place + (back if behind else 0)
 
 
 def walls_of(walls) -> Walls:

@@ -62,11 +62,11 @@ def sort(keys, begin, end):
     gap = (end - begin) // 2
     while gap > 0:
         for k in range(begin + gap, end):
-            key, at = keys[k], k
-            while at >= begin + gap and keys[at - gap] > key:
-                keys[at] = keys[at - gap]
-                at -= gap
-            keys[at] = key
+            key, spot = keys[k], k
+            while spot >= begin + gap and keys[spot - gap] > key:
+                keys[spot] = keys[spot - gap]
+                spot -= gap
+            keys[spot] = key
         gap //= 2
 
 
@@ -81,24 +81,24 @@ def put_in_order(bodies, skin, n, scratch):
 
 @njit(**OPTIONS)
 def near_bodies(bodies, skin, gap, i, lo, grid, scratch):
-    """Bodies after i, or before `lo`, within reach of it, cell by cell, into scratch.found; gives how many, be they
+    """Bodies after i, or before `lo`, within reach of it, cell by cell, into scratch.close; gives how many, be they
     more than it has room for.
 
     Each candidate is written, and counted if it is one: a branch that nobody can foresee costs more than ten of them.
     """
     (x0, y0, z0), size, (nx, ny, nz) = grid
-    found, order, near = scratch.found, scratch.order, scratch.near
+    listed, order, near = scratch.close, scratch.order, scratch.near
     x, y, z = place(bodies, i)
     cx, cy, cz = cell_of(x, x0, size, nx), cell_of(y, y0, size, ny), cell_of(z, z0, size, nz)
     own = bodies.radius[i if bodies.radius.size > 1 else 0] + skin[i // BLOCK] + gap
-    left, right, count, last = max(cx - 1, 0), min(cx + 2, nx), np.uint64(0), np.uint64(found.size - 1)
+    left, right, count, last = max(cx - 1, 0), min(cx + 2, nx), np.uint64(0), np.uint64(listed.size - 1)
     for layer in range(max(cz - 1, 0), min(cz + 2, nz)):
         for row in range(max(cy - 1, 0), min(cy + 2, ny)):
             start = (layer * ny + row) * nx
             begin, end = np.uint64(scratch.cell_begin[start + left]), np.uint64(scratch.cell_begin[start + right])
             for t in range(begin, end):
                 j, dx, dy, dz, reach = order[t], near[0, t] - x, near[1, t] - y, near[2, t] - z, near[3, t] + own
-                found[min(count, last)] = j
+                listed[min(count, last)] = j
                 count += np.uint64((dx * dx + dy * dy + dz * dz < reach * reach) & ((j > i) | (j < lo)))
     return count
 
@@ -106,9 +106,9 @@ def near_bodies(bodies, skin, gap, i, lo, grid, scratch):
 @njit(**OPTIONS)
 def take_near(scratch, count, i, lo, fill):
     """Enter those found into the wide list from `fill` on, in order; pairs with a body before `lo` go to scratch.cross."""
-    found, wide, begin, crossing = scratch.found, scratch.wide, fill, scratch.cross[0]
+    listed, wide, begin, crossing = scratch.close, scratch.wide, fill, scratch.cross[0]
     for c in range(count):
-        j = found[c]
+        j = listed[c]
         if j < lo:
             crossing += 1
             if crossing < scratch.cross.size:
@@ -136,7 +136,7 @@ def list_wide(bodies, walls, blocks, scratch, gap, n, lo, hi):
     for i in range(lo, hi):
         scratch.wide_begin[i - lo] = fill
         count = near_bodies(bodies, blocks.wide_skin, gap, i, lo, grid, scratch)
-        if fill + count > scratch.wide.size or count > scratch.found.size:
+        if fill + count > scratch.wide.size or count > scratch.close.size:
             return False
         fill = take_near(scratch, count, i, lo, fill)
     scratch.wide_begin[hi - lo] = fill

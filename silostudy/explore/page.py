@@ -89,13 +89,15 @@ class Explorer:
         save = pn.Row(
             pn.widgets.FileDownload(callback=lambda: _csv(table), filename=f"{stem}.csv", label="numbers (CSV)"),
             pn.widgets.FileDownload(
-                callback=lambda: png(self.cube, choice, table, self.at(choice)), filename=f"{stem}.png", label="picture (PNG)"
+                callback=lambda: png(self.cube, choice, table, self.title(choice)),
+                filename=f"{stem}.png",
+                label="picture (PNG)",
             ),
         )
-        drawn = pn.pane.Bokeh(drawing(self.cube, choice, table, self.at(choice)), sizing_mode="stretch_width")
+        drawn = pn.pane.Bokeh(drawing(self.cube, choice, table, self.title(choice)), sizing_mode="stretch_width")
         self.shown.objects = [drawn, save, pn.pane.HTML(scopes(table, choice), sizing_mode="stretch_width")]
 
-    def at(self, choice: Choice) -> str:
+    def title(self, choice: Choice) -> str:
         """Title of what is shown: the study's, and the places on the axes that are cut."""
         cut = [f"{dim} {labels(self.cube, dim)[place]}" for dim, place in choice.places.items() if self.cube.sizes[dim] > 1]
         return ", ".join([self.cube.attrs["title"], *cut])

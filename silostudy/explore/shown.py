@@ -87,21 +87,21 @@ def numbers(cube: xr.Dataset, choice: Choice) -> pd.DataFrame:
 
 
 def _curve(cube: xr.Dataset, choice: Choice, places: Mapping[str, int], label: str) -> pd.DataFrame:
-    at = dict(places)
+    position = dict(places)
     if choice.overlay:
-        at[choice.overlay] = labels(cube, choice.overlay).index(label)
-    one = cube.isel({dim: place for dim, place in at.items() if dim in cube.dims})
+        position[choice.overlay] = labels(cube, choice.overlay).index(label)
+    part = cube.isel({dim: place for dim, place in position.items() if dim in cube.dims})
     table = {"curve": label or choice.quantity, choice.along: cube[choice.along].values}
-    table[choice.quantity] = one[choice.quantity].values
-    keys = {dim: str(cube[dim].values[at[dim]]) for dim in FAMILIES if dim in at}
-    return pd.DataFrame(table | {"scope": _scope(one, choice), "source": "; ".join(sources(keys)) or ELSEWHERE})
+    table[choice.quantity] = part[choice.quantity].values
+    keys = {dim: str(cube[dim].values[position[dim]]) for dim in FAMILIES if dim in position}
+    return pd.DataFrame(table | {"scope": _scope(part, choice), "source": "; ".join(sources(keys)) or ELSEWHERE})
 
 
-def _scope(one: xr.Dataset, choice: Choice) -> np.ndarray | str:
+def _scope(part: xr.Dataset, choice: Choice) -> np.ndarray | str:
     """Why a value is there or not, in the words of the cube."""
-    flags = one.get(choice.quantity + SCOPE)
+    flags = part.get(choice.quantity + SCOPE)
     if flags is None:
-        return np.where(one[choice.quantity].isnull(), "no value", "in scope")
+        return np.where(part[choice.quantity].isnull(), "no value", "in scope")
     meanings = np.array([word.replace("_", " ") for word in flags.attrs["flag_meanings"].split()])
     if choice.along not in flags.dims:
         return str(meanings[int(flags)])

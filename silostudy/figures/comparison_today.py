@@ -14,21 +14,21 @@ import xarray as xr
 from matplotlib.axes import Axes
 
 from silostudy.cube.measured import pressures_measured_in
+from silostudy.cube.silence import silences
 from silostudy.figures.steps import over_depth
-from silostudy.figures.style import drawn, look, phases_of_its_own, save, silent, title
+from silostudy.figures.style import REST, WIDTH, drawn, foot, headline, look, phases_of_its_own, save, title
 from silostudy.tables.outputs import output_of
 
 (STATIC,) = output_of(__name__).methods
 PRESSURE = "wall_normal_pressure"
 SCATTER = "bars: 5 % to 95 % of the sampled solid, whose unit weight goes up to the dots' own: these lie high for that"
 BAND = "shaded: EN 1991-4, all sets of characteristic values"
-REST: dict[str, Any] = {"color": "0.8", "linewidth": 1.0, "zorder": 1}
 HATCHES = {"filling": "\\\\\\\\", "switch": "....", "discharge": "////"}
 # heading -> phases, and how the methods that it brings out are drawn
 GROUPS = {
     "after filling": (("filling",), ("handbook", "curve", "misprint")),
-    "in discharge:\nthe handbook's methods": (("switch", "discharge"), ("handbook", "misprint")),
-    "in discharge:\ntoday's codes and others": (("switch", "discharge"), ("curve",)),
+    "in discharge:\nthe handbook's": (("switch", "discharge"), ("handbook", "misprint")),
+    "in discharge:\ntoday's": (("switch", "discharge"), ("curve",)),
 }
 
 
@@ -37,7 +37,7 @@ def draw(cube: xr.Dataset, stem: Path, sampled: xr.Dataset | None = None) -> Non
     curves, bands = _curves(cube), _bands(cube)
     ranks = _ranks(curves, sampled)
     groups = {name: group for name, group in GROUPS.items() if _of(curves, *group).any()}
-    figure, panels = plt.subplots(1, len(groups) + 1, figsize=(3.2 * len(groups) + 4.4, 7.6), squeeze=False)
+    figure, panels = plt.subplots(1, len(groups) + 1, figsize=(WIDTH, 6.8), squeeze=False)
     *walls, ranking = panels[0]
     for panel in walls[1:]:
         panel.sharey(walls[0])
@@ -45,15 +45,13 @@ def draw(cube: xr.Dataset, stem: Path, sampled: xr.Dataset | None = None) -> Non
     for panel, (name, group) in zip(walls, groups.items(), strict=True):
         _draw_wall(panel, cube, curves, bands, group)
         panel.set(xlim=(0, 1.04 * curves.wall_normal_pressure_kPa.max()), ylim=(float(cube["cylinder_depth"]), 0))
-        panel.set_title(name, fontsize="medium")
-        panel.set_xlabel("wall normal pressure (kPa)")
+        panel.set_title(name)
+        panel.set_xlabel("wall normal\npressure (kPa)")
     walls[0].set_ylabel("depth z (m)")
     _draw_ranks(ranking, cube, ranks)
     below = [BAND] * bool(bands) + [SCATTER] * (sampled is not None)
-    handles = silent(cube)
-    if handles:
-        figure.legend(handles=handles, loc="outside lower center", ncols=2, fontsize=8.5)
-    figure.suptitle("\n".join([f"{cube.attrs['title']}: {_message(ranks)}", "; ".join(below)]).strip())
+    headline(figure, f"{cube.attrs['title']}: {_message(ranks)}")
+    foot(figure, "; ".join(below), *silences(cube, in_every_case=True, titles=True))
     save(figure, pd.concat([curves, *bands, ranks], ignore_index=True).drop(columns=["pressure_method", "drawn"]), stem)
 
 
@@ -115,12 +113,12 @@ def _draw_wall(panel: Axes, cube: xr.Dataset, curves: pd.DataFrame, bands: list[
             panel.fill_betweenx(band.depth_m, band.wall_normal_pressure_kPa, band.upper_kPa, hatch=hatch, **hatched)
     chosen = _of(curves, *group)
     for rest, table in ((True, curves[~chosen]), (False, curves[chosen])):
-        for (method, phase), one in table.groupby(["pressure_method", "phase"], sort=False):
-            style = REST if rest else _look(cube, method, phase) | {"linewidth": 1.8, "markevery": max(1, len(one) // 7)}
-            over_depth(panel, one.wall_normal_pressure_kPa.to_numpy(), one.depth_m.to_numpy(), **style)
+        for (method, phase), curve in table.groupby(["pressure_method", "phase"], sort=False):
+            style = REST if rest else _look(cube, method, phase) | {"linewidth": 1.8, "markevery": max(1, len(curve) // 7)}
+            over_depth(panel, curve.wall_normal_pressure_kPa.to_numpy(), curve.depth_m.to_numpy(), **style)
     for point in pressures_measured_in(cube):
         panel.plot(point.value / 1e3, point.depth, "k*", markersize=13, label=f"measured: {point.title}")
-        panel.legend(loc="upper right", fontsize=8.5)
+        panel.legend(loc="upper right")
 
 
 def _look(cube: xr.Dataset, method: str, phase: str) -> dict[str, Any]:
@@ -136,14 +134,14 @@ def _draw_ranks(panel: Axes, cube: xr.Dataset, ranks: pd.DataFrame) -> None:
             panel.hlines(row["rank"], row["p05_kPa"], row["p95_kPa"], color="0.55", linewidth=3.0, zorder=1)
         look_here = _look(cube, row["pressure_method"], row["phase"]) | {"markersize": 8}
         panel.plot(row["largest_kPa"], row["rank"], **look_here)
-    panel.set_yticks(ranks["rank"], ranks.curve, fontsize=8.5)
+    panel.set_yticks(ranks["rank"], ranks.curve)
     panel.yaxis.tick_right()
     panel.set(
-        xlabel="largest wall pressure (kPa)",
+        xlabel="largest wall\npressure (kPa)",
         xlim=(0, 1.05 * np.nanmax(ranks.filter(like="_kPa"))),
         ylim=(-0.7, len(ranks) - 0.3),
     )
-    panel.set_title("largest pressures, ranked", fontsize="medium")
+    panel.set_title("largest pressures,\nranked")
     panel.spines["left"].set_visible(False)
 
 

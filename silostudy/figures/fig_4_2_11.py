@@ -3,24 +3,27 @@
 from pathlib import Path
 
 import matplotlib.pyplot as plt
+import numpy as np
 import pandas as pd
 import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.ticker import MaxNLocator
 
+from silostudy.cube.silence import silences
 from silostudy.figures.steps import over_depth
-from silostudy.figures.style import PHASE_LINES, drawn, look, phases_of_its_own, save, silent, title
+from silostudy.figures.style import PHASE_LINES, WIDTH, drawn, foot, headline, look, phases_of_its_own, save, title
 from silostudy.tables.constants import STANDARD_GRAVITY
 from silostudy.tables.outputs import output_of
 
 KPA_PER_T_M2 = STANDARD_GRAVITY
+READ = "; dashed: after filling, full: in discharge; numbers as in the source"
 (STATIC,) = output_of(__name__).methods  # what the others are set against
 
 
 def draw(cube: xr.Dataset, stem: Path) -> None:
     """Writes the figure and the curves it shows."""
     curves = _curves(cube)
-    figure, (left, right) = plt.subplots(1, 2, figsize=(12, 8), sharey=True, width_ratios=(1.35, 1))
+    figure, (left, right) = plt.subplots(1, 2, figsize=(WIDTH, 7.6), sharey=True, width_ratios=(1.35, 1))
     for name, group in curves.groupby("curve", sort=False):
         style = _style(cube, group.iloc[0])
         depth = group.depth_m.to_numpy()
@@ -32,11 +35,21 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     kpa = left.secondary_xaxis("top", functions=(lambda t: t * KPA_PER_T_M2, lambda kpa: kpa / KPA_PER_T_M2))
     kpa.set_xlabel("wall normal pressure (kPa)")
     right.set(xlabel="ratio to static Janssen (curve 6)", xlim=(0.5, 6))
-    left.set_ylim(float(cube["cylinder_depth"]) * 1.09, 0)  # room for the numbers at the feet
-    handles = [*left.get_legend_handles_labels()[0], *silent(cube)]
-    figure.legend(handles=handles, loc="outside lower center", ncols=3, fontsize=8)
-    figure.suptitle(cube.attrs["title"])
-    save(figure, curves, stem)
+    left.set_ylim(float(cube["cylinder_depth"]) * 1.1, 0)  # room for the numbers at the feet
+    headline(figure, _message(curves))
+    unspoken = silences(cube, in_every_case=True, titles=True)
+    foot(figure, cube.attrs["title"] + READ, *unspoken, handles=left.get_legend_handles_labels()[0])
+    save(figure, curves.drop(columns="drawn"), stem)
+
+
+def _message(curves: pd.DataFrame) -> str:
+    """What the figure says, in numbers: the span of the largest pressures in discharge, over Janssen's largest."""
+    peaks = curves[curves.drawn != "misprint"].groupby(["phase", "pressure_method"]).wall_normal_pressure_t_m2.max()
+    static = peaks.get(("filling", STATIC), np.nan)
+    spans = peaks.groupby("phase").agg(["min", "max"]) / static
+    words = {"discharge": "in discharge it is", "filling": "after filling"}
+    told = [f"{words[phase]} {spans['min'][phase]:.1f} to {spans['max'][phase]:.1f}" for phase in words if phase in spans.index]
+    return f"The largest wall pressure over Janssen's at rest: {', '.join(told)}"
 
 
 def _curves(cube: xr.Dataset) -> pd.DataFrame:
@@ -51,6 +64,7 @@ def _curves(cube: xr.Dataset) -> pd.DataFrame:
                     "curve": f"{title(cube, method)}, {phase}",
                     "pressure_method": method,
                     "phase": phase,
+                    "drawn": drawn(cube, method),
                     "number": str(cube["pressure_method_number"].sel(pressure_method=method).values),
                     "depth_m": cube["depth"].values,
                     "wall_normal_pressure_t_m2": pressure.values / 1e3 / KPA_PER_T_M2,
@@ -82,15 +96,15 @@ def _number_ends(axes: Axes, curves: pd.DataFrame) -> None:
     """The handbook's number at the foot of each curve, so that the curves can be told apart without colour."""
     feet = curves[curves.number != ""].groupby("curve", sort=False).last().sort_values("wall_normal_pressure_t_m2")
     last = [-1.0, -1.0, -1.0]  # where the last number on each of three lines stands
-    for foot in feet.itertuples():
-        line = next((n for n in range(3) if foot.wall_normal_pressure_t_m2 - last[n] > 0.16), 2)
-        last[line] = foot.wall_normal_pressure_t_m2
+    for end in feet.itertuples():
+        line = next((n for n in range(3) if end.wall_normal_pressure_t_m2 - last[n] > 0.2), 2)
+        last[line] = end.wall_normal_pressure_t_m2
         axes.annotate(
-            foot.number,
-            (foot.wall_normal_pressure_t_m2, foot.depth_m),
-            xytext=(0, -9 - 10 * line),
+            end.number,
+            (end.wall_normal_pressure_t_m2, end.depth_m),
+            xytext=(0, -9 - 11 * line),
             textcoords="offset points",
             ha="center",
             va="center",
-            fontsize=8,
+            fontsize="small",
         )

@@ -9,7 +9,10 @@ import xarray as xr
 from matplotlib.colors import BoundaryNorm, ListedColormap
 from matplotlib.patches import Patch
 
-from silostudy.figures.style import save, silent, title
+from silostudy.cube.silence import silences
+from silostudy.figures.style import WIDTH, foot, headline, name, save, title
+
+TIES = "of methods that tie, the first in the catalogue"
 
 
 def draw(cube: xr.Dataset, stem: Path) -> None:
@@ -19,15 +22,14 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     axes it takes the position with the fewest masked values and says which.
     """
     level = "relative_depth" if "relative_depth" in cube.dims else "depth"
-    unspoken = silent(cube)
+    unspoken = silences(cube, in_every_case=True, titles=True)
     cube, fixed = _one_position(cube, level)
     index, largest = _governing(cube)
     solids = list(map(str, cube["solid"].values)) if "solid" in cube.dims else [""]
     columns = min(4, len(solids))
     rows = -(-len(solids) // columns)
-    figure, axes = plt.subplots(
-        rows, columns, figsize=(3.1 * columns, 3.1 * rows + 1.2), squeeze=False, sharex=True, sharey=True
-    )
+    size = {"figsize": (WIDTH, 2.7 * rows + 1.8)}
+    figure, axes = plt.subplots(rows, columns, **size, squeeze=False, sharex=True, sharey=True)
     methods = list(map(str, cube["pressure_method"].values))
     colours = ListedColormap([str(c) for c in cube["pressure_method_colour"].values])
     norm = BoundaryNorm(np.arange(len(methods) + 1) - 0.5, len(methods))
@@ -41,13 +43,11 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     for panel in axes[-1]:
         panel.set_xlabel("H/D")
     for panel in axes[:, 0]:
-        panel.set_ylabel("depth over depth of the transition" if level == "relative_depth" else "depth (m)")
+        panel.set_ylabel("depth over depth\nof the transition" if level == "relative_depth" else "depth (m)")
     present = sorted(set(index.values[index.values >= 0].astype(int).ravel()))
     handles = [Patch(color=colours(m), alpha=0.75, label=title(cube, methods[m])) for m in present]
-    figure.legend(handles=[*handles, *unspoken], loc="outside lower center", ncols=4, fontsize=8)
-    figure.suptitle(
-        f"Method with the largest wall pressure at each depth ({fixed};\nof methods that tie, the first in the catalogue)"
-    )
+    headline(figure, _message(cube, index))
+    foot(figure, f"method with the largest wall pressure at each depth; {fixed}; {TIES}", *unspoken, handles=handles)
     save(figure, _numbers(index, largest, methods), stem)
 
 
@@ -57,6 +57,14 @@ def _governing(cube: xr.Dataset) -> tuple[xr.DataArray, xr.DataArray]:
     place = pressure.fillna(-np.inf).argmax("pressure_method")
     largest = pressure.max("pressure_method")
     return place.where(largest.notnull(), -1), largest
+
+
+def _message(cube: xr.Dataset, index: xr.DataArray) -> str:
+    """What the figure says, in numbers: the methods that ask for most over the largest shares of depths and silos."""
+    places, counts = np.unique(index.values[index.values >= 0].astype(int), return_counts=True)
+    shares = sorted(zip(counts / counts.sum(), places, strict=True), reverse=True)[:3]
+    told = [f"{name(cube, str(cube['pressure_method'].values[place]))} on {100 * share:.0f} %" for share, place in shares]
+    return f"Of all depths and silos the largest wall pressure is asked for by {', '.join(told)}"
 
 
 def _one_position(cube: xr.Dataset, level: str) -> tuple[xr.Dataset, str]:
@@ -91,9 +99,5 @@ def _numbers(index: xr.DataArray, largest: xr.DataArray, methods: list[str]) -> 
     table = xr.Dataset({"place": index, "wall_normal_pressure_Pa": largest}).to_dataframe().reset_index()
     table = table[table.place >= 0]
     table["pressure_method"] = [methods[int(place)] for place in table.place]
-    keep = [
-        c
-        for c in ("solid", "slenderness", "relative_depth", "depth", "pressure_method", "wall_normal_pressure_Pa")
-        if c in table
-    ]
-    return table[keep]
+    columns = ("solid", "slenderness", "relative_depth", "depth", "pressure_method", "wall_normal_pressure_Pa")
+    return table[[column for column in columns if column in table]]

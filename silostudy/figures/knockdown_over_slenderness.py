@@ -9,7 +9,7 @@ import pandas as pd
 import xarray as xr
 
 from silostudy.figures.rules import demand, limits, look, making, name
-from silostudy.figures.style import save
+from silostudy.figures.style import WIDTH, foot, headline, save
 from silostudy.tables.miller1977 import TESTS
 
 LENGTH = 20  # L / sqrt(R t), near that of the tests without rings (17.5 to 23.9)
@@ -20,7 +20,7 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     demand(cube, "ring_area_ratio", (0.0,))
     cube = cube.sel(ring_area_ratio=0.0).sel(relative_bay_length=LENGTH, method="nearest").isel(steel=0)
     tests = _tests()
-    figure, axes = plt.subplots(1, cube.sizes["making"], figsize=(4.6 * cube.sizes["making"], 5.6), sharey=True, squeeze=False)
+    figure, axes = plt.subplots(1, cube.sizes["making"], figsize=(WIDTH, 5.6), sharey=True, squeeze=False)
     curves = []
     for place, panel in enumerate(axes.flat):
         here = cube.isel(making=place)
@@ -28,7 +28,7 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
         for rule in map(str, cube["rule"].values):
             factor = here["elastic_knockdown_factor"].sel({"rule": rule})
             label = "; ends: ".join([name(cube, rule), *limits(cube, rule)]) if place == 0 else None
-            panel.plot(factor["radius_over_thickness"], factor, linewidth=1.6, label=label, **look(cube, rule))
+            panel.plot(factor["radius_over_thickness"], factor, linewidth=1.6, label=label, markevery=0.15, **look(cube, rule))
             table = factor.to_dataframe().reset_index()[["radius_over_thickness", "elastic_knockdown_factor"]]
             curves.append(table.assign(curve=rule, making=made))
         for elastic, fill in ((True, "black"), (False, "none")):
@@ -40,12 +40,25 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
         panel.set_xticks([100, 200, 500, 1000, 2000, 3000], labels=["100", "200", "500", "1000", "2000", "3000"])
         panel.minorticks_off()
     axes[0, 0].set_ylabel("elastic buckling stress over classical stress")
-    figure.legend(loc="outside lower center", ncols=3)
-    length = float(cube["relative_bay_length"])
-    figure.suptitle(
-        f"Knock-down factor of cylinders without rings, L / sqrt(R t) = {length:g}; Miller's tests are manufactured shells"
+    table, length = pd.concat([*curves, tests.assign(curve="test")], ignore_index=True), float(cube["relative_bay_length"])
+    headline(figure, _message(cube, table))
+    told = f"Knock-down factor of cylinders without rings, L / sqrt(R t) = {length:g}; Miller's tests are manufactured shells"
+    foot(figure, told, handles=axes[0, 0].get_legend_handles_labels()[0])
+    save(figure, table, stem)
+
+
+def _message(cube: xr.Dataset, table: pd.DataFrame) -> str:
+    """What the figure says, in numbers, at the slenderness of the grid that lies next to the thinnest test."""
+    tests = table[table.curve == "test"]
+    slender = float(
+        cube["radius_over_thickness"].sel(radius_over_thickness=tests.radius_over_thickness.max(), method="nearest")
     )
-    save(figure, pd.concat([*curves, tests.assign(curve="test")], ignore_index=True), stem)
+    here = table[(table.radius_over_thickness == slender) & (table.elastic_knockdown_factor < 1.0)]
+    rules, elastic = here.elastic_knockdown_factor, tests[tests.elastic].elastic_knockdown_factor
+    return (
+        f"At R/t = {slender:.0f} the rules let a wall carry {rules.min():.2f} to {rules.max():.2f} of the perfect shell's"
+        f" stress; tests that stayed elastic carried {elastic.min():.2f} to {elastic.max():.2f}"
+    )
 
 
 def _tests() -> pd.DataFrame:

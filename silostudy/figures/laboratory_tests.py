@@ -128,6 +128,6 @@ def _width(panel: Axes, cube: xr.Dataset) -> list[pd.DataFrame]:
     panel.axvline(1.0, color="black", linewidth=0.8)
     panel.set_yticks(range(len(QUANTITIES)), list(QUANTITIES))
     panel.set_ylim(len(QUANTITIES) - 0.5, -1.1)
-    panel.set(xlabel="mean and standard deviation of fillings over the widest cell's mean", title="width of the cell")
+    panel.set(xlabel="mean and standard deviation of fillings\nover the widest cell's mean", title="width of the cell")
     panel.legend(loc="upper right", ncols=len(cells))
     return [table.assign(panel="width")]

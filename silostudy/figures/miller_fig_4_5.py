@@ -7,8 +7,8 @@ import numpy as np
 import pandas as pd
 import xarray as xr
 
-from silostudy.figures.miller_points import points, scatter
-from silostudy.figures.style import save
+from silostudy.figures.miller_points import points, reached, scatter
+from silostudy.figures.style import WIDTH, foot, headline, save
 
 SLENDER = (250, 375, 500)
 SHADES = ("0.0", "0.35", "0.6")
@@ -16,12 +16,22 @@ SHADES = ("0.0", "0.35", "0.6")
 
 def draw(cube: xr.Dataset, stem: Path) -> None:
     """Writes the figure and its numbers."""
-    figure, (left, right) = plt.subplots(1, 2, figsize=(12, 5.8))
+    figure, (left, right) = plt.subplots(1, 2, figsize=(WIDTH, 5.8))
     tests = points(cube)
     ring = cube["chart_ring_coefficient"].sel({"chart_making": "manufactured"})
     curves = _over_length(left, ring, tests) + _over_ring_area(right, ring, tests)
-    figure.suptitle("General buckling of the shell with its rings (source's Figs. 4 and 5), Miller's own tests")
+    headline(figure, _message(ring, tests))
+    foot(figure, "General buckling of the shell with its rings (source's Figs. 4 and 5), Miller's own tests")
     save(figure, pd.concat([*curves, tests.assign(curve="test")], ignore_index=True), stem)
+
+
+def _message(ring: xr.DataArray, tests: pd.DataFrame) -> str:
+    """What the figure says, in numbers: how many general collapses reach the design coefficient at their own R/t and ring."""
+    general = tests[tests.collapse == "G"]
+    largest = float(ring["chart_ring_area_ratio"].max())
+    places = {"chart_slenderness": general.R_over_t, "chart_ring_area_ratio": general.ring_area_ratio.clip(upper=largest)}
+    designed = ring.interp({dim: ("test", values) for dim, values in places.items()})
+    return f"General collapses that reach the design's $C_3$ of their own R/t and ring area: {reached(general.C3, designed)}"
 
 
 def _over_length(panel, ring: xr.DataArray, tests: pd.DataFrame) -> list[pd.DataFrame]:
@@ -39,8 +49,8 @@ def _over_length(panel, ring: xr.DataArray, tests: pd.DataFrame) -> list[pd.Data
         xlabel=r"$M_e^2 = L_T^2 / (R t) \cdot t_e / t$",
         ylabel=r"$C_3 M_e^2 = \sigma R / (E t_e) \cdot M_e^2$",
     )
-    panel.set_title("R/t = 500; tests whose total length $L_T$ is printed", fontsize=9)
-    panel.legend(fontsize=8, loc="upper left")
+    panel.set_title("R/t = 500; tests whose total length $L_T$ is printed")
+    panel.legend(loc="upper left")
     return curves
 
 
@@ -64,6 +74,6 @@ def _over_ring_area(panel, ring: xr.DataArray, tests: pd.DataFrame) -> list[pd.D
         label="collapsed locally (or not said): C₃ lies higher",
     )
     panel.set(xlabel=r"$A_r / (L t)$", ylabel=r"$C_3 = \sigma R / (E t_e)$", xlim=(-0.01, 0.6), ylim=(0, None))
-    panel.set_title("general collapse (bays to $A_r/(L t)$ = 0.6)", fontsize=9)
-    panel.legend(fontsize=8, loc="lower right")
+    panel.set_title("general collapse (to $A_r/(L t)$ = 0.6)")
+    panel.legend(loc="lower right")
     return curves

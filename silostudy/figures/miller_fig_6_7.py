@@ -3,11 +3,12 @@
 from pathlib import Path
 
 import matplotlib.pyplot as plt
+import numpy as np
 import pandas as pd
 import xarray as xr
 
-from silostudy.figures.miller_points import points, scatter
-from silostudy.figures.style import save
+from silostudy.figures.miller_points import points, reached, scatter
+from silostudy.figures.style import WIDTH, foot, headline, save
 from silostudy.tables.outputs import output_of
 
 (RULE,) = output_of(__name__).rules
@@ -18,10 +19,10 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     rule = cube.sel({"rule": RULE})
     tests = points(cube).assign(elastic_ratio=(rule["elastic_buckling_stress"] / rule["yield_stress"]).values)
     x, y = cube["chart_elastic_ratio"].values, cube["chart_strength_ratio"].values
-    figure, axes = plt.subplots(1, 2, figsize=(12, 5.6), sharey=True)
+    figure, axes = plt.subplots(1, 2, figsize=(WIDTH, 5.4), sharey=True)
     for panel, kinds, title in (
         (axes[0], ("ringed", "large"), "with rings (source's Fig. 6)"),
-        (axes[1], ("unstiffened",), "without rings (source's Fig. 7; its fabricated shells are not printed)"),
+        (axes[1], ("unstiffened",), "without rings (source's Fig. 7)"),
     ):
         panel.plot(x, y, color="black", label="formula (15)")
         panel.plot(x[x <= 1], x[x <= 1], color="black", linestyle=":", label="no yielding")
@@ -29,9 +30,11 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
         panel.set(
             xlabel=r"elastic stress over yield stress, $\sigma_{ec} / \sigma_y$", title=title, xlim=(0, 2), ylim=(0, 1.05)
         )
-        panel.legend(fontsize=8, loc="lower right")
+        panel.legend(loc="lower right")
     axes[0].set_ylabel(r"buckling stress over yield stress, $\sigma_{cr} / \sigma_y$")
-    figure.suptitle("Inelastic buckling: points above the line were stronger than predicted")
+    formula = np.interp(tests.elastic_ratio, x, y, right=np.nan)
+    headline(figure, f"Tests that were at least as strong as formula (15) says: {reached(tests.strength_ratio, formula)}")
+    foot(figure, "Inelastic buckling; the source does not print its fabricated shells without rings")
     save(
         figure,
         pd.concat([pd.DataFrame({"curve": "formula", "elastic_ratio": x, "strength_ratio": y}), tests.assign(curve="test")]),

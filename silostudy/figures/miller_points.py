@@ -8,6 +8,7 @@ import xarray as xr
 from matplotlib.axes import Axes
 
 from silostudy.figures.rules import GROUPS, group
+from silostudy.figures.style import VERMILION
 
 
 def points(cube: xr.Dataset) -> pd.DataFrame:
@@ -38,11 +39,17 @@ def points(cube: xr.Dataset) -> pd.DataFrame:
     )
 
 
+def reached(measured: Any, designed: Any) -> str:
+    """How many measured values come up to the designed ones, where there are both: "3 of 4"."""
+    margin = np.asarray(measured) / np.asarray(designed)
+    return f"{np.sum(margin >= 1.0)} of {np.isfinite(margin).sum()}"
+
+
 def scatter(panel: Axes, tests: pd.DataFrame, x: str, y: str) -> None:
     """Draws tests by group: filled where they collapsed below 0.55 of the yield stress, open beyond."""
     for kind, (marker, label) in GROUPS.items():
         here = tests[tests.group == kind]
-        for elastic, fill in ((True, "#D55E00"), (False, "none")):
+        for elastic, fill in ((True, VERMILION), (False, "none")):
             part = here[here.elastic == elastic]
             if len(part):
                 text = f"{label}, {'elastic' if elastic else 'inelastic'}"
@@ -50,7 +57,7 @@ def scatter(panel: Axes, tests: pd.DataFrame, x: str, y: str) -> None:
                     "linestyle": "none",
                     "marker": marker,
                     "markersize": 6,
-                    "color": "#D55E00",
+                    "color": VERMILION,
                     "markerfacecolor": fill,
                 }
                 panel.plot(part[x], part[y], label=text, **style)

@@ -18,9 +18,10 @@ GROUPS = {
 
 
 def look(cube: xr.Dataset, rule: str) -> dict:
-    """Colour and line of a rule, as line properties."""
-    one = cube.sel({"rule": rule})
-    return {"color": str(one.rule_colour.values), "linestyle": str(one.rule_line.values)}
+    """Colour, line and marker of a rule, as line properties."""
+    row = cube.sel({"rule": rule})
+    drawn = {"color": row.rule_colour, "linestyle": row.rule_line, "marker": row.rule_marker}
+    return {key: str(value.values) for key, value in drawn.items()}
 
 
 def name(cube: xr.Dataset, rule: str) -> str:
@@ -59,8 +60,8 @@ def passed_over(cube: xr.Dataset, *names: str) -> list[str]:
         loaded = (flags != loadless(flags)).any(level)
         counts = [(cube[name].isnull() & (flags == place) & loaded) for place in range(len(meanings))]
         for reason, masked in zip(meanings, counts, strict=True):
-            each = masked.sum([dim for dim in masked.dims if dim != "rule"])
-            told = [f"{rule_name} {int(n)}" for rule_name, n in zip(cube["rule_title"].values, each, strict=True) if n]
+            counts_by_rule = masked.sum([dim for dim in masked.dims if dim != "rule"])
+            told = [f"{title} {int(n)}" for title, n in zip(cube["rule_title"].values, counts_by_rule, strict=True) if n]
             if told:
                 total = int(masked.size / cube.sizes["rule"])
                 lines.append(
@@ -87,8 +88,8 @@ def demand(cube: xr.Dataset, axis: str, values: tuple) -> None:
         raise BadInput(f"axis {axis}", cube[axis].values.tolist(), f"the figure also needs {', '.join(map(str, missing))}")
 
 
-def making(one: xr.Dataset) -> str:
+def making(here: xr.Dataset) -> str:
     """How the shells at one position of the making axis are made, in words."""
     told = (("making_manufacture", "{} (Miller)"), ("making_quality", "class {} (EN)"))
-    words = [text.format(one[coord].values) for coord, text in told if coord in one.coords]
-    return ", ".join(words).replace("_", " ") or f"making {one['making'].values}"
+    words = [text.format(here[coord].values) for coord, text in told if coord in here.coords]
+    return ", ".join(words).replace("_", " ") or f"making {here['making'].values}"

@@ -1,7 +1,13 @@
-"""How every figure looks and is saved: PNG, SVG that is the same each time, and the numbers shown as CSV."""
+"""How every figure looks and is saved: PNG, SVG that is the same each time, and the numbers shown as CSV.
 
+The page of the report shows a picture 1000 px wide in a window of 1366 px.  A figure is WIDTH wide, so that "small", the
+smallest words of it, have 12 px there: sizes are said by name ("small", "medium", "large"), never in points.
+"""
+
+from collections.abc import Iterable
 from pathlib import Path
 from textwrap import fill
+from typing import Any
 
 import matplotlib
 
@@ -11,32 +17,109 @@ import matplotlib.pyplot as plt
 import numpy as np
 import pandas as pd
 import xarray as xr
+from cycler import cycler
+from matplotlib.artist import Artist
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
-from matplotlib.patches import Patch
+from matplotlib.lines import Line2D
+from matplotlib.patheffects import withStroke
 
-from silostudy.cube.silence import silences
 from silostudy.files import replacing
 
+WIDTH = 10.0  # inches
+DPI = 160
+# Okabe and Ito's colours, which the colour-blind tell apart; their yellow is left out, too pale for a line on white
+BLUE, VERMILION, GREEN, ORANGE, SKY, PURPLE, BLACK = COLOURS = (
+    "#0072B2", "#D55E00", "#009E73", "#E69F00", "#56B4E9", "#CC79A7", "#000000",
+)  # fmt: skip
+MARKERS = "os^Dv<>Ph*X"
+LINES: tuple = ("-", (0, (4, 2)), (0, (1, 1)), (0, (6, 2, 1, 2)), (0, (3, 1, 1, 1, 1, 1)))
+HATCHES = ("", "////", "....", "\\\\\\\\", "xxxx", "||||", "----")
+INK = "0.25"  # of remarks
+REST: dict[str, Any] = {
+    "color": "0.78",
+    "linewidth": 1.0,
+    "linestyle": "-",
+    "marker": "none",
+    "zorder": 1,
+}  # what is not the point
+AID = "aid"  # gid of what helps the eye and shows no number of the table: the outline of a silo, a bar of scale
+NAMED = "named"  # gid of a curve whose name stands at it
+PHASE_LINES = {"switch": (0, (1, 1)), "filling": (0, (4, 2)), "discharge": "-"}
 plt.rcParams.update(
     {
         "svg.hashsalt": "silostudy",
-        "font.size": 9,
+        "font.size": 10.5,
+        "figure.titlesize": "large",
+        "figure.titleweight": "bold",
+        "axes.titlesize": "medium",
+        "axes.labelsize": "medium",
+        "xtick.labelsize": "small",
+        "ytick.labelsize": "small",
+        "legend.fontsize": "small",
+        "legend.title_fontsize": "small",
+        "axes.prop_cycle": cycler(color=COLOURS),
         "axes.spines.top": False,
         "axes.spines.right": False,
         "axes.grid": True,
         "axes.axisbelow": True,
         "grid.alpha": 0.25,
+        "hatch.linewidth": 0.6,
         "legend.frameon": False,
         "figure.constrained_layout.use": True,
     }
 )
-AID = "aid"  # gid of what helps the eye and shows no number of the table: the outline of a silo, a bar of scale
-PHASE_LINES = {"switch": (0, (1, 1)), "filling": (0, (4, 2)), "discharge": "-"}
+
+
+def series(number: int) -> dict[str, Any]:
+    """Look of the curve of that number among others: colour, marker and line differ, so that black and white are enough."""
+    return {
+        "color": COLOURS[number % len(COLOURS)],
+        "marker": MARKERS[number % len(MARKERS)],
+        "linestyle": LINES[number % len(LINES)],
+    }
+
+
+def headline(figure: Figure, message: str) -> None:
+    """Puts over a figure what it says, in numbers of its data."""
+    figure.suptitle(fill(message, int(9.6 * figure.get_figwidth())), x=0.01, ha="left")
+
+
+def foot(figure: Figure, *remarks: str, handles: Iterable[Artist] = ()) -> None:
+    """Puts under a figure which silo it is and how to read it, and below that the legend of handles."""
+    told = "\n".join(fill(remark, int(16.0 * figure.get_figwidth())) for remark in remarks if remark)
+    shown = list(handles)
+    columns = _columns([str(handle.get_label()) for handle in shown], int(15.0 * figure.get_figwidth()))
+    figure.legend(handles=shown, title=told, loc="outside lower left", ncols=columns, alignment="left")
+
+
+def _columns(labels: list[str], room: int) -> int:
+    """The most columns of a legend that have room, in letters, beside each other."""
+    lengths = [max(map(len, label.split("\n"))) + 8 for label in labels]  # with the mark and a gap
+    fits = (count for count in range(len(lengths), 1, -1) if sum(map(max, np.array_split(lengths, count))) <= room)
+    return next(fits, 1)
+
+
+def point_out(panel: Axes, words: str, point: tuple[float, float], offset: tuple[float, float], **options: Any) -> None:
+    """Writes words at an offset (points) from a point of a panel's data, with a thin line to it."""
+    arrow = {"arrowstyle": "-", "color": INK, "linewidth": 0.8, "shrinkB": 3}
+    placed = {"textcoords": "offset points", "fontsize": "small", "ha": "left" if offset[0] >= 0 else "right", "va": "center"}
+    text = panel.annotate(words, point, offset, arrowprops=arrow, **placed | options)
+    text.set_path_effects([withStroke(linewidth=2.5, foreground="white")])
+
+
+def named(line: Line2D, words: str, offset: tuple[float, float] = (4, 0), **options: Any) -> None:
+    """Writes the name of a curve at its end, in its colour: it needs no legend, and no line of its own."""
+    placed = {"textcoords": "offset points", "fontsize": "small", "va": "center", "color": line.get_color()}
+    point = tuple(np.asarray(line.get_xydata())[-1])
+    line.set_gid(NAMED)
+    text = line.axes.annotate(words, point, offset, **placed | options)
+    text.set_path_effects([withStroke(linewidth=2.5, foreground="white")])
 
 
 def save(figure: Figure, numbers: pd.DataFrame, stem: Path) -> None:
     """Writes stem.png, stem.svg and stem.csv, each under a temporary name first."""
-    for suffix, options in ((".png", {"dpi": 160}), (".svg", {"metadata": {"Date": None}})):
+    for suffix, options in ((".png", {"dpi": DPI}), (".svg", {"metadata": {"Date": None}})):
         with replacing(stem.with_suffix(suffix)) as temporary:
             figure.savefig(temporary, **options)
     plt.close(figure)
@@ -51,15 +134,19 @@ def save_table(numbers: pd.DataFrame, path: Path) -> None:
 
 def look(cube: xr.Dataset, method: str) -> dict:
     """Colour and marker of a method, as line properties."""
-    one = cube.sel(pressure_method=method)
-    return {"color": str(one.pressure_method_colour.values), "marker": str(one.pressure_method_marker.values)}
+    row = cube.sel(pressure_method=method)
+    return {"color": str(row.pressure_method_colour.values), "marker": str(row.pressure_method_marker.values)}
 
 
 def title(cube: xr.Dataset, method: str) -> str:
     """Number and name of a method for a legend."""
-    one = cube.sel(pressure_method=method)
-    number = str(one.pressure_method_number.values)
-    return f"{number}  {one.pressure_method_title.values}" if number else str(one.pressure_method_title.values)
+    number = str(cube["pressure_method_number"].sel(pressure_method=method).values)
+    return f"{number}  {name(cube, method)}" if number else name(cube, method)
+
+
+def name(cube: xr.Dataset, method: str) -> str:
+    """Name of a method for a headline."""
+    return str(cube["pressure_method_title"].sel(pressure_method=method).values)
 
 
 def drawn(cube: xr.Dataset, method: str) -> str:
@@ -73,14 +160,8 @@ def phases_of_its_own(cube: xr.Dataset, method: str, static: str) -> list[str]:
     filling = pressure.sel(pressure_method=static, phase="filling")
     shown = []
     for phase in map(str, cube["phase"].values):
-        one = pressure.sel(pressure_method=method, phase=phase)
-        same = method != static and np.allclose(one, filling, rtol=1e-12, atol=0)
-        if one.notnull().any() and not same:
+        curve = pressure.sel(pressure_method=method, phase=phase)
+        same = method != static and np.allclose(curve, filling, rtol=1e-12, atol=0)
+        if curve.notnull().any() and not same:
             shown.append(phase)
     return shown
-
-
-def silent(cube: xr.Dataset, *, in_every_case: bool = True) -> list[Patch]:
-    """Entries of a legend, without a mark, for the methods that give nothing in every case, or in some: why not."""
-    lines = silences(cube, in_every_case=in_every_case, titles=True)
-    return [Patch(alpha=0.0, label=fill(line, 60)) for line in lines]

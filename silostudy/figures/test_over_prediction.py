@@ -11,16 +11,20 @@ from matplotlib.lines import Line2D
 
 from silostudy.figures.miller_statistics import statistics
 from silostudy.figures.rules import GROUPS, group, is_rival, name
-from silostudy.figures.style import save
+from silostudy.figures.style import VERMILION, WIDTH, foot, headline, save
 
+READ = (
+    "Left of 1 the prediction is unsafe. Grey, below the line: rival readings of the source, taken at their word",
+    "numbers: mean and coefficient of variation of the small tests; masked tests are those that a rule does not cover",
+)
 OFFSET = {"unstiffened": 0.22, "ringed": 0.0, "large": -0.22}  # of the groups within a line
 
 
 def draw(cube: xr.Dataset, stem: Path) -> None:
     """Writes the figure and its numbers."""
     ratio = cube["test_lower_buckling_stress"] / cube["buckling_stress"]
-    rules, groups, found = list(map(str, cube["rule"].values)), group(cube), statistics(cube)
-    figure, panel = plt.subplots(figsize=(10, 0.62 * len(rules) + 1.8))
+    rules, groups, summary = list(map(str, cube["rule"].values)), group(cube), statistics(cube)
+    figure, panel = plt.subplots(figsize=(WIDTH, 0.46 * len(rules) + 2.0))
     for place, rule in enumerate(reversed(rules)):
         for kind, (marker, _) in GROUPS.items():
             values = ratio.sel({"rule": rule}).values[groups == kind]
@@ -32,8 +36,8 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
                 "markerfacecolor": "none",
                 "alpha": 0.8,
             }
-            panel.plot(values, level, color="#D55E00" if is_rival(cube, rule) else "black", **style)
-        panel.text(1.01, place, _note(found, rule), transform=panel.get_yaxis_transform(), va="center", fontsize=8)
+            panel.plot(values, level, color="0.55" if is_rival(cube, rule) else VERMILION, **style)
+        panel.text(1.01, place, _note(summary, rule), transform=panel.get_yaxis_transform(), va="center", fontsize="small")
     rivals = sum(is_rival(cube, rule) for rule in rules)
     panel.axhline(rivals - 0.5, color="black", linewidth=0.8)
     panel.axvline(1, color="black", linewidth=0.8)
@@ -46,18 +50,25 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     )
     panel.minorticks_off()
     panel.set_ylim(-0.6, len(rules) - 0.4)
-    figure.suptitle(
-        "Left of 1 the prediction is unsafe. Below the line: rival readings of the source, taken at their word\n"
-        "(numbers: mean and coefficient of variation of the small tests; masked tests are those a rule does not cover)"
-    )
+    headline(figure, _message(summary))
     looks: dict[str, Any] = {"linestyle": "none", "color": "black", "markerfacecolor": "none"}
     handles = [Line2D([], [], marker=marker, label=label, **looks) for marker, label in GROUPS.values()]
-    figure.legend(handles=handles, loc="outside lower center", ncols=3)
+    foot(figure, *READ, handles=handles)
     save(figure, _numbers(cube, ratio, groups), stem)
 
 
-def _note(found: pd.DataFrame, rule: str) -> str:
-    row = found[(found.rule == rule) & (found.group == "small, all")].iloc[0]
+def _message(summary: pd.DataFrame) -> str:
+    """What the figure says, in numbers: the rule with the least scatter, and the range of the others' means."""
+    rules = summary[(summary.group == "small, all") & ~summary.rival].sort_values("cov")
+    best, others = rules.iloc[0], rules.iloc[1:]
+    return (
+        f"{best.title} comes to {best['mean']:.2f} times the small tests' strength on average, with the least scatter"
+        f" ({100 * best['cov']:.0f} %); the other rules to {others['mean'].min():.2f} to {others['mean'].max():.2f} times"
+    )
+
+
+def _note(summary: pd.DataFrame, rule: str) -> str:
+    row = summary[(summary.rule == rule) & (summary.group == "small, all")].iloc[0]
     masked = f", {row.masked} masked" if row.masked else ""
     return f"{row['mean']:.3f}, {row['cov']:.3f}{masked}" if row.tests else f"all {row.masked} masked"
 

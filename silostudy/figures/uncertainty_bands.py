@@ -1,6 +1,7 @@
 """The scatter of the stored solid, method by method: median and the middle nine tenths of the wall pressure over depth."""
 
 from pathlib import Path
+from textwrap import fill
 from typing import Any
 
 import matplotlib.pyplot as plt
@@ -10,14 +11,17 @@ from matplotlib.axes import Axes
 
 from silostudy.cube.silence import NOT_COVERED, reason
 from silostudy.figures.steps import over_depth
-from silostudy.figures.style import save, title
+from silostudy.figures.style import BLUE, PHASE_LINES, PURPLE, VERMILION, WIDTH, foot, headline, name, save, title
 
+SAMPLED = (
+    "scatter of friction angle, wall friction, lateral pressure ratio and unit weight; methods that coincide are shown once"
+)
 QUANTILE = "wall_normal_pressure_quantile"
 EXPECTED = {NOT_COVERED.replace("_", " "), "above wall contact"}
 LOOKS = {
-    "filling": ("#4393C3", "\\\\\\\\", (0, (4, 2))),
-    "switch": ("#5E3C99", "....", ":"),
-    "discharge": ("#D6604D", "////", "-"),
+    "filling": (BLUE, "\\\\\\\\", PHASE_LINES["filling"]),
+    "switch": (PURPLE, "....", PHASE_LINES["switch"]),
+    "discharge": (VERMILION, "////", PHASE_LINES["discharge"]),
 }
 
 
@@ -27,9 +31,8 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     methods = distinct_methods(cube)
     columns = _columns(len(methods))
     rows = -(-len(methods) // columns)
-    figure, axes = plt.subplots(
-        rows, columns, figsize=(3.2 * columns, 3.0 * rows + 0.8), squeeze=False, sharex=True, sharey=True
-    )
+    size = {"figsize": (WIDTH, 2.1 * rows + 1.6)}
+    figure, axes = plt.subplots(rows, columns, **size, squeeze=False, sharex=True, sharey=True)
     tables = []
     for panel, method in zip(axes.flat, methods, strict=False):
         for phase in map(str, cube["phase"].values):
@@ -39,7 +42,7 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
                 table = {"pressure_method": method, "phase": phase, "depth_m": cube["depth"].values}
                 table |= {"p05_kPa": low.values, "p50_kPa": middle.values, "p95_kPa": high.values}
                 tables.append(pd.DataFrame(table))
-        panel.set_title(title(cube, method), fontsize=8.5)
+        panel.set_title(fill(title(cube, method), 108 // columns, break_on_hyphens=False))
     for panel in list(axes.flat)[len(methods) :]:
         panel.set_visible(False)
     axes[0, 0].set(ylim=(float(cube["depth"].max()), 0), xlim=(0, None))
@@ -48,11 +51,23 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
         if place + columns >= len(methods):
             panel.set_xlabel("wall normal pressure (kPa)")
             panel.tick_params(labelbottom=True)
-    found = {label: handle for panel in axes.flat for handle, label in zip(*panel.get_legend_handles_labels(), strict=True)}
-    figure.legend(found.values(), found.keys(), loc="outside lower center", ncols=4)
-    sampled = "scatter of friction angle, wall friction, lateral pressure ratio and unit weight"
-    figure.suptitle("\n".join([cube.attrs["title"], f"{sampled} (methods that coincide are shown once)", *missing(cube)]))
-    save(figure, pd.concat(tables, ignore_index=True).dropna(), stem)
+    table = pd.concat(tables, ignore_index=True).dropna()
+    handles = {label: handle for panel in axes.flat for handle, label in zip(*panel.get_legend_handles_labels(), strict=True)}
+    headline(figure, _message(cube, table))
+    foot(figure, f"{cube.attrs['title']}; {SAMPLED}", *missing(cube), handles=handles.values())
+    save(figure, table, stem)
+
+
+def _message(cube: xr.Dataset, table: pd.DataFrame) -> str:
+    """What the figure says, in numbers: scatter of the largest median pressure, least and most of methods and phases."""
+    peaks = table.loc[table.groupby(["pressure_method", "phase"]).p50_kPa.idxmax()]
+    spread = (50.0 * (peaks.p95_kPa - peaks.p05_kPa) / peaks.p50_kPa).to_numpy()
+    ends = peaks.iloc[[spread.argmin(), spread.argmax()]]
+    narrow, wide = (f"{name(cube, row.pressure_method)}, {row.phase}" for row in ends.itertuples())
+    return (
+        f"The solid's scatter moves the largest wall pressure by ±{spread.min():.0f} % ({narrow})"
+        f" to ±{spread.max():.0f} % ({wide})"
+    )
 
 
 def _columns(count: int) -> int:
@@ -65,25 +80,25 @@ def missing(cube: xr.Dataset) -> list[str]:
 
     A phase that a method's source does not treat, and a wall above the heap, are told only where nothing else is.
     """
-    found: dict[str, list[str]] = {}
+    names: dict[str, list[str]] = {}
     for method in map(str, cube["pressure_method"].values):
         masked = cube[QUANTILE].sel(pressure_method=method).isnull()
         phases = [phase for phase in map(str, cube["phase"].values) if masked.sel(phase=phase).any()]
         reasons = {reason(cube, QUANTILE, method, phase) for phase in phases}
         for told in sorted(reasons - EXPECTED or (reasons if masked.all() else ())):
             text = f"{'not shown' if masked.all() else 'shown in part'}, a sample masked ({told})"
-            found.setdefault(text, []).append(title(cube, method))
-    return [f"{text}: {', '.join(names)}" for text, names in found.items()]
+            names.setdefault(text, []).append(title(cube, method))
+    return [f"{text}: {', '.join(methods)}" for text, methods in names.items()]
 
 
 def distinct_methods(cube: xr.Dataset) -> list[str]:
     """Methods with quantiles, each curve once: sampled, the rows of one code's sets of characteristic values coincide."""
-    kept: dict[bytes, str] = {}
+    first: dict[bytes, str] = {}
     for method in map(str, cube["pressure_method"].values):
         quantiles = cube[QUANTILE].sel(pressure_method=method)
         if quantiles.notnull().any():
-            kept.setdefault(quantiles.fillna(-1).values.tobytes(), method)
-    return list(kept.values())
+            first.setdefault(quantiles.fillna(-1).values.tobytes(), method)
+    return list(first.values())
 
 
 def _band(panel: Axes, depth, quantiles: tuple, phase: str) -> None:

@@ -15,9 +15,9 @@ def chapter(checks: xr.Dataset | None) -> Chapter:
         return Chapter("Load cases", [Block(texts=(told, NOT_WRITTEN))])
     rows = []
     for key in map(str, checks["load_case"].values):
-        one, row = checks.sel(load_case=key), LOAD_CASES[key]
-        state = _state(one)
-        why = str(one["load_case_reason"].values)
+        load_case, row = checks.sel(load_case=key), LOAD_CASES[key]
+        state = _state(load_case)
+        why = str(load_case["load_case_reason"].values)
         sets = ", ".join(text.replace("_", " ") for text in row.sets)
         rows.append((row.title, row.clause, sets, row.evidence, f"{state}: {why}" if why else state))
     head = ("load case", "clause", "sets of characteristic values", "evidence", "in this study")
@@ -27,10 +27,12 @@ def chapter(checks: xr.Dataset | None) -> Chapter:
 
 def not_asked_for(checks: xr.Dataset) -> list[str]:
     """Load cases that the silo calls for and the study does not ask for, each with what it needs."""
-    each = (checks.sel(load_case=key) for key in map(str, checks["load_case"].values)) if "load_case" in checks.dims else ()
-    return [f"{LOAD_CASES[str(one['load_case'].values)].title}: {one['load_case_reason'].values}"
-            for one in each if _state(one) == "not asked for"]  # fmt: skip
+    load_cases = (
+        (checks.sel(load_case=key) for key in map(str, checks["load_case"].values)) if "load_case" in checks.dims else ()
+    )
+    return [f"{LOAD_CASES[str(load_case['load_case'].values)].title}: {load_case['load_case_reason'].values}"
+            for load_case in load_cases if _state(load_case) == "not asked for"]  # fmt: skip
 
 
-def _state(one: xr.Dataset) -> str:
-    return one["load_case_state"].attrs["flag_meanings"].split()[int(one["load_case_state"])].replace("_", " ")
+def _state(load_case: xr.Dataset) -> str:
+    return load_case["load_case_state"].attrs["flag_meanings"].split()[int(load_case["load_case_state"])].replace("_", " ")

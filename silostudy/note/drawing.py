@@ -44,7 +44,7 @@ def path(points: Sequence[tuple[float, float]], **look: str) -> str:
 def text(x: float, y: float, content: str, anchor: str = "middle", **look: str) -> str:
     """A word."""
     below = '<tspan dy="3" font-size="75%">{}</tspan><tspan dy="-3">\u200b</tspan>'
-    told = re.sub(r"\b(\w)_(\w+)", lambda found: found[1] + below.format(found[2]), escape(content))
+    told = re.sub(r"\b(\w)_(\w+)", lambda match: match[1] + below.format(match[2]), escape(content))
     return f'<text x="{x:.1f}" y="{y:.1f}" text-anchor="{anchor}" {_look(look)}>{told}</text>'
 
 
@@ -57,17 +57,17 @@ def _word(x: float, y: float, content: str, anchor: str = "middle", size: int = 
     return text(x, y, content, anchor, font_size=str(size), fill="#222")
 
 
-def picture(one: xr.Dataset, checks: xr.Dataset | None) -> str:
+def picture(cube: xr.Dataset, checks: xr.Dataset | None) -> str:
     """The silo, then wall pressure, wall friction and axial force over its depth; one: a silo by one method, all phases."""
-    first = one.isel(phase=0)
+    first = cube.isel(phase=0)
     scale = _scale(first)
     middle, parts = 140.0, []
     parts += _silo(first, checks, scale, middle)
     for number, (name, label, unit) in enumerate(
         (("wall_normal_pressure", "p_h", "kPa"), ("wall_friction_traction", "p_w", "kPa"), ("axial_wall_force", "n_z", "kN/m"))
     ):
-        parts += _panel(one, name, f"{label} ({unit})", scale, 330.0 + 140 * number)
-    legend = [_legend(key, 330.0 + 120 * k, TOP + DOWN + 34) for k, key in enumerate(PHASES) if key in one["phase"].values]
+        parts += _panel(cube, name, f"{label} ({unit})", scale, 330.0 + 140 * number)
+    legend = [_legend(key, 330.0 + 120 * k, TOP + DOWN + 34) for k, key in enumerate(PHASES) if key in cube["phase"].values]
     return _svg(760, TOP + DOWN + 48, [*parts, *legend])
 
 
@@ -149,11 +149,11 @@ def _strakes(checks: xr.Dataset, scale: Scale, left: float, right: float) -> lis
     return parts
 
 
-def _panel(one: xr.Dataset, name: str, label: str, scale: Scale, left: float, width: float = 105.0) -> list[str]:
-    most = float(one[name].max()) / 1e3
+def _panel(cube: xr.Dataset, name: str, label: str, scale: Scale, left: float, width: float = 105.0) -> list[str]:
+    most = float(cube[name].max()) / 1e3
     if not np.isfinite(most) or most <= 0:
         return [_word(left + width / 2, TOP + 20, f"{label}: masked")]
-    top, foot = scale.y(0), scale.y(float(one["cylinder_depth"]))
+    top, foot = scale.y(0), scale.y(float(cube["cylinder_depth"]))
     parts = [line(left, top, left, foot), line(left, top, left + width, top), _word(left + width / 2, top - 18, label)]
     for share in (0.5, 1.0):
         x = left + width * share
@@ -162,26 +162,30 @@ def _panel(one: xr.Dataset, name: str, label: str, scale: Scale, left: float, wi
             _word(x, top - 5, rounded(float(f"{most * share:.2g}")), size=9),
         ]
     for key, (colour, dashes) in PHASES.items():
-        if key in one["phase"].values:
-            values, z = one[name].sel(phase=key).values / 1e3, one["depth"].values
+        if key in cube["phase"].values:
+            values, z = cube[name].sel(phase=key).values / 1e3, cube["depth"].values
             points = [
                 (left + width * v / float(f"{most:.2g}"), scale.y(d)) for v, d in zip(values, z, strict=True) if np.isfinite(v)
             ]
             if points:
                 parts.append(path(points, stroke=colour, stroke_width="1.6", stroke_dasharray=dashes))
     if name == "wall_normal_pressure":
-        parts += _patch(one, scale, left, width / float(f"{most:.2g}"))
+        parts += _patch(cube, scale, left, width / float(f"{most:.2g}"))
     return parts
 
 
-def _patch(one: xr.Dataset, scale: Scale, left: float, per_kPa: float) -> list[str]:
+def _patch(cube: xr.Dataset, scale: Scale, left: float, per_kPa: float) -> list[str]:
     """The patch pressure of each phase over its height, dark beside the axis."""
     parts = []
     for key, (colour, _) in PHASES.items():
-        if key in one["phase"].values and "patch_pressure" in one and np.isfinite(float(one["patch_pressure"].sel(phase=key))):
-            at = one.sel(phase=key)
-            middle, height = float(at["patch_depth"]), float(at["patch_height"])
-            width = float(at["patch_pressure"]) / 1e3 * per_kPa
+        if (
+            key in cube["phase"].values
+            and "patch_pressure" in cube
+            and np.isfinite(float(cube["patch_pressure"].sel(phase=key)))
+        ):
+            here = cube.sel(phase=key)
+            middle, height = float(here["patch_depth"]), float(here["patch_height"])
+            width = float(here["patch_pressure"]) / 1e3 * per_kPa
             upper, lower = scale.y(middle - height / 2), scale.y(middle + height / 2)
             box = f'x="{left:.1f}" y="{upper:.1f}" width="{width:.1f}" height="{lower - upper:.1f}"'
             parts.append(f'<rect {box} fill="{colour}" fill-opacity="0.45" stroke="{colour}"/>')
@@ -194,23 +198,25 @@ def _legend(key: str, x: float, y: float) -> str:
     return mark + _word(x + 32, y, key, "start")
 
 
-def hopper(one: xr.Dataset) -> str:
+def hopper(cube: xr.Dataset) -> str:
     """Pressure normal to the hopper's wall and friction on it, over the height above the apex."""
-    height = one["hopper_place_height"].values
+    height = cube["hopper_place_height"].values
     scale = Scale(-float(height.max()), -float(height.min()))
     parts: list[str] = []
     for number, (name, label) in enumerate(
         (("hopper_normal_pressure", "p_n (kPa)"), ("hopper_friction_traction", "p_t (kPa)"))
     ):
-        parts += _beside(one, name, label, -height, scale, 90.0 + 260 * number)
-    legend = [_legend(key, 90.0 + 120 * k, TOP + DOWN * 0.5 + 30) for k, key in enumerate(PHASES) if key in one["phase"].values]
+        parts += _beside(cube, name, label, -height, scale, 90.0 + 260 * number)
+    legend = [
+        _legend(key, 90.0 + 120 * k, TOP + DOWN * 0.5 + 30) for k, key in enumerate(PHASES) if key in cube["phase"].values
+    ]
     return _svg(620, TOP + DOWN * 0.5 + 42, [*parts, *legend])
 
 
 def _beside(
-    one: xr.Dataset, name: str, label: str, z: np.ndarray, scale: Scale, left: float, width: float = 190.0
+    cube: xr.Dataset, name: str, label: str, z: np.ndarray, scale: Scale, left: float, width: float = 190.0
 ) -> list[str]:
-    most = float(one[name].max()) / 1e3
+    most = float(cube[name].max()) / 1e3
     if not np.isfinite(most) or most <= 0:
         return [_word(left + width / 2, TOP + 20, f"{label}: masked")]
 
@@ -230,8 +236,8 @@ def _beside(
             _word(x, top - 6, rounded(most * share), size=9),
         ]
     for key, (colour, dashes) in PHASES.items():
-        if key in one["phase"].values:
-            values = one[name].sel(phase=key).values / 1e3
+        if key in cube["phase"].values:
+            values = cube[name].sel(phase=key).values / 1e3
             points = [(left + width * v / most, y(d)) for v, d in zip(values, z, strict=True) if np.isfinite(v)]
             if points:
                 parts.append(path(points, stroke=colour, stroke_width="1.6", stroke_dasharray=dashes))

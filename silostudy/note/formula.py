@@ -48,9 +48,9 @@ def parsed(text: str) -> ast.expr:
 def names(text: str) -> list[str]:
     """The quantities that a formula asks for, in the order in which they stand in it."""
     calls = {node.func.id for node in ast.walk(parsed(text)) if isinstance(node, ast.Call) and isinstance(node.func, ast.Name)}
-    found = [node for node in ast.walk(parsed(text)) if isinstance(node, ast.Name)]
-    found.sort(key=lambda node: node.col_offset)
-    return list(dict.fromkeys(node.id for node in found if node.id not in calls and node.id not in CONSTANTS))
+    nodes = [node for node in ast.walk(parsed(text)) if isinstance(node, ast.Name)]
+    nodes.sort(key=lambda node: node.col_offset)
+    return list(dict.fromkeys(node.id for node in nodes if node.id not in calls and node.id not in CONSTANTS))
 
 
 def evaluate(text: str, numbers: Mapping[str, float]) -> float:
@@ -71,10 +71,10 @@ def _value(node: ast.expr, numbers: Mapping[str, float]):
         case ast.Compare(left=left, ops=[op], comparators=[right]):
             return float(COMPARED[type(op)][1](_value(left, numbers), _value(right, numbers)))
         case ast.BoolOp(op=joint, values=values):
-            each = [_value(one, numbers) for one in values]
-            return float(all(each) if isinstance(joint, ast.And) else any(each))
+            holding = [_value(part, numbers) for part in values]
+            return float(all(holding) if isinstance(joint, ast.And) else any(holding))
         case ast.Call(func=ast.Name(id=name), args=arguments):
-            return FUNCTIONS[name](*(_value(one, numbers) for one in arguments))
+            return FUNCTIONS[name](*(_value(argument, numbers) for argument in arguments))
     raise ValueError(f"a formula cannot hold {ast.dump(node)}")
 
 
@@ -97,7 +97,7 @@ def _written(node: ast.expr, name_of: Written, linear: bool = False) -> tuple[st
         case ast.Compare(left=left, ops=[op], comparators=[right]):
             return row(_written(left, name_of)[0], mo(COMPARED[type(op)][0]), _written(right, name_of)[0]), SUM
         case ast.Call(func=ast.Name(id=function), args=arguments):
-            return _called(function, [_written(one, name_of, function == "exp")[0] for one in arguments]), WHOLE
+            return _called(function, [_written(argument, name_of, function == "exp")[0] for argument in arguments]), WHOLE
     raise ValueError(f"a formula cannot hold {ast.dump(node)}")
 
 

@@ -20,17 +20,17 @@ def chapter(method: str, checks: xr.Dataset | None) -> Chapter:
 
 
 def _clauses(method: str) -> list[Block]:
-    left = [one for one in clauses(method) if one.state != "computed"]
-    rows = tuple((one.clause, one.what, f"{one.state}: {one.evidence}", one.remark) for one in left)
+    left = [clause for clause in clauses(method) if clause.state != "computed"]
+    rows = tuple((clause.clause, clause.what, f"{clause.state}: {clause.evidence}", clause.remark) for clause in left)
     head = ("clause", "what", "state: evidence", "remark")
     return [Block("Of the code of actions, clause by clause", head=head, rows=rows, wordy=True)] if rows else []
 
 
 def _steel() -> list[Block]:
-    each = {
+    lines_by_reason = {
         "remembered only, by no source": not_built.MEMORY,
         "sources disagree": not_built.CONFLICT,
         "one source": not_built.ONE_SOURCE,
         "left out": not_built.LEFT_OUT,
     }
-    return [Block(f"Checks of the steel that are not built: {why}", items=lines) for why, lines in each.items()]
+    return [Block(f"Checks of the steel that are not built: {why}", items=lines) for why, lines in lines_by_reason.items()]

@@ -29,7 +29,7 @@ class Line:
     what: str
     unit: str
     variable: str
-    at: tuple[tuple[str, str], ...]
+    places: tuple[tuple[str, str], ...]
     formula: str
     when: str
     words: tuple[str, ...]
@@ -45,7 +45,7 @@ class Scope:
     cubes: tuple[xr.Dataset, ...]
     known: dict[str, tuple[float, str]] = field(default_factory=dict)
 
-    def at(self, *cubes: xr.Dataset, **flags: float) -> "Scope":
+    def reading(self, *cubes: xr.Dataset, **flags: float) -> "Scope":
         """A scope of its own that knows the same, reads elsewhere, and has further numbers for the conditions."""
         return Scope(cubes or self.cubes, {**self.known, **{name: (float(value), "") for name, value in flags.items()}})
 
@@ -104,39 +104,43 @@ def every_line() -> tuple[Line, ...]:
 
 def _line(raw: Mapping[str, str]) -> Line:
     cells = {name: raw[name] for name in TEXT if name not in ("read", "owner", "words")}
-    variable, *at = raw["read"].split()
+    variable, *where = raw["read"].split()
     if raw["unit"] not in UNITS:
         raise BadInput("unit", raw["unit"], f"known: {', '.join(UNITS)}", "lines.csv")
-    places = tuple((one.partition("=")[0], one.partition("=")[2]) for one in at)
+    places = tuple((word.partition("=")[0], word.partition("=")[2]) for word in where)
     words = tuple(raw["words"].split("|")) if raw["words"] else ()
-    return Line(**cells, owner=tuple(raw["owner"].split()), variable=variable, at=places, words=words)
+    return Line(**cells, owner=tuple(raw["owner"].split()), variable=variable, places=places, words=words)
 
 
 def write(section: str, scope: Scope, owner: str = "") -> list[Written]:
     """The lines of a section that hold in a scope, which then knows their names; owner: of the lines that have one."""
-    found = []
+    written_lines = []
     for line in lines(section):
         if (line.owner and owner not in line.owner) or not scope.holds(line.when):
             continue
         result = read(line, scope.cubes)
         if not isnan(result):
-            found.append(written(line, result, scope))
+            written_lines.append(written(line, result, scope))
             scope.known[line.name] = (result, line.unit)
-    return found
+    return written_lines
 
 
 def read(line: Line, cubes: Iterable[xr.Dataset]) -> float:
     """The number that a line reads; NaN where the cubes do not hold it or mask it."""
     for cube in cubes:
         if line.variable in cube.variables:
-            one = cube[line.variable]
-            for dim, place in line.at:
-                one = one.isel({dim: 0 if place == "first" else -1}) if place in ("first", "last") else one.sel({dim: place})
-            if one.ndim:
-                raise BadInput(
-                    "line", f"{line.section}, {line.name}", f"{line.variable} still has {', '.join(map(str, one.dims))}"
+            values = cube[line.variable]
+            for dim, place in line.places:
+                values = (
+                    values.isel({dim: 0 if place == "first" else -1})
+                    if place in ("first", "last")
+                    else values.sel({dim: place})
                 )
-            return float(one)
+            if values.ndim:
+                raise BadInput(
+                    "line", f"{line.section}, {line.name}", f"{line.variable} still has {', '.join(map(str, values.dims))}"
+                )
+            return float(values)
     return np.nan
 
 
@@ -156,7 +160,7 @@ def written(line: Line, result: float, scope: Scope) -> Written:
     )
 
 
-def result_of(one: Written) -> str:
+def result_of(line: Written) -> str:
     """MathML of a line's result with its unit."""
-    content = tag("mtext", one.shown) if one.line.words else number(one.result, one.line.unit, bracketed=False)
-    return math(row(mo("→" if one.line.words else "="), content))
+    content = tag("mtext", line.shown) if line.line.words else number(line.result, line.line.unit, bracketed=False)
+    return math(row(mo("→" if line.line.words else "="), content))

@@ -54,47 +54,47 @@ def method_of(cube: xr.Dataset) -> str:
     return next((key for key in keys if key in owned), keys[0])
 
 
-def phase(one: xr.Dataset, key: str) -> xr.Dataset | None:
+def phase(cube: xr.Dataset, key: str) -> xr.Dataset | None:
     """The part of a cube in a phase; None where the study has not asked for it."""
-    return one.sel(phase=key) if key in one["phase"].values else None
+    return cube.sel(phase=key) if key in cube["phase"].values else None
 
 
-def foot(one: xr.Dataset) -> xr.Dataset:
+def foot(cube: xr.Dataset) -> xr.Dataset:
     """The part of a cube at its lowest depth."""
-    return one.isel({dim: -1 for dim in DEPTHS if dim in one.dims})
+    return cube.isel({dim: -1 for dim in DEPTHS if dim in cube.dims})
 
 
-def flags(one: xr.Dataset) -> dict[str, float]:
+def flags(cube: xr.Dataset) -> dict[str, float]:
     """Numbers for the conditions of lines: kind of plan and of characteristic values."""
-    plan = str(one["given_plan"].values)
-    deepest, transition = float(foot(one)["depth"]), float(one["cylinder_depth"])
+    plan = str(cube["given_plan"].values)
+    deepest, transition = float(foot(cube)["depth"]), float(cube["cylinder_depth"])
     return {
         "circular": plan == "circular",
         "cone": plan in ("circular", "square"),
         "slot": plan == "slot",
-        "capped": float(one["given_friction_capped"]),
-        "share": float(one["given_contact_share"]),
-        "dynamic": float(one["given_dynamic_bottom"]),
+        "capped": float(cube["given_friction_capped"]),
+        "share": float(cube["given_contact_share"]),
+        "dynamic": float(cube["given_dynamic_bottom"]),
         "reaches": abs(deepest - transition) < 1e-9 * transition,
     }
 
 
-def chapters(one: xr.Dataset, method: str, checks: xr.Dataset | None) -> tuple[list[Chapter], Scope]:
+def chapters(cube: xr.Dataset, method: str, checks: xr.Dataset | None) -> tuple[list[Chapter], Scope]:
     """(chapters on silo, solid and pressures, the scope that knows all their names); one: a silo by a method, all phases."""
-    first = one.isel(phase=0)
-    scope = Scope(()).at(foot(first), **flags(one))
+    first = cube.isel(phase=0)
+    scope = Scope(()).reading(foot(first), **flags(cube))
     sizes = tuple(write("silo", scope, method))
     return [
-        Chapter("Silo", [Block(drawing=drawing.picture(one, checks)), Block("Sizes", sizes)]),
+        Chapter("Silo", [Block(drawing=drawing.picture(cube, checks)), Block("Sizes", sizes)]),
         Chapter("Stored solid and walls", _solid(first, scope, method)),
-        Chapter("Pressures on the vertical wall", _wall(one, scope, method)),
-        Chapter("Bottom and hopper", _hopper(one, scope, method)),
+        Chapter("Pressures on the vertical wall", _wall(cube, scope, method)),
+        Chapter("Bottom and hopper", _hopper(cube, scope, method)),
     ], scope
 
 
 def _solid(first: xr.Dataset, scope: Scope, method: str) -> list[Block]:
-    found = [replace(line, origin=_origin(first, line.line.variable)) for line in write("solid", scope, method)]
-    blocks = [Block("Properties as handed to the method", tuple(found))]
+    lines = [replace(line, origin=_origin(first, line.line.variable)) for line in write("solid", scope, method)]
+    blocks = [Block("Properties as handed to the method", tuple(lines))]
     if classed := write("class", scope, method):
         blocks.append(Block("Classes", tuple(classed)))
     if sets := write("sets", scope, method):
@@ -134,14 +134,14 @@ ORIGINS = {
 }
 
 
-def _wall(one: xr.Dataset, scope: Scope, method: str) -> list[Block]:
+def _wall(cube: xr.Dataset, scope: Scope, method: str) -> list[Block]:
     blocks = []
     for key in ("filling", "discharge"):
-        here = phase(one, key)
+        here = phase(cube, key)
         if here is None or here["wall_normal_pressure"].isnull().all():
             continue
-        found = write(key, knowing(scope, foot(here)), method)
-        blocks.append(Block("After filling, at the foot of the wall" if key == "filling" else "In discharge", tuple(found)))
+        lines = write(key, knowing(scope, foot(here)), method)
+        blocks.append(Block("After filling, at the foot of the wall" if key == "filling" else "In discharge", tuple(lines)))
         patch = write(f"patch {key}", knowing(scope, foot(here)), method)
         if patch:
             blocks.append(Block(f"Patch load, {key}", tuple(patch)))
@@ -149,8 +149,8 @@ def _wall(one: xr.Dataset, scope: Scope, method: str) -> list[Block]:
             flags = here["patch_pressure" + SCOPE]
             why = flags.attrs["flag_meanings"].split()[int(flags)].replace("_", " ")
             blocks.append(Block(f"Patch load, {key}", texts=(f"Not computed, and in no combination: {why}.",)))
-    blocks.append(_over_depth(one))
-    told = silences(one.expand_dims("pressure_method") if "pressure_method" not in one.dims else one)
+    blocks.append(_over_depth(cube))
+    told = silences(cube.expand_dims("pressure_method") if "pressure_method" not in cube.dims else cube)
     return [*blocks, *([Block(texts=tuple(told))] if told else [])]
 
 
@@ -159,43 +159,43 @@ def knowing(scope: Scope, *cubes: xr.Dataset) -> Scope:
     return Scope(cubes, scope.known)
 
 
-def _over_depth(one: xr.Dataset) -> Block:
-    dim = next(dim for dim in DEPTHS if dim in one["wall_normal_pressure"].dims)
-    places = np.unique(np.linspace(0, one.sizes[dim] - 1, LEVELS).round().astype(int))
+def _over_depth(cube: xr.Dataset) -> Block:
+    dim = next(dim for dim in DEPTHS if dim in cube["wall_normal_pressure"].dims)
+    places = np.unique(np.linspace(0, cube.sizes[dim] - 1, LEVELS).round().astype(int))
     columns = [
-        (f"{symbol}{'f' if key == 'filling' else 'e'} ({unit})", one[name].sel(phase=key))
+        (f"{symbol}{'f' if key == 'filling' else 'e'} ({unit})", cube[name].sel(phase=key))
         for key in ("filling", "discharge")
-        if key in one["phase"].values
+        if key in cube["phase"].values
         for name, symbol, unit in OVER_DEPTH
-        if not one[name].sel(phase=key).isnull().all()
+        if not cube[name].sel(phase=key).isnull().all()
     ]
     if not columns:
         return Block("Over depth", texts=("Nothing is computed on this wall.",))
     rows = [
-        (rounded(float(one["depth"][place])), *(rounded(float(values[place]) / 1e3) for _, values in columns))
+        (rounded(float(cube["depth"][place])), *(rounded(float(values[place]) / 1e3) for _, values in columns))
         for place in places
     ]
     head = ("z (m)", *(label for label, _ in columns))
     return Block("Over depth: f after filling, e in discharge", head=head, rows=tuple(rows))
 
 
-def _hopper(one: xr.Dataset, scope: Scope, method: str) -> list[Block]:
+def _hopper(cube: xr.Dataset, scope: Scope, method: str) -> list[Block]:
     blocks: list[Block] = []
-    first = phase(one, "filling")
-    if first is not None and (found := write("bottom", knowing(scope, foot(first)), method)):
-        blocks.append(Block("Load on hopper or bottom", tuple(found)))
-    if "hopper_position" not in one.dims:
+    first = phase(cube, "filling")
+    if first is not None and (lines := write("bottom", knowing(scope, foot(first)), method)):
+        blocks.append(Block("Load on hopper or bottom", tuple(lines)))
+    if "hopper_position" not in cube.dims:
         return [*blocks, Block(texts=("No hopper, or the study gives no hopper_position: nothing is computed on its wall.",))]
-    middle = one.sizes["hopper_position"] // 2
+    middle = cube.sizes["hopper_position"] // 2
     for key in ("filling", "discharge"):
-        here = phase(one, key)
+        here = phase(cube, key)
         if here is None or here["hopper_normal_pressure"].isnull().all():
             continue
-        found = write(f"hopper {key}", knowing(scope, foot(here).isel(hopper_position=middle)), method)
-        blocks.append(Block(f"Hopper, {key}", tuple(found)))
+        lines = write(f"hopper {key}", knowing(scope, foot(here).isel(hopper_position=middle)), method)
+        blocks.append(Block(f"Hopper, {key}", tuple(lines)))
         blocks.append(_over_hopper(here, key))
-    drawn = not one["hopper_normal_pressure"].isnull().all()
-    return [*blocks, *([Block("Over the hopper", drawing=drawing.hopper(one))] if drawn else [])]
+    drawn = not cube["hopper_normal_pressure"].isnull().all()
+    return [*blocks, *([Block("Over the hopper", drawing=drawing.hopper(cube))] if drawn else [])]
 
 
 def _over_hopper(here: xr.Dataset, key: str) -> Block:
@@ -203,6 +203,6 @@ def _over_hopper(here: xr.Dataset, key: str) -> Block:
     names = ("hopper_place_height", "hopper_vertical_pressure", "hopper_normal_pressure", "hopper_friction_traction")
     rows = []
     for place in places:
-        at = here.isel(hopper_position=place)
-        rows.append(tuple(rounded(float(at[name]) / (1.0 if name == names[0] else 1e3)) for name in names))
+        level = here.isel(hopper_position=place)
+        rows.append(tuple(rounded(float(level[name]) / (1.0 if name == names[0] else 1e3)) for name in names))
     return Block(f"Over the hopper, {key}", head=("x (m)", "p_v (kPa)", "p_n (kPa)", "p_t (kPa)"), rows=tuple(rows))

@@ -93,12 +93,12 @@ def prose(text: str) -> str:
     return re.sub(r"`([^`]*)`|\b([A-Za-z]+)(?:_(\w+))?\b", _letter, escape(text, quote=False))
 
 
-def _letter(found: re.Match) -> str:
-    code, base, below = found.groups()
+def _letter(match: re.Match) -> str:
+    code, base, below = match.groups()
     if code is not None:
         return tag("code", code)
     if base not in GREEK and not (below and len(base) == 1):
-        return found[0]
+        return match[0]
     letter = GREEK.get(base, base)
     return f"{letter}<sub>{GREEK.get(below, below)}</sub>" if below else letter
 

@@ -28,33 +28,35 @@ CAVEAT = (
 def page(pressure: xr.Dataset, checks: xr.Dataset | None, case: str) -> str:
     """The note of a silo; pressure, checks: the cubes of a study."""
     method = loads.method_of(pressure)
-    one = at_silo(pressure, case).sel(pressure_method=method)
+    silo_cube = at_silo(pressure, case).sel(pressure_method=method)
     steel_cube = at_silo(checks, case).sel(pressure_method=method) if checks is not None else None
-    found = chapters(one, steel_cube, method)
-    lines = [line for chapter in found for block in chapter.blocks for line in block.lines]
+    parts = chapters(silo_cube, steel_cube, method)
+    lines = [line for chapter in parts for block in chapter.blocks for line in block.lines]
     return _template().render(
         title=pressure.attrs["title"], running=_running(pressure.attrs["title"]), case=case,
-        about=_about(pressure, checks, one, method), caveat=CAVEAT, recomputed=recomputed(lines),
-        chapters=found, result_of=result_of, source_of=source_of,
+        about=_about(pressure, checks, silo_cube, method), caveat=CAVEAT, recomputed=recomputed(lines),
+        chapters=parts, result_of=result_of, source_of=source_of,
         missing=cases.not_asked_for(at_end(steel_cube, 0)) if steel_cube is not None else [],
         results=steel.results(steel_cube) if steel_cube is not None else [], prose=lambda text: Markup(prose(text)),
     )  # fmt: skip
 
 
-def chapters(one: xr.Dataset, checks: xr.Dataset | None, method: str) -> list[Chapter]:
+def chapters(silo_cube: xr.Dataset, checks: xr.Dataset | None, method: str) -> list[Chapter]:
     """All chapters of a note, of a silo's parts of the cubes by one method."""
     with_strakes = checks is not None and int(checks["place_strake"].max()) > 0
     drawn = at_end(checks, 0) if checks is not None and with_strakes else None
-    found, scope = loads.chapters(at_end(one, 0), method, drawn)
+    parts, scope = loads.chapters(at_end(silo_cube, 0), method, drawn)
     if method in PRESSURE:
         row = PRESSURE[method]
-        found[2].blocks.append(Block("The method", texts=(f"Formula: {row.formula}.", f"Range and evidence: {row.validity}.")))
-    found.append(cases.chapter(None if checks is None else at_end(checks, 0)))
+        parts[2].blocks.append(Block("The method", texts=(f"Formula: {row.formula}.", f"Range and evidence: {row.validity}.")))
+    parts.append(cases.chapter(None if checks is None else at_end(checks, 0)))
     if checks is not None:
-        found += steel.chapters(checks, one, scope)
-    found.append(left_out.chapter(method, checks))
-    cited = dict.fromkeys(line for cube in (one, checks) if cube is not None for line in cube.attrs["references"].split("\n"))
-    return [*found, Chapter("References", [Block(items=tuple(cited))])]
+        parts += steel.chapters(checks, silo_cube, scope)
+    parts.append(left_out.chapter(method, checks))
+    cited = dict.fromkeys(
+        line for cube in (silo_cube, checks) if cube is not None for line in cube.attrs["references"].split("\n")
+    )
+    return [*parts, Chapter("References", [Block(items=tuple(cited))])]
 
 
 def recomputed(lines: Sequence[Written]) -> str:
@@ -67,9 +69,9 @@ def recomputed(lines: Sequence[Written]) -> str:
     return told + (f"DISAGREEING: {', '.join(off)}." if off else "all give the cubes' results.")
 
 
-def source_of(one: Written) -> str:
+def source_of(line: Written) -> str:
     """Source and place of a line."""
-    return f"{short(one.line.source)}, {one.line.locator}"
+    return f"{short(line.line.source)}, {line.line.locator}"
 
 
 def _running(title: str) -> str:
@@ -77,14 +79,18 @@ def _running(title: str) -> str:
     return re.sub(r"[^\w .,:;()/-]", "\u2019", title)[:90]
 
 
-def _about(pressure: xr.Dataset, checks: xr.Dataset | None, one: xr.Dataset, method: str) -> list[tuple[str, str]]:
-    title = str(one["pressure_method_title"].values)
-    found = [("study", pressure.attrs["title"]), ("silo (case)", str(one["case"].values.ravel()[0])), ("actions by", title)]
+def _about(pressure: xr.Dataset, checks: xr.Dataset | None, silo_cube: xr.Dataset, method: str) -> list[tuple[str, str]]:
+    title = str(silo_cube["pressure_method_title"].values)
+    facts = [
+        ("study", pressure.attrs["title"]),
+        ("silo (case)", str(silo_cube["case"].values.ravel()[0])),
+        ("actions by", title),
+    ]
     if checks is not None:
-        found.append(("steel by", ", ".join(map(str, checks["rule_title"].values)) + "; the first governs"))
-    found.append(("computed by", f"{pressure.attrs['source']}; study {pressure.attrs['study_hash']}"))
+        facts.append(("steel by", ", ".join(map(str, checks["rule_title"].values)) + "; the first governs"))
+    facts.append(("computed by", f"{pressure.attrs['source']}; study {pressure.attrs['study_hash']}"))
     stamps = ", ".join(f"{cube.attrs['stage']} {cube.attrs['source_stamp']}" for cube in (pressure, checks) if cube is not None)
-    return [*found, ("provenance", f"cubes and stamps of their sources: {stamps}; {pressure.attrs['package_versions']}")]
+    return [*facts, ("provenance", f"cubes and stamps of their sources: {stamps}; {pressure.attrs['package_versions']}")]
 
 
 def _template() -> jinja2.Template:

@@ -22,7 +22,7 @@ class Use:
     key: str
     utilisation: float
     combination: str
-    at: Mapping
+    where: Mapping
 
     @property
     def told(self) -> str:
@@ -32,41 +32,41 @@ class Use:
 
 def uses_of_strake(cube: xr.Dataset, strake: int) -> list[Use]:
     """Every check of a strake at its worst end of the wall friction, as the cube has them in order."""
-    found = []
+    uses = []
     for key in map(str, cube["followed_check"].values):
-        one = cube.sel(followed_check=key, strake=strake)
-        end, used = worst(one["followed_utilisation"])
-        here = at_end(one, end)
+        followed = cube.sel(followed_check=key, strake=strake)
+        end, used = worst(followed["followed_utilisation"])
+        here = at_end(followed, end)
         combination = here["followed_combination"].attrs["flag_meanings"].split()[int(here["followed_combination"])]
-        at = {"followed_check": key, "strake": strake, "end": end, "place": int(here["followed_place"])}
-        found.append(Use(key, used, combination if np.isfinite(used) else "", at))
-    return found
+        where = {"followed_check": key, "strake": strake, "end": end, "place": int(here["followed_place"])}
+        uses.append(Use(key, used, combination if np.isfinite(used) else "", where))
+    return uses
 
 
 def worst(values: xr.DataArray) -> tuple[int, float]:
     """(number of the end of the wall friction with the largest value, that value); 0 and NaN where all are masked."""
-    each = np.atleast_1d(values.values)
-    end = int(np.argmax(np.where(np.isnan(each), -np.inf, each)))
-    return end, float(each[end])
+    ends = np.atleast_1d(values.values)
+    end = int(np.argmax(np.where(np.isnan(ends), -np.inf, ends)))
+    return end, float(ends[end])
 
 
-def governing(cube: xr.Dataset, found: list[Use]) -> Use:
+def governing(cube: xr.Dataset, uses: list[Use]) -> Use:
     """The check that governs: by the study's first rule of buckling, or a check that is not of buckling."""
     others = [str(key) for key in cube["rule"].values[1:]]
-    counted = [use for use in found if use.key not in others and np.isfinite(use.utilisation)]
-    return max(counted, key=lambda use: use.utilisation, default=found[0])
+    counted = [use for use in uses if use.key not in others and np.isfinite(use.utilisation)]
+    return max(counted, key=lambda use: use.utilisation, default=uses[0])
 
 
 def _used(cube: xr.Dataset, name: str, dim: str, key: str) -> Use:
     values = cube[name].sel({dim: key})
-    dims = [one for one in ("combination", END, "hopper_position") if one in values.dims]
+    dims = [axis for axis in ("combination", END, "hopper_position") if axis in values.dims]
     values = values.transpose(*dims)
     if values.isnull().all():
         return Use(key, np.nan, "", {})
     place = dict(zip(dims, np.unravel_index(int(np.nanargmax(values.values)), values.shape), strict=True))
     combination = str(cube["combination"].values[place["combination"]])
-    at = {"end": int(place.get(END, 0)), "place": int(place.get("hopper_position", 0))}
-    return Use(key, float(values.max()), combination, at)
+    where = {"end": int(place.get(END, 0)), "place": int(place.get("hopper_position", 0))}
+    return Use(key, float(values.max()), combination, where)
 
 
 def why_of_part(cube: xr.Dataset, part: str, key: str) -> str:

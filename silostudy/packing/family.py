@@ -41,7 +41,7 @@ class Packing(Row):
 
     def arguments(self, section: Any) -> dict[str, Any]:
         """The arguments of `place` that a section gives."""
-        return {one.argument: getattr(section, one.name) for one in self.asks if one.argument}
+        return {field.argument: getattr(section, field.name) for field in self.asks if field.argument}
 
     def uneven(self, section: Any) -> bool:
         """Whether the discs may be of several sizes."""

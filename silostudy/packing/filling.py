@@ -27,7 +27,7 @@ class Filling(Entry):
 
     def arguments(self, section: Any) -> Mapping[str, Any]:
         """What a section gives, by the names of its arguments."""
-        return {one.argument: getattr(section, one.name) for one in self.asks}
+        return {field.argument: getattr(section, field.name) for field in self.asks}
 
 
 def loose(silo, radii, random):
@@ -36,7 +36,7 @@ def loose(silo, radii, random):
     silo: has `outline(z)`, `top` (m) and `room_at(places, radius)`.
     """
     largest = float(radii.max())
-    pitch, found = ROOM * largest, np.empty((0, 3))
+    pitch, places = ROOM * largest, np.empty((0, 3))
     for z in np.arange(1.05 * largest, silo.top - largest, pitch):
         low, high = silo.outline(z).box
         x, y = (
@@ -44,10 +44,10 @@ def loose(silo, radii, random):
             for axis in np.meshgrid(*(np.arange(a, b, pitch) + 0.5 * pitch for a, b in zip(low, high, strict=True)))
         )
         layer = np.c_[x, y, np.full_like(x, z)]
-        found = np.vstack([found, layer[silo.room_at(layer, 1.05 * largest)]])
-        if len(found) >= len(radii):
-            return found[: len(radii)] + 0.04 * largest * random.uniform(-1.0, 1.0, (len(radii), 3))
-    raise BadInput("filling.count", len(radii), f"no room for sphere {len(found)}: the silo holds so many on a loose lattice")
+        places = np.vstack([places, layer[silo.room_at(layer, 1.05 * largest)]])
+        if len(places) >= len(radii):
+            return places[: len(radii)] + 0.04 * largest * random.uniform(-1.0, 1.0, (len(radii), 3))
+    raise BadInput("filling.count", len(radii), f"no room for sphere {len(places)}: the silo holds so many on a loose lattice")
 
 
 def spread(silo, radii, random):

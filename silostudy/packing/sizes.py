@@ -23,7 +23,7 @@ class Sizes(Entry):
 
     def radii(self, random: np.random.Generator, count: int, section: Any) -> np.ndarray:
         """Radii (m) of so many grains."""
-        asked = {one.argument: getattr(section, one.name) for one in self.asks}
+        asked = {field.argument: getattr(section, field.name) for field in self.asks}
         return 0.5 * MM * self.draw(random, count, **asked)
 
 
@@ -72,12 +72,12 @@ def _ordered(least: float, largest: float) -> None:
 def _cut(draw: Callable[[int], np.ndarray], count: int, least: float, largest: float) -> np.ndarray:
     """So many of the draws that lie between two ends."""
     _ordered(least, largest)
-    kept = np.empty(0)
+    radii = np.empty(0)
     for _ in range(DRAWS):
         drawn = draw(count)
-        kept = np.append(kept, drawn[(drawn >= least) & (drawn <= largest)])
-        if len(kept) >= count:
-            return kept[:count]
+        radii = np.append(radii, drawn[(drawn >= least) & (drawn <= largest)])
+        if len(radii) >= count:
+            return radii[:count]
     raise BadInput("sizes.least_mm", least, f"next to nothing of this distribution lies between it and {largest:g} mm")
 
 

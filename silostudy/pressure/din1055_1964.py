@@ -82,7 +82,7 @@ def _own(function, phase):
 USED = {
     phase: janssen.for_state(
         {
-            "lateral_pressure_ratio": _own(lambda phi, powder, at: lateral_pressure_ratio(powder, at), phase),
+            "lateral_pressure_ratio": _own(lambda phi, powder, depth: lateral_pressure_ratio(powder, depth), phase),
             "wall_friction": _own(wall_friction, phase),
             "wall_friction_uncapped": _own(wall_friction, phase),
         },

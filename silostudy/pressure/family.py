@@ -191,7 +191,9 @@ class PressureMethod(Row):
     def needs(self) -> frozenset[str]:
         """Names of all parameters that its functions and its limits ask for."""
         tables = (
-            each for table in (self.phases, self.hopper, self.floor, self.totals, self.channel) for each in table.values()
+            quantities
+            for table in (self.phases, self.hopper, self.floor, self.totals, self.channel)
+            for quantities in table.values()
         )
         functions = [self.static, *(function for quantities in tables for function in quantities.values())]
         functions += [limit.measure.of for limit in self.limits]
@@ -229,7 +231,7 @@ class PressureMethod(Row):
         yield from _faults_of_names(self)
         for name, function, unit, place in _functions(self):
             faults = list(faults_of_function(name, function, unit, parameters_of(function), PARAMETERS))
-            yield from faults or faults_of_trial(name, lambda f=function, at=place: _tried(f, at))  # type: ignore[misc]
+            yield from faults or faults_of_trial(name, lambda f=function, p=place: _tried(f, p))  # type: ignore[misc]
 
 
 def usual(rows: Mapping[str, PressureMethod]) -> tuple[str, ...]:
@@ -242,27 +244,27 @@ def _faults_of_names(row: PressureMethod) -> Iterator[str]:
         ("plans", row.plans, PLANS),
         ("phases", row.phases, PHASES),
         ("equilibrium", row.equilibrium, row.phases),
-        *((f"phases[{phase!r}]", found, QUANTITIES) for phase, found in row.phases.items()),
-        *((f"hopper[{phase!r}]", found, HOPPER_QUANTITIES) for phase, found in row.hopper.items()),
-        *((f"floor[{phase!r}]", found, FLOOR_QUANTITIES) for phase, found in row.floor.items()),
-        *((f"totals[{phase!r}]", found, TOTALS) for phase, found in row.totals.items()),
-        *((f"channel[{phase!r}]", found, CHANNEL_QUANTITIES | CHANNEL_TOTALS) for phase, found in row.channel.items()),
-        *((f"used[{phase!r}]", found, USED_FOR) for phase, found in row.used.items()),
-        *((f"used[{phase!r}]", each, USED) for phase, found in row.used.items() for each in found.values()),
+        *((f"phases[{phase!r}]", functions, QUANTITIES) for phase, functions in row.phases.items()),
+        *((f"hopper[{phase!r}]", functions, HOPPER_QUANTITIES) for phase, functions in row.hopper.items()),
+        *((f"floor[{phase!r}]", functions, FLOOR_QUANTITIES) for phase, functions in row.floor.items()),
+        *((f"totals[{phase!r}]", functions, TOTALS) for phase, functions in row.totals.items()),
+        *((f"channel[{phase!r}]", functions, CHANNEL_QUANTITIES | CHANNEL_TOTALS) for phase, functions in row.channel.items()),
+        *((f"used[{phase!r}]", functions, USED_FOR) for phase, functions in row.used.items()),
+        *((f"used[{phase!r}]", numbers, USED) for phase, functions in row.used.items() for numbers in functions.values()),
         ("varies", row.varies, PARAMETERS),
         ("plans_of", row.plans_of, QUANTITIES | HOPPER_QUANTITIES | FLOOR_QUANTITIES | TOTALS),
     ):
         if isinstance(given, str):
             yield f"{name} = {given!r}: must be several, as {{{given!r}}}"
-        elif strange := [one for one in given if one not in known]:
+        elif strange := [asked for asked in given if asked not in known]:
             yield f"{name}: {', '.join(map(str, strange))} unknown; known: {', '.join(known)}"
     if not row.plans or not row.phases:
         yield "plans and phases must not be empty"
     spread = {"a_mu": "wall_friction", "a_K": "lateral_pressure_ratio"}
     if switched := [spread[name] for name in spread if name in row.needs and spread[name] not in row.varies]:
         yield f"varies: must name {', '.join(switched)}, whose spread the method asks for"
-    for phase, found in row.phases.items():
-        if "wall_normal_pressure" not in found:
+    for phase, functions in row.phases.items():
+        if "wall_normal_pressure" not in functions:
             yield f"phases[{phase!r}]: must give wall_normal_pressure"
 
 
@@ -277,8 +279,8 @@ def _functions(row: PressureMethod) -> Iterator[tuple[str, Callable, str, str | 
         (row.channel, CHANNEL_QUANTITIES, "z"),
         (row.channel, CHANNEL_TOTALS, None),
     ):
-        for phase, found in tables.items():
-            here = {name: function for name, function in found.items() if tables is not row.channel or name in units}
+        for phase, functions in tables.items():
+            here = {name: function for name, function in functions.items() if tables is not row.channel or name in units}
             yield from ((f"{name} in {phase}", function, units.get(name, ""), place) for name, function in here.items())
 
 
@@ -287,5 +289,5 @@ def _tried(function: Callable, place: str | None) -> None:
     usual = {name: np.full((2, 1), value) for name, (_, _, value) in PARAMETERS.items()}
     where = None if place is None else np.array([[0.5, 1.0, 1.5]] * 2)
     with np.errstate(all="ignore"):
-        found = check_numbers(lambda: call(function, where, usual))
-    np.broadcast_to(found, (2, 1) if where is None else where.shape)
+        values = check_numbers(lambda: call(function, where, usual))
+    np.broadcast_to(values, (2, 1) if where is None else where.shape)

@@ -71,7 +71,7 @@ class State:
         rising = np.divide(below ** (self.m + 2), peak * (self.m + 2), out=np.zeros_like(share), where=peak > 0)
         width = np.divide(share - below, 6 * (1 - peak), out=np.zeros_like(share), where=peak < 1)
         points = ((1, below), (4, (below + share) / 2), (1, share))  # Simpson's rule is exact for these polynomials
-        falling = width * sum(weight * at**self.m * (1 - at) for weight, at in points)
+        falling = width * sum(weight * place**self.m * (1 - place) for weight, place in points)
         scale = self.largest * self.steepness / self.hydrostatic * (1 + self.m) * (2 + self.m)
         return self.weight * (scale * (rising + falling) - share ** (2 + self.m))
 
@@ -88,8 +88,8 @@ def _of(phase, quantity, doc, place=None, extra=()):
     """A method function that sets up the state of a phase and reads one quantity off it."""
     field = FIELDS[phase]
 
-    def function(*at, **given):
-        return quantity(State(field, given), *at, given)
+    def function(*places, **given):
+        return quantity(State(field, given), *places, given)
 
     return asking(function, (*OF_STATE, *parameters_of(field), *extra), f"{doc} Source: silo_handbook, section 4.5.2.", place)
 

@@ -85,8 +85,8 @@ def _used(phase, weight, extra):
     def ratio(*, internal_friction_angle, powder):
         return lateral_ratio(phase, internal_friction_angle=internal_friction_angle, powder=powder)
 
-    each: Quantities = {"wall_friction": friction, "wall_friction_uncapped": uncapped, "lateral_pressure_ratio": ratio}
-    return janssen.for_state({**each, "unit_weight": weight})
+    quantities: Quantities = {"wall_friction": friction, "wall_friction_uncapped": uncapped, "lateral_pressure_ratio": ratio}
+    return janssen.for_state({**quantities, "unit_weight": weight})
 
 
 def _row(key, title, weight, extra, colour, marker) -> PressureMethod:

@@ -114,8 +114,8 @@ def _flow(steps, half_angle, wall_friction, effective_friction_angle, slot):
         turns_enough = _turned(steps, middle, half_angle, m, k)[1] > at_wall
         low, high = np.where(turns_enough, middle, low), np.where(turns_enough, high, middle)
     s, w = _refined(steps, low, high, half_angle, m, k, at_wall)
-    found = rubs & (np.abs(w - at_wall) < 1e-8)
-    return np.where(found, s * (1 + k * np.cos(at_wall)) / np.cos(half_angle), np.nan)
+    reached = rubs & (np.abs(w - at_wall) < 1e-8)
+    return np.where(reached, s * (1 + k * np.cos(at_wall)) / np.cos(half_angle), np.nan)
 
 
 def _refined(steps, first, second, half_angle, m, k, at_wall):

@@ -15,14 +15,18 @@ def coefficient_lines(model: Model, kinds: Sequence[str] = ()) -> list[str]:
             name = f"{kinds[other]} and {kinds[kind]}" if many else f"{model.space.body}s"
             lines.append(line(name, model.between(kind, other)))
     for kind in range(model.kinds):
-        at = f"{kinds[kind]} at " if many else ""
-        lines += [line(at + ", ".join(walls), contact) for walls, contact in by_contact(model, kind)]
+        prefix = f"{kinds[kind]} at " if many else ""
+        lines += [line(prefix + ", ".join(walls), contact) for walls, contact in by_contact(model, kind)]
     return lines
 
 
 def line(name: str, contact: Contact) -> str:
     """Laws that act, and their coefficients with units."""
-    units = {one.name: "" if one.unit == "1" else f" {one.unit}" for row in contact.rows for one in row.coefficients}
+    units = {
+        coefficient.name: "" if coefficient.unit == "1" else f" {coefficient.unit}"
+        for row in contact.rows
+        for coefficient in row.coefficients
+    }
     values = ", ".join(f"{key} {value:.6g}{units[key]}" for key, value in contact.coefficients.items())
     return f"{name}: {', '.join(row.key for row in contact.rows if row.acts)}: {values}"
 
@@ -30,9 +34,9 @@ def line(name: str, contact: Contact) -> str:
 def by_contact(model: Model, kind: int) -> Iterator[tuple[list[str], Contact]]:
     """Names of walls at which bodies of a kind have one contact, and that."""
     every = [model.at_wall(kind, number) for number in range(len(model.walls))]
-    if not isinstance(model.wall_contact, Varied) or all(one == every[0] for one in every):
+    if not isinstance(model.wall_contact, Varied) or all(contact == every[0] for contact in every):
         yield ["walls"], every[0]
         return
-    for number, one in enumerate(every):
-        if one not in every[:number]:
-            yield [wall.name for wall, other in zip(model.walls, every, strict=True) if other == one], one
+    for number, contact in enumerate(every):
+        if contact not in every[:number]:
+            yield [wall.name for wall, other in zip(model.walls, every, strict=True) if other == contact], contact

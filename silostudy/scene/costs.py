@@ -29,14 +29,14 @@ DRAWN = 200  # sizes that the ends of a distribution are guessed from
 
 @dataclass(frozen=True)
 class Costs:
-    """count(scene, folder) -> bodies; step(scene) -> s that the engine takes about; each, look: s of CPU time.
+    """count(scene, folder) -> bodies; step(scene) -> s that the engine takes about; body, look: s of CPU time.
 
-    each: of a body in a step, look: of a step besides, most of it looks at rest and at what has left.
+    body: of each in a step, look: of a step besides, most of it looks at rest and at what has left.
     """
 
     count: Callable[[Any, Path], float]
     step: Callable[[Any], float]
-    each: float
+    body: float
     look: float
 
 
@@ -45,7 +45,7 @@ def cost(case: SceneCase) -> float:
     scene, folder = case.config, case.folder
     costs = COSTS[scene.grains]
     step = scene.march.step_s or costs.step(scene)
-    return START + duration(scene) / step * (costs.look + costs.count(scene, folder) * costs.each)
+    return START + duration(scene) / step * (costs.look + costs.count(scene, folder) * costs.body)
 
 
 def duration(scene: AnyScene) -> float:

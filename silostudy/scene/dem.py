@@ -42,8 +42,8 @@ def plane_silo_of(scene: DemScene, where: str = "") -> PlaneSilo:
     """The silo in SI, with its inserts; BadInput for one that cannot be."""
     config, angle = scene.silo, scene.silo.hopper_half_angle_deg
     half_angle = None if angle is None else radians(angle)
-    inserts = tuple(inserted(number, one, LINES) for number, one in enumerate(scene.inserts))
-    slits = tuple(Slit(one.name, one.middle_m, one.width_m) for one in scene.outlets)
+    inserts = tuple(inserted(number, insert, LINES) for number, insert in enumerate(scene.inserts))
+    slits = tuple(Slit(outlet.name, outlet.middle_m, outlet.width_m) for outlet in scene.outlets)
     try:
         return PlaneSilo(config.width_m, config.height_m, config.slit_width_m, half_angle, config.lid, inserts, slits)
     except BadInput as error:
@@ -102,14 +102,14 @@ def contacts_of(scene: DemScene, radii: np.ndarray, where: str = "") -> tuple[Co
 
 def varied(contacts: list[Contact]) -> Contact | Varied:
     """Contacts as one where they are all alike."""
-    return contacts[0] if all(one == contacts[0] for one in contacts) else Varied(tuple(contacts))
+    return contacts[0] if all(contact == contacts[0] for contact in contacts) else Varied(tuple(contacts))
 
 
 def of_kinds(contacts: list[Contact | Varied], walls: int) -> Contact | Varied:
     """Contacts of kinds of grains with so many walls, from those of each; one where all are alike."""
-    if all(one == contacts[0] for one in contacts) and isinstance(contacts[0], Contact):
+    if all(contact == contacts[0] for contact in contacts) and isinstance(contacts[0], Contact):
         return contacts[0]
-    return Varied(tuple(one.numbered(number) for one in contacts for number in range(walls)))
+    return Varied(tuple(contact.numbered(number) for contact in contacts for number in range(walls)))
 
 
 def walls_contact(scene: AnyScene, contacts: dict[str, Contact], names: Sequence[str], where: str) -> Contact | Varied:
@@ -128,14 +128,14 @@ def events_of(scene: DemScene, mass: float, where: str = "") -> tuple[Event, ...
     """Events in the engine's words; mass: of all discs, kg/m. BadInput for a friction that no law of the scene takes, or at a
     wall that there is none."""
     beside = HALVES if scene.silo.hopper_half_angle_deg is None else ()
-    found = []
+    events = []
     for number, event in enumerate(scene.events):
         action, what = _action(event, scene, beside, mass)
         if action == "friction":
             _check_friction(scene, what, f"events.{number}", where)
             what = (*what, walls_of_event(event.surfaces, wall_names(scene), number, where))
-        found.append(Event(event.when, event.value * TRIGGERS[event.when].scale, action, what))
-    return tuple(found)
+        events.append(Event(event.when, event.value * TRIGGERS[event.when].scale, action, what))
+    return tuple(events)
 
 
 def walls_of_event(surfaces: tuple[str, ...], names: Sequence[str], number: int, where: str) -> tuple[str, ...]:
@@ -263,7 +263,9 @@ def effects(scene: DemScene) -> tuple[Effect, ...]:
         Effect("wall forces every step", record.wall_force_window_s is not None, "record.wall_force_window_s"),
         Effect("energy ledger", record.energy, f"record.energy: {record.energy}"),
         Effect("slit", scene.silo.slit_width_m > 0, f"silo.slit_width_m: {scene.silo.slit_width_m:g}"),
-        Effect("outlets by names", bool(scene.outlets), f"outlets: {', '.join(one.name for one in scene.outlets) or 'none'}"),
+        Effect(
+            "outlets by names", bool(scene.outlets), f"outlets: {', '.join(outlet.name for outlet in scene.outlets) or 'none'}"
+        ),
         Effect("hopper", scene.silo.hopper_half_angle_deg is not None, "silo.hopper_half_angle_deg"),
         Effect("inserts", bool(scene.inserts), f"inserts: {len(scene.inserts)}"),
         Effect("walls that move", moves(scene.events), "events: lower_lid, press_lid, move_lid, open_slit at a speed"),

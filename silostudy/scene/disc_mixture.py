@@ -25,8 +25,8 @@ def kinds_of(scene: DemScene, count: int) -> np.ndarray | None:
     by_mass = all(kind.mass_share is not None for kind in others)
     shares = np.array([kind.mass_share if by_mass else kind.number_share for kind in others], float)
     weights = np.array([1.0 - shares.sum(), *shares])
-    each = densities_of_kinds(scene) * radii_of_kinds(scene) ** 2 if by_mass else 1.0
-    numbers = whole(weights / each, count)
+    mass = densities_of_kinds(scene) * radii_of_kinds(scene) ** 2 if by_mass else 1.0
+    numbers = whole(weights / mass, count)
     for name, number in zip(scene.kinds, numbers, strict=True):
         if not number:
             raise BadInput("packing", scene.packing.kind, f"so few discs that their shares leave none to {name}")

@@ -46,7 +46,7 @@ class Expansion:
     def asks(self) -> bool:
         """Whether the study, its scene or an axis asks for an accuracy in place of settings."""
         swept = {key.split(".")[0] for axis in self.study.sweep for key in axis.settings()[0]}
-        return "accuracy" in swept or any(getattr(one, "accuracy", None) for one in (self.study, self.study.scene))
+        return "accuracy" in swept or any(getattr(asking, "accuracy", None) for asking in (self.study, self.study.scene))
 
 
 def file_as_asked(path: Path, positions: Sequence[int] | None = None) -> Expansion:
@@ -69,14 +69,14 @@ def as_asked(content: dict[str, Any], name: str, where: str, folder: Path, posit
 
 def _settings_at(axes: list[list[dict[str, Any]]], position: int, where: str) -> dict[str, Any]:
     """What the axes set at a position, counted with the last axis fastest."""
-    found: list[dict[str, Any]] = []
+    parts: list[dict[str, Any]] = []
     left = position
     for axis in reversed(axes):
         left, place = divmod(left, len(axis))
-        found.append(axis[place])
+        parts.append(axis[place])
     if left:
         raise BadInput("position", position, "is beyond the cases of the study", where)
-    return {key: value for part in reversed(found) for key, value in part.items()}
+    return {key: value for part in reversed(parts) for key, value in part.items()}
 
 
 def identity(config: Strict) -> str:

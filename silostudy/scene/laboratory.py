@@ -42,4 +42,4 @@ def cost(case: LaboratoryCase) -> float:
     steps = (FILLED + pressed + shears) / spheres.step(filling(case))
     step, tray = spheres.step(filling(case)), draining(case)
     apart = FILLED / step * case.heap_count + (FILLED + tray.events[-1].value) / step * tray.filling.count
-    return START + steps * (spheres.look + case.count * spheres.each) + apart * spheres.each
+    return START + steps * (spheres.look + case.count * spheres.body) + apart * spheres.body

@@ -37,8 +37,8 @@ def numbers_of(scene: SphereScene, radii: list[np.ndarray]) -> np.ndarray:
     if by_mass:
         density = [grain_of(scene, kind=name).density for name in scene.grain_kinds]
         for _ in range(ROUNDS):
-            each = [rho * (of[: max(n, 1)] ** 3).mean() for rho, of, n in zip(density, radii, numbers, strict=True)]
-            numbers = whole(weights / each, count)
+            masses = [rho * (of[: max(n, 1)] ** 3).mean() for rho, of, n in zip(density, radii, numbers, strict=True)]
+            numbers = whole(weights / masses, count)
     for name, number in zip(scene.grain_kinds, numbers, strict=True):
         if not number:
             raise BadInput("filling.count", count, f"so few spheres that their shares leave none to {name}")

@@ -39,18 +39,18 @@ def unusual(scene: Scene) -> list[str]:
     silo = scene.silo
     sizes = {"diameter": silo.diameter, "cylinder_depth": silo.cylinder_depth, "slenderness": silo.wall_depth / silo.diameter}
     sizes["half_angle"] = silo.hopper.half_angle if silo.hopper else nan
-    known = [*sizes.items(), *_properties(scene).items(), *(("thickness", each) for each in scene.plates)]
-    found = [text for name, value in known if (text := _unusual(name, value))]
+    known = [*sizes.items(), *_properties(scene).items(), *(("thickness", thickness) for thickness in scene.plates)]
+    notes = [text for name, value in known if (text := _unusual(name, value))]
     slope, repose = atan(silo.top_cone_height / (silo.diameter / 2)), solid_parameters(scene, "")["repose_angle"]
     if slope > repose * (1 + 1e-9):
-        found.append(
+        notes.append(
             f"top_cone_height_m = {silo.top_cone_height:g}: a slope of {degrees(slope):.1f} degrees, the solid's angle of "
             f"repose is {degrees(repose):.1f}"
         )
     least = float(classes.least_class(unit_weight=solid_parameters(scene, "")["unit_weight"], **_sizes(silo)))
     if 0 < silo.assessment_class < least:
-        found.append(f"action_assessment_class = {silo.assessment_class}: by capacity and outlet it is {least:.0f} or higher")
-    return found
+        notes.append(f"action_assessment_class = {silo.assessment_class}: by capacity and outlet it is {least:.0f} or higher")
+    return notes
 
 
 def _sizes(silo: Silo) -> dict[str, float]:

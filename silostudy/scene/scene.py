@@ -156,8 +156,8 @@ def geometry_parameters(scene: Scene) -> dict[str, float]:
 def parameters_of_scenes(scenes: Sequence[Scene], row: PressureMethod, as_printed: bool = False) -> dict[str, np.ndarray]:
     """Every parameter that a method may ask for, in SI, and the plan's shape under `plan`: arrays of shape (scene, 1)."""
     key = row.table_key or row.key
-    each = [
-        {"plan": one.silo.plan, **geometry_parameters(one), **solid_parameters(one, key, as_printed, row.varies)}
-        for one in scenes
+    rows = [
+        {"plan": scene.silo.plan, **geometry_parameters(scene), **solid_parameters(scene, key, as_printed, row.varies)}
+        for scene in scenes
     ]
-    return {name: np.array([[one[name]] for one in each]) for name in each[0]}
+    return {name: np.array([[numbers[name]] for numbers in rows]) for name in rows[0]}

@@ -88,9 +88,9 @@ def require_floor(space: SpaceSilo) -> None:
         raise BadInput("outlets", names, "each outlet needs a name of its own")
     for number, outlet in enumerate(space.outlets):
         require_outlet(space, f"outlets.{number}", outlet)
-    for (one, low), (other, high) in combinations(space.openings.items(), 2):
+    for (name, low), (other, high) in combinations(space.openings.items(), 2):
         if not (room := low.gap_to(high)) > 0.0:
-            raise BadInput("outlets", f"{one}, {other}", f"must not overlap or touch, and do by {-room:.4g} m")
+            raise BadInput("outlets", f"{name}, {other}", f"must not overlap or touch, and do by {-room:.4g} m")
 
 
 def require_outlet(space: SpaceSilo, field: str, outlet: Outlet) -> None:
@@ -136,7 +136,7 @@ def require_inserts(space: SpaceSilo) -> None:
             around = replace(outline, middle=(x - mx, y - my))
             if not (0.0 <= z <= space.top and inside.room_for(around) > -FLATTEST * space.silo.diameter):
                 raise BadInput(field, insert.name, f"leaves the silo at x {x:.4g}, y {y:.4g}, z {z:.4g} m")
-    sides = [side for one, other, k, n in flat_joints(space.inserts) for side in ((one, k), (other, n))]
+    sides = [side for first, second, k, n in flat_joints(space.inserts) for side in ((first, k), (second, n))]
     for number, side in sides:
         if sides.count((number, side)) > 1:
             told = f"meets more than one polygon along its side {side + 1}"

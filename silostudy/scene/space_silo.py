@@ -87,8 +87,8 @@ class SpaceSilo:
             return high
         share = max(height, 0.0) / self.bottom
         (a, b), (x, y) = (
-            tuple(p + share * (q - p) for p, q in zip(one, other, strict=True))
-            for one, other in ((low.half, high.half), (low.middle, high.middle))
+            tuple(p + share * (q - p) for p, q in zip(below, above, strict=True))
+            for below, above in ((low.half, high.half), (low.middle, high.middle))
         )
         return Outline(sides=high.sides, half=(a, b), middle=(x, y))
 

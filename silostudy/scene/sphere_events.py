@@ -16,15 +16,15 @@ from silostudy.scene.space_silo import FLOOR, SpaceSilo
 
 def sphere_events(scene: SphereScene, space: SpaceSilo, mass: float, where: str = "") -> tuple[Event, ...]:
     """Events in the engine's words; mass: of all spheres, kg. BadInput for friction at a surface that there is none."""
-    found = []
+    events = []
     for number, event in enumerate(scene.events):
         action, what = _action(event, space, mass)
         if action == "friction":
             what = (*what, walls_of_event(event.surfaces, [wall.name for wall in space.walls()], number, where))
         elif action == "take away":
             what = taken_away(event, space, number, where)
-        found.append(Event(event.when, event.value * TRIGGERS[event.when].scale, action, what))
-    return tuple(found)
+        events.append(Event(event.when, event.value * TRIGGERS[event.when].scale, action, what))
+    return tuple(events)
 
 
 def _action(event: SphereEventConfig, space: SpaceSilo, mass: float) -> tuple[str, tuple]:
@@ -53,7 +53,7 @@ def taken_away(event: SphereEventConfig, space: SpaceSilo, number: int, where: s
     names = walls_of_event(event.surfaces, [insert.name for insert in space.inserts], number, where)
     surfaces = space.walls()
     joints = [*flat_joints(surfaces), *turned_joints(surfaces)]
-    joined = {surfaces[end].name for joint in joints for end in (joint.one, joint.other)}
+    joined = {surfaces[end].name for joint in joints for end in (joint.surface, joint.other)}
     for name in names:
         if name in joined:
             allowed = "shares a side with another surface, which would be left with a joint: let it reach beyond that"

@@ -32,12 +32,15 @@ def space_silo_of(scene: SphereScene, where: str = "") -> SpaceSilo:
     """The silo in space; BadInput for one that has no surfaces, or a heap that grains make of themselves."""
     if scene.silo.heap_at_repose or scene.silo.top_cone_height_m:
         raise BadInput("silo.top_cone_height_m", scene.silo.top_cone_height_m, "spheres make their heap themselves", where)
-    outlets = tuple(Outlet(width=one.width_m, length=one.length_m, middle=one.middle_m, name=one.name) for one in scene.outlets)
+    outlets = tuple(
+        Outlet(width=outlet.width_m, length=outlet.length_m, middle=outlet.middle_m, name=outlet.name)
+        for outlet in scene.outlets
+    )
     try:
         return SpaceSilo(
             silo=silo_of(scene.silo, nan, where, ""),
             outlets=outlets,
-            inserts=tuple(inserted(number, one, INSERTS) for number, one in enumerate(scene.inserts)),
+            inserts=tuple(inserted(number, insert, INSERTS) for number, insert in enumerate(scene.inserts)),
             wedge=scene.wedge,
             lid=scene.lid,
             gated=slides(scene.events),
@@ -88,7 +91,7 @@ def contacts_of(scene: SphereScene, where: str = "") -> tuple[Contact | Varied, 
     at_walls = [walls_contact(scene, _at_walls(scene, kind, body, names, where), names, where) for kind, body in bodies.items()]
     if len(kinds) == 1:
         return between[0], at_walls[0]
-    sets = tuple(one for walls in at_walls for one in (walls.numbered(number) for number in range(len(names))))
+    sets = tuple(contact for walls in at_walls for contact in (walls.numbered(number) for number in range(len(names))))
     return Varied(tuple(between)), Varied(sets)
 
 
@@ -116,19 +119,19 @@ class Body(NamedTuple):
     key: str | None
 
 
-def _contact(section: str, config: TouchConfig, one: Body, other: Body, where: str, *, wall: bool) -> Contact:
-    laws, fields, known = config.laws, config.model_dump(), PAIRS.get(frozenset((one.key, other.key)))
+def _contact(section: str, config: TouchConfig, body: Body, other: Body, where: str, *, wall: bool) -> Contact:
+    laws, fields, known = config.laws, config.model_dump(), PAIRS.get(frozenset((body.key, other.key)))
     for name in ("restitution", "sliding_friction"):
         if fields[name] is None:
             if known is None:
-                told = f"must be given: no table holds the pair of {one.material.title} and {other.material.title}"
+                told = f"must be given: no table holds the pair of {body.material.title} and {other.material.title}"
                 raise BadInput(f"{section}.{name}", None, told, where)
             fields[name] = getattr(known, name)
     rolling = spring_slider.FRICTION.field
     if known is not None and not fields.get(rolling):
         fields[rolling] = known.rolling_friction
-    fields["materials"] = tuple((of.material.youngs_modulus, of.material.poissons_ratio) for of in (one, other))
-    given = Given(fields, nan, one.material.density, laws["normal"], wall, True)
+    fields["materials"] = tuple((of.material.youngs_modulus, of.material.poissons_ratio) for of in (body, other))
+    given = Given(fields, nan, body.material.density, laws["normal"], wall, True)
     coefficients: dict[str, float] = {}
     for law in laws.values():
         coefficients |= law.prepared(given)

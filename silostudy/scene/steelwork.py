@@ -76,7 +76,7 @@ def combinations(study: ShellStudy) -> list[Combination]:
     assert study.checks is not None
     if study.checks.combinations is None:
         return list(COMBINATIONS.values())
-    return [_own(one.model_dump()) for one in study.checks.combinations]
+    return [_own(combination.model_dump()) for combination in study.checks.combinations]
 
 
 def _own(given: dict[str, Any]) -> Combination:

@@ -17,15 +17,15 @@ def known_names(names: Sequence[str]) -> list[str]:
 
 def parts_of(given: str, names: Sequence[str], field: str, where: str = "") -> tuple[str, ...]:
     """Those surfaces that a name given in a scene stands for; BadInput where it stands for none."""
-    found = tuple(name for name in names if name == given or name.startswith(given + PART))
-    if not found:
+    parts = tuple(name for name in names if name == given or name.startswith(given + PART))
+    if not parts:
         raise unknown(field, given, known_names(names), where)
-    return found
+    return parts
 
 
 def by_surface(given: Mapping[str, T], names: Sequence[str], others: T, where: str = "") -> list[T]:
     """What is given for each surface: under its own name, else under that of the whole that it is a part of, else as others."""
-    found = dict.fromkeys(names, others)
+    values = dict.fromkeys(names, others)
     for name in sorted(given, key=len):
-        found |= dict.fromkeys(parts_of(name, names, "surfaces", where), given[name])
-    return [found[name] for name in names]
+        values |= dict.fromkeys(parts_of(name, names, "surfaces", where), given[name])
+    return [values[name] for name in names]

@@ -67,12 +67,13 @@ def modes(
     tube: Tube,
     coefficient: float,
     stiffness_reduction: float = 1.0,
-    at: np.ndarray | None = None,
+    heights: np.ndarray | None = None,
     degree: int = DEGREE,
     elements: int = 1,
 ) -> Modes:
-    """Every mode of the discretised tube whose contents add `coefficient` of their mass; `at`: heights (m), default the top.
+    """Every mode of the discretised tube whose contents add `coefficient` of their mass.
 
+    heights: where (m) it gives deflections and forces, default the top.
     elements: equal ones below the contents' surface, and as many above it where the tube goes on.
     """
     size = {"radius": tube.radius, "thickness": tube.thickness}
@@ -90,7 +91,7 @@ def modes(
     whole = np.zeros((len(mass), len(squares)))
     whole[free] = shapes
     rigid = np.arange(len(mass)) < len(mass) // 2
-    position = np.array([tube.height]) if at is None else np.asarray(at, dtype=float)
+    position = np.array([tube.height]) if heights is None else np.asarray(heights, dtype=float)
     values, slopes = _interpolation(degree, ends, position)
     deflections, rotations = np.split(whole, 2)
     return Modes(
@@ -112,8 +113,8 @@ def _eigen(stiffness: np.ndarray, mass: np.ndarray) -> tuple[np.ndarray, np.ndar
     modes that are nothing but rounding are left out.
     """
     inverse, shapes = eigh(mass, stiffness)
-    kept = np.flatnonzero(inverse > ROUNDING * inverse[-1])[::-1]
-    return 1 / inverse[kept], shapes[:, kept] / np.sqrt(inverse[kept])
+    sound = np.flatnonzero(inverse > ROUNDING * inverse[-1])[::-1]
+    return 1 / inverse[sound], shapes[:, sound] / np.sqrt(inverse[sound])
 
 
 def _assemble(degree, ends, densities, area, inertia, bending, shearing) -> tuple[np.ndarray, np.ndarray]:

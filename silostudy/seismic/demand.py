@@ -35,7 +35,7 @@ def axial_wall_force(bending_moment, *, radius):
 def demand(tube: Tube, stiffness_reduction: float, coefficient: float, damping_ratio: float, base: Record, height) -> Demand:
     """Demand at heights (m) above the base on a tube whose contents take part with `coefficient`."""
     height = np.asarray(height, dtype=float)
-    shapes = modes(tube, coefficient, stiffness_reduction, at=np.append(height, tube.height))
+    shapes = modes(tube, coefficient, stiffness_reduction, heights=np.append(height, tube.height))
     fine, dt = refined(base.acceleration, base.dt, shapes.frequency[MODES_SEEN - 1])
     shear, moment = (np.abs(part).max(axis=-1)[:-1] for part in internal_forces(fine, dt, shapes, damping_ratio))
     history = absolute_acceleration(fine, dt, shapes, damping_ratio)

@@ -75,13 +75,13 @@ def other(question: Question, damping: float = 0.0, frequency: float = 0.0) -> Q
 def bank(question: Question) -> Bank:
     """The responses of all candidates."""
     judges = [question, other(question, -1), other(question, +1), other(question, 0, -1), other(question, 0, +1)]
-    found, firsts = [], []
+    spectra, firsts = [], []
     for coefficient in question.coefficients:
         tops = [top_acceleration(judge, coefficient) for judge in judges]
         frequency, transforms = spectrum(tops, question.base.dt, question.band)
-        found.append(transforms)
+        spectra.append(transforms)
         firsts.append(modes(question.tube, coefficient, question.stiffness_reduction).frequency[0])
-    return Bank(question, np.array(firsts), frequency, *np.swapaxes(np.array(found), 0, 1))
+    return Bank(question, np.array(firsts), frequency, *np.swapaxes(np.array(spectra), 0, 1))
 
 
 def transform(question: Question, measured: np.ndarray) -> np.ndarray:
@@ -126,28 +126,28 @@ def stated(answer: float, half_width: float, coefficients: np.ndarray) -> float:
 def estimate(bank: Bank, measured: np.ndarray, random: np.random.Generator) -> Estimate:
     """The coefficient by E_A from the transform of a measured response, with what each of CONTRIBUTIONS does to it."""
     question = bank.question
-    found = _by_amplitude(bank, measured, bank.known)
+    coefficient = _by_amplitude(bank, measured, bank.known)
     contributions = [
-        _noise(bank, measured, found, random),
+        _noise(bank, measured, coefficient, random),
         _half_range([_by_amplitude(bank, measured, judge) for judge in (bank.known, bank.lower, bank.higher)]),
         _half_range([_by_amplitude(bank, measured, judge) for judge in (bank.known, bank.softer, bank.stiffer)]),
         _half_range([_by_amplitude(bank, measured, bank.known, inside) for inside in _bands(bank)]),
         float(np.diff(question.coefficients).max()) / 2,
     ]
-    return Estimate(found, np.array(contributions))
+    return Estimate(coefficient, np.array(contributions))
 
 
 def _by_amplitude(bank: Bank, measured: np.ndarray, computed: np.ndarray, inside: slice | np.ndarray = slice(None)) -> float:
     return vertex(amplitude_error(computed[:, inside], measured[inside]), bank.question.coefficients)
 
 
-def _noise(bank: Bank, measured: np.ndarray, found: float, random: np.random.Generator) -> float:
+def _noise(bank: Bank, measured: np.ndarray, coefficient: float, random: np.random.Generator) -> float:
     """Twice the spread of the answer when what the best candidate leaves unexplained is thrown anew as white noise."""
-    model = bank.known[int(np.argmin(np.abs(bank.question.coefficients - found)))]
+    model = bank.known[int(np.argmin(np.abs(bank.question.coefficients - coefficient)))]
     spread = np.sqrt(np.mean(np.abs(measured - model) ** 2) / 2)  # of the real and of the imaginary part
     parts = random.standard_normal((2, REPLICATES, len(model)))
     copies = model + spread * (parts[0] + 1j * parts[1])
-    return 2 * float(np.std([_by_amplitude(bank, one, bank.known) for one in copies], ddof=1))
+    return 2 * float(np.std([_by_amplitude(bank, copy, bank.known) for copy in copies], ddof=1))
 
 
 def _half_range(answers: list[float]) -> float:
@@ -158,7 +158,7 @@ def _bands(bank: Bank) -> list[np.ndarray]:
     """The components inside the band, and with its lower, its upper and both ends moved inward."""
     low, high = bank.question.band
     lows, highs = (low, low * (1 + BAND_SHIFT)), (high, high * (1 - BAND_SHIFT))
-    return [(bank.frequency >= one) & (bank.frequency <= other) for one in lows for other in highs]
+    return [(bank.frequency >= lower) & (bank.frequency <= upper) for lower in lows for upper in highs]
 
 
 def imitation(question: Question, coefficient: float, noise_ratio: float, random: np.random.Generator) -> np.ndarray:
@@ -173,13 +173,13 @@ def recovery(bank: Bank, trials: int, noise_ratio: float, random: np.random.Gene
     Truth evenly over the candidates, damping and empty frequency evenly within the mismatch the question admits.
     """
     question = bank.question
-    found = np.empty((3, trials))
+    recovered = np.empty((3, trials))
     for trial in range(trials):
         truth = random.uniform(question.coefficients[0], question.coefficients[-1])
         real = other(question, random.uniform(-1, 1), random.uniform(-1, 1))
         answer = estimate(bank, transform(question, imitation(real, truth, noise_ratio, random)), random)
-        found[:, trial] = truth, answer.coefficient, answer.uncertainty
-    return found
+        recovered[:, trial] = truth, answer.coefficient, answer.uncertainty
+    return recovered
 
 
 def coefficient_of_frequency(tube: Tube, stiffness_reduction: float, frequency: float) -> float:

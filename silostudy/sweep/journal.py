@@ -36,13 +36,13 @@ def failed(record: bytes) -> bool:
 
 def forget_failed(path: Path) -> int:
     """Takes failed cases out of a journal; how many they were."""
-    kept = [(key, record) for key, record in sound(path)]
-    left = [line(key, json.loads(record)) for key, record in kept if not failed(record)]
-    if len(left) < len(kept):
+    records = [(key, record) for key, record in sound(path)]
+    left = [line(key, json.loads(record)) for key, record in records if not failed(record)]
+    if len(left) < len(records):
         temporary = path.with_suffix(".tmp")
         temporary.write_bytes(b"".join(left))
         temporary.replace(path)
-    return len(kept) - len(left)
+    return len(records) - len(left)
 
 
 class Journal:

@@ -36,17 +36,17 @@ class Records:
         self.keys = np.array([key for _, key, _ in rows], "S20")
         self.part = np.array([number for _, _, number in rows], np.int32)
 
-    def each(self, first: int, last: int) -> Iterator[tuple[int, dict[str, Any]]]:
+    def of_cases(self, first: int, last: int) -> Iterator[tuple[int, dict[str, Any]]]:
         """(place, record) of the cases first ... last - 1, one by one; BadInput in the end where one is missing or damaged."""
         places = {key: k for k, key in enumerate(self.keys[first:last])}
-        found = np.zeros(last - first, bool)
+        there = np.zeros(last - first, bool)
         for number in np.unique(self.part[first:last]):
             for key, record in sound(self.folder / f"{self.parts[number]}{ENDING}"):
                 place = places.get(key.encode())
                 if place is not None:
-                    found[place] = True
+                    there[place] = True
                     yield place, json.loads(record)
-        if missing := int((~found).sum()):
+        if missing := int((~there).sum()):
             raise BadInput("parts", str(self.folder), f"{missing} case(s) have no sound record: run the same command again")
 
     def pattern(self) -> dict[str, tuple[int, ...]]:
@@ -73,12 +73,12 @@ def merge(path: Path, folder: Path, output: Path, memory: float = MEMORY) -> tup
     lost: list[tuple[str, str]] = []
 
     def fill(first: int, last: int) -> dict[str, np.ndarray]:
-        found = {name: _empty(last - first, slab, frame) for name, slab in slabs.items()}
-        for place, record in records.each(first, last):
-            _put(found, place, record)
+        arrays = {name: _empty(last - first, slab, frame) for name, slab in slabs.items()}
+        for place, record in records.of_cases(first, last):
+            _put(arrays, place, record)
             if "error" in record:
                 lost.append((record["case"], record["error"]))
-        return found
+        return arrays
 
     write_slabs(frame, slabs, fill, output, memory=memory)
     _clear(folder, records.parts, parts.stamp)
@@ -93,14 +93,14 @@ def _promise(path: Path, count: int) -> dict[str, str]:
 
 
 def _slabs(pattern: dict[str, tuple[int, ...]], frame: xr.Dataset) -> dict[str, Slab]:
-    found = {"case": Slab(str, (), attributes("case")), "case_error": Slab(str, (), attributes("case_error"))}
-    found["case_outcome"] = Slab("i1", (), flags(variable("case_outcome").long_name, OUTCOMES))
+    slabs = {"case": Slab(str, (), attributes("case")), "case_error": Slab(str, (), attributes("case_error"))}
+    slabs["case_outcome"] = Slab("i1", (), flags(variable("case_outcome").long_name, OUTCOMES))
     for name, shape in pattern.items():
         dims = variable(name).dims[1:]
         if shape != tuple(frame.sizes[dim] for dim in dims):
             raise BadInput(f"shape of {name}", shape, f"must be that of {dims}")
-        found[name] = Slab("f8", dims, attributes(name))
-    return found
+        slabs[name] = Slab("f8", dims, attributes(name))
+    return slabs
 
 
 def _empty(count: int, slab: Slab, frame: xr.Dataset) -> np.ndarray:

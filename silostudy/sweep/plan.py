@@ -62,10 +62,10 @@ def grouped(positions: Sequence[int], costs: Sequence[float], study, cores: int)
     """Neighbouring cases in groups of about equal work: as many as there are cores where each has half a minute or more."""
     whole = sum(costs)
     count = max(1, round(whole / study.part_s), min(cores, int(whole / LEAST)))
-    found: dict[int, list[int]] = {}
+    parts: dict[int, list[int]] = {}
     for position, end, cost in zip(positions, accumulate(costs), costs, strict=True):
-        found.setdefault(int((end - 0.5 * cost) / whole * count), []).append(position)
-    return found.values()
+        parts.setdefault(int((end - 0.5 * cost) / whole * count), []).append(position)
+    return parts.values()
 
 
 LEAST = 30.0  # s of work in a job: its start takes 1 to 2 s
@@ -94,10 +94,10 @@ def sizes(folder: Path) -> Counter[str]:
 
 def rows_of(part: str, folder: Path) -> list[tuple[int, str]]:
     """Positions and keys of a part's cases; BadInput for a part that is not planned."""
-    found = [(int(position), key) for name, position, key in _rows(folder) if name == part]
-    if not found:
+    rows = [(int(position), key) for name, position, key in _rows(folder) if name == part]
+    if not rows:
         raise BadInput("part", part, f"is not in {folder / PLAN}")
-    return found
+    return rows
 
 
 def write_plan(plan: Plan, folder: Path) -> None:

@@ -75,11 +75,11 @@ def _add(file: netCDF4.Dataset, name: str, slab: Slab, dims: tuple[str, ...], ch
 
 def extents(shape: Sequence[int], count: int) -> tuple[int, ...]:
     """How far a piece of at most `count` cases reaches along each axis: whole trailing axes, then a part of the one before."""
-    found: list[int] = []
+    sizes: list[int] = []
     for size in reversed(shape):
-        found.append(max(1, min(size, count)))
+        sizes.append(max(1, min(size, count)))
         count = count // size if count >= size else 1
-    return tuple(reversed(found))
+    return tuple(reversed(sizes))
 
 
 def blocks(shape: Sequence[int], chunk: Sequence[int], count: int) -> Iterator[tuple[int, int, tuple[slice, ...]]]:

@@ -29,6 +29,6 @@ class Clause:
 
 def clauses(method: str | None = None) -> list[Clause]:
     """The clauses of a method's code, or of all."""
-    found = [{name: row[name] for name in TEXT} for row in rows(HERE / "clauses.csv", TEXT)]
-    each = [Clause(**{**row, "names": tuple(row["names"].split())}) for row in found]
-    return [clause for clause in each if method in (None, clause.method)]
+    texts = [{name: row[name] for name in TEXT} for row in rows(HERE / "clauses.csv", TEXT)]
+    every = [Clause(**{**row, "names": tuple(row["names"].split())}) for row in texts]
+    return [clause for clause in every if method in (None, clause.method)]

@@ -27,9 +27,9 @@ class Columns:
 
     def column(self, name: str, place: int) -> np.ndarray:
         """The finite numbers of a column; BadInput names the line of a cell that is none."""
-        return np.array([number(cells[place], name, self.at(row)) for row, cells in enumerate(self.cells)])
+        return np.array([number(cells[place], name, self.place_of(row)) for row, cells in enumerate(self.cells)])
 
-    def at(self, row: int) -> str:
+    def place_of(self, row: int) -> str:
         """Where a row stands, for messages."""
         return f"{self.path} line {self.lines[row]}"
 
@@ -66,7 +66,7 @@ def equal_steps(columns: Columns, place: int = 0) -> tuple[float, float]:
     time = columns.column("time", place)
     if np.abs(time).max() > LONGEST:
         row = int(np.abs(time).argmax())
-        raise BadInput("time", columns.cells[row][place], f"must lie within {LONGEST:g} s", columns.at(row))
+        raise BadInput("time", columns.cells[row][place], f"must lie within {LONGEST:g} s", columns.place_of(row))
     unit = printed_unit([row[place] for row in columns.cells], time)
     steps = np.diff(time)
     usual = float(np.sort(steps)[(len(steps) - 1) // 2])
@@ -75,13 +75,13 @@ def equal_steps(columns: Columns, place: int = 0) -> tuple[float, float]:
     if usual <= 0 or off.any():
         row = int(np.argmax((steps <= 0) | off)) + 1
         told = f"must rise by equal time steps: here by {steps[row - 1]:g} s, mostly by {usual:g} s"
-        raise BadInput("time", columns.cells[row][place], told, columns.at(row))
+        raise BadInput("time", columns.cells[row][place], told, columns.place_of(row))
     step = _simplest(time, rounding)
     stray = np.abs(time - time[0] - step * np.arange(len(time)))
     if (stray > 0.5 * step + rounding).any():
         row = int(np.argmax(stray))
         told = f"must rise by equal time steps: {stray[row]:g} s off a common step of {step:g} s"
-        raise BadInput("time", columns.cells[row][place], told, columns.at(row))
+        raise BadInput("time", columns.cells[row][place], told, columns.place_of(row))
     return float(time[0]), step
 
 

@@ -45,5 +45,5 @@ def table_4_2_5() -> list[Printed]:
 def errata() -> list[Erratum]:
     """The errors of the source, from errata.csv."""
     names = ("erratum", "place", "printed", "right", "method", "phase", "evidence")
-    found = rows(HERE / "errata.csv", text=names)
-    return [Erratum(**{name: row[name] for name in names}, depth=row.get("depth")) for row in found]
+    printed = rows(HERE / "errata.csv", text=names)
+    return [Erratum(**{name: row[name] for name in names}, depth=row.get("depth")) for row in printed]

@@ -8,11 +8,11 @@ SI = {"1": 1.0, "cm": 1e-2, "cm s": 1e-2, "g/cm3": 1e3, "kgf/cm2": 1e4 * STANDAR
 
 def _printed() -> dict[tuple[str, int | None], float]:
     """Values in SI by quantity and packing, None where a row holds for every packing."""
-    found = {}
+    numbers = {}
     for row in rows(HERE / "kiyama_1983.csv", text=("quantity", "value", "unit")):
         across = int(row["across"]) if "across" in row else None
-        found[row["quantity"], across] = number(row["value"], row["quantity"], row["where"]) * SI[row["unit"]]
-    return found
+        numbers[row["quantity"], across] = number(row["value"], row["quantity"], row["where"]) * SI[row["unit"]]
+    return numbers
 
 
 _PRINTED = _printed()

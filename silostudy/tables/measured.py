@@ -78,4 +78,4 @@ def _measured(row: dict) -> Measured:
 
 def measured_pressures() -> list[Measured]:
     """The measured wall pressures of known depth in silos of known size."""
-    return [one for one in measurements() if one.answer == "wall_normal_pressure"]
+    return [measurement for measurement in measurements() if measurement.answer == "wall_normal_pressure"]

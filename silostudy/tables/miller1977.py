@@ -39,8 +39,8 @@ class Sheet:
 
 
 def _sheets() -> dict[str, Sheet]:
-    found = rows(HERE / "miller1977_materials.csv", text=("material", "steel"))
-    return {row["material"]: Sheet(row["yield_stress"], row["youngs_modulus"]) for row in found}
+    sheets = rows(HERE / "miller1977_materials.csv", text=("material", "steel"))
+    return {row["material"]: Sheet(row["yield_stress"], row["youngs_modulus"]) for row in sheets}
 
 
 def _row(raw: dict, sheet: Sheet, **values) -> MillerTest:

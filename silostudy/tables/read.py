@@ -22,19 +22,19 @@ def rows(path: Path, text: Iterable[str] = (), units: Mapping[str, str] | None =
     Raises BadInput (file, line, column) for a cell that is no number, a missing file, or a row without source or locator.
     """
     lines = text_of(path).splitlines()
-    kept = [(number, line) for number, line in enumerate(lines, 1) if line.strip() and not line.startswith("#")]
-    if not kept:
+    numbered = [(number, line) for number, line in enumerate(lines, 1) if line.strip() and not line.startswith("#")]
+    if not numbered:
         raise BadInput("file", str(path), "must be a CSV table: it holds not even a header")
-    (first, header), *rest = kept
+    (first, header), *rest = numbered
     text, where = TEXT | set(text), f"{path.name} line {first}"
     head = _cells(header, where)
     _check_head(head, text, units or {}, where)
-    found = []
+    table = []
     for line_number, line in rest:
         where = f"{path.name} line {line_number}"
         raw = _row(head, _cells(line, where), where)
-        found.append({**_converted(raw, text, where), "where": where})
-    return found
+        table.append({**_converted(raw, text, where), "where": where})
+    return table
 
 
 def _cells(line: str, where: str) -> list[str]:

@@ -62,7 +62,7 @@ def beside(file: Path) -> Path:
 def own_files(folder: Path, *names: str | None) -> tuple[Path, ...]:
     """The named files of a folder, each with the references beside it where there are any."""
     files = [folder / name for name in names if name]
-    return tuple(one for file in files for one in (file, beside(file)) if one is file or one.is_file())
+    return tuple(path for file in files for path in (file, beside(file)) if path is file or path.is_file())
 
 
 def own_references(file: Path) -> str:

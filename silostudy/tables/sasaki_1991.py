@@ -31,8 +31,8 @@ class PrintedTest:
 
 def printed_tests() -> dict[str, PrintedTest]:
     """The source's tests by name."""
-    found = rows(HERE / "sasaki_1991.csv", text=("test",))
-    return {raw["test"]: PrintedTest(**{name: value for name, value in raw.items() if name != "where"}) for raw in found}
+    tests = rows(HERE / "sasaki_1991.csv", text=("test",))
+    return {raw["test"]: PrintedTest(**{name: value for name, value in raw.items() if name != "where"}) for raw in tests}
 
 
 def printed_at(peak_acceleration: float) -> PrintedTest | None:

@@ -74,13 +74,13 @@ def check_property(name: str, value: float, where: str) -> None:
 
 def read_solids(path: Path, taken: Iterable[str] = ()) -> Family[SolidRow]:
     """Solids of a CSV file; BadInput, with file and line, for a key taken twice or a value out of range."""
-    found: dict[str, SolidRow] = {}
+    solids: dict[str, SolidRow] = {}
     for raw in rows(path, ("solid", "grain"), UNITS):
         where, row = raw["where"], _solid(raw)
-        if row.key in found or row.key in taken:
+        if row.key in solids or row.key in taken:
             raise BadInput("solid", row.key, "this key is already taken by another row", where)
-        found[row.key] = row
-    return Family("solid", found.values())
+        solids[row.key] = row
+    return Family("solid", solids.values())
 
 
 def _solid(raw: dict) -> SolidRow:
@@ -124,7 +124,7 @@ def known_columns() -> list[str]:
 
 def _own_fields() -> list[str]:
     """Fields of a row that a column of its table fills."""
-    return [one.name for one in fields(SolidRow) if one.name not in ("key", "by_method", "as_printed")]
+    return [field.name for field in fields(SolidRow) if field.name not in ("key", "by_method", "as_printed")]
 
 
 def _with_method_values(family: Family[SolidRow], path: Path) -> Family[SolidRow]:
@@ -134,8 +134,8 @@ def _with_method_values(family: Family[SolidRow], path: Path) -> Family[SolidRow
                 name, value = _own_value(raw["parameter"], number(raw[column], column, raw["where"]))
                 check_property(name, value, raw["where"])
                 solid = family[raw["solid"]]
-                kept = solid.by_method if column == "value" else solid.as_printed
-                kept.setdefault(raw["method"], {})[name] = value
+                values = solid.by_method if column == "value" else solid.as_printed
+                values.setdefault(raw["method"], {})[name] = value
     return family
 
 

@@ -81,10 +81,10 @@ def test_the_patch_sums_to_its_resultant(eccentric, phase):
     assert float(one["load_overturning_moment"]) == pytest.approx(np.pi / 2 * s * d * p * (24 - z), rel=1e-9)
     patch, plain = load_case(cube, f"{phase}_patch", "wall_normal"), load_case(cube, phase, "wall_normal")
     for theta in (0.0, 1.0, np.pi):
-        inside, without = patch.at(z, theta)[0], plain.at(z, theta)[0]
+        inside, without = patch.stress(z, theta)[0], plain.stress(z, theta)[0]
         assert inside - without == pytest.approx(p * np.cos(theta), rel=1e-9)
     for edge, side in ((z - s / 2, -1), (z + s / 2, 1)):
-        step = [patch.at(edge + way * 1e-9, 0.0)[0] - plain.at(edge + way * 1e-9, 0.0)[0] for way in (side, -side)]
+        step = [patch.stress(edge + way * 1e-9, 0.0)[0] - plain.stress(edge + way * 1e-9, 0.0)[0] for way in (side, -side)]
         assert step == [0.0, pytest.approx(p, rel=1e-9)]
 
 
@@ -98,7 +98,7 @@ def test_the_band_of_a_square_silo_has_no_net_force():
     load, plain = (load_case(cube, key, "wall_normal") for key in ("discharge_patch", "discharge"))
     band = float(pressure["band_pressure"].sel(pressure_method="en1991_4", phase="discharge"))
     for theta in (0.0, 2.0):
-        assert load.at(12.0, theta)[0] - plain.at(12.0, theta)[0] == pytest.approx(band, rel=1e-9)
+        assert load.stress(12.0, theta)[0] - plain.stress(12.0, theta)[0] == pytest.approx(band, rel=1e-9)
     assert float(cube.sel(load_case="filling", value_set="wall_friction")["load_imbalance"]) == pytest.approx(0, abs=1e-4)
 
 
@@ -113,12 +113,12 @@ def test_a_channels_mean_is_the_static_pressure_and_its_edges_are_steps(eccentri
     assert float(one["load_overturning_moment"]) == pytest.approx(-float(code["channel_moment"]), rel=1e-4)
     for z in (3.0, 17.0):
         shares = [(piece.angle_to - piece.angle_from) / np.pi for piece in load.pieces]
-        zones = [float(load.at(z, (piece.angle_from + piece.angle_to) / 2)[0]) for piece in load.pieces]
-        assert np.dot(shares, zones) == pytest.approx(float(still.at(z, 0.0)[0]), rel=1e-12)
+        zones = [float(load.stress(z, (piece.angle_from + piece.angle_to) / 2)[0]) for piece in load.pieces]
+        assert np.dot(shares, zones) == pytest.approx(float(still.stress(z, 0.0)[0]), rel=1e-12)
     edge = float(code["channel_half_width"])
     foot = code.isel(relative_depth=-1)
     for angle, names in ((edge, ("channel", "adjacent")), (2 * edge, ("adjacent", "static"))):
-        sides = [float(load.at(24.0, angle + way * 1e-9)[0]) for way in (-1, 1)]
+        sides = [float(load.stress(24.0, angle + way * 1e-9)[0]) for way in (-1, 1)]
         assert sides == [pytest.approx(float(foot[f"{name}_normal_pressure"]), rel=1e-9) for name in names]
     assert float(one["load_imbalance"]) == pytest.approx(0, abs=1e-4)
 
@@ -129,25 +129,29 @@ def test_the_field_is_the_methods_own_and_goes_round(hopper):
         load = load_case(cube, phase, "wall_normal")
         one = pressure.sel(pressure_method="en1991_4", phase=phase)
         z = one["depth"].values[::12]  # at levels of the load
-        np.testing.assert_allclose(load.at(z, 0.3)[0], one["wall_normal_pressure"].values[::12], rtol=2e-3)
-        np.testing.assert_allclose(load.at(18.0, 0.3)[0], one["wall_normal_pressure"].values[-1], rtol=1e-12)
+        np.testing.assert_allclose(load.stress(z, 0.3)[0], one["wall_normal_pressure"].values[::12], rtol=2e-3)
+        np.testing.assert_allclose(load.stress(18.0, 0.3)[0], one["wall_normal_pressure"].values[-1], rtol=1e-12)
         friction = load_case(cube, phase, "wall_friction")
-        np.testing.assert_allclose(friction.at(18.0, 0.3)[1], one["wall_friction_traction"].values[-1], rtol=1e-12)
-        below = load.at(18.0 + 1e-12, 0.3)
+        np.testing.assert_allclose(friction.stress(18.0, 0.3)[1], one["wall_friction_traction"].values[-1], rtol=1e-12)
+        below = load.stress(18.0 + 1e-12, 0.3)
         names = ("hopper_normal_pressure", "hopper_friction_traction")
         np.testing.assert_allclose(below, [float(one[name][0]) for name in names], rtol=1e-9)
     load = load_case(cube, "discharge_patch", "wall_normal")
     z = float(pressure["patch_depth"].max())
     for theta in (0.4, 2.5):
-        assert load.at(z, theta)[0] == load.at(z, -theta)[0] == pytest.approx(load.at(z, theta + 2 * np.pi)[0], rel=1e-12)
-    assert load.at(-1.0, 0.0) == (0.0, 0.0) == load.at(40.0, 0.0)
+        assert (
+            load.stress(z, theta)[0]
+            == load.stress(z, -theta)[0]
+            == pytest.approx(load.stress(z, theta + 2 * np.pi)[0], rel=1e-12)
+        )
+    assert load.stress(-1.0, 0.0) == (0.0, 0.0) == load.stress(40.0, 0.0)
 
 
 def test_nothing_presses_above_the_contact_of_a_heap():
     cube = cube_of("steel-wheat-squat", top_cone_height_m=3.0)
     load = load_case(cube, "filling", "wall_normal")
-    assert load.at(0.999, 0.0) == (0.0, 0.0)
-    assert load.at(1.2, 0.0)[0] > 0
+    assert load.stress(0.999, 0.0) == (0.0, 0.0)
+    assert load.stress(1.2, 0.0)[0] > 0
 
 
 def test_a_written_cube_gives_the_same_load(eccentric, tmp_path):
@@ -155,7 +159,7 @@ def test_a_written_cube_gives_the_same_load(eccentric, tmp_path):
     write(cube, tmp_path / "loads.nc")
     again = load_case(tmp_path / "loads.nc", "channel_40", "wall_normal")
     z, theta = np.meshgrid(np.linspace(0, 24, 33), np.linspace(0, 2 * np.pi, 41))
-    np.testing.assert_array_equal(again.at(z, theta), load_case(cube, "channel_40", "wall_normal").at(z, theta))
+    np.testing.assert_array_equal(again.stress(z, theta), load_case(cube, "channel_40", "wall_normal").stress(z, theta))
     assert read(tmp_path / "loads.nc")["load_case_reason"].sel(load_case="hopper_filling") == "flat bottom"
     with pytest.raises(BadInput, match="known: filling, filling_patch"):
         load_case(cube, "hopper_filling", "wall_normal")

@@ -9,17 +9,18 @@ import numpy as np
 import pandas as pd
 from matplotlib.axes import Axes
 from matplotlib.category import StrCategoryFormatter
-from matplotlib.collections import LineCollection, PolyCollection, QuadMesh
-from matplotlib.colors import BoundaryNorm
+from matplotlib.collections import LineCollection, PathCollection, PolyCollection, QuadMesh
+from matplotlib.colors import BoundaryNorm, to_hex, to_rgb
 from matplotlib.container import BarContainer, ErrorbarContainer
 from matplotlib.contour import ContourSet
 from matplotlib.figure import Figure
 from matplotlib.image import AxesImage
+from matplotlib.lines import Line2D
 from matplotlib.text import Text
 from matplotlib.ticker import FuncFormatter
 from matplotlib.transforms import Bbox
 
-from silostudy.figures.style import AID
+from silostudy.figures.style import AID, NAMED
 from silostudy.tables.constants import STANDARD_GRAVITY
 
 PRINTED = 1e-6  # relative: a CSV has seven significant digits
@@ -251,7 +252,63 @@ def bare(figure: Figure) -> Iterator[str]:
             yield f"nothing on {axes.get_title()!r}"
 
 
+# ---- look ----
+def colour_alone(figure: Figure) -> Iterator[str]:
+    """Curves, points and bars of one axes that nothing but their colour tells apart.
+
+    Greys are background, and a curve with its name at its end (style.NAMED) needs no look of its own.  Bands are not asked:
+    they lie round curves.
+    """
+    for axes in panels(figure):
+        first: dict = {}
+        for what, colour, shape in _looks(axes):
+            other, its = first.setdefault(shape, (what, colour))
+            if its != colour:
+                yield f"{what} and {other} of {axes.get_title()!r} differ by colour alone"
+
+
+def _looks(axes: Axes) -> Iterator[tuple[str, str, tuple]]:
+    """(what, colour, all else of its look) of every curve, cloud of points and set of bars that is no background."""
+    for line in axes.lines:
+        if _shows(line, axes) and line.get_gid() != NAMED and line not in _caps(axes) and not _is_grey(line.get_color()):
+            hollow = is_hollow(line)
+            yield (
+                f"line {line.get_label()!r}",
+                to_hex(line.get_color()),
+                (str(line._dash_pattern), str(line.get_marker()), hollow),
+            )
+    for points in axes.collections:
+        if isinstance(points, PathCollection) and points.get_array() is None and points.get_gid() != AID:
+            face, edge = points.get_facecolor(), points.get_edgecolor()
+            colours = {to_hex(colour) for colour in (face if len(face) else edge)}
+            if len(colours) == 1 and not _is_grey(next(iter(colours))):
+                shape = points.get_paths()[0].vertices.tobytes()
+                yield f"points {points.get_label()!r}", next(iter(colours)), (shape, len(face) > 0)
+    for bars in (bars for bars in axes.containers if isinstance(bars, BarContainer)):
+        colours = {to_hex(bar.get_facecolor()) for bar in bars}
+        if len(colours) == 1 and not _is_grey(next(iter(colours))):
+            yield f"bars {bars.get_label()!r}", next(iter(colours)), ("bars", bars[0].get_hatch() or "")
+
+
+def is_hollow(line: Line2D) -> bool:
+    """Whether a line's markers are not filled with its colour."""
+    return to_hex(line.get_markerfacecolor(), keep_alpha=True) != to_hex(line.get_color(), keep_alpha=True)
+
+
+def _is_grey(colour: Any) -> bool:
+    red, green, blue = to_rgb(colour)
+    return red == green == blue != 0.0
+
+
 # ---- words ----
+def told(figure: Figure) -> str:
+    """All words of a figure's headline, of its legends and of what stands over them, in a row."""
+    texts = [figure.get_suptitle()]
+    for legend in figure.legends:
+        texts += [legend.get_title().get_text(), *(text.get_text() for text in legend.get_texts())]
+    return " ".join(" ".join(texts).split())
+
+
 def outside(words: list[tuple[str, Bbox]], figure: Figure) -> Iterator[str]:
     """Words that the canvas cuts."""
     canvas = figure.bbox.padded(1.0)

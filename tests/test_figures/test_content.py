@@ -17,11 +17,13 @@ from matplotlib.text import Text
 from matplotlib.transforms import Bbox
 
 from silostudy.cube.silence import silences
+from silostudy.figures.style import DPI
 from silostudy.tables.outputs import ENDINGS, OUTPUTS
 from tests.test_figures import content
 from tests.test_figures.small_cubes import cubes_of
 
-LEAST_TEXT = 6.0  # points
+LEAST_TEXT = 12.0  # px, where
+PAGE = 1000.0  # px: as wide as the report shows a picture in a window of 1366 px; a narrower one at its own size
 
 
 class Drawn:
@@ -59,11 +61,19 @@ class Drawn:
             return [] if self.table is None or len(self.table) else ["the table is empty"]  # a note is read in tests/test_note
         found = [*content.unlabelled(self.figure, {id(text) for text, _ in self.texts}), *content.rising_depths(self.figure)]
         found += [*content.bare(self.figure), *content.outside(self.words, self.figure), *content.overlapping(self.texts)]
-        small = {text.get_text() for text, _ in self.texts if text.get_fontsize() < LEAST_TEXT}
-        found += [f"{text!r} is small" for text in small]
         if self.table is not None:
             found += [*content.lost(self.figure, self.table, self.units)] if len(self.table) else ["the CSV is empty"]
         return found
+
+    def faults_of_look(self) -> list[str]:
+        """What a reader of the report, perhaps colour-blind or with a print in black and white, stumbles over."""
+        if self.figure is None:
+            return []
+        px = min(PAGE / self.figure.get_figwidth(), DPI) / 72
+        small = {text.get_text() for text, _ in self.texts if text.get_fontsize() * px < LEAST_TEXT}
+        found = [f"{text!r} is small" for text in small]
+        found += [] if self.figure.get_suptitle().strip() else ["no title"]
+        return [*found, *content.colour_alone(self.figure)]
 
 
 def drawn(key: str, cubes: list[xr.Dataset], folder: Path, monkeypatch: pytest.MonkeyPatch) -> Drawn:
@@ -79,12 +89,69 @@ def drawn(key: str, cubes: list[xr.Dataset], folder: Path, monkeypatch: pytest.M
     return Drawn(kept[0] if kept else None, table, cubes)
 
 
+# not yet redrawn in the style of figures/style.py
+OLD_LOOK = {
+    "accuracy_earthquake",
+    "accuracy_formulas",
+    "accuracy_grains",
+    "accuracy_shells",
+    "accuracy_summary",
+    "bin_fields",
+    "bin_motion",
+    "bin_pressures",
+    "buckling_stress_map",
+    "checks_over_depth",
+    "effect_prices",
+    "governing_cases",
+    "governing_load_case",
+    "grains_beside_codes",
+    "grains_effective_mass",
+    "jenike_charts",
+    "kiyama_fig_10",
+    "kiyama_fig_6",
+    "kiyama_fig_7",
+    "kiyama_fig_8_9",
+    "knockdown_over_slenderness",
+    "laboratory_tests",
+    "measured_brackets",
+    "miller_fig_2_3",
+    "miller_fig_4_5",
+    "miller_fig_6_7",
+    "outflow_over_outlet",
+    "packing_against_codes",
+    "packing_arching",
+    "packing_motion",
+    "packing_sampling",
+    "packing_slit",
+    "peaks_over_area",
+    "profile_over_step",
+    "required_thickness",
+    "ring_area_map",
+    "seismic_demand",
+    "seismic_histories",
+    "seismic_indices",
+    "seismic_recovery",
+    "seismic_resonance",
+    "seismic_spectra",
+    "shell_earthquake",
+    "shell_over_depth",
+    "silo_of_discs",
+    "silo_pressures",
+    "sobol_indices",
+    "stability_map",
+    "strength_over_pressure",
+    "switch_in_hopper",
+    "test_over_prediction",
+    "wall_loads",
+}
 COSTLY = ("silo_of_discs", "accuracy_grains", "grains_effective_mass", "stability_map")  # cubes of kernels
 
 
 @pytest.mark.parametrize("key", [pytest.param(key, marks=pytest.mark.long if key in COSTLY else ()) for key in OUTPUTS])
 def test_output_shows_what_its_table_holds(key, tmp_path, monkeypatch):
-    assert drawn(key, cubes_of(key), tmp_path, monkeypatch).faults() == []
+    output = drawn(key, cubes_of(key), tmp_path, monkeypatch)
+    assert output.faults() == []
+    assert key in OLD_LOOK or output.faults_of_look() == []
     plt.close("all")
 
 
@@ -129,6 +196,12 @@ def _empty(output):
         line.remove()
 
 
+def _same_line(output):
+    first, second = (output.figure.axes[0].lines[number] for number in (0, 2))
+    second.set(linestyle=first.get_linestyle(), marker=first.get_marker(), markerfacecolor=second.get_color())
+    first.set(markerfacecolor=first.get_color())
+
+
 MUTATIONS = {
     "columns swapped": (_swap, "is in the CSV"),
     "unit removed": (lambda output: output.figure.axes[0].set_xlabel("wall normal pressure"), "no unit"),
@@ -138,8 +211,10 @@ MUTATIONS = {
     "curve dropped": (_drop, "is in the CSV"),
     "no rows": (lambda output: setattr(output, "table", output.table[:0]), "the CSV is empty"),
     "label too long": (_overflow, "leaves the canvas"),
+    "no title": (lambda output: output.figure.suptitle(""), "no title"),
+    "told by colour alone": (_same_line, "differ by colour alone"),
     "word over word": (lambda output: output.figure.text(0.5, 0.985, "a second title", ha="center", va="top"), "lies over"),
-    "small print": (lambda output: output.figure.axes[0].xaxis.label.set_size(4), "is small"),
+    "small print": (lambda output: output.figure.axes[0].xaxis.label.set_size(8), "is small"),
     "empty axes": (_empty, "nothing on"),
 }
 
@@ -150,5 +225,5 @@ def test_a_wrong_figure_is_noticed(mutation, tmp_path, monkeypatch):
     change, told = MUTATIONS[mutation]
     change(output)
     output.look()
-    assert any(told in fault for fault in output.faults())
+    assert any(told in fault for fault in (*output.faults(), *output.faults_of_look()))
     plt.close("all")

@@ -9,6 +9,7 @@ from silostudy.figures import fig_4_2_11, governing_method, overpressure_over_sl
 from silostudy.tables.handbook import TONNE_PER_M2
 from silostudy.tables.outputs import OUTPUTS
 from tests.conftest import expanded
+from tests.test_figures.content import told
 
 
 @pytest.fixture
@@ -90,7 +91,7 @@ def test_governing_method(family, tmp_path, kept):
     panels = kept[0].axes
     assert [panel.get_title() for panel in panels[:2]] == ["wheat", "cement"]
     assert panels[0].yaxis_inverted()
-    assert "the same for all diameters" in kept[0].get_suptitle()
+    assert "the same for all diameters" in told(kept[0])
     numbers = pd.read_csv(tmp_path / "governing.csv")
     for row in numbers.itertuples():
         level = int(np.abs(family["relative_depth"].values - row.relative_depth).argmin())

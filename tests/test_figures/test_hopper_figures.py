@@ -23,6 +23,7 @@ from silostudy.figures.steps import jumps, over_depth
 from silostudy.tables.measured import measured_pressures
 from silostudy.tables.outputs import OUTPUTS
 from tests.conftest import ROOT, expanded
+from tests.test_figures.content import told
 
 MODULES = (
     comparison_today,
@@ -130,8 +131,8 @@ def test_comparison_shows_the_sampled_scatter(hopper_bin, tmp_path, kept):
     assert (row.p05_kPa, row.p95_kPa) == pytest.approx((quantiles[0].max(), quantiles[2].max()))
     bar = kept[1].axes[-1].collections[int(row["rank"])].get_segments()[0]
     assert bar[:, 0] == pytest.approx([row.p05_kPa, row.p95_kPa])
-    assert "5 % to 95 %" in kept[1].get_suptitle()
-    assert "5 % to 95 %" not in kept[0].get_suptitle()
+    assert "5 % to 95 %" in told(kept[1])
+    assert "5 % to 95 %" not in told(kept[0])
 
 
 def test_the_comparison_s_title_says_its_message(wheat, tmp_path, kept):

@@ -18,6 +18,7 @@ from silostudy.figures import (
     silo_pressures,
 )
 from tests.conftest import ROOT
+from tests.test_figures.content import told
 from tests.test_figures.small_cubes import cube_of, cubes_of
 
 HOOP = "hoop_stress_at_yield"
@@ -28,14 +29,6 @@ def without_pixels(monkeypatch):
     monkeypatch.setattr(Figure, "savefig", lambda figure, path, **options: Path(path).touch())
     yield
     plt.close("all")
-
-
-def legend(figure):
-    return " ".join(" ".join(text.get_text() for text in figure.legends[0].get_texts()).split())
-
-
-def head(figure):
-    return " ".join(figure.get_suptitle().split())
 
 
 def masked(cube, name, where):
@@ -50,17 +43,17 @@ def test_knock_down_curves_that_end_name_their_limit(tmp_path, kept):
     (cube,) = cubes_of("knockdown_over_slenderness")
     np.testing.assert_array_equal(cube["rule_limit_broken"] > 0, cube["buckling_stress_scope"] > 0)
     knockdown_over_slenderness.draw(cube, tmp_path / "knock")
-    told = legend(kept[0])
-    assert "NASA SP-8007; ends: R/t < 1500 (range of the tests)" in told
-    assert "Miller (1977); ends: C of a long shell > 0 (manufactured shells: R/t up to 2329)" in told
+    words = told(kept[0])
+    assert "NASA SP-8007; ends: R/t < 1500 (range of the tests)" in words
+    assert "Miller (1977); ends: C of a long shell > 0 (manufactured shells: R/t up to 2329)" in words
 
 
 def test_lone_points_of_the_overpressure_are_explained(tmp_path, kept):
     overpressure_over_slenderness.draw(cubes_of("overpressure_over_slenderness")[0], tmp_path / "over")
-    told = legend(kept[0])
-    assert "ACI 313-77, discharge: gives nothing in 1464 of 1584 cases: solid property missing; out of its range" in told
-    assert "aci313" not in told
-    assert "jenike_funnel" not in told
+    words = told(kept[0])
+    assert "ACI 313-77, discharge: gives nothing in 1464 of 1584 cases: solid property missing; out of its range" in words
+    assert "aci313" not in words
+    assert "jenike_funnel" not in words
     table = pd.read_csv(tmp_path / "over.csv")
     assert kept[0].axes[1].get_ylim()[1] > table["max"].max()  # no band is cut
 
@@ -70,7 +63,7 @@ def test_thickness_of_a_wall_not_judged_is_not_shown(tmp_path, kept):
     where = {"rule": "nasa_sp8007", "pressure_method": "janssen", "diameter": 10.0, "slenderness": 2.0, "relative_depth": 1.0}
     required_thickness.draw(masked(cube, "required_thickness", where), tmp_path / "needed")
     assert kept[0].axes[0].texts[cube.sizes["pressure_method"]].get_text() == "-"
-    assert "required thickness masked (hoop stress at yield) at NASA SP-8007 2 of 3600 depths" in head(kept[0])
+    assert "required thickness masked (hoop stress at yield) at NASA SP-8007 2 of 3600 depths" in told(kept[0])
 
 
 def test_shaken_wall_says_where_it_is_not_judged(tmp_path, kept):
@@ -78,7 +71,7 @@ def test_shaken_wall_says_where_it_is_not_judged(tmp_path, kept):
     (cube,) = cubes_of("shell_earthquake")
     cube = masked(cube, "earthquake_utilisation", where)
     shell_earthquake.draw(masked(cube, "earthquake_required_thickness", where), tmp_path / "shaken")
-    assert "earthquake required thickness masked (hoop stress at yield) at Miller (1977) 1 of 322 depths" in head(kept[0])
+    assert "earthquake required thickness masked (hoop stress at yield) at Miller (1977) 1 of 322 depths" in told(kept[0])
     full = kept[0].axes[2].lines[1].get_xdata()  # Miller's, whose pressed side is masked at the foot: not the lifted one's
     assert np.isnan(full[-1])
     assert np.isfinite(full[:-1]).all()
@@ -113,5 +106,5 @@ def test_pressures_of_several_sets_are_no_single_state(tmp_path, kept):
     silo_pressures.draw(cube, tmp_path / "silo")
     starred = {panel.get_title().split(":2006")[0] for panel in kept[0].axes if "*" in panel.get_title()}
     assert starred == {"EN 1991-4"}
-    assert "each by their own set of characteristic values" in head(kept[0])
+    assert "each by their own set of characteristic values" in told(kept[0])
     assert not silo_pressures.of_sets(cube_of("wheat-silo-today", "pressure"), "en1991_4_mean")

@@ -113,7 +113,7 @@ def test_modes_are_orthogonal_in_what_they_carry():
 
 def test_static_limit_of_base_forces():
     """A base that accelerates evenly: shear = mass x acceleration, moment = mass x acceleration x half the height."""
-    found = modes(MODEL, 0.7, 0.03, at=np.array([0.0]))
+    found = modes(MODEL, 0.7, 0.03, heights=np.array([0.0]))
     deflections = found.participation / (2 * np.pi * found.frequency) ** 2
     size = {"radius": MODEL.radius, "thickness": MODEL.thickness}
     mass = MODEL.height * (2350 * section_area(**size) + 0.7 * 790 * contents_area(**size))

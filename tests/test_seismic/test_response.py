@@ -89,7 +89,7 @@ def test_steady_sine_comes_to_the_transfer_function():
 
 def test_transfer_at_the_ends():
     """A slow base carries the top along; at resonance one mode and its share decide; the base moves as the base."""
-    shapes = modes(MODEL, 0.7, 0.026, at=np.array([0.0, MODEL.height]))
+    shapes = modes(MODEL, 0.7, 0.026, heights=np.array([0.0, MODEL.height]))
     assert transfer([1e-3], shapes, 0.02)[0] == pytest.approx([1, 1], rel=1e-6)
     assert abs(transfer([20.0], shapes, 0.02)[0, 0]) == pytest.approx(1, rel=1e-9)
     share = float((shapes.displacement * shapes.participation)[1, 0])
@@ -102,7 +102,7 @@ def test_base_shear_is_what_the_masses_ask_for():
     base, dt = np.convolve(random.standard_normal(400), np.ones(20) / 20, mode="same"), 0.005
     points, weights = np.polynomial.legendre.leggauss(40)
     height = MODEL.height * (points + 1) / 2
-    shapes = modes(MODEL, 0.0, 0.026, at=np.append(height, 0.0))
+    shapes = modes(MODEL, 0.0, 0.026, heights=np.append(height, 0.0))
     shear, moment = internal_forces(base, dt, shapes, 0.0)
     inertia = absolute_acceleration(base, dt, shapes, 0.0)[:-1]
     per_length = MODEL.wall_density * 2 * np.pi * MODEL.radius * MODEL.thickness

@@ -27,7 +27,7 @@ def prepare(ladder: str, setting: float):
     every = STEPS // LOOKED
 
     def run():
-        ends = modes(TUBE, 0.0, at=np.array([0.0, TUBE.height]))
+        ends = modes(TUBE, 0.0, heights=np.array([0.0, TUBE.height]))
         some = first(ends, int(setting))
         shear, moment = internal_forces(base, dt, some, 0.0)
         top = absolute_acceleration(base, dt, some, 0.0)[1]

@@ -31,13 +31,13 @@ class Face:
 
 def faces(surfaces, roof: str) -> list[Face]:
     """Faces of surfaces in the order of their cells; roof: name of the one that the solid is below."""
-    found = []
+    listed = []
     for number, surface in enumerate(surfaces):
         normal, along = uprightness(surface, surface.name == roof)
         for back in range(surface.faces):
             name, lean = f"{surface.name}_back" if back else surface.name, (-normal if back else normal, along)
-            found.append(Face(name, number, int(np.prod(surface.cells)), lean))
-    return found
+            listed.append(Face(name, number, int(np.prod(surface.cells)), lean))
+    return listed
 
 
 @singledispatch
@@ -129,11 +129,11 @@ def _(surface: TurnedLine) -> list[np.ndarray]:
 
 @cuts.register
 def _(surface: FlatPiece) -> list[np.ndarray]:
-    found = []
+    crossings = []
     for a, b in (np.array(side) for side in surface.sides):
         if (a[1] < 0.0) != (b[1] < 0.0):
-            found.append((a + a[1] / (a[1] - b[1]) * (b - a))[[0, 2]])
-    return [np.array(found)] if found else []
+            crossings.append((a + a[1] / (a[1] - b[1]) * (b - a))[[0, 2]])
+    return [np.array(crossings)] if crossings else []
 
 
 def _parts(count: int) -> np.ndarray:
@@ -153,24 +153,24 @@ def _plane(surface: FlatPiece | LevelPiece) -> tuple[np.ndarray, np.ndarray, np.
 def _in_cells(corners: np.ndarray, high: float, wide: float, cells: tuple[int, int]) -> np.ndarray:
     """Area (m2) of a polygon (n, 2; m) in each of the equal cells of the rectangle of these sides that it stands in."""
     along, around = (np.linspace(0.0, side, count + 1) for side, count in zip((high, wide), cells, strict=True))
-    found = []
+    areas = []
     for low, top in pairwise(along):
         strip = _clipped(_clipped(corners, 0, low, 1.0), 0, top, -1.0)
-        found += [_area(_clipped(_clipped(strip, 1, left, 1.0), 1, right, -1.0)) for left, right in pairwise(around)]
-    return np.array(found)
+        areas += [_area(_clipped(_clipped(strip, 1, left, 1.0), 1, right, -1.0)) for left, right in pairwise(around)]
+    return np.array(areas)
 
 
-def _clipped(corners: np.ndarray, way: int, at: float, sign: float) -> np.ndarray:
+def _clipped(corners: np.ndarray, way: int, line: float, sign: float) -> np.ndarray:
     """What of a polygon lies beyond a line across one of its coordinates: sign 1 above it, -1 below it."""
-    kept = []
-    inside = sign * (corners[:, way] - at) if len(corners) else corners
+    clipped = []
+    inside = sign * (corners[:, way] - line) if len(corners) else corners
     for k in range(len(corners)):
         here, then = inside[k - 1], inside[k]
         if (here < 0.0) != (then < 0.0):
-            kept.append(corners[k - 1] + here / (here - then) * (corners[k] - corners[k - 1]))
+            clipped.append(corners[k - 1] + here / (here - then) * (corners[k] - corners[k - 1]))
         if then >= 0.0:
-            kept.append(corners[k])
-    return np.array(kept).reshape(-1, 2)
+            clipped.append(corners[k])
+    return np.array(clipped).reshape(-1, 2)
 
 
 def _area(corners: np.ndarray) -> float:

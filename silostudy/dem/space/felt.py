@@ -152,7 +152,7 @@ def note_walls(rows, walls, near, start, count, force, record, part):
     its torque about the axis on the wall.
     """
     for k in range(count):
-        i, q, at = near.first[start + k], near.second[start + k], start + k
+        i, q, slot = near.first[start + k], near.second[start + k], start + k
         x, y, z = rows[i, X], rows[i, Y], rows[i, Z]
         dx, dy, dz, _ = nearest(walls.shape, q, x, y, z)
         distance = sqrt(dx * dx + dy * dy + dz * dz)
@@ -174,13 +174,13 @@ def note_walls(rows, walls, near, start, count, force, record, part):
             force[0, (FORCE_X + 2) * STRETCH + k],
         )
         cx, cy, cz = my * uz - mz * uy, mz * ux - mx * uz, mx * uy - my * ux
-        record.force[part, at, 0] = fx * mx + fy * my + fz * mz
-        record.force[part, at, 1] = fx * ux + fy * uy + fz * uz
-        record.force[part, at, 2] = fx * cx + fy * cy + fz * cz
+        record.force[part, slot, 0] = fx * mx + fy * my + fz * mz
+        record.force[part, slot, 1] = fx * ux + fy * uy + fz * uz
+        record.force[part, slot, 2] = fx * cx + fy * cy + fz * cz
         if record.force.shape[2] > TORQUE:
-            lever = near.arm[at if near.arm.size > 1 else 0]
+            lever = near.arm[slot if near.arm.size > 1 else 0]
             spin = force[0, (FIRST_X + 2) * STRETCH + k] - lever * (fx * ny - fy * nx)
-            record.force[part, at, TORQUE] = py * fx - px * fy - spin
+            record.force[part, slot, TORQUE] = py * fx - px * fy - spin
         along, around = walls.cells[q, 1], walls.cells[q, 2]
         first = walls.cells[q, 0] + (walls.cells[q, 3] if sign < 0.0 else 0)
-        record.cell[part, at] = first + cell_of_share(share, along) * around + cell_of_share(turn, around)
+        record.cell[part, slot] = first + cell_of_share(share, along) * around + cell_of_share(turn, around)

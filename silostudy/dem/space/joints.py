@@ -32,7 +32,7 @@ ENDS = ((START_END, START_WAY), (END_END, END_WAY))
 class Joint(NamedTuple):
     """Where two surfaces meet: their numbers, and the numbers of their sides or ends."""
 
-    one: int
+    surface: int
     other: int
     side: int
     others: int
@@ -41,39 +41,39 @@ class Joint(NamedTuple):
 def join(shape: np.ndarray, surfaces) -> None:
     """Write into the rows of surfaces what their sides and ends are that meet."""
     for joint in flat_joints(surfaces):
-        one, other, side, others = joint
+        surface, other, side, others = joint
         of, to = (MORE + PER_SIDE * k for k in (side, others))
         if level(surfaces, joint):
-            shape[one, of + SIDE] = shape[other, to + SIDE] = 0.0
-        elif shape[one, of + SIDE] != JOINED and shape[other, to + SIDE] != JOINED:
-            shape[one, of + SIDE], shape[other, to + SIDE] = MEETS, JOINED
-            shape[one, of + SIDE_WAY : of + SIDE_WAY + 3] = inward(surfaces[other], others)
-    for one, other, end, others in turned_joints(surfaces):
+            shape[surface, of + SIDE] = shape[other, to + SIDE] = 0.0
+        elif shape[surface, of + SIDE] != JOINED and shape[other, to + SIDE] != JOINED:
+            shape[surface, of + SIDE], shape[other, to + SIDE] = MEETS, JOINED
+            shape[surface, of + SIDE_WAY : of + SIDE_WAY + 3] = inward(surfaces[other], others)
+    for surface, other, end, others in turned_joints(surfaces):
         (kind, way), (same, _) = ENDS[end], ENDS[others]
-        if shape[one, kind] != JOINED and shape[other, same] != JOINED:
-            shape[one, kind], shape[other, same] = MEETS, JOINED
+        if shape[surface, kind] != JOINED and shape[other, same] != JOINED:
+            shape[surface, kind], shape[other, same] = MEETS, JOINED
             (r0, z0), (r1, z1) = ends(surfaces[other])[:: 1 - 2 * others]
-            shape[one, way : way + 2] = np.array([r1 - r0, z1 - z0]) / np.hypot(r1 - r0, z1 - z0)
+            shape[surface, way : way + 2] = np.array([r1 - r0, z1 - z0]) / np.hypot(r1 - r0, z1 - z0)
 
 
 def sheets(surfaces) -> list[list[int]]:
     """Numbers of the flat pieces of each sheet of two or more, in order."""
-    found: list[set[int]] = []
+    groups: list[set[int]] = []
     for joint in flat_joints(surfaces):
         if level(surfaces, joint):
-            both = {joint.one, joint.other}
-            touched = [sheet for sheet in found if sheet & both]
-            found = [sheet for sheet in found if sheet not in touched] + [both.union(*touched)]
-    return [sorted(sheet) for sheet in found]
+            both = {joint.surface, joint.other}
+            touched = [sheet for sheet in groups if sheet & both]
+            groups = [sheet for sheet in groups if sheet not in touched] + [both.union(*touched)]
+    return [sorted(sheet) for sheet in groups]
 
 
 def level(surfaces, joint: Joint) -> bool:
     """Whether two flat pieces that share a side are of one sheet, plane or curved, and of the same coefficients."""
-    one, other = surfaces[joint.one], surfaces[joint.other]
-    even = abs(one.normal @ other.normal) > 1.0 - EVEN
-    if one.sheet and one.sheet == other.sheet:
-        even = even or inward(one, joint.side) @ inward(other, joint.others) < -SMOOTH
-    return bool(even) and one.coat == other.coat
+    surface, other = surfaces[joint.surface], surfaces[joint.other]
+    even = abs(surface.normal @ other.normal) > 1.0 - EVEN
+    if surface.sheet and surface.sheet == other.sheet:
+        even = even or inward(surface, joint.side) @ inward(other, joint.others) < -SMOOTH
+    return bool(even) and surface.coat == other.coat
 
 
 def inward(piece: Any, side: int) -> np.ndarray:
@@ -90,17 +90,17 @@ def flat_joints(surfaces) -> list[Joint]:
         for k, side in enumerate(surfaces[number].sides):
             meeting.setdefault(frozenset(side), []).append((number, k))
     met = (two for all_here in meeting.values() for two in combinations(all_here, 2))
-    return sorted(Joint(one, other, k, n) for (one, k), (other, n) in met if one != other)
+    return sorted(Joint(surface, other, k, n) for (surface, k), (other, n) in met if surface != other)
 
 
 def turned_joints(surfaces) -> list[Joint]:
     """Where two standing turned lines about one axis share an end."""
-    found = []
-    for one, other in combinations(standing(surfaces, TURNED), 2):
-        if surfaces[one].axis == surfaces[other].axis:
-            here, there = ends(surfaces[one]), ends(surfaces[other])
-            found += [Joint(one, other, k, n) for k in (0, 1) for n in (0, 1) if here[k] == there[n]]
-    return found
+    joints = []
+    for surface, other in combinations(standing(surfaces, TURNED), 2):
+        if surfaces[surface].axis == surfaces[other].axis:
+            here, there = ends(surfaces[surface]), ends(surfaces[other])
+            joints += [Joint(surface, other, k, n) for k in (0, 1) for n in (0, 1) if here[k] == there[n]]
+    return joints
 
 
 def standing(surfaces, kind: float) -> list[int]:

@@ -78,29 +78,29 @@ def take(lanes, place, history, start, count):
 
 
 @intrinsic
-def _copy(typing, source, at, target, to):
+def _copy(typing, source, spot, target, to):
     def generate(context, builder, signature, args):
         out_of, into = (base_of(context, builder, signature, args, k) for k in (0, 2))
         store(builder, load(builder, out_of, args[1], EIGHT), into, args[3], EIGHT)
         return context.get_dummy_value()
 
-    return types.void(source, at, target, to), generate
+    return types.void(source, spot, target, to), generate
 
 
-def _both(builder, args, bodies, one, two, lane):
+def _both(builder, args, bodies, firsts, seconds, lane):
     """Of one pair: the first lines of both rows, and the last spins, which stand on the second lines."""
-    i, j = (row_of(builder, listed, args[3], lane, ROW) for listed in (one, two))
-    lines = (load(builder, bodies, at, EIGHT) for at in (i, j))
-    return *lines, *(builder.load(builder.gep(bodies, [plus(builder, at, R)])) for at in (i, j))
+    i, j = (row_of(builder, listed, args[3], lane, ROW) for listed in (firsts, seconds))
+    lines = (load(builder, bodies, row, EIGHT) for row in (i, j))
+    return *lines, *(builder.load(builder.gep(bodies, [plus(builder, row, R)])) for row in (i, j))
 
 
 @intrinsic
 def _gather_rolling(typing, rows, first, second, start, lanes, offset):
     def generate(context, builder, signature, args):
-        bodies, one, two, out = (base_of(context, builder, signature, args, k) for k in (0, 1, 2, 4))
+        bodies, firsts, seconds, out = (base_of(context, builder, signature, args, k) for k in (0, 1, 2, 4))
         near, last = [], ir.Constant(EIGHT, ir.Undefined)
         for lane in range(WIDTH):
-            a, b, c, d = _both(builder, args, bodies, one, two, lane)
+            a, b, c, d = _both(builder, args, bodies, firsts, seconds, lane)
             near.append(mix(builder, builder.fsub(a, b), builder.fadd(a, b), [X, Y, Z, U, V, W, 8 + P, 8 + Q]))
             last = builder.insert_element(last, builder.fadd(c, d), ir.Constant(LANE, lane))
         for lane, column in enumerate([*transpose(builder, near), last]):
@@ -113,10 +113,10 @@ def _gather_rolling(typing, rows, first, second, start, lanes, offset):
 @intrinsic
 def _gather(typing, rows, first, second, start, lanes, offset):
     def generate(context, builder, signature, args):
-        bodies, one, two, out = (base_of(context, builder, signature, args, k) for k in (0, 1, 2, 4))
+        bodies, firsts, seconds, out = (base_of(context, builder, signature, args, k) for k in (0, 1, 2, 4))
         near, apart = [], []
         for lane in range(WIDTH):
-            a, b, c, d = _both(builder, args, bodies, one, two, lane)
+            a, b, c, d = _both(builder, args, bodies, firsts, seconds, lane)
             less, more = builder.fsub(a, b), builder.fadd(a, b)
             near.append(mix(builder, less, more, [X, Y, Z, U, V, W, 8 + P, 8 + Q]))
             spins = builder.insert_element(less, builder.fsub(c, d), ir.Constant(LANE, 0))  # in the place of x
@@ -132,16 +132,16 @@ def _gather(typing, rows, first, second, start, lanes, offset):
 @intrinsic
 def _scatter(typing, rows, first, second, start, force, offset):
     def generate(context, builder, signature, args):
-        bodies, one, two, lanes = (base_of(context, builder, signature, args, k) for k in (0, 1, 2, 4))
+        bodies, firsts, seconds, lanes = (base_of(context, builder, signature, args, k) for k in (0, 1, 2, 4))
         pushes = [load(builder, lanes, lane_of(builder, args[5], lane, STRETCH), EIGHT) for lane in range(9)]
         nothing = ir.Constant(EIGHT, _SECOND_LINE)
         onto_first = transpose(builder, [nothing, *pushes[:6], nothing])
         away = [builder.fneg(push) for push in pushes[:3]]
         onto_second = transpose(builder, [nothing, *away, *pushes[6:], nothing])
         for lane in range(WIDTH):
-            for listed, push in ((one, onto_first[lane]), (two, onto_second[lane])):
-                at = plus(builder, row_of(builder, listed, args[3], lane, ROW), R)
-                store(builder, builder.fadd(load(builder, bodies, at, EIGHT), push), bodies, at, EIGHT)
+            for listed, push in ((firsts, onto_first[lane]), (seconds, onto_second[lane])):
+                spot = plus(builder, row_of(builder, listed, args[3], lane, ROW), R)
+                store(builder, builder.fadd(load(builder, bodies, spot, EIGHT), push), bodies, spot, EIGHT)
         return context.get_dummy_value()
 
     return types.void(rows, first, second, start, force, offset), generate

@@ -55,11 +55,11 @@ def three(lane: int) -> Callable:
 
     The places are constants: with a lane as argument the compiler fetches eight contacts one by one.
     """
-    one, two, last = lane * STRETCH, (lane + 1) * STRETCH, (lane + 2) * STRETCH
+    first, second, third = lane * STRETCH, (lane + 1) * STRETCH, (lane + 2) * STRETCH
 
     @piece("space", lane)
     def numbers(lanes, k):
-        return lanes[0, one + k], lanes[0, two + k], lanes[0, last + k]
+        return lanes[0, first + k], lanes[0, second + k], lanes[0, third + k]
 
     return numbers
 

@@ -104,13 +104,13 @@ def piece_of(shape, wall, x, y, z):
     """Which piece of a sheet, that begins with this one, is nearest to a point."""
     if shape[wall, NEXT] == 0.0:
         return wall
-    nearer, at = wall, wall
+    nearer, piece = wall, wall
     least, joined = apart_from(shape, wall, x, y, z)
-    while shape[at, NEXT] > 0.0:
-        at = int(shape[at, NEXT])
-        square, ends = apart_from(shape, at, x, y, z)
+    while shape[piece, NEXT] > 0.0:
+        piece = int(shape[piece, NEXT])
+        square, ends = apart_from(shape, piece, x, y, z)
         if square < least or (square == least and ends and not joined):
-            nearer, least, joined = at, square, ends
+            nearer, least, joined = piece, square, ends
     return nearer
 
 
@@ -147,7 +147,7 @@ def side_of(shape, wall, x, y, z):
 
     A corner of a joined side and another is the joined side's.
     """
-    count, best, nearer, found = int(shape[wall, COUNT]), np.inf, -1, (0.0, 0.0, 0.0)
+    count, best, nearer, way = int(shape[wall, COUNT]), np.inf, -1, (0.0, 0.0, 0.0)
     nx, ny, nz = shape[wall, NORMAL], shape[wall, NORMAL + 1], shape[wall, NORMAL + 2]
     for k in range(count):
         a, b = MORE + PER_SIDE * k, MORE + PER_SIDE * ((k + 1) % count)
@@ -166,9 +166,9 @@ def side_of(shape, wall, x, y, z):
             dx, dy, dz = x - shape[wall, b], y - shape[wall, b + 1], z - shape[wall, b + 2]
         square = dx * dx + dy * dy + dz * dz
         if square < best or (square == best and shape[wall, a + SIDE] == JOINED):
-            best, nearer, found = square, k, (dx, dy, dz)
+            best, nearer, way = square, k, (dx, dy, dz)
     if nearer >= 0:
-        return nearer, found[0], found[1], found[2]
+        return nearer, way[0], way[1], way[2]
     px, py, pz = x - shape[wall, MORE], y - shape[wall, MORE + 1], z - shape[wall, MORE + 2]
     height = px * nx + py * ny + pz * nz
     return nearer, height * nx, height * ny, height * nz

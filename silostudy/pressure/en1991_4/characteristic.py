@@ -64,9 +64,9 @@ def used(name, wall_friction="wall_friction"):
 
         def function(**given):
             given = given | flat | {"wall_friction": given[friction]} | ({} if cap is None else {"sets_capped": cap})
-            return characteristic(name, **{one: given[one] for one in PROPERTIES})[place]
+            return characteristic(name, **{asked: given[asked] for asked in PROPERTIES})[place]
 
-        names = [friction if one == "wall_friction" else one for one in PROPERTIES]
+        names = [friction if asked == "wall_friction" else asked for asked in PROPERTIES]
         return asking(function, names, f"A value of the set {name} (1).", None)
 
     return {

@@ -84,9 +84,9 @@ def _summed(static_set, doc, lever: Callable):
 
 def _largest(static_set, number):
     def function(z, **given):
-        each = [zones(z, static_set, given | {"channel_size": np.float64(size)}) for size in CHANNEL_SIZES]
+        by_size = [zones(z, static_set, given | {"channel_size": np.float64(size)}) for size in CHANNEL_SIZES]
         mu = characteristic(static_set, **take(given, PROPERTIES))[0]
-        return np.max([one[2] for one in each], axis=0) * (1.0, mu)[number]
+        return np.max([values[2] for values in by_size], axis=0) * (1.0, mu)[number]
 
     what = ("Wall normal pressure (Pa)", "Wall friction traction (Pa)")[number]
     doc = f"{what} beside the flow channel at depth z (m), the largest of three channel sizes. {(SEEN, SLIDING)[number]}"

@@ -81,8 +81,8 @@ def _pressure(quantity, phase, magnifier, pair=0):
 
 def pressures(phase, magnifier=factors.bottom_magnifier):
     """Pressures on the hopper's wall in a phase, under a load magnified by C_b."""
-    each = {f"hopper_{quantity}": _pressure(quantity, phase, magnifier) for quantity in hopper.QUANTITIES}
-    return each | {
+    functions = {f"hopper_{quantity}": _pressure(quantity, phase, magnifier) for quantity in hopper.QUANTITIES}
+    return functions | {
         f"hopper_end_{quantity}": _pressure(quantity, phase, magnifier, pair=1) for quantity in hopper.QUANTITIES[:2]
     }
 

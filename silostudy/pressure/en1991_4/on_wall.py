@@ -78,8 +78,8 @@ def phases(sets, increases=factors.USUAL):
 
 def used_by(sets):
     """phase -> quantity -> parameter -> function: the characteristic values of each quantity's set."""
-    each = {quantity: used(name) | {"power_law_exponent": power_exponent(name)} for quantity, name in sets.items()}
-    return {"filling": each, "discharge": each}
+    functions = {quantity: used(name) | {"power_law_exponent": power_exponent(name)} for quantity, name in sets.items()}
+    return {"filling": functions, "discharge": functions}
 
 
 def power_exponent(set_name):
@@ -97,5 +97,5 @@ def power_exponent(set_name):
 
 def numbers(phase, increases=factors.USUAL):
     """The slenderness class and the least action assessment class (1), and in discharge C_h and C_w (1)."""
-    found = {"slenderness_class": cylinder.slenderness_class, "least_assessment_class": classes.least_class}
-    return found | (dict(increases) if phase == "discharge" else {})
+    functions = {"slenderness_class": cylinder.slenderness_class, "least_assessment_class": classes.least_class}
+    return functions | (dict(increases) if phase == "discharge" else {})

@@ -34,17 +34,17 @@ def totals(phase):
         mu, k, _ = characteristic("wall_normal", **take(given, PROPERTIES))
         return patch.patch_depth(mu=mu, k=k, **take(given, ("hydraulic_radius", "cylinder_depth")))
 
-    def at(z, given):
+    def value(z, given):
         return load_factor(**given) * normal(z, **take(given, CYLINDER))
 
     def pressure(**given):
-        return at(depth(**given), given)
+        return value(depth(**given), given)
 
     def resultant(**given):
         return patch.patch_resultant(pressure(**given), diameter=given["diameter"])
 
     def band(**given):
-        return patch.band_pressure(at(given["cylinder_depth"] / 2, given))
+        return patch.band_pressure(value(given["cylinder_depth"] / 2, given))
 
     return {
         "patch_load_factor": asking(
