@@ -37,10 +37,10 @@ def _off_ring(cells: xr.DataArray) -> xr.DataArray:
 def zones(codes: xr.Dataset, depth: xr.DataArray, deep: xr.DataArray) -> dict[str, xr.DataArray]:
     """What codes say of the wall around: patch pressure over wall pressure, and where a study has them, the pressures (Pa) of
     flow channel, zone beside it and the rest, mean of the deep levels, with the channel's half width (rad)."""
-    found = {"code_patch_factor": codes[PATCH]} if PATCH in codes else {}
+    factors = {"code_patch_factor": codes[PATCH]} if PATCH in codes else {}
     if CHANNEL not in codes:
-        return found
+        return factors
     there = deep.any("filling")
     said = {own: at_depths(codes, name, depth).where(there).mean("wall_level") for name, own in ZONES.items()}
     width = {"code_channel_half_width": codes["channel_half_width"], "channel": codes["channel"]}
-    return found | said | width
+    return factors | said | width

@@ -31,14 +31,14 @@ def _time_of_largest(flow: xr.DataArray, end: xr.DataArray) -> xr.DataArray:
     return end.isel(flow_window=window).where(there)
 
 
-def compared_in_hopper(found: dict[str, xr.DataArray]) -> dict[str, xr.DataArray]:
+def compared_in_hopper(data: dict[str, xr.DataArray]) -> dict[str, xr.DataArray]:
     """Ratios of what methods say of the hopper to what the grains did: of its mean pressure, and next to the transition to the
     largest window."""
-    if "code_hopper_pressure" not in found:
+    if "code_hopper_pressure" not in data:
         return {}
-    code, ring = found["code_hopper_pressure"], found["hopper_ring_pressure"]
+    code, ring = data["code_hopper_pressure"], data["hopper_ring_pressure"]
     both = code.notnull() & ring.notnull()
     mean, felt = (values.where(both).sum("wall_level", min_count=1) for values in (code, ring))
     top = {"wall_level": -1}
-    peak = found["hopper_ring_largest"].isel(top)
+    peak = data["hopper_ring_largest"].isel(top)
     return {"code_over_grains_hopper": mean / felt, "code_over_grains_transition": code.isel(top) / peak.where(peak > 0.0)}

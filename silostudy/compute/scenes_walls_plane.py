@@ -1,4 +1,4 @@
-"""The walls of a plane silo of discs over a wedge, cell by cell: left and right are the two turns of each level."""
+"""The walls of a plane silo of discs over a wedge, cell by cell: left and right are the two turns of sides level."""
 
 import numpy as np
 
@@ -36,11 +36,11 @@ def contents(run: Run, scene: DemScene) -> tuple[float, float]:
 def felt(run: Run, scene: DemScene) -> dict[str, Felt]:
     """Of the walls and the wedge: pressure and shear (Pa) of their cells in every window, and the levels' heights (m)."""
     force, model = np.array(run.recording.window), run.engine.model
-    found = {}
+    surfaces = {}
     for stem, names in SURFACES.items():
-        each = [_of_wall(force, model, name) for name in names]
-        found[stem] = Felt(np.stack([one for one, _ in each], axis=2), each[0][1])
-    return found
+        sides = [_of_wall(force, model, name) for name in names]
+        surfaces[stem] = Felt(np.stack([stress for stress, _ in sides], axis=2), sides[0][1])
+    return surfaces
 
 
 def _of_wall(force: np.ndarray, model: Model, name: str) -> tuple[np.ndarray, np.ndarray]:

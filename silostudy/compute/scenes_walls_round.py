@@ -34,7 +34,7 @@ def contents(run: Run, scene: SphereScene) -> tuple[float, float]:
 
 def felt(run: Run, scene: SphereScene) -> dict[str, Felt]:
     """Of each surface that the silo has: pressure and shear (Pa) of its cells in every window, and the levels' heights (m)."""
-    seen, found = faces(run.engine.model.walls, LID), {}
+    seen, surfaces = faces(run.engine.model.walls, LID), {}
     starts = np.cumsum([0, *(face.count for face in seen)])
     for face, start in zip(seen, starts, strict=False):
         if face.name in SURFACES:
@@ -42,8 +42,8 @@ def felt(run: Run, scene: SphereScene) -> dict[str, Felt]:
             force = np.array([window[start : start + face.count, :2] for window in run.recording.window])
             shape = (len(force), *scene.record.pressure_cells, 2, 3)
             height = middles(surface)[:, 2].reshape(scene.record.pressure_cells)[:, 0]
-            found[face.name] = Felt((force / areas(surface)[:, None, None]).reshape(shape), height)
-    return found
+            surfaces[face.name] = Felt((force / areas(surface)[:, None, None]).reshape(shape), height)
+    return surfaces
 
 
 ROUND = Walled(keeps, cells, contents, felt)

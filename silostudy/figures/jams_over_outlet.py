@@ -5,63 +5,88 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 import xarray as xr
+from matplotlib.axes import Axes
 from matplotlib.ticker import ScalarFormatter
 from scipy.stats import beta, linregress
 
 from silostudy.figures.beside import settings, told
-from silostudy.figures.style import plt, save
+from silostudy.figures.style import WIDTH, foot, headline, plt, save, series
 
 SURE = 0.95  # share of the intervals that hold the share of all fillings
-COLOURS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7")
+FREE, WITH_JAMS = "flow_kg_m_s", "flow_with_jams_kg_m_s"  # columns: mean flow of fillings that do not jam, and of all
+FLOWS: tuple[tuple[str, str, dict], ...] = (  # column, whose mean it is, how its curve differs
+    (FREE, "fillings that do not jam", {}),
+    (WITH_JAMS, "all", {"linestyle": ":", "markerfacecolor": "none"}),
+)
 OWN = ("outlet_width", "filling")  # axes that the panels show
 
 
 def draw(cube: xr.Dataset, stem: Path) -> None:
     """Writes the figure and its numbers: a line a setting, the share that jams on the left and the mean flow on the right."""
-    figure, (jams, flows) = plt.subplots(1, 2, figsize=(11.0, 4.8))
-    numbers = []
-    others = [axis for axis in cube.attrs["sweep_axes"].split() if axis not in OWN]
-    for number, (setting, one) in enumerate(settings(cube.assign_attrs(sweep_axes=" ".join(others)))):
-        table, colour, name = over_outlet(one), COLOURS[number % len(COLOURS)], told(setting)
-        place = table["outlet_diameters"]
-        spread = [table["share_jammed"] - table["low_95"], table["high_95"] - table["share_jammed"]]
-        jams.errorbar(place, table["share_jammed"], yerr=spread, fmt="o-", capsize=3, color=colour, label=name)
-        for column, marks, of in (("flow_kg_m_s", "o-", "fillings that do not jam"), ("flow_with_jams_kg_m_s", "s:", "all")):
-            grows = power(table, column)
-            flows.plot(place, table[column], marks, color=colour, label=f"{name}, {of}: power {grows:.2f}")
-            table[f"power_of_{column}"] = grows
-        numbers.append(table.assign(**setting))
+    figure, (jams, flows) = plt.subplots(1, 2, figsize=(WIDTH, 4.8))
+    others, numbers = [axis for axis in cube.attrs["sweep_axes"].split() if axis not in OWN], []
+    for number, (setting, case) in enumerate(settings(cube.assign_attrs(sweep_axes=" ".join(others)))):
+        table = over_outlet(case).assign(**setting)
+        numbers.append(_panels(jams, flows, table, told(setting), number))
     jams.set(xlabel="width of the slot over the discs' diameter", ylabel="share of the fillings that jam", ylim=(-0.03, 1.03))
     flows.set(xlabel="width of the slot over the discs' diameter", ylabel="mean flow (kg m⁻¹ s⁻¹)")
     flows.set(xscale="log", yscale="log")
     for axis in (flows.xaxis, flows.yaxis):
         axis.set_major_formatter(ScalarFormatter())
         axis.set_minor_formatter(ScalarFormatter())
-    for panel in (jams, flows):
-        panel.legend(fontsize=8)
-    figure.suptitle(f"{cube.attrs['title']}\nmeans over jams count them as slow flow, and ask for a larger power")
-    save(figure, pd.concat(numbers, ignore_index=True), stem)
+    shown = pd.concat(numbers, ignore_index=True)
+    headline(figure, _message(shown))
+    read = f"{cube.attrs['title']}; bars: 95 % of Clopper and Pearson; dotted: mean over all fillings, a jam's time counted"
+    foot(figure, read, handles=flows.get_legend_handles_labels()[0])
+    save(figure, shown, stem)
 
 
-def over_outlet(one: xr.Dataset) -> pd.DataFrame:
+def _panels(jams: Axes, flows: Axes, table: pd.DataFrame, name: str, number: int) -> pd.DataFrame:
+    """Draws a setting in both panels; its table with the powers of its flows."""
+    style, place = series(number), table["outlet_diameters"]
+    spread = [table["share_jammed"] - table["low_95"], table["high_95"] - table["share_jammed"]]
+    jams.errorbar(place, table["share_jammed"], yerr=spread, capsize=3, **style)
+    for column, of, look in (
+        (FREE, "fillings that do not jam", {}),
+        (WITH_JAMS, "all", {"linestyle": ":", "markerfacecolor": "none"}),
+    ):
+        grows = power(table, column)
+        flows.plot(place, table[column], label=f"{name}, {of}: power {grows:.2f}", **style | look)
+        table = table.assign(**{f"power_of_{column}": grows})
+    return table
+
+
+def _message(table: pd.DataFrame) -> str:
+    """What the figure says, in numbers: the widest slot that jams, and the powers with jams and without."""
+    jammed = table[table["jammed"] > 0]
+    if jammed.empty:
+        return f"No slot of {table['outlet_diameters'].min():g} diameters or more jams"
+    widest = jammed.loc[jammed["outlet_diameters"].idxmax()]
+    return (
+        f"Slots of up to {widest['outlet_diameters']:g} diameters jam; flows that do not jam grow with a power of "
+        f"{widest[f'power_of_{FREE}']:.1f}, means that count jams with one of {widest[f'power_of_{WITH_JAMS}']:.1f}"
+    )
+
+
+def over_outlet(case: xr.Dataset) -> pd.DataFrame:
     """A row an outlet: share of the fillings that jam with its interval, mean flow (kg/(m s)) of those that do not, and of all.
 
     A filling jams that has not let out what its last event waits for when the time is over.
     """
-    diameter, found = float(one["mean_grain_diameter"].mean()), []
-    for position in range(one.sizes["outlet_width"]):
-        here = one.isel(outlet_width=position)
+    diameter, rows = float(case["mean_grain_diameter"].mean()), []
+    for position in range(case.sizes["outlet_width"]):
+        here = case.isel(outlet_width=position)
         stopped, flow = here["limit_reached"].values, here["mean_discharge_rate"].values
         known = np.isfinite(flow)  # of one that never came to rest nothing opened
         jammed, count = int(stopped[known].sum()), int(known.sum())
         low, high = share_interval(jammed, count)
         through = flow[known & (stopped == 0.0)]
-        found.append({
+        rows.append({
             "outlet_diameters": float(here["outlet_width"]) / diameter, "fillings": count, "jammed": jammed,
             "share_jammed": jammed / count if count else np.nan, "low_95": low, "high_95": high,
-            "flow_kg_m_s": through.mean() if len(through) else np.nan, "flow_with_jams_kg_m_s": np.nanmean(flow),
+            FREE: through.mean() if len(through) else np.nan, WITH_JAMS: np.nanmean(flow),
         })  # fmt: skip
-    return pd.DataFrame(found)
+    return pd.DataFrame(rows)
 
 
 def share_interval(hits: int, count: int) -> tuple[float, float]:

@@ -8,65 +8,71 @@ import xarray as xr
 from matplotlib.axes import Axes
 
 from silostudy.figures.beside import interval, settings, told
-from silostudy.figures.style import look, plt, save, title
+from silostudy.figures.style import BLUE, LINES, VERMILION, WIDTH, foot, headline, look, plt, save, title
 
 KPA = 1e3
-PANELS = {"filling": ("at rest", "#0072b2"), "discharge": ("in flow", "#d55e00")}
-DASHES = ((0, (1, 1)), (0, (4, 2)), "-")  # by the size of the channel
+PANELS = {"filling": ("at rest", BLUE, "o-"), "discharge": ("in flow", VERMILION, "s-")}
 PHASE = "discharge"  # in which a channel flows
 
 
 def draw(cube: xr.Dataset, stem: Path) -> None:
     """Writes the figure and its numbers: a panel a setting, the angle from x across and the pressure of the deep levels up."""
     every = list(settings(cube))
-    figure, panels = plt.subplots(len(every), 1, figsize=(10.0, 1.0 + 3.4 * len(every)), squeeze=False, sharex=True)
+    figure, panels = plt.subplots(len(every), 1, figsize=(WIDTH, 1.6 + 3.2 * len(every)), squeeze=False, sharex=True)
     numbers = []
-    for panel, (setting, one) in zip(panels.flat, every, strict=True):
-        numbers += [table.assign(**setting) for table in (*_grains(panel, one), *_codes(panel, one))]
-        off = 100.0 * float(one["deviation_around"].sel(phase="discharge").mean())
+    for panel, (setting, case) in zip(panels.flat, every, strict=True):
+        numbers += [table.assign(**setting) for table in (*_grains(panel, case), *_codes(panel, case))]
+        off = 100.0 * float(case["deviation_around"].sel(phase=PHASE).mean())
         panel.set(title=f"{told(setting)}: cells are {off:.0f} % off the mean around in flow, root mean square")
         panel.set(ylabel="pressure on the wall (kPa)", ylim=(0.0, None))
     panels[-1, 0].set(xlabel="angle from the outlet's side (°)", xlim=(-180, 180), xticks=range(-180, 181, 45))
     handles = {text: line for panel in panels.flat for line, text in zip(*panel.get_legend_handles_labels(), strict=True)}
-    figure.legend(handles.values(), handles.keys(), loc="outside lower center", ncols=2, fontsize=8)
-    figure.suptitle(cube.attrs["title"])
+    headline(figure, _message(cube))
+    foot(figure, f"{cube.attrs['title']}; band: 95 % interval of the mean of fillings", handles=handles.values())
     save(figure, pd.concat(numbers, ignore_index=True), stem)
 
 
-def _grains(panel: Axes, one: xr.Dataset) -> list[pd.DataFrame]:
+def _message(cube: xr.Dataset) -> str:
+    """What the figure says, in numbers: how far single cells are from the mean around, at rest and in flow."""
+    largest = cube["largest_over_ring"].mean([dim for dim in cube["largest_over_ring"].dims if dim != "phase"])
+    rest, flow = (100.0 * float(largest.sel(phase=phase)) for phase in PANELS)
+    return f"The largest cell presses {rest:.0f} % more than the mean around its level at rest, {flow:.0f} % more in flow"
+
+
+def _grains(panel: Axes, case: xr.Dataset) -> list[pd.DataFrame]:
     """Draws the mean of the fillings with its interval at every angle; the tables shown."""
-    turn = np.degrees((one["wall_turn"].values + np.pi) % (2.0 * np.pi) - np.pi)
+    turn = np.degrees((case["wall_turn"].values + np.pi) % (2.0 * np.pi) - np.pi)
     order, tables = np.argsort(turn), []
-    for phase, (name, colour) in PANELS.items():
-        felt = one["pressure_around"].sel(phase=phase).transpose("wall_turn", "filling").values[order] / KPA
+    for phase, (name, colour, form) in PANELS.items():
+        felt = case["pressure_around"].sel(phase=phase).transpose("wall_turn", "filling").values[order] / KPA
         table = pd.DataFrame([interval(values) for values in felt], columns=["pressure_kPa", "low_95_kPa", "high_95_kPa"])
         table = table.assign(of=f"grains, {name}", angle_deg=turn[order])
         panel.fill_between(table["angle_deg"], table["low_95_kPa"], table["high_95_kPa"], color=colour, alpha=0.15, linewidth=0)
-        panel.plot(table["angle_deg"], table["pressure_kPa"], "o-", color=colour, markersize=4, label=f"grains, {name}")
+        panel.plot(table["angle_deg"], table["pressure_kPa"], form, color=colour, markersize=4, label=f"grains, {name}")
         tables.append(table)
     return tables
 
 
-def _codes(panel: Axes, one: xr.Dataset) -> list[pd.DataFrame]:
+def _codes(panel: Axes, case: xr.Dataset) -> list[pd.DataFrame]:
     """Draws the zones of every method that knows an eccentric channel, by its size; the tables shown."""
-    if "code_channel_pressure" not in one:
+    if "code_channel_pressure" not in case:
         return []
-    tables, half = [], one["code_channel_half_width"].sel(phase=PHASE)
-    for method in map(str, one["pressure_method"].values[half.notnull().any("channel").values]):
-        for size, dashes in zip(one["channel"].values, DASHES, strict=True):
-            name = f"{title(one, method)}, k_c = {size:.2f}"
-            table = _zones(one.sel(pressure_method=method, channel=size, phase=PHASE))
+    tables, half = [], case["code_channel_half_width"].sel(phase=PHASE)
+    for method in map(str, case["pressure_method"].values[half.notnull().any("channel").values]):
+        for size, dashes in zip(case["channel"].values, LINES, strict=False):
+            name = f"{title(case, method)}, k_c = {size:.2f}"
+            table = _zones(case.sel(pressure_method=method, channel=size, phase=PHASE))
             panel.plot(
-                table["angle_deg"], table["pressure_kPa"], color=look(one, method)["color"], linestyle=dashes, label=name
+                table["angle_deg"], table["pressure_kPa"], color=look(case, method)["color"], linestyle=dashes, label=name
             )
             tables.append(table.assign(of=name))
     return tables
 
 
-def _zones(one: xr.Dataset) -> pd.DataFrame:
+def _zones(case: xr.Dataset) -> pd.DataFrame:
     """Pressure around the wall in steps: the channel up to its edge, what is beside it up to twice that angle, then static."""
-    edge = np.degrees(float(one["code_channel_half_width"]))
-    channel, adjacent, static = (float(one[f"code_{zone}_pressure"]) / KPA for zone in ("channel", "adjacent", "static"))
+    edge = np.degrees(float(case["code_channel_half_width"]))
+    channel, adjacent, static = (float(case[f"code_{zone}_pressure"]) / KPA for zone in ("channel", "adjacent", "static"))
     half = pd.DataFrame({
         "angle_deg": [0.0, edge, edge, 2.0 * edge, 2.0 * edge, 180.0],
         "pressure_kPa": [channel, channel, adjacent, adjacent, static, static],

@@ -1,41 +1,52 @@
 """Published cases over several fillings: how far each came out off the published number, in its tolerance."""
 
 from pathlib import Path
+from textwrap import fill
+from typing import Any
 
 import numpy as np
 import pandas as pd
 import xarray as xr
+from matplotlib.axes import Axes
 
 from silostudy.figures.beside import interval
-from silostudy.figures.style import plt, save
+from silostudy.figures.style import GREEN, INK, ORANGE, VERMILION, WIDTH, foot, headline, plt, save
 from silostudy.tables.published_cases import published_of
 
-MET, MISSED, OPEN = "#009e73", "#d55e00", "#888888"
-COLOURS = {"met": MET, "not met": MISSED, "mean met, not every filling": OPEN, "not seen": OPEN}
+COLOURS = {"met": GREEN, "not met": VERMILION, "mean met, not every filling": ORANGE, "not seen": INK}
 
 
 def draw(cube: xr.Dataset, stem: Path) -> None:
     """Writes the figure and its numbers: a row a published number, every filling and their mean with its interval."""
     table, fillings = verdicts(cube)
-    figure, panel = plt.subplots(figsize=(10.0, 1.6 + 0.75 * len(table)))
-    panel.axvspan(-1.0, 1.0, color=MET, alpha=0.12, linewidth=0, label="within the tolerance")
+    figure, panel = plt.subplots(figsize=(WIDTH, 2.2 + 0.9 * len(table)))
+    panel.axvspan(-1.0, 1.0, color=GREEN, alpha=0.12, linewidth=0)
     panel.axvline(0.0, color="black", linewidth=0.8)
     for place, (row, values) in enumerate(zip(table.itertuples(), fillings, strict=True)):
-        colour = COLOURS[row.verdict]
-        panel.plot(values, np.full(len(values), place), "o", color=colour, alpha=0.4, markersize=5)
-        panel.errorbar(row.off_tolerances, place, xerr=[[row.off_tolerances - row.low_95], [row.high_95 - row.off_tolerances]],
-                       fmt="D", color=colour, capsize=4)  # fmt: skip
-        told = f"{row.mean:.4g} {row.unit} ({row.published:g} ± {row.tolerance:g}): {row.verdict}"
-        panel.annotate(told, (0.99, place), xycoords=("axes fraction", "data"), xytext=(0, 9), textcoords="offset points",
-                       ha="right", fontsize=9)  # fmt: skip
-    panel.set_yticks(range(len(table)), table["title"])
-    panel.set_ylim(len(table) - 0.4, -0.7)
-    reach = max(3.0, 1.15 * float(np.nanmax(np.abs([*(value for one in fillings for value in one), 1.0]))))
-    panel.set(xlim=(-reach, reach), xlabel="off the published number, in its tolerance: fillings, mean and its 95 % interval")
-    panel.legend(loc="lower left", fontsize=8)
-    figure.suptitle(cube.attrs["title"])
-    each = pd.DataFrame([{"place": place, "off_tolerances": off} for place, values in enumerate(fillings) for off in values])
-    save(figure, pd.concat([table.assign(place=range(len(table)), of="mean"), each.assign(of="filling")]), stem)
+        _row(panel, place, row, values)
+    panel.set_yticks(range(len(table)), [fill(title, 26) for title in table["title"]])
+    panel.set_ylim(len(table) - 0.4, -0.8)
+    reach = max(3.0, 1.15 * float(np.nanmax(np.abs([0.0, *(value for values in fillings for value in values)]))))
+    panel.set(xlim=(-reach, reach), xlabel="off the published number over its tolerance")
+    met = int((table["verdict"] == "met").sum())
+    headline(figure, f"{met} of {len(table)} published numbers are met by every filling")
+    foot(
+        figure,
+        f"{cube.attrs['title']}; dots: fillings, diamond: their mean with its 95 % interval; green: within the tolerance",
+    )
+    dots = pd.DataFrame([{"place": place, "off_tolerances": off} for place, values in enumerate(fillings) for off in values])
+    save(figure, pd.concat([table.assign(place=range(len(table)), of="mean"), dots.assign(of="filling")]), stem)
+
+
+def _row(panel: Axes, place: int, row: Any, values: np.ndarray) -> None:
+    """Draws the fillings of a published number, their mean, and what the mean is in its unit."""
+    colour = COLOURS[row.verdict]
+    panel.plot(values, np.full(len(values), place), "o", color=colour, alpha=0.4, markersize=5)
+    ends = [[row.off_tolerances - row.low_95], [row.high_95 - row.off_tolerances]]
+    panel.errorbar(row.off_tolerances, place, xerr=ends, fmt="D", color=colour, capsize=4)
+    words = f"{row.mean:.4g} {row.unit} ({row.published:g} ± {row.tolerance:g}): {row.verdict}"
+    panel.annotate(words, (0.99, place), xycoords=("axes fraction", "data"), xytext=(0, 12), textcoords="offset points",
+                   ha="right", fontsize="small")  # fmt: skip
 
 
 def verdicts(cube: xr.Dataset) -> tuple[pd.DataFrame, list[np.ndarray]]:

@@ -26,8 +26,8 @@ class PublishedNumber:
 @cache
 def published_numbers() -> tuple[PublishedNumber, ...]:
     """Every number, in the order of the table."""
-    found = rows(HERE / "published_cases.csv", text=TEXT)
-    return tuple(PublishedNumber(**{name: row[name] for name in PublishedNumber.__dataclass_fields__}) for row in found)
+    raw = rows(HERE / "published_cases.csv", text=TEXT)
+    return tuple(PublishedNumber(**{name: row[name] for name in PublishedNumber.__dataclass_fields__}) for row in raw)
 
 
 def published_of(case: str) -> tuple[PublishedNumber, ...]:
