@@ -1,4 +1,4 @@
-"""The walls of a plane silo of discs over a wedge, cell by cell: left and right are the two turns of sides level."""
+"""The walls of a plane silo of discs over a wedge, cell by cell: left and right are the two turns of each level."""
 
 import numpy as np
 

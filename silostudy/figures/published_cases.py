@@ -26,7 +26,8 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
         _row(panel, place, row, values)
     panel.set_yticks(range(len(table)), [fill(title, 26) for title in table["title"]])
     panel.set_ylim(len(table) - 0.4, -0.8)
-    reach = max(3.0, 1.15 * float(np.nanmax(np.abs([0.0, *(value for values in fillings for value in values)]))))
+    ends = [*table["low_95"], *table["high_95"], *(value for values in fillings for value in values)]
+    reach = max(3.0, 1.15 * float(np.nanmax(np.abs([0.0, *ends]))))
     panel.set(xlim=(-reach, reach), xlabel="off the published number over its tolerance")
     met = int((table["verdict"] == "met").sum())
     headline(figure, f"{met} of {len(table)} published numbers are met by every filling")
