@@ -36,7 +36,7 @@ def measure(study: PublishedStudy, case: PublishedCase) -> Numbers:
 def misses(found: list[Verdict]) -> Numbers:
     """How far each quantity came out off the published number, in tolerances; missing beyond the case's own."""
     off = np.full(_most(), np.nan)
-    off[: len(found)] = [(verdict.found - verdict.value) / verdict.tolerance for verdict in found]
+    off[: len(found)] = [(verdict.computed - verdict.value) / verdict.tolerance for verdict in found]
     return {"off_published": off}
 
 
