@@ -271,12 +271,9 @@ def _looks(axes: Axes) -> Iterator[tuple[str, str, tuple]]:
     """(what, colour, all else of its look) of every curve, cloud of points and set of bars that is no background."""
     for line in axes.lines:
         if _shows(line, axes) and line.get_gid() != NAMED and line not in _caps(axes) and not _is_grey(line.get_color()):
-            hollow = is_hollow(line)
-            yield (
-                f"line {line.get_label()!r}",
-                to_hex(line.get_color()),
-                (str(line._dash_pattern), str(line.get_marker()), hollow),
-            )
+            drawn = line.get_linestyle() not in ("None", "none", "", " ")
+            shape = str(line._dash_pattern) if drawn else "points", str(line.get_marker()), is_hollow(line)
+            yield f"line {line.get_label()!r}", to_hex(line.get_color()), shape
     for points in axes.collections:
         if isinstance(points, PathCollection) and points.get_array() is None and points.get_gid() != AID:
             face, edge = points.get_facecolor(), points.get_edgecolor()
