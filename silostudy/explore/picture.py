@@ -6,14 +6,14 @@ from typing import Any
 import pandas as pd
 import xarray as xr
 
-from silostudy.explore.shown import Choice, downward, said
+from silostudy.explore.shown import Selection, downward, said
 from silostudy.figures.style import plt
 
 MARKERS = "os^Dv<>ph*"
 LINES = ("-", "--", "-.", ":")
 
 
-def png(cube: xr.Dataset, choice: Choice, table: pd.DataFrame, title: str) -> io.BytesIO:
+def png(cube: xr.Dataset, choice: Selection, table: pd.DataFrame, title: str) -> io.BytesIO:
     """The curves as PNG, told apart by marker and line too."""
     figure, axes = plt.subplots(figsize=(7.5, 5.5))
     deep = downward(cube, choice.along)

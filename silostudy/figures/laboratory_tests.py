@@ -7,7 +7,7 @@ import pandas as pd
 import xarray as xr
 from matplotlib.axes import Axes
 
-from silostudy.cube.laboratory import CELL, FILLING, Found, Solid, checks
+from silostudy.cube.laboratory import CELL, FILLING, Scatter, TestedSolid, checks
 from silostudy.figures.style import plt, save
 
 KPA = 1e3  # Pa
@@ -30,7 +30,7 @@ LOCI = {
 
 def draw(cube: xr.Dataset, stem: Path) -> None:
     """Writes the figure and its numbers: of the widest cell, and what the width does."""
-    solid, wide = Solid.of(cube), cube.isel({CELL: -1})
+    solid, wide = TestedSolid.of(cube), cube.isel({CELL: -1})
     figure, ((path, shear), (locus, width)) = plt.subplots(2, 2, figsize=(11.5, 8.4))
     numbers = [*_path(path, wide, solid), *_shear(shear, wide), *_locus(locus, wide, solid), *_width(width, cube)]
     failed = [str(one) for one in checks(cube) if not one.holds]
@@ -40,7 +40,7 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     save(figure, pd.concat(numbers, ignore_index=True), stem)
 
 
-def _path(panel: Axes, wide: xr.Dataset, solid: Solid) -> list[pd.DataFrame]:
+def _path(panel: Axes, wide: xr.Dataset, solid: TestedSolid) -> list[pd.DataFrame]:
     """Horizontal over vertical stress at first loading."""
     vertical, horizontal = (
         wide["path_stress"].values / KPA,
@@ -84,7 +84,7 @@ def _shear(panel: Axes, wide: xr.Dataset) -> list[pd.DataFrame]:
     return [table.assign(panel="shear") for table in tables]
 
 
-def _locus(panel: Axes, wide: xr.Dataset, solid: Solid) -> list[pd.DataFrame]:
+def _locus(panel: Axes, wide: xr.Dataset, solid: TestedSolid) -> list[pd.DataFrame]:
     """Shear over normal stress: peak and steady inside the solid, steady on the wall, with the row's lines."""
     stress, tables = wide["normal_stress"].values / KPA, []
     for name, (marker, colour, told) in LOCI.items():
@@ -111,7 +111,7 @@ def _width(panel: Axes, cube: xr.Dataset) -> list[pd.DataFrame]:
     """Every quantity of every cell over that of the widest one."""
     rows, cells = [], cube[CELL].values
     for place, (name, (variable, at)) in enumerate(QUANTITIES.items()):
-        found = [Found.of(one) for one in cube[variable].sel(normal_stress=float(cube[at])).transpose(CELL, FILLING)]
+        found = [Scatter.of(one) for one in cube[variable].sel(normal_stress=float(cube[at])).transpose(CELL, FILLING)]
         for number, (cell, one) in enumerate(zip(cells, found, strict=True)):
             value, spread = one.mean / found[-1].mean, one.deviation / found[-1].mean
             rows.append({"curve": f"{cell:g} grains wide", "quantity": name, "over_widest": value, "low": value - spread,

@@ -10,13 +10,15 @@ import xarray as xr
 
 from silostudy.note.mathml import rounded
 
-TOP, DOWN = 34.0, 370.0  # of the picture's height: margin above, what the silo takes
+# of the picture's height
+TOP = 34.0  # margin above
+DOWN = 370.0  # what the silo takes
 PHASES = {"filling": ("#2166AC", "0"), "discharge": ("#B2182B", "6 3")}  # colour, dashes
 
 
 @dataclass(frozen=True)
 class Scale:
-    """From metres below the equivalent surface to places in the picture."""
+    """Scale from metres below the equivalent surface to places in the picture."""
 
     highest: float
     lowest: float
