@@ -11,7 +11,7 @@ from matplotlib.patches import Polygon
 
 from silostudy.errors import BadInput
 from silostudy.figures import bin as bins
-from silostudy.figures.style import AID, headline, plt, save
+from silostudy.figures.style import AID, plt, save
 
 CM, KPA = 100.0, 1e3
 THIN, FILLED = 0.1, 0.5  # of the largest solid fraction: cells with less are empty, or have no ratio of stresses
@@ -40,7 +40,7 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
         panel.grid(False)
         figure.colorbar(found, ax=panel, location="bottom", label=label, shrink=0.9)
     panels[0].set_ylabel("height above the outlet (cm)")
-    headline(figure, f"{cube.attrs['title']}: {_message(cube, cells)}")
+    figure.suptitle(f"{cube.attrs['title']}\n{_message(cube, cells)}", fontsize="small", weight="normal")
     figure.supxlabel(
         f"within {_reach(cube):.1f} cm of walls and surface the kernel reaches beyond them: fields fade", fontsize=7
     )
