@@ -68,8 +68,8 @@ def _panel(panel: Axes, silo: xr.Dataset, phase: str, ranks: pd.DataFrame) -> li
     covering = set(ranks["of"][~(ranks["over_ring_peak"] < 1.0)])
     tables = []
     for method in methods_of(silo, phase):
-        table = pd.DataFrame({"of": method, "depth_m": silo["code_profile_depth"].values,
-                              "pressure_Pa": silo["code_wall_profile"].sel(pressure_method=method, phase=phase).values}).dropna()  # fmt: skip
+        said = silo["code_wall_profile"].sel(pressure_method=method, phase=phase).values
+        table = pd.DataFrame({"of": method, "depth_m": silo["code_profile_depth"].values, "pressure_Pa": said}).dropna()
         style = look(silo, method) | {"linewidth": 1.3, "markersize": 5, "markevery": 20} if method in covering else REST
         over_depth(panel, table["pressure_Pa"].to_numpy() / KPA, table["depth_m"].to_numpy(), **style)
         tables.append(table)
@@ -80,7 +80,9 @@ def _panel(panel: Axes, silo: xr.Dataset, phase: str, ranks: pd.DataFrame) -> li
             across, depth = table["pressure_Pa"] / KPA, table["depth_m"]
             panel.plot(across, depth, color=BLACK, label=name, **style)
             if not area:
-                panel.fill_betweenx(depth, table["least_Pa"] / KPA, table["largest_Pa"] / KPA, color="0.3", alpha=0.2, linewidth=0)
+                panel.fill_betweenx(
+                    depth, table["least_Pa"] / KPA, table["largest_Pa"] / KPA, color="0.3", alpha=0.2, linewidth=0
+                )
             tables.append(table)
     return tables
 
@@ -112,7 +114,8 @@ def _message(ranked: list[pd.DataFrame]) -> str:
     if not known:
         return "No silo is deep enough for ratios of codes to grains"
     ring, cell, all_of = ([int(count) for count in counts] for counts in zip(*map(_counts, known), strict=True))
-    return f"In flow {_range(ring)} of {_range(all_of)} methods cover the grains' largest mean around the wall, {_range(cell)} that on one cell"
+    around = f"In flow {_range(ring)} of {_range(all_of)} methods cover the grains' largest mean around the wall"
+    return f"{around}, {_range(cell)} that on one cell"
 
 
 def _counts(ranks: pd.DataFrame) -> tuple[int, int, int]:

@@ -39,7 +39,9 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
         panel.set_ylabel("height over the transition's")
     headline(figure, _message(cube))
     handles = {text: line for panel in panels.flat for line, text in zip(*panel.get_legend_handles_labels(), strict=True)}
-    about = "Height above the outlet over that of the transition; grains: means around, bands of least and largest of the fillings."
+    about = (
+        "Height above the outlet over that of the transition; grains: means around, bands of least and largest of the fillings."
+    )
     foot(figure, f"{cube.attrs['title']}.", about, handles=handles.values())
     save(figure, pd.concat(numbers, ignore_index=True), stem)
 
@@ -85,7 +87,12 @@ def _codes(panel: Axes, silo: xr.Dataset) -> list[pd.DataFrame]:
             said = silo["code_hopper_profile"].sel(pressure_method=method, phase=phase).values
             known = np.isfinite(said)
             if known.any():
-                style = look(silo, method) | {"linestyle": PHASE_LINES[phase], "linewidth": 1.2, "markersize": 5, "markevery": 12}
+                style = look(silo, method) | {
+                    "linestyle": PHASE_LINES[phase],
+                    "linewidth": 1.2,
+                    "markersize": 5,
+                    "markevery": 12,
+                }
                 style |= {"markerfacecolor": "white"} if phase == "filling" else {}
                 over_depth(panel, said[known] / KPA, place[known], label=f"{title(silo, method)}, {phase}", **style)
                 tables.append(pd.DataFrame({"of": method, "phase": phase, "place": place[known], "pressure_Pa": said[known]}))
