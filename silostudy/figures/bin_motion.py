@@ -55,7 +55,7 @@ def _message(cube: xr.Dataset) -> str:
     if "outflow_mass" not in cube:
         return "No sphere passes the outlet"
     passed, filled = float(cube["outflow_mass"][-1]), float(cube["grain_mass"].sum())
-    return f"{passed:.3g} of {filled:.3g} kg pass the outlet in {float(np.ptp(cube['outflow_time'])):.2g} s"
+    return f"{passed:.3g} of {filled:.3g} kg pass the outlet in {float(np.ptp(cube['outflow_time'].values)):.2g} s"
 
 
 def _slice(cube: xr.Dataset, shot: int, panel: Axes) -> EllipseCollection:

@@ -1,6 +1,6 @@
 """A scene of grains in time: forces on its surfaces, mass through its outlets, what happened, and a sentence on all of it."""
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -36,7 +36,7 @@ class Flow:
         return f"{through.iloc[-1]:.3g} of {self.filled:.3g} {self.unit} leave{rate}"
 
 
-def forces(time: np.ndarray, force: np.ndarray, surfaces: Sequence[str], column: str) -> pd.DataFrame:
+def forces(time: np.ndarray, force: np.ndarray, surfaces: Iterable[str], column: str) -> pd.DataFrame:
     """Force on each surface that is ever touched, mean of each window (by its end), as a long table."""
     tables = [pd.DataFrame({"surface": name, "time_s": time, column: values})
               for name, values in zip(surfaces, force.T, strict=True) if values.any()]  # fmt: skip
@@ -62,9 +62,16 @@ def draw_flow(panel: Axes, flow: Flow) -> None:
     outlets = list(flow.table.groupby("outlet", sort=False))
     for number, (name, group) in enumerate(outlets):
         look = series(number) | {"marker": "none", "linewidth": 1.8}
-        (line,) = panel.plot(group["time_s"], group[flow.mass], drawstyle="steps-post", **look)
+        panel.plot(group["time_s"], group[flow.mass], drawstyle="steps-post", **look)
         if len(outlets) > 1:
-            panel.annotate(str(name), line.get_xydata()[-1], (-4, 4), textcoords="offset points", ha="right", fontsize="small")
+            panel.annotate(
+                str(name),
+                (group["time_s"].iloc[-1], group[flow.mass].iloc[-1]),
+                (-4, 4),
+                textcoords="offset points",
+                ha="right",
+                fontsize="small",
+            )
     panel.set(title="mass through the outlet" + "s" * (len(outlets) > 1), xlabel="time (s)", ylim=(0, None))
 
 

@@ -45,13 +45,11 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
 
 def flow_of(cube: xr.Dataset) -> in_time.Flow:
     """Mass of discs (kg/m) that had left, by outlet where they have names."""
-    columns = {"time_s": [], "outlet": [], MASS: []}
+    table = pd.DataFrame({"time_s": [], "outlet": [], MASS: []})
     if "discharge_time" in cube:
-        each = cube["outlet_discharged_mass"] if "outlet" in cube else cube["discharged_mass"].expand_dims(outlet=["outlet"])
-        columns = {"time_s": np.tile(cube["discharge_time"].values, each.sizes["outlet"]),
-                   "outlet": np.repeat(each["outlet"].values.astype(str), cube.sizes["discharge_time"]),
-                   MASS: each.transpose("outlet", "discharge_time").values.ravel()}  # fmt: skip
-    return in_time.Flow(pd.DataFrame(columns), MASS, float(cube["disc_mass"].sum()), "kg/m")
+        through = cube["outlet_discharged_mass"] if "outlet" in cube else cube["discharged_mass"].expand_dims(outlet=["outlet"])
+        table = through.to_dataframe(MASS).reset_index().rename(columns={"discharge_time": "time_s"})
+    return in_time.Flow(table[["time_s", "outlet", MASS]], MASS, float(cube["disc_mass"].sum()), "kg/m")
 
 
 def snapshots(cube: xr.Dataset, passing: str) -> tuple[int, int]:

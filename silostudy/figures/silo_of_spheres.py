@@ -45,13 +45,11 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
 
 def flow_of(cube: xr.Dataset) -> in_time.Flow:
     """Mass of spheres (kg) that had passed, by outlet of a flat floor."""
-    columns = {"time_s": [], "outlet": [], MASS: []}
+    table = pd.DataFrame({"time_s": [], "outlet": [], MASS: []})
     if "outflow_time" in cube:
-        each = cube["outlet_outflow_mass"] if "outlet" in cube else cube["outflow_mass"].expand_dims(outlet=["outlet"])
-        columns = {"time_s": np.tile(cube["outflow_time"].values, each.sizes["outlet"]),
-                   "outlet": np.repeat(each["outlet"].values.astype(str), cube.sizes["outflow_time"]),
-                   MASS: each.transpose("outlet", "outflow_time").values.ravel()}  # fmt: skip
-    return in_time.Flow(pd.DataFrame(columns), MASS, float(cube["grain_mass"].sum()), "kg")
+        through = cube["outlet_outflow_mass"] if "outlet" in cube else cube["outflow_mass"].expand_dims(outlet=["outlet"])
+        table = through.to_dataframe(MASS).reset_index().rename(columns={"outflow_time": "time_s"})
+    return in_time.Flow(table[["time_s", "outlet", MASS]], MASS, float(cube["grain_mass"].sum()), "kg")
 
 
 def _near(cube: xr.Dataset) -> xr.Dataset:
@@ -64,7 +62,7 @@ def _near(cube: xr.Dataset) -> xr.Dataset:
 
 def _largest(near: xr.Dataset) -> float:
     """Largest force (N) in the plane; one where nothing touches."""
-    return float(np.hypot(near["contact_load_x"], near["contact_load_z"]).values.max(initial=0.0)) or 1.0
+    return float(np.hypot(near["contact_load_x"].values, near["contact_load_z"].values).max(initial=0.0)) or 1.0
 
 
 def _draw_slice(panel: Axes, cube: xr.Dataset, snapshot: int, chains: pd.DataFrame) -> None:
