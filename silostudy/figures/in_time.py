@@ -9,6 +9,7 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 
+from silostudy.errors import BadInput
 from silostudy.figures.bin import opened_at
 from silostudy.figures.style import INK, REST, series
 
@@ -34,6 +35,14 @@ class Flow:
         lasts, after_first = float(np.ptp(through.index)), float(through.iloc[-1] - through.iloc[0])
         rate = f", {after_first / lasts:.3g} {self.unit}/s on average" if lasts > 0.0 else ""
         return f"{through.iloc[-1]:.3g} of {self.filled:.3g} {self.unit} leave{rate}"
+
+
+def check_recorded(cube: xr.Dataset, force: str) -> None:
+    """Refuses a cube without forces of that name on whole surfaces, or without snapshots."""
+    asked = {force: "record.wall_force_window_s", "snapshot_time": "record.snapshots_s"}
+    for name, key in asked.items():
+        if name not in cube:
+            raise BadInput(key, "nothing", "must be given: the figure of a scene shows what it records")
 
 
 def forces(time: np.ndarray, force: np.ndarray, surfaces: Iterable[str], column: str) -> pd.DataFrame:

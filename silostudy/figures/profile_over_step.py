@@ -54,12 +54,12 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
 
 
 def _message(table: pd.DataFrame) -> str:
-    """The marcher with the longest step that comes to rest, and how far off its wall profile is there."""
+    """The integrator with the longest step that comes to rest, and how far off its wall profile is there."""
     known = table.dropna(subset="profile_error")
     longest = known[known["march_step_s"] == known["march_step_s"].max()]
     best = longest.loc[longest["profile_error"].idxmin()]
     error = f"{100 * best.profile_error:.0f} ± {100 * best.profile_noise:.0f} % off"
-    count = f"{len(longest)} of {known['marcher'].nunique()} ways of marching come to rest"
+    count = f"{len(longest)} of {known['marcher'].nunique()} integrators come to rest"
     return f"At {1e3 * best.march_step_s:g} ms {count}; the wall profile of {best.marcher} is least off: {error}"
 
 

@@ -21,6 +21,7 @@ FORCE, MASS = "force_kN_m", "mass_kg_m"
 
 def draw(cube: xr.Dataset, stem: Path) -> None:
     """Writes the figure: the chains of two snapshots, the forces on the walls, and the mass through the outlets."""
+    in_time.check_recorded(cube, "whole_normal_force_mean")
     figure, panels = plt.subplot_mosaic([["rest", "flow"], ["force", "mass"]], figsize=(WIDTH, 9.2), height_ratios=(1.7, 1))
     largest = float(np.hypot(cube["contact_force_x"], cube["contact_force_y"]).max())
     tables = []

@@ -21,6 +21,7 @@ FORCE, MASS = "force_N", "mass_kg"
 
 def draw(cube: xr.Dataset, stem: Path) -> None:
     """Writes the figure: slices of two snapshots, the forces on the surfaces, and the mass through the outlets."""
+    in_time.check_recorded(cube, "surface_normal_force")
     figure, panels = plt.subplot_mosaic([["rest", "flow"], ["force", "mass"]], figsize=(WIDTH, 9.2), height_ratios=(1.7, 1))
     near, tables = _near(cube), []
     for panel, snapshot in zip((panels["rest"], panels["flow"]), snapshots(cube, "outflow_time"), strict=True):
