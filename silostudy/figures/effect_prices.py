@@ -9,7 +9,7 @@ import pandas as pd
 import xarray as xr
 
 from silostudy.figures.style import COLOURS as PALETTE
-from silostudy.figures.style import HATCHES, WIDTH, foot, headline, save
+from silostudy.figures.style import HATCHES, TALLEST, WIDTH, foot, headline, save
 
 ROOMS = ("discrete elements", "scenes and studies of discs", "pressures", "shells", "earthquake")
 LOOKS: dict[str, dict] = {
@@ -24,7 +24,7 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     """Writes the figure and the price list; beside a missing count stands why it is missing."""
     names = ("effect", *COLUMNS, "effect_uncounted")
     prices = pd.DataFrame({name: cube[name].to_numpy() for name in names})
-    figure, axes = plt.subplots(1, 3, figsize=(WIDTH, 0.36 * len(prices) + 2.4), sharey=True)
+    figure, axes = plt.subplots(1, 3, figsize=(WIDTH, min(TALLEST, 0.36 * len(prices) + 2.4)), sharey=True)
     for axis, (name, what) in zip(axes, PANELS.items(), strict=True):
         panel(axis, prices, name)
         axis.set(xlabel="share with it (%)", title=what)

@@ -15,7 +15,7 @@ from silostudy.figures.beside import interval, methods_of, profile, settings, to
 from silostudy.figures.steps import over_depth
 from silostudy.figures.style import BLACK, REST, WIDTH, foot, headline, look, plt, save, title
 
-MOST = 3  # rows of panels: more settings than that are shown by the first, the last and those evenly between
+MOST = 2  # rows of panels: of more settings the first and the last are shown that are deep enough for ratios
 KPA = 1e3
 PANELS = {"filling": "at rest", "discharge": "in flow"}
 LINES: dict[str, tuple[str, str, dict[str, Any]]] = {  # area, or mean of all windows -> phase, name, look
@@ -28,8 +28,7 @@ FEW = "no level is half a\ndiameter deep: no ratios"
 
 def draw(cube: xr.Dataset, stem: Path) -> None:
     """Writes the figure and its numbers: a row of panels a setting, at rest, in flow, and the methods ranked."""
-    every = list(settings(cube))
-    shown = [every[k] for k in np.unique(np.linspace(0, len(every) - 1, min(MOST, len(every))).round().astype(int))]
+    shown = _shown(list(settings(cube)))
     size = (WIDTH, 1.7 + 3.6 * len(shown))
     figure, panels = plt.subplots(len(shown), 3, figsize=size, squeeze=False, width_ratios=(1, 1.2, 0.8))
     numbers, ranked = [], []
@@ -49,6 +48,13 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     fillings = f"Bands: least and largest of {cube.sizes['filling']} fillings; bars: interval of their mean, 95 %."
     foot(figure, f"{cube.attrs['title']}.", about, fillings, handles=handles.values())
     save(figure, pd.concat([*numbers, *ranked], ignore_index=True), stem)
+
+
+def _shown(every: list[tuple[dict, xr.Dataset]]) -> list[tuple[dict, xr.Dataset]]:
+    """The settings that are shown."""
+    deep = [(setting, silo) for setting, silo in every if silo["code_over_grains_peak"].notnull().any()]
+    chosen = every if len(every) <= MOST else (deep or every)
+    return chosen if len(chosen) <= MOST else [chosen[0], chosen[-1]]
 
 
 def _ranks(silo: xr.Dataset) -> pd.DataFrame:

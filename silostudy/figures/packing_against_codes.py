@@ -11,7 +11,7 @@ from matplotlib.axes import Axes
 from silostudy.figures import ensembles
 from silostudy.figures.apart import apart
 from silostudy.figures.beside import span
-from silostudy.figures.style import BLUE, GREEN, VERMILION, WIDTH, foot, headline, save
+from silostudy.figures.style import BLUE, GREEN, TALLEST, VERMILION, WIDTH, foot, headline, save
 from silostudy.tables.handbook import STATIC_COLUMN, table_4_2_5
 from silostudy.tables.kiyama_1983 import WALL_FRICTION
 
@@ -41,7 +41,7 @@ NAMES = {
 def draw(cube: xr.Dataset, stem: Path) -> None:
     """Writes the figure and its numbers: forces over depth, factors by what is averaged, and the factors of the codes."""
     cube = ensembles.first(cube)
-    figure, (depth, factors) = plt.subplots(2, 1, figsize=(WIDTH, 10.6), height_ratios=(1, 1.25))
+    figure, (depth, factors) = plt.subplots(2, 1, figsize=(WIDTH, TALLEST), height_ratios=(1, 1.25))
     shown = [s for s in SHOWN if s in cube["packing"].values] or [int(cube["packing"].values[0])]
     profiles = [_profile(depth, cube.sel(packing=s), s) for s in shown]
     peaks = pd.concat([_factors(factors, cube.sel(packing=s), s, k - (len(shown) - 1) / 2) for k, s in enumerate(shown)])

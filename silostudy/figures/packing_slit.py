@@ -11,7 +11,7 @@ from scipy.optimize import curve_fit
 
 from silostudy.figures import ensembles
 from silostudy.figures.beside import span
-from silostudy.figures.style import WIDTH, foot, headline, save, series
+from silostudy.figures.style import TALLEST, WIDTH, foot, headline, save, series
 from silostudy.tables.constants import STANDARD_GRAVITY
 
 ENOUGH = 5  # runs with a rate, from which on a slit takes part in the fit
@@ -33,7 +33,7 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     cube = ensembles.first(cube)
     rows, *others = [axis for axis in cube.attrs["sweep_axes"].split() if axis in cube.dims and axis != "slit"] or [None]
     count = cube.sizes[rows] if rows else 1
-    figure, panels = plt.subplots(count, 3, figsize=(WIDTH, 1.6 + (4.6 if count == 1 else 2.6 * count)), squeeze=False,
+    figure, panels = plt.subplots(count, 3, figsize=(WIDTH, min(TALLEST, 1.6 + max(4.6, 2.6 * count))), squeeze=False,
                                   sharex=True, sharey="col")  # fmt: skip
     numbers = []
     for number, row in enumerate(panels):

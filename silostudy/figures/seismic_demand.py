@@ -8,7 +8,7 @@ import xarray as xr
 
 from silostudy.figures.beside import span
 from silostudy.figures.shaken import LINES, answer, cases, head, name
-from silostudy.figures.style import BLUE, GREEN, VERMILION, WIDTH, save
+from silostudy.figures.style import BLUE, GREEN, TALLEST, VERMILION, WIDTH, save
 from silostudy.tables.mass_choices import MASS_CHOICES
 
 PANELS = {
@@ -23,7 +23,7 @@ CASES = ((BLUE, "o"), (VERMILION, "s"), (GREEN, "^"))
 
 def draw(cube: xr.Dataset, stem: Path) -> None:
     """Writes the figure and its numbers: five quantities over depth, and the moment at the base by the share that counts."""
-    figure, grid = plt.subplots(2, 3, figsize=(WIDTH, 9.6))
+    figure, grid = plt.subplots(2, 3, figsize=(WIDTH, TALLEST))
     panels, base, tables = grid.flat[: len(PANELS)], grid[1, 2], []
     columns = cases(cube)
     for look, case in zip(CASES, columns, strict=False):

@@ -8,7 +8,7 @@ import pandas as pd
 import xarray as xr
 
 from silostudy.figures.shaken import MEASURED, answer, cases, distance, head, kind, name, nearest
-from silostudy.figures.style import BLACK, VERMILION, WIDTH, save
+from silostudy.figures.style import BLACK, TALLEST, VERMILION, WIDTH, save
 
 WINDOW = 1.5  # s about the largest measured value; the whole history would be a band of ink
 
@@ -17,8 +17,9 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     """Writes the figure and the histories it shows."""
     columns = cases(cube)
     shown = list(map(float, cube["shown_coefficient"].values))
-    size = (WIDTH, 1.6 * (len(shown) + 2) + 1.6)
-    figure, panels = plt.subplots(len(shown) + 2, len(columns), figsize=size, sharex="col", sharey="col", squeeze=False)
+    figure, panels = plt.subplots(
+        len(shown) + 2, len(columns), figsize=(WIDTH, TALLEST), sharex="col", sharey="col", squeeze=False
+    )
     tables, told = [], []
     for column, case in zip(panels.T, columns, strict=True):
         part = case.isel(sample=_window(case))

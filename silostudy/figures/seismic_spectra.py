@@ -8,7 +8,7 @@ import pandas as pd
 import xarray as xr
 
 from silostudy.figures.shaken import MEASURED, cases, distance, head, kind, name, nearest
-from silostudy.figures.style import BLACK, VERMILION, WIDTH, save
+from silostudy.figures.style import BLACK, TALLEST, VERMILION, WIDTH, save
 
 ENERGY = (0.05, 0.95)  # the part of the band that is drawn holds this much of the measured energy, and a margin
 
@@ -18,7 +18,12 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     columns = cases(cube)
     shown = list(map(float, cube["shown_coefficient"].values))
     figure, panels = plt.subplots(
-        len(shown), len(columns), figsize=(WIDTH, 1.8 * len(shown) + 2.2), sharex=True, sharey="col", squeeze=False
+        len(shown),
+        len(columns),
+        figsize=(WIDTH, min(TALLEST, 1.8 * len(shown) + 2.2)),
+        sharex=True,
+        sharey="col",
+        squeeze=False,
     )
     for column, case in zip(panels.T, columns, strict=True):
         for panel, coefficient in zip(column, shown, strict=True):

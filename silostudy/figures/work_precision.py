@@ -35,7 +35,7 @@ def draw_group(cube: xr.Dataset, group: str, stem: Path) -> None:
     panels = list(points.groupby(["problem", "quantity"], sort=False))
     across = min(ACROSS, max(1, len(panels)))
     down = -(-len(panels) // across) or 1
-    figure, axes = plt.subplots(down, across, figsize=(WIDTH, 1.2 + 5.2 * down), squeeze=False)
+    figure, axes = plt.subplots(down, across, figsize=(WIDTH, 1.2 + 4.2 * down), squeeze=False)
     for axis, ((key, _), part) in zip(axes.flat, panels, strict=False):
         panel(axis, part, problems.sel(problem=key))
     for axis in axes.flat[len(panels) :]:
