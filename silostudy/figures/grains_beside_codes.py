@@ -44,7 +44,8 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
         ranked.append(ranks.assign(**setting, phase="discharge"))
     headline(figure, _message(ranked))
     handles = {text: line for panel in panels[:, 1] for line, text in zip(*panel.get_legend_handles_labels(), strict=True)}
-    about = "In colour: methods that cover the grains' largest mean around, half a diameter deep and deeper; grey: all others."
+    about = "In colour: methods that cover the grains' largest mean around, half a diameter deep and deeper; grey: all others. "
+    about += "Right: filled over that mean, hollow over the grains' largest on one cell."
     fillings = f"Bands: least and largest of {cube.sizes['filling']} fillings; bars: interval of their mean, 95 %."
     foot(figure, f"{cube.attrs['title']}.", about, fillings, handles=handles.values())
     save(figure, pd.concat([*numbers, *ranked], ignore_index=True), stem)
