@@ -51,20 +51,22 @@ def depths_of(codes: xr.Dataset) -> xr.DataArray:
     return codes["depth"] if "relative_depth" not in codes.dims else codes["relative_depth"] * codes["cylinder_depth"]
 
 
+def profiles(codes: xr.Dataset, settings: xr.DataArray) -> dict[str, xr.DataArray]:
+    """What theories and codes say at their own depths (m) and places on the hopper, where no level of cells blurs a jump."""
+    along = "relative_depth" if "relative_depth" in codes.dims else "depth"
+    own = {"code_profile_depth": depths_of(codes), "code_wall_profile": codes["wall_normal_pressure"]}
+    data = {name: values.drop_vars(along).rename({along: "code_level"}) for name, values in own.items()}
+    if "hopper_normal_pressure" in codes:
+        data["code_hopper_profile"] = codes["hopper_normal_pressure"]
+    return {name: values.broadcast_like(settings) for name, values in data.items()}
+
+
 def at_depths(codes: xr.Dataset, name: str, depth: xr.DataArray) -> xr.DataArray:
     """Values of a profile at depths (m; settings, wall_level); NaN below the deepest place, and above the surface."""
     along = "relative_depth" if "relative_depth" in codes.dims else "depth"
     return xr.apply_ufunc(
         _interpolated, codes[name], depths_of(codes), depth, vectorize=True,
         input_core_dims=[[along], [along], ["wall_level"]], output_core_dims=[["wall_level"]],
-    )  # fmt: skip
-
-
-def in_hopper(codes: xr.Dataset, position: xr.DataArray) -> xr.DataArray:
-    """Pressure (Pa) on the hopper at places (settings, wall_level) from 0, the transition, to 1, the outlet."""
-    return xr.apply_ufunc(
-        _interpolated, codes["hopper_normal_pressure"], codes["hopper_position"], position, vectorize=True,
-        input_core_dims=[["hopper_position"], ["hopper_position"], ["wall_level"]], output_core_dims=[["wall_level"]],
     )  # fmt: skip
 
 

@@ -21,42 +21,42 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
 def findings(cube: xr.Dataset) -> pd.DataFrame:
     """The table: of the grains themselves first, then of each method beside them."""
     return pd.DataFrame(
-        [found for setting, one in settings(cube) for found in (*_grains(one, setting), *_methods(one, setting))]
+        [line for setting, silo in settings(cube) for line in (*_grains(silo, setting), *_methods(silo, setting))]
     )
 
 
-def _grains(one: xr.Dataset, setting: dict[str, Any]) -> list[dict[str, Any]]:
-    found = [row(one["contents_unit_weight"], **setting, of="grains", quantity="unit weight at rest (N/m3)")]
-    friction = one["mobilised_wall_friction"]
-    found += [row(friction.sel(phase=phase), **setting, of="grains", quantity="wall shear over wall pressure", phase=phase)
+def _grains(silo: xr.Dataset, setting: dict[str, Any]) -> list[dict[str, Any]]:
+    lines = [row(silo["contents_unit_weight"], **setting, of="grains", quantity="unit weight at rest (N/m3)")]
+    friction = silo["mobilised_wall_friction"]
+    lines += [row(friction.sel(phase=phase), **setting, of="grains", quantity="wall shear over wall pressure", phase=phase)
               for phase in PHASES]  # fmt: skip
-    found.append(row(one["lateral_pressure_ratio_at_rest"], **setting, of="grains", quantity="lateral pressure ratio at rest"))
-    found += [
-        row(one["largest_over_rest"].sel(phase=phase, averaging=area), **setting, of="grains", phase=phase, area=str(area),
+    lines.append(row(silo["lateral_pressure_ratio_at_rest"], **setting, of="grains", quantity="lateral pressure ratio at rest"))
+    lines += [
+        row(silo["largest_over_rest"].sel(phase=phase, averaging=area), **setting, of="grains", phase=phase, area=str(area),
             quantity="largest mean on an area over the ring's mean at rest")
-        for phase in PHASES for area in one["averaging"].values
+        for phase in PHASES for area in silo["averaging"].values
     ]  # fmt: skip
-    if one["hopper_switch_factor"].notnull().any():
+    if silo["hopper_switch_factor"].notnull().any():
         quantity = "largest ring mean on the hopper in flow over that at rest"
-        found.append(row(one["hopper_switch_factor"].max("wall_level"), **setting, of="grains", quantity=quantity))
-    return found
+        lines.append(row(silo["hopper_switch_factor"].max("wall_level"), **setting, of="grains", quantity=quantity))
+    return lines
 
 
-def _methods(one: xr.Dataset, setting: dict[str, Any]) -> list[dict[str, Any]]:
-    found = []
+def _methods(silo: xr.Dataset, setting: dict[str, Any]) -> list[dict[str, Any]]:
+    lines = []
     for phase in PHASES:
-        for method in methods_of(one, phase):
+        for method in methods_of(silo, phase):
             about = {**setting, "of": method, "phase": phase}
-            said = one.sel(pressure_method=method, phase=phase)
-            found.append(row(said["code_over_grains_force"], **about, quantity="wall force over the grains'"))
-            found.append(
+            said = silo.sel(pressure_method=method, phase=phase)
+            lines.append(row(said["code_over_grains_force"], **about, quantity="wall force over the grains'"))
+            lines.append(
                 row(said["code_profile_residual"], **about, quantity="root mean square of pressure over the grains', less 1")
             )
-            for area in one["averaging"].values:
+            for area in silo["averaging"].values:
                 cover = row(said["code_over_grains_peak"].sel(averaging=area), **about, area=str(area),
                             quantity="least pressure over the grains' largest mean on an area")  # fmt: skip
-                found.append({**cover, "verdict": verdict(cover["low_95"], cover["high_95"])})
-    return found
+                lines.append({**cover, "verdict": verdict(cover["low_95"], cover["high_95"])})
+    return lines
 
 
 def verdict(low: float, high: float) -> str:

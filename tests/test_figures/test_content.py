@@ -91,42 +91,6 @@ def drawn(key: str, cubes: list[xr.Dataset], folder: Path, monkeypatch: pytest.M
     return Drawn(kept[0] if kept else None, table, cubes)
 
 
-# not yet redrawn in the style of figures/style.py
-OLD_LOOK = {
-    "accuracy_earthquake",
-    "accuracy_formulas",
-    "accuracy_grains",
-    "accuracy_shells",
-    "accuracy_summary",
-    "bin_fields",
-    "bin_motion",
-    "bin_pressures",
-    "effect_prices",
-    "grains_beside_codes",
-    "grains_effective_mass",
-    "kiyama_fig_10",
-    "kiyama_fig_6",
-    "kiyama_fig_7",
-    "kiyama_fig_8_9",
-    "laboratory_tests",
-    "outflow_over_outlet",
-    "packing_against_codes",
-    "packing_arching",
-    "packing_motion",
-    "packing_sampling",
-    "packing_slit",
-    "peaks_over_area",
-    "profile_over_step",
-    "seismic_demand",
-    "seismic_histories",
-    "seismic_indices",
-    "seismic_recovery",
-    "seismic_resonance",
-    "seismic_spectra",
-    "silo_of_discs",
-    "stability_map",
-    "switch_in_hopper",
-}
 COSTLY = ("silo_of_discs", "accuracy_grains", "grains_effective_mass", "stability_map")  # cubes of kernels
 
 
@@ -134,7 +98,7 @@ COSTLY = ("silo_of_discs", "accuracy_grains", "grains_effective_mass", "stabilit
 def test_output_shows_what_its_table_holds(key, tmp_path, monkeypatch):
     output = drawn(key, cubes_of(key), tmp_path, monkeypatch)
     assert output.faults() == []
-    assert key in OLD_LOOK or output.faults_of_look() == []
+    assert output.faults_of_look() == []
     plt.close("all")
 
 
