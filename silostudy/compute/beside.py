@@ -9,7 +9,7 @@ import xarray as xr
 from silostudy.compute.axes import axis_coordinates, axis_names
 from silostudy.compute.beside_areas import AVERAGED, largest_mean, of_profile, step_of
 from silostudy.compute.beside_around import around, zones
-from silostudy.compute.beside_codes import PHASES, at_depths, by_phase, in_hopper, matched
+from silostudy.compute.beside_codes import PHASES, at_depths, by_phase, matched, profiles
 from silostudy.compute.beside_hopper import compared_in_hopper, in_cone
 from silostudy.compute.beside_plan import Plan, plan_of
 from silostudy.cube.assemble import Sweep, assemble
@@ -39,6 +39,8 @@ def beside_cube(expansion: Expansion, scenes: xr.Dataset, codes: xr.Dataset | No
     arrays |= {name: pressures[name].values for name in ("pressure_method", *OF_METHODS)}
     arrays |= {name: grains[name].values for name in ("filling", "wall_level")}
     arrays |= {"phase": np.array(PHASES), "averaging": np.array(list(AVERAGED))}
+    arrays |= {"code_level": np.arange(data["code_profile_depth"].sizes["code_level"])}
+    arrays |= {"hopper_position": pressures["hopper_position"].values} if "code_hopper_profile" in data else {}
     coordinates = {name: given for name, given in axis_coordinates(study).items() if given[0] in axes}
     notes = {"codes": pressures.attrs["title"]}
     return assemble(study, "beside", arrays, sources=SOURCES, notes=notes, sweep=Sweep(axes, coordinates))
@@ -50,7 +52,7 @@ def _in_order(value: xr.DataArray, name: str, axes: tuple[str, ...]) -> np.ndarr
 
 
 def felt(grains: xr.Dataset, plan: Plan) -> dict[str, xr.DataArray]:
-    """What the vertical wall felt: depths (m), pressures (Pa) by phase and area, friction and lateral pressure ratio."""
+    """Loads on the vertical wall: depths (m), pressures (Pa) by phase and area, friction and lateral pressure ratio."""
     height, step = grains["wall_level_height"], step_of(grains["wall_level_height"])
     depth = grains["filled_height_at_rest"] - (height - height.isel(wall_level=0) + step / 2)
     depth = depth.where(depth >= step / 2)  # levels that are wholly below the surface
@@ -104,12 +106,10 @@ def _sides(step: xr.DataArray, plan: Plan, around: int) -> xr.DataArray:
 
 
 def said(codes: xr.Dataset, felt_arrays: dict[str, xr.DataArray]) -> dict[str, xr.DataArray]:
-    """What theories and codes say at the levels, whose depth is the mean over the fillings."""
-    depth, position = (felt_arrays[name].mean("filling") for name in ("level_depth", "hopper_level_position"))
-    data = {"code_wall_pressure": at_depths(codes, "wall_normal_pressure", depth)}
-    if "hopper_normal_pressure" in codes:
-        data["code_hopper_pressure"] = in_hopper(codes, position)
-    return data
+    """What theories and codes say at the levels, whose depth is the mean over the fillings, and at depths of their own."""
+    depth = felt_arrays["level_depth"].mean("filling")
+    at_levels = {"code_wall_pressure": at_depths(codes, "wall_normal_pressure", depth)}
+    return at_levels | profiles(codes, depth.isel(wall_level=0, drop=True))
 
 
 def compared(arrays: dict[str, xr.DataArray], wide: float) -> dict[str, xr.DataArray]:

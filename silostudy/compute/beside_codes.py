@@ -1,4 +1,4 @@
-"""What theories and codes say of the walls of a sweep of silos of grains, at the levels where the grains were felt."""
+"""Theories and codes for the walls of a sweep of silos of grains, at the levels where the grains' forces were recorded."""
 
 import numpy as np
 import xarray as xr
@@ -8,7 +8,8 @@ from silostudy.errors import BadInput
 from silostudy.scene.expand import Expansion
 
 PHASES = ("filling", "discharge")
-SAME, AS_FULL = 0.01, 0.15  # how far diameters and depths may differ, as a share
+SAME = 0.01  # share by which diameters of the same silo may differ
+AS_FULL = 0.15  # share by which the depths of the solid may
 
 
 def matched(expansion: Expansion, codes: xr.Dataset | None, scenes: xr.Dataset) -> xr.Dataset:
@@ -58,20 +59,22 @@ def depths_of(codes: xr.Dataset) -> xr.DataArray:
     return codes["depth"] if "relative_depth" not in codes.dims else codes["relative_depth"] * codes["cylinder_depth"]
 
 
+def profiles(codes: xr.Dataset, settings: xr.DataArray) -> dict[str, xr.DataArray]:
+    """What theories and codes say at their own depths (m) and places on the hopper, where no level of cells blurs a jump."""
+    along = "relative_depth" if "relative_depth" in codes.dims else "depth"
+    own = {"code_profile_depth": depths_of(codes), "code_wall_profile": codes["wall_normal_pressure"]}
+    data = {name: values.drop_vars(along).rename({along: "code_level"}) for name, values in own.items()}
+    if "hopper_normal_pressure" in codes:
+        data["code_hopper_profile"] = codes["hopper_normal_pressure"]
+    return {name: values.broadcast_like(settings) for name, values in data.items()}
+
+
 def at_depths(codes: xr.Dataset, name: str, depth: xr.DataArray) -> xr.DataArray:
     """Values of a profile at depths (m; settings, wall_level); NaN below the deepest place, and above the surface."""
     along = "relative_depth" if "relative_depth" in codes.dims else "depth"
     return xr.apply_ufunc(
         _interpolated, codes[name], depths_of(codes), depth, vectorize=True,
         input_core_dims=[[along], [along], ["wall_level"]], output_core_dims=[["wall_level"]],
-    )  # fmt: skip
-
-
-def in_hopper(codes: xr.Dataset, position: xr.DataArray) -> xr.DataArray:
-    """Pressure (Pa) on the hopper at places (settings, wall_level) from 0, the transition, to 1, the outlet."""
-    return xr.apply_ufunc(
-        _interpolated, codes["hopper_normal_pressure"], codes["hopper_position"], position, vectorize=True,
-        input_core_dims=[["hopper_position"], ["hopper_position"], ["wall_level"]], output_core_dims=[["wall_level"]],
     )  # fmt: skip
 
 

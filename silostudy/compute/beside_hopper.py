@@ -1,5 +1,6 @@
 """Hoppers of silos of grains beside what theories and codes say of them: at rest, in flow, and while the switch passes."""
 
+import numpy as np
 import xarray as xr
 
 from silostudy.compute.beside_areas import step_of
@@ -34,11 +35,24 @@ def _time_of_largest(flow: xr.DataArray, end: xr.DataArray) -> xr.DataArray:
 def compared_in_hopper(data: dict[str, xr.DataArray]) -> dict[str, xr.DataArray]:
     """Ratios of what methods say of the hopper to what the grains did: of its mean pressure, and next to the transition to the
     largest window."""
-    if "code_hopper_pressure" not in data:
+    if "code_hopper_profile" not in data:
         return {}
-    code, ring = data["code_hopper_pressure"], data["hopper_ring_pressure"]
+    ring, place = data["hopper_ring_pressure"], data["hopper_level_position"].mean("filling")
+    code = at_places(data["code_hopper_profile"], place)
     both = code.notnull() & ring.notnull()
     mean, felt = (values.where(both).sum("wall_level", min_count=1) for values in (code, ring))
     top = {"wall_level": -1}
     peak = data["hopper_ring_largest"].isel(top)
     return {"code_over_grains_hopper": mean / felt, "code_over_grains_transition": code.isel(top) / peak.where(peak > 0.0)}
+
+
+def at_places(profile: xr.DataArray, place: xr.DataArray) -> xr.DataArray:
+    """Pressure (Pa) of a profile over the hopper at places (settings, wall_level) from 0, the transition, to 1, the outlet."""
+    return xr.apply_ufunc(
+        _interpolated, profile, profile["hopper_position"], place, vectorize=True,
+        input_core_dims=[["hopper_position"], ["hopper_position"], ["wall_level"]], output_core_dims=[["wall_level"]],
+    )  # fmt: skip
+
+
+def _interpolated(values: np.ndarray, places: np.ndarray, wanted: np.ndarray) -> np.ndarray:
+    return np.interp(wanted, places, values, left=np.nan, right=np.nan)

@@ -1,4 +1,4 @@
-"""What the walls of a silo of grains feel, level by level: at rest, and window by window in flow."""
+"""Forces on the walls of a silo of grains, level by level: at rest, and window by window in flow."""
 
 import numpy as np
 
@@ -18,7 +18,7 @@ def keeps_walls(scene: AnyScene) -> bool:
 
 
 def windows_in_flow(scene: AnyScene) -> int:
-    """How many whole windows follow the first event: up to the stop where that comes after a time, else up to the limit."""
+    """Number of whole windows after the first event: up to the stop where that comes after a time, else up to the limit."""
     last, window = scene.events[-1], scene.record.wall_force_window_s
     assert window is not None
     span = last.value if last.when == "after" and last.value is not None else scene.march.limit_s

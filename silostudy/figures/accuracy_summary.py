@@ -1,53 +1,65 @@
 """What 10 %, 1 % and 0.1 % cost: the cheapest setting that reaches each, problem by problem."""
 
 from pathlib import Path
+from textwrap import fill
 
 import matplotlib.pyplot as plt
 import numpy as np
 import pandas as pd
 import xarray as xr
 
-from silostudy.figures.style import save
+from silostudy.figures.style import BLACK, SKY, VERMILION, WIDTH, foot, headline, save
 from silostudy.figures.work_precision import table
 
-ASKED = {0.1: ("10 %", "#56b4e9", "o"), 0.01: ("1 %", "#d55e00", "s"), 0.001: ("0.1 %", "#332288", "D")}
+ASKED = {0.1: ("10 %", SKY, "o"), 0.01: ("1 %", VERMILION, "s"), 0.001: ("0.1 %", BLACK, "D")}
+WRAP = 44  # letters of a label
 
 
 def draw(cube: xr.Dataset, stem: Path) -> None:
     """Writes the figure and the table; an error counts where all finer settings of its ladder keep it."""
-    found = costs(cube)
+    cheapest = costs(cube)
     problems = cube.set_coords("problem")
-    figure, axis = plt.subplots(figsize=(15, 0.5 * found.groupby(["problem", "quantity"]).ngroups + 1.6))
+    figure, axis = plt.subplots(figsize=(WIDTH, 0.62 * cheapest.groupby(["problem", "quantity"]).ngroups + 2.2))
     labels = []
-    for row, ((problem, quantity), part) in enumerate(found.groupby(["problem", "quantity"], sort=False)):
-        axis.plot(part["cost"], np.full(len(part), row), color="grey", linewidth=1, zorder=1)
-        for one in part.itertuples():
-            _, colour, marker = ASKED[one.asked]
-            axis.scatter(one.cost, row, color=colour, marker=marker, s=130 * one.asked**0.15, zorder=2)
+    for row, ((problem, quantity), part) in enumerate(cheapest.groupby(["problem", "quantity"], sort=False)):
+        axis.plot(part["cost"], np.full(len(part), row), color="0.7", linewidth=1, zorder=1)
+        for point in part.itertuples():
+            _, colour, marker = ASKED[point.asked]
+            axis.scatter(point.cost, row, color=colour, marker=marker, s=130 * point.asked**0.15, zorder=2)
         words = "\n".join(map(_words, part.itertuples()))
-        axis.text(1.01, row, words, transform=axis.get_yaxis_transform(), fontsize=6.3, va="center")
+        axis.text(1.01, row, words, transform=axis.get_yaxis_transform(), fontsize="small", va="center")
         about = problems.sel(problem=problem)
         title, setting = (about[f"problem_{name}"].item() for name in ("title", "setting"))
-        labels.append(f"{problem}: {quantity}".replace("_", " ") + f"\n{title}; by {setting}")
-    axis.set_yticks(range(len(labels)), labels, fontsize=6.5)
+        labels.append(f"{problem}: {quantity}".replace("_", " ") + "\n" + fill(f"{title}; by {setting}", WRAP))
+    axis.set_yticks(range(len(labels)), labels)
     axis.set_ylim(len(labels) - 0.4, -0.6)
-    axis.set(xscale="log", xlabel="CPU time of the cheapest setting that reaches it and whose finer ones do too (s)")
-    handles = [plt.Line2D([], [], color=c, marker=m, linestyle="") for _, c, m in ASKED.values()]
-    figure.legend(handles, [text for text, *_ in ASKED.values()], loc="outside lower center", ncols=3, title="relative error")
-    axis.set_title(
-        f"{cube.attrs['title']}: what 10 %, 1 % and 0.1 % cost\n{cube.attrs['machine']}, {cube.attrs['measured_on']}"
+    axis.set(xscale="log", xlabel="CPU time of the cheapest setting (s)")
+    handles = [plt.Line2D([], [], color=c, marker=m, linestyle="", label=text) for text, c, m in ASKED.values()]
+    headline(figure, _message(cheapest))
+    told = (
+        "Cheapest setting that reaches a relative error and whose finer ones do too; its ladder and setting stand on the right."
     )
-    save(figure, found.rename(columns={"cost": "cost_s"}), stem)
+    foot(figure, f"{cube.attrs['title']}: {cube.attrs['machine']}, {cube.attrs['measured_on']}.", told, handles=handles)
+    save(figure, cheapest.rename(columns={"cost": "cost_s"}), stem)
 
 
-def _words(one) -> str:
+def _message(cheapest: pd.DataFrame) -> str:
+    """How many times as long the finest error takes as the coarsest, in the median over what comes to both."""
+    cost = cheapest.pivot(index=["problem", "quantity"], columns="asked", values="cost")
+    (coarse, (coarse_words, *_)), *_, (fine, (fine_words, *_)) = ASKED.items()
+    dearer = (cost[fine] / cost[coarse]).dropna()
+    told = f"{cost[fine].notna().sum()} of {len(cost)} quantities come to {fine_words}"
+    if dearer.empty:
+        return told
+    return f"{told}, for {dearer.median():.2g} times the CPU time of {coarse_words} in the median, {dearer.max():.2g} at most"
+
+
+def _words(point) -> str:
     """What reaches an error, or why nothing does."""
-    text = ASKED[one.asked][0]
-    if one.ladder:
-        return f"{text}: {one.ladder}, {one.setting:.6g}"
-    return f"{text}: " + (
-        "drowned in chance, which alone makes %.0f %%" % (100 * one.floor) if one.floor > one.asked else "not reached"
-    )
+    text = ASKED[point.asked][0]
+    if point.ladder:
+        return f"{text}: {point.ladder}, {point.setting:.6g}"
+    return f"{text}: " + (f"chance alone makes {100 * point.floor:.0f} %" if point.floor > point.asked else "not reached")
 
 
 def costs(cube: xr.Dataset) -> pd.DataFrame:

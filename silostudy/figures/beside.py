@@ -16,8 +16,8 @@ def settings(cube: xr.Dataset) -> Iterator[tuple[dict[str, Any], xr.Dataset]]:
     """What the axes set, by the title of the scene where they set one, and the cube there, setting by setting."""
     axes = cube.attrs["sweep_axes"].split()
     for place in product(*(range(cube.sizes[axis]) for axis in axes)):
-        one = cube.isel(dict(zip(axes, place, strict=True)))
-        yield {axis: one.get(f"{axis}_title", one[axis]).item() for axis in axes}, one
+        silo = cube.isel(dict(zip(axes, place, strict=True)))
+        yield {axis: silo.get(f"{axis}_title", silo[axis]).item() for axis in axes}, silo
 
 
 def told(setting: dict[str, Any]) -> str:
@@ -43,20 +43,26 @@ def interval(values: np.ndarray) -> tuple[float, float, float]:
 
 def row(values: xr.DataArray, **about: Any) -> dict[str, Any]:
     """A row of a table: what it is about, mean over the fillings, its interval, and how many fillings."""
-    found = values.values.ravel()
-    mean, low, high = interval(found)
-    return {**about, "mean": mean, "low_95": low, "high_95": high, "fillings": int(np.isfinite(found).sum())}
+    fillings = values.values.ravel()
+    mean, low, high = interval(fillings)
+    return {**about, "mean": mean, "low_95": low, "high_95": high, "fillings": int(np.isfinite(fillings).sum())}
 
 
-def methods_of(one: xr.Dataset, phase: str) -> list[str]:
+def methods_of(silo: xr.Dataset, phase: str) -> list[str]:
     """Methods that say anything of the wall in a phase."""
-    given = one["code_wall_pressure"].sel(phase=phase).notnull().any("wall_level")
-    return [str(method) for method in one["pressure_method"].values[given.values]]
+    given = silo["code_wall_pressure"].sel(phase=phase).notnull().any("wall_level")
+    return [str(method) for method in silo["pressure_method"].values[given.values]]
 
 
-def profile(one: xr.DataArray, depth: xr.DataArray, **about: Any) -> pd.DataFrame:
+def span(low: float, high: float, digits: int = 2) -> str:
+    """Two numbers as a range in words, one where they are told alike."""
+    least, most = (f"{value:.{digits}g}" for value in (low, high))
+    return least if least == most else f"{least} to {most}"
+
+
+def profile(pressure: xr.DataArray, depth: xr.DataArray, **about: Any) -> pd.DataFrame:
     """Mean over the fillings of a profile, its least and largest, by the mean depth of each level (m)."""
     return pd.DataFrame({
-        **about, "depth_m": depth.mean("filling").values, "pressure_Pa": one.mean("filling").values,
-        "least_Pa": one.min("filling").values, "largest_Pa": one.max("filling").values,
+        **about, "depth_m": depth.mean("filling").values, "pressure_Pa": pressure.mean("filling").values,
+        "least_Pa": pressure.min("filling").values, "largest_Pa": pressure.max("filling").values,
     }).dropna(subset=["depth_m", "pressure_Pa"])  # fmt: skip

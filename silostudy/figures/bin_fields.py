@@ -11,12 +11,12 @@ from matplotlib.patches import Polygon
 
 from silostudy.errors import BadInput
 from silostudy.figures import bin as bins
-from silostudy.figures.style import AID, headline, plt, save
+from silostudy.figures.style import AID, WIDTH, foot, headline, plt, save
 
 CM, KPA = 100.0, 1e3
 THIN, FILLED = 0.1, 0.5  # of the largest solid fraction: cells with less are empty, or have no ratio of stresses
 SHOWN = {
-    "solid_fraction": ("solid fraction (volume over volume)", "viridis"),
+    "solid_fraction": ("solid over whole volume", "viridis"),
     "speed_m_s": ("speed (m/s)", "YlOrRd"),
     "vertical_stress_kPa": ("vertical stress (kPa)", "cividis"),
     "stress_ratio": ("lateral over vertical stress", "magma_r"),
@@ -27,23 +27,22 @@ PHASES = ("at rest", "in discharge")
 def draw(cube: xr.Dataset, stem: Path) -> None:
     """Writes the figure and the fields of both phases as CSV."""
     cells = phases(cube)
-    figure, panels = plt.subplots(1, len(SHOWN), figsize=(2.6 * len(SHOWN), 6.2), sharey=True)
+    figure, panels = plt.subplots(1, len(SHOWN), figsize=(WIDTH, 7.0), sharey=True)
     half, top = (float(cube.attrs[name]) * CM for name in ("half_width_m", "top_height_m"))
     high = min(top, 1.1 * float(cells["height_cm"][cells["solid_fraction"].notna()].max()))
     for panel, (name, (label, colours)) in zip(panels, SHOWN.items(), strict=True):
-        found = _halves(panel, cells, name, colours, bins.outline_of(cube))
+        mesh = _halves(panel, cells, name, colours, bins.outline_of(cube))
         bins.outline(panel, cube)
-        panel.set(xlabel="distance from the axis (cm)", xlim=(-half - 0.3, half + 0.3), ylim=(-0.3, high), aspect="equal")
+        panel.set(xlabel="from the axis (cm)", xlim=(-half - 0.3, half + 0.3), ylim=(-0.3, high), aspect="equal")
         panel.xaxis.set_major_formatter(lambda value, _: f"{abs(value):g}")
         panel.axvline(0.0, color="white", linewidth=0.8, gid=AID)
-        panel.set_title("at rest | in discharge", fontsize=8)
+        panel.set_title("at rest | in discharge")
         panel.grid(False)
-        figure.colorbar(found, ax=panel, location="bottom", label=label, shrink=0.9)
+        figure.colorbar(mesh, ax=panel, location="bottom", label=label, shrink=0.9)
     panels[0].set_ylabel("height above the outlet (cm)")
-    headline(figure, f"{cube.attrs['title']}: {_message(cube, cells)}")
-    figure.supxlabel(
-        f"within {_reach(cube):.1f} cm of walls and surface the kernel reaches beyond them: fields fade", fontsize=7
-    )
+    headline(figure, _message(cube, cells))
+    fade = f"Within {_reach(cube):.1f} cm of walls and surface the kernel reaches beyond them: fields fade."
+    foot(figure, f"{cube.attrs['title']}.", fade)
     save(figure, cells, stem)
 
 
@@ -89,12 +88,12 @@ def _halves(panel: Axes, cells: pd.DataFrame, name: str, colours: str, inside: n
     r, z = np.unique(cells["distance_cm"]), np.unique(cells["height_cm"])
     sides = [part[name].to_numpy().reshape(len(r), len(z)).T for _, part in cells.groupby("phase", sort=False)]
     edges = _edges(r)
-    found = panel.pcolormesh(
+    mesh = panel.pcolormesh(
         np.append(-edges[:0:-1], edges), _edges(z), np.hstack([sides[0][:, ::-1], sides[-1]]), cmap=colours,
         vmin=0.0, vmax=float(cells[name].quantile(0.99)),
     )  # fmt: skip
-    found.set_clip_path(Polygon(inside * CM, transform=panel.transData))
-    return found
+    mesh.set_clip_path(Polygon(inside * CM, transform=panel.transData))
+    return mesh
 
 
 def _edges(middles: np.ndarray) -> np.ndarray:

@@ -9,14 +9,14 @@ from matplotlib.axes import Axes
 from matplotlib.collections import QuadMesh
 
 from silostudy.figures import bin as bins
-from silostudy.figures.style import AID, plt, save
+from silostudy.figures.style import AID, BLACK, BLUE, PURPLE, VERMILION, WIDTH, foot, headline, plt, save
 
 KPA = 1e3  # Pa
-MAPS = {"rest": "pressure_rest_Pa", "discharge, mean": "pressure_discharge_Pa"}
-LINES = {
-    "at rest": ("pressure_rest_Pa", "#000000", "o"),
-    "in discharge, mean": ("pressure_discharge_Pa", "#d55e00", "s"),
-    "in discharge, mean of the cells' peaks": ("peak_discharge_Pa", "#cc79a7", "^"),
+MAPS = {"at rest": "pressure_rest_Pa", "in discharge, mean": "pressure_discharge_Pa"}
+LINES: dict[str, tuple[str, dict]] = {
+    "at rest": ("pressure_rest_Pa", {"color": BLACK, "marker": "o"}),
+    "in discharge, mean": ("pressure_discharge_Pa", {"color": VERMILION, "marker": "s", "linestyle": (0, (4, 2))}),
+    "in discharge, mean of the cells' peaks": ("peak_discharge_Pa", {"color": PURPLE, "marker": "^", "linestyle": (0, (1, 1))}),
 }
 
 
@@ -24,18 +24,32 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     """Writes the figure and the pressures of every cell as CSV."""
     cells = bins.phases(cube)
     shown = {name: column for name, column in MAPS.items() if cells[column].notna().any()}
-    figure, panels = plt.subplots(1, len(shown) + 1, figsize=(3.4 * len(shown) + 4.2, 4.6), sharey=True, squeeze=False)
+    figure, panels = plt.subplots(1, len(shown) + 1, figsize=(WIDTH, 5.8), sharey=True, squeeze=False)
     most = max(float(cells[column].max()) for column in shown.values()) / KPA or 1.0
     for panel, (name, column) in zip(panels[0], shown.items(), strict=False):
-        found = _map(panel, cells, column, most)
+        mesh = _map(panel, cells, column, most)
         panel.set(title=name, xlabel="angle from the x axis (°)", xlim=(0, 360), xticks=range(0, 361, 90))
         _transition(panel, cube)
     panels[0, 0].set_ylabel("height above the outlet (m)")
     panels[0, 0].set_ylim(0.0, _loaded(cube, cells))
-    figure.colorbar(found, ax=panels[0, : len(shown)], location="bottom", shrink=0.7, label="normal pressure (kPa)")
+    figure.colorbar(mesh, ax=panels[0, : len(shown)], location="bottom", shrink=0.7, label="normal pressure (kPa)")
     table = _profiles(panels[0, -1], cube, cells)
-    figure.suptitle(str(cube.attrs["title"]), fontsize=10)
+    headline(figure, _message(cells, table))
+    foot(figure, f"{cube.attrs['title']}.", handles=panels[0, -1].get_legend_handles_labels()[0])
     save(figure, pd.concat([cells.assign(kind="cell"), table], ignore_index=True), stem)
+
+
+def _message(cells: pd.DataFrame, table: pd.DataFrame) -> str:
+    """Largest pressures in discharge over the largest at rest, of means over the angle and of single cells."""
+    means = table[table["kind"] == "mean"]
+    rest, flow = (float(means[column].max()) for column in MAPS.values())
+    if not rest > 0.0:
+        return "Nothing presses on the walls at rest"
+    if np.isnan(flow):
+        return f"At rest the largest mean around the walls is {rest / KPA:.3g} kPa"
+    peak = float(cells["peak_discharge_Pa"].max() / rest)
+    mean = f"In discharge the largest mean around the walls is {flow / rest:.2g} times that at rest"
+    return f"{mean}, the peak of a cell {peak:.2g} times"
 
 
 def _loaded(cube: xr.Dataset, cells: pd.DataFrame) -> float:
@@ -53,9 +67,9 @@ def _map(panel: Axes, cells: pd.DataFrame, column: str, most: float) -> QuadMesh
         angles = np.linspace(0.0, 360.0, grid.shape[1] + 1)
         high = heights[1] - heights[0] if len(heights) > 1 else 2.0 * heights[0]
         edges = np.append(heights - high / 2, heights[-1] + high / 2)
-        found = panel.pcolormesh(angles, edges, grid, cmap="viridis", vmin=0.0, vmax=most)
+        mesh = panel.pcolormesh(angles, edges, grid, cmap="viridis", vmin=0.0, vmax=most)
     panel.grid(False)
-    return found
+    return mesh
 
 
 def _transition(panel: Axes, cube: xr.Dataset) -> None:
@@ -67,20 +81,19 @@ def _transition(panel: Axes, cube: xr.Dataset) -> None:
 def _profiles(panel: Axes, cube: xr.Dataset, cells: pd.DataFrame) -> pd.DataFrame:
     """Means over the angle, and Janssen's curve for the column as it stands; gives the numbers."""
     means = bins.profile(cells)
-    for label, (column, colour, marker) in LINES.items():
+    for label, (column, style) in LINES.items():
         for number, (_, surface) in enumerate(means.groupby("surface")):
             if surface[column].notna().any():
-                panel.plot(surface[column] / KPA, surface["height_m"], color=colour, marker=marker, markersize=3,
-                           label=label if number == 0 else "_")  # fmt: skip
+                panel.plot(surface[column] / KPA, surface["height_m"], markersize=4,
+                           label=label if number == 0 else "_", **style)  # fmt: skip
     tables = [means.assign(kind="mean")]
     if of := bins.column(cube, cells):
         heights = np.linspace(float(cube.attrs["transition_height_m"]), of.surface, 40)
         pressure = bins.janssen(of.surface - heights, of, float(cube.attrs["hydraulic_radius_m"]))
-        label = f"Janssen, with friction {of.wall_friction:.2f} and K {of.lateral_pressure_ratio:.2f}\nas they act at rest"
-        panel.plot(pressure / KPA, heights, color="#0072b2", linestyle="--", label=label)
+        label = f"Janssen, with friction {of.wall_friction:.2f} and K {of.lateral_pressure_ratio:.2f} as they act at rest"
+        panel.plot(pressure / KPA, heights, color=BLUE, linewidth=2.2, alpha=0.8, label=label)
         tables.append(pd.DataFrame({"kind": "janssen", "height_m": heights, "pressure_rest_Pa": pressure}))
     panel.axhline(float(cube.attrs["transition_height_m"]), color="#888888", linewidth=0.8, gid=AID)
     panel.set(title="mean over the angle", xlabel="normal pressure (kPa)")
     panel.set_xlim(left=0.0)
-    panel.legend(fontsize=7, loc="upper right")
     return pd.concat(tables, ignore_index=True)

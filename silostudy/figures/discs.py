@@ -31,10 +31,10 @@ def frames(cube: xr.Dataset, film: int) -> np.ndarray:
 
 def name(cube: xr.Dataset, film: int) -> str:
     """A film in words: packing, run, remedy."""
-    one = cube.isel(film=film)
-    across, run = int(one["film_across"]), int(one["film_run"])
+    here = cube.isel(film=film)
+    across, run = int(here["film_across"]), int(here["film_run"])
     text = f"{across - 1}/{across}, " + ("ideal start" if run == 0 else f"run {run}")
-    return text + (", a disc of the roof removed at each stop" if int(one["film_remedy"]) else "")
+    return text + (", a disc of the roof removed at each stop" if int(here["film_remedy"]) else "")
 
 
 def draw_box(panel: Axes, cube: xr.Dataset, *, opened: bool) -> None:
@@ -77,15 +77,15 @@ def circles(cube: xr.Dataset, snapshot: int, panel: Axes, **style) -> EllipseCol
 
 def centres(cube: xr.Dataset, snapshot: int) -> pd.DataFrame:
     """Centres (cm) of the discs of a snapshot that are left."""
-    one = cube.isel(snapshot=snapshot)
-    return pd.DataFrame({"across_cm": one["disc_x"].values * CM, "height_cm": one["disc_y"].values * CM}).dropna()
+    frame = cube.isel(snapshot=snapshot)
+    return pd.DataFrame({"across_cm": frame["disc_x"].values * CM, "height_cm": frame["disc_y"].values * CM}).dropna()
 
 
 def speed(cube: xr.Dataset, snapshot: int) -> np.ndarray:
     """Speed (m/s) of the discs of a snapshot that are left."""
-    one = cube.isel(snapshot=snapshot)
-    found = np.hypot(one["disc_u"].values, one["disc_v"].values)
-    return found[np.isfinite(found)]
+    frame = cube.isel(snapshot=snapshot)
+    speeds = np.hypot(frame["disc_u"].values, frame["disc_v"].values)
+    return speeds[np.isfinite(speeds)]
 
 
 def scale_bar(panel: Axes, cube: xr.Dataset, x: float, y: float, scale: float = DIAMETER_IS) -> None:
@@ -93,4 +93,4 @@ def scale_bar(panel: Axes, cube: xr.Dataset, x: float, y: float, scale: float = 
     diameter = 2 * float(cube.attrs["radius_m"]) * CM
     panel.plot([x, x + diameter], [y, y], color="black", linewidth=1.25, solid_capstyle="butt", gid=AID)
     text = f" {scale:.1f} disc weights ({scale * disc_weight(cube):.0f} N/m)"
-    panel.text(x + diameter, y, text, va="center", fontsize=7)
+    panel.text(x + diameter, y, text, va="center", fontsize="small")

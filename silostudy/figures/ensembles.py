@@ -1,12 +1,16 @@
 """Ensembles of a packing study: names of packings, spreads over runs, chances with their confidence intervals."""
 
+from typing import Any
+
 import numpy as np
 import xarray as xr
 from matplotlib.axes import Axes
 from scipy.stats import binomtest
 
+from silostudy.figures.style import BLUE, VERMILION
+
 LOW, HIGH = 0.1, 0.9  # quantiles of a band
-COLOURS = {False: "#0072b2", True: "#d55e00"}
+COLOURS = {False: BLUE, True: VERMILION}
 
 
 def name(across: float) -> str:
@@ -33,13 +37,13 @@ def chance(hits: np.ndarray) -> tuple[float, float, float]:
     return float(known.mean()), float(interval.low), float(interval.high)
 
 
-def bundle(panel: Axes, time: np.ndarray, values: np.ndarray, *, colour: str, label: str, faint: bool = True) -> None:
-    """Single runs faint, their band, their median."""
+def bundle(panel: Axes, time: np.ndarray, values: np.ndarray, *, faint: bool = True, **look: Any) -> None:
+    """Single runs in grey, their band, their median."""
     low, middle, high = spread(values)
     if faint:
-        panel.plot(time, values.T, color=colour, linewidth=0.3, alpha=0.2)
-    panel.fill_between(time, low, high, color=colour, alpha=0.18, linewidth=0)
-    panel.plot(time, middle, color=colour, linewidth=1.6, label=label)
+        panel.plot(time, values.T, color="0.8", linewidth=0.3)
+    panel.fill_between(time, low, high, color=look["color"], alpha=0.18, linewidth=0)
+    panel.plot(time, middle, linewidth=1.8, **look)
 
 
 def first(cube: xr.Dataset) -> xr.Dataset:

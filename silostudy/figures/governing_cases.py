@@ -13,12 +13,13 @@ from matplotlib.patches import Patch, Rectangle
 
 from silostudy.cube.governing import parts
 from silostudy.figures import rules
-from silostudy.figures.style import save, title
+from silostudy.figures.style import WIDTH, foot, headline, save, title
 
 STEPS = (0.0, 0.25, 0.5, 0.75, 1.0, 1e9)  # of utilisation, with a colour each
 COLOURS = ("#F7F7F7", "#D1E5F0", "#92C5DE", "#FDDBC7", "#D6604D")
 BLANK = "#FFFFFF"
 UNCHECKED = "not checked"
+READ = "utilisation (1), the check behind it, load case of the contents (filling: with its patch, if it has one)"
 
 
 def draw(cube: xr.Dataset, stem: Path) -> None:
@@ -34,20 +35,28 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     )
     shown = _made(table[(table.pressure_method == methods[0]) & (table["rule"] == judges[0])])
     names, keys = list(dict.fromkeys(shown["part"])), list(dict.fromkeys(shown.combination))
-    figure, axes = plt.subplots(figsize=(2.4 + 1.55 * len(keys), 2.2 + 0.72 * len(names)))
+    figure, axes = plt.subplots(figsize=(WIDTH, 2.4 + 0.68 * len(names)))
     _fields(axes, shown, names, keys)
     axes.set_xticks(range(len(keys)), [_head(cube, key) for key in keys])
     axes.set_yticks(range(len(names)), [_part(cube, name) for name in names])
     axes.tick_params(length=0, top=True, bottom=False, labeltop=True, labelbottom=False)
     axes.grid(False)
     axes.spines[:].set_visible(False)
-    figure.legend(handles=_handles(), loc="outside lower center", ncols=len(COLOURS) + 2, fontsize=8)
     wall = f"{title(cube, methods[0])}; buckling by {rules.name(cube, judges[0])}{_cases(cube)}"
     unseen = ", ".join(key for key in map(str, cube["combination"].values) if key not in keys)
     told = f"; not checked: {unseen}" if unseen else ""
-    said = "utilisation (1), the check behind it, load case of the contents (filling: with its patch, if it has one)"
-    figure.suptitle(f"{cube.attrs['title']}\n{wall}\n{said}{told}")
+    headline(figure, _message(cube, shown))
+    foot(figure, f"{cube.attrs['title']}; {wall}{told}", READ, handles=_handles())
     save(figure, table[["pressure_method", "rule", *table.columns.drop(["pressure_method", "rule"])]], stem)
+
+
+def _message(cube: xr.Dataset, shown: pd.DataFrame) -> str:
+    """What the table says, in numbers: the part that is used most, with its check and combination."""
+    worst = shown.loc[shown.utilisation.idxmax()]
+    words = str(cube["combination_title"].sel(combination=worst.combination).values)
+    check = worst.governed_by.replace("_", " ")
+    check = "" if check == worst["part"] else f", by {check}"
+    return f"Used most: {worst['part']}, to {worst.utilisation:.2f}{check}, under {worst.combination} ({words})"
 
 
 def _made(table: pd.DataFrame) -> pd.DataFrame:
@@ -68,16 +77,24 @@ def _fields(axes, shown: pd.DataFrame, names: list[str], keys: list[str]) -> Non
     for record in shown.itertuples():
         row, column = names.index(record.part), keys.index(record.combination)
         governs = record.utilisation > 0 and record.utilisation == np.nanmax(used[row])
-        axes.text(column, row, _words(record), ha="center", va="center", fontsize=7.5, weight="bold" if governs else "normal")
+        axes.text(
+            column,
+            row,
+            _words(record, 110 // len(keys)),
+            ha="center",
+            va="center",
+            fontsize="small",
+            weight="bold" if governs else "normal",
+        )
         if governs:
             axes.add_patch(Rectangle((column - 0.48, row - 0.46), 0.96, 0.92, fill=False, edgecolor="black", linewidth=2))
 
 
-def _words(record) -> str:
+def _words(record, width: int) -> str:
     if not np.isfinite(record.utilisation):
         return "-" if record.state == UNCHECKED else record.state
     check = record.governed_by.replace("_", " ")
-    lines = [f"{record.utilisation:.2f}", "" if check == record.part else fill(check, 24), fill(record.load_case, 26)]
+    lines = [f"{record.utilisation:.2f}", "" if check == record.part else fill(check, width), fill(record.load_case, width)]
     return "\n".join(dict.fromkeys(line for line in lines if line))
 
 
@@ -100,9 +117,9 @@ def _part(cube: xr.Dataset, name: str) -> str:
 
 def _handles() -> list[Patch]:
     ends = [f"above {low:g}" if high == STEPS[-1] else f"{low:g} to {high:g}" for low, high in pairwise(STEPS)]
-    found = [Patch(facecolor=colour, edgecolor="0.6", label=end) for colour, end in zip(COLOURS, ends, strict=True)]
+    shades = [Patch(facecolor=colour, edgecolor="0.6", label=end) for colour, end in zip(COLOURS, ends, strict=True)]
     return [
-        *found,
+        *shades,
         Patch(facecolor=BLANK, edgecolor="black", linewidth=2, label="governs the part"),
         Patch(alpha=0, label="-  not checked"),
     ]

@@ -9,13 +9,13 @@ import xarray as xr
 from matplotlib.colors import BoundaryNorm, ListedColormap
 from matplotlib.patches import Patch
 
-from silostudy.figures.style import save, title
+from silostudy.figures.style import BLUE, ORANGE, SKY, VERMILION, WIDTH, foot, headline, name, save, title
 
 CASES = {
-    "filling, lower half of the hopper": ("#4393C3", "fl"),
-    "filling, upper half": ("#D1E5F0", "fu"),
-    "discharge, lower half": ("#F4A582", "dl"),
-    "discharge, upper half": ("#D6604D", "du"),
+    "filling, lower half of the hopper": (BLUE, "fl"),
+    "filling, upper half": (SKY, "fu"),
+    "discharge, lower half": (ORANGE, "dl"),
+    "discharge, upper half": (VERMILION, "du"),
 }
 
 
@@ -25,7 +25,7 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
         m for m in map(str, cube["pressure_method"].values) if cube["hopper_balance"].sel(pressure_method=m).notnull().any()
     ]
     methods = [m for m in methods if set(_phases(cube, m)) == {"filling", "discharge"}]
-    figure, axes = plt.subplots(1, len(methods) + 1, figsize=(4.4 * (len(methods) + 1), 5.4), squeeze=False, sharey=True)
+    figure, axes = plt.subplots(1, len(methods) + 1, figsize=(WIDTH, 5.6), squeeze=False, sharey=True)
     colours = ListedColormap([colour for colour, _ in CASES.values()])
     tables = []
     for panel, method in zip(axes[0], methods, strict=False):
@@ -35,18 +35,30 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
         )
         for number, (_, short) in enumerate(CASES.values()):
             _write(panel, cube, case.values == number, short)
-        panel.set_title(title(cube, method))
+        panel.set_title(f"{title(cube, method)}:\nwhat governs")
         tables.append(_numbers(case, largest, method))
     _ring(axes[0, -1], cube, methods)
     for panel in axes[0]:
-        panel.set_xlabel("cylinder depth over diameter H/D")
+        panel.set_xlabel("cylinder depth over\ndiameter H/D")
         panel.grid(False)
     axes[0, 0].set_ylabel("half angle of the cone (°)")
-    handles = [Patch(color=colour, label=f"{short}  {name}") for name, (colour, short) in CASES.items()]
+    numbers = pd.concat(tables, ignore_index=True)
+    handles = [
+        Patch(color=colour, label=f"{short}  {case}") for case, (colour, short) in CASES.items() if (numbers.case == case).any()
+    ]
     handles.append(Patch(facecolor="white", edgecolor="0.6", label=_blank(cube, methods)))
-    figure.legend(handles=handles, loc="outside lower center", ncols=3)
-    figure.suptitle(f"{cube.attrs['title']}\nload case and place of the largest hopper wall pressure")
-    save(figure, pd.concat(tables, ignore_index=True), stem)
+    headline(figure, _message(cube, numbers))
+    foot(figure, f"{cube.attrs['title']}; load case and place of the largest hopper wall pressure", handles=handles)
+    save(figure, numbers, stem)
+
+
+def _message(cube: xr.Dataset, numbers: pd.DataFrame) -> str:
+    """What the maps say, in numbers: the load case that governs most often, method by method."""
+    told = []
+    for method, cases in numbers.groupby("pressure_method", sort=False).case:
+        shares = cases.value_counts(normalize=True)
+        told.append(f"{shares.index[0]}, by {name(cube, str(method))} ({100 * shares.iloc[0]:.0f} %)")
+    return f"The hopper most often feels its largest pressure in {'; in '.join(told)}"
 
 
 def _blank(cube: xr.Dataset, methods: list[str]) -> str:
@@ -54,12 +66,12 @@ def _blank(cube: xr.Dataset, methods: list[str]) -> str:
     broken = np.unique(cube["limit_broken"].sel(pressure_method=methods))
     limits = [str(cube["limit"].values[number]).split(" (")[0] for number in broken if number > 0]
     outside = f", or outside the limit {' and '.join(limits)}" if limits else ""
-    return f"blank: no initial field, or no mass flow{outside};\nequal pressures count as filling"
+    return f"blank: no initial field, or no mass flow{outside}; equal pressures count as filling"
 
 
-def governing(one: xr.Dataset) -> tuple[xr.DataArray, xr.DataArray]:
+def governing(here: xr.Dataset) -> tuple[xr.DataArray, xr.DataArray]:
     """(number in CASES or NaN, largest pressure in Pa), (half_angle, slenderness); NaN where a phase is masked."""
-    pressure = one["hopper_normal_pressure"].sel({"phase": ["filling", "discharge"]})
+    pressure = here["hopper_normal_pressure"].sel({"phase": ["filling", "discharge"]})
     pressure = pressure.transpose("half_angle", "slenderness", "phase", "hopper_position")
     whole = pressure.notnull().any("hopper_position").all("phase")
     flat = pressure.fillna(-np.inf).values.reshape(*pressure.shape[:2], -1)
@@ -83,19 +95,19 @@ def _write(panel, cube: xr.Dataset, here: np.ndarray, short: str) -> None:
     where = np.argwhere(here)
     if len(where) > 0.005 * here.size:
         row, column = where[np.argmin(np.abs((where - where.mean(axis=0)) / here.shape).sum(axis=1))]
-        panel.text(float(cube["slenderness"][column]), _angles(cube)[row], short, ha="center", va="center", fontsize=9)
+        panel.text(float(cube["slenderness"][column]), _angles(cube)[row], short, ha="center", va="center")
 
 
 def _ring(panel, cube: xr.Dataset, methods: list[str]) -> None:
     """Contours of the ring force in flow over the contents and load of the hopper."""
     with_ring = [m for m in methods if cube["ring_force"].sel(pressure_method=m, phase="discharge").notnull().any()]
-    one = cube.sel(pressure_method=with_ring[0], phase="discharge").transpose("half_angle", "slenderness", ...)
-    share = 100 * one["ring_force"] / (one["hopper_weight"] + one["transition_force"])
+    ring = cube.sel(pressure_method=with_ring[0], phase="discharge").transpose("half_angle", "slenderness", ...)
+    share = 100 * ring["ring_force"] / (ring["hopper_weight"] + ring["transition_force"])
     lines = panel.contour(
         cube["slenderness"], _angles(cube), share, levels=[1, 10, 20, 30, 40, 50, 60, 70, 80], colors="black", linewidths=1
     )
-    panel.clabel(lines, fmt="%.0f %%")
-    panel.set_title(f"{title(cube, with_ring[0])}:\nring force in flow over contents and load")
+    panel.clabel(lines, fmt="%.0f %%", fontsize="small")
+    panel.set_title(f"{title(cube, with_ring[0])}:\nring force over contents and load")
 
 
 def _numbers(case: xr.DataArray, largest: xr.DataArray, method: str) -> pd.DataFrame:

@@ -1,59 +1,134 @@
-"""Wall pressure over depth: what the grains did, at rest and in flow, and what theories and codes say of the same silo."""
+"""Wall pressure over depth: what the grains did, at rest and in flow, and what theories and codes say of the same silo.
+
+In colour stand the methods that cover what the grains do in flow all around; the third panel of a row names and ranks all.
+"""
 
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pandas as pd
 import xarray as xr
 from matplotlib.axes import Axes
 
-from silostudy.figures.beside import methods_of, profile, settings, told
-from silostudy.figures.style import look, plt, save, title
+from silostudy.figures.beside import interval, methods_of, profile, settings, told
+from silostudy.figures.steps import over_depth
+from silostudy.figures.style import BLACK, REST, WIDTH, foot, headline, look, plt, save, title
 
-MOST = 4  # rows of panels: more settings than that are shown by the first, the last and those evenly between
+MOST = 2  # rows of panels: of more settings the first and the last are shown that are deep enough for ratios
 KPA = 1e3
 PANELS = {"filling": "at rest", "discharge": "in flow"}
-INK = "black"
+LINES: dict[str, tuple[str, str, dict[str, Any]]] = {  # area, or mean of all windows -> phase, name, look
+    "": ("filling discharge", "grains, mean around the wall", {"linewidth": 2.2, "marker": "o", "markersize": 4}),
+    "ring": ("discharge", "grains, largest mean around in a window", {"linewidth": 1.6, "linestyle": (0, (4, 2))}),
+    "1x1": ("filling discharge", "grains, largest on one cell in a window", {"linewidth": 1.6, "linestyle": (0, (1, 1))}),
+}
+FEW = "no level is half a\ndiameter deep: no ratios"
 
 
 def draw(cube: xr.Dataset, stem: Path) -> None:
-    """Writes the figure and its numbers: a row of panels a setting, at rest on the left and in flow on the right."""
-    every = list(settings(cube))
-    shown = [every[k] for k in np.unique(np.linspace(0, len(every) - 1, min(MOST, len(every))).round().astype(int))]
-    figure, panels = plt.subplots(len(shown), 2, figsize=(11.0, 0.8 + 4.4 * len(shown)), squeeze=False, sharey="row")
-    numbers = []
-    for row, (setting, one) in zip(panels, shown, strict=True):
-        for panel, (phase, name) in zip(row, PANELS.items(), strict=True):
-            numbers += [table.assign(**setting, phase=phase) for table in _panel(panel, one, phase)]
-            panel.set(title=f"{told(setting)}: {name}", xlabel="pressure on the wall (kPa)", xlim=(0.0, None))
-        row[0].set(ylabel="depth below the level surface (m)")
-        row[0].invert_yaxis()
-    handles = {text: line for panel in panels.flat for line, text in zip(*panel.get_legend_handles_labels(), strict=True)}
-    figure.legend(handles.values(), handles.keys(), loc="outside right center", fontsize=8)
-    figure.suptitle(cube.attrs["title"])
-    save(figure, pd.concat(numbers, ignore_index=True), stem)
+    """Writes the figure and its numbers: a row of panels a setting, at rest, in flow, and the methods ranked."""
+    shown = _shown(list(settings(cube)))
+    size = (WIDTH, 1.7 + 3.6 * len(shown))
+    figure, panels = plt.subplots(len(shown), 3, figsize=size, squeeze=False, width_ratios=(1, 1.2, 0.8))
+    numbers, ranked = [], []
+    for (rest, flow, rank), (setting, silo) in zip(panels, shown, strict=True):
+        ranks = _ranks(silo)
+        for panel, (phase, words) in zip((rest, flow), PANELS.items(), strict=True):
+            numbers += [table.assign(**setting, phase=phase) for table in _panel(panel, silo, phase, ranks)]
+            panel.set(title=f"{told(setting)}: {words}", xlabel="pressure on the wall (kPa)", xlim=(0.0, None))
+        flow.sharey(rest)
+        flow.tick_params(labelleft=False)
+        rest.set(ylabel="depth below the level surface (m)", ylim=(float(silo["code_profile_depth"].max()), 0.0))
+        _draw_ranks(rank, silo, ranks)
+        ranked.append(ranks.assign(**setting, phase="discharge"))
+    headline(figure, _message(ranked))
+    handles = {text: line for panel in panels[:, 1] for line, text in zip(*panel.get_legend_handles_labels(), strict=True)}
+    about = "In colour: methods that cover the grains' largest mean around, half a diameter deep and deeper; grey: all others. "
+    about += "Right: filled over that mean, hollow over the grains' largest on one cell."
+    fillings = f"Bands: least and largest of {cube.sizes['filling']} fillings; bars: interval of their mean, 95 %."
+    foot(figure, f"{cube.attrs['title']}.", about, fillings, handles=handles.values())
+    save(figure, pd.concat([*numbers, *ranked], ignore_index=True), stem)
 
 
-def _panel(panel: Axes, one: xr.Dataset, phase: str) -> list[pd.DataFrame]:
+def _shown(every: list[tuple[dict, xr.Dataset]]) -> list[tuple[dict, xr.Dataset]]:
+    """The settings that are shown."""
+    deep = [(setting, silo) for setting, silo in every if silo["code_over_grains_peak"].notnull().any()]
+    chosen = every if len(every) <= MOST else (deep or every)
+    return chosen if len(chosen) <= MOST else [chosen[0], chosen[-1]]
+
+
+def _ranks(silo: xr.Dataset) -> pd.DataFrame:
+    """Methods of the discharge, least first: least pressure over the grains' largest on a ring and on one cell."""
+    rows = []
+    for method in methods_of(silo, "discharge"):
+        ratios = silo["code_over_grains_peak"].sel(pressure_method=method, phase="discharge")
+        ring, low, high = interval(ratios.sel(averaging="ring").values)
+        cell = interval(ratios.sel(averaging="1x1").values)[0]
+        rows.append({"of": method, "over_ring_peak": ring, "low_95": low, "high_95": high, "over_cell_peak": cell})
+    ranks = pd.DataFrame(rows, columns=["of", "over_ring_peak", "low_95", "high_95", "over_cell_peak"])
+    return ranks.sort_values("over_ring_peak", ignore_index=True)
+
+
+def _panel(panel: Axes, silo: xr.Dataset, phase: str, ranks: pd.DataFrame) -> list[pd.DataFrame]:
     """Draws a phase of a setting; the tables that it shows."""
-    depth, tables = one["level_depth"], []
-    for method in methods_of(one, phase):
-        said = one["code_wall_pressure"].sel(pressure_method=method, phase=phase)
-        table = pd.DataFrame({"of": method, "depth_m": depth.mean("filling").values, "pressure_Pa": said.values}).dropna()
-        panel.plot(table["pressure_Pa"] / KPA, table["depth_m"], color=look(one, method)["color"], linewidth=1.0, alpha=0.8,
-                   label=title(one, method))  # fmt: skip
+    covering = set(ranks["of"][~(ranks["over_ring_peak"] < 1.0)])
+    tables = []
+    for method in methods_of(silo, phase):
+        said = silo["code_wall_profile"].sel(pressure_method=method, phase=phase).values
+        table = pd.DataFrame({"of": method, "depth_m": silo["code_profile_depth"].values, "pressure_Pa": said}).dropna()
+        style = look(silo, method) | {"linewidth": 1.3, "markersize": 5, "markevery": 20} if method in covering else REST
+        over_depth(panel, table["pressure_Pa"].to_numpy() / KPA, table["depth_m"].to_numpy(), **style)
         tables.append(table)
-    ring = profile(one["ring_pressure"].sel(phase=phase), depth, of="grains, mean around")
-    panel.fill_betweenx(ring["depth_m"], ring["least_Pa"] / KPA, ring["largest_Pa"] / KPA, color=INK, alpha=0.15, linewidth=0,
-                        label="least and largest of the fillings")  # fmt: skip
-    panel.plot(
-        ring["pressure_Pa"] / KPA, ring["depth_m"], "o-", color=INK, markersize=4, linewidth=2, label="grains, mean around"
-    )
-    for area, look_of in {"ring": "--", "1x1": ":"}.items():
-        if phase == "filling" and area == "ring":
-            continue
-        name = "grains, largest window around" if area == "ring" else "grains, largest on one cell"
-        table = profile(one["largest_area_pressure"].sel(phase=phase, averaging=area), depth, of=name)
-        panel.plot(table["pressure_Pa"] / KPA, table["depth_m"], look_of, color=INK, linewidth=1.4, label=name)
-        tables.append(table)
-    return [ring, *tables]
+    for area, (phases, name, style) in LINES.items():
+        if phase in phases.split():
+            felt = silo["largest_area_pressure"].sel(averaging=area) if area else silo["ring_pressure"]
+            table = profile(felt.sel(phase=phase), silo["level_depth"], of=name)
+            across, depth = table["pressure_Pa"] / KPA, table["depth_m"]
+            panel.plot(across, depth, color=BLACK, label=name, **style)
+            if not area:
+                panel.fill_betweenx(
+                    depth, table["least_Pa"] / KPA, table["largest_Pa"] / KPA, color="0.3", alpha=0.2, linewidth=0
+                )
+            tables.append(table)
+    return tables
+
+
+def _draw_ranks(panel: Axes, silo: xr.Dataset, ranks: pd.DataFrame) -> None:
+    """A row a method: over the grains' largest mean around (filled), and over their largest on one cell (hollow)."""
+    panel.set(title="least over the grains' largest", xlabel="pressure over the grains'")
+    panel.set_yticks(range(len(ranks)), [title(silo, method) for method in ranks["of"]])
+    panel.set_ylim(-0.7, len(ranks) - 0.3)
+    panel.yaxis.tick_right()
+    panel.spines["left"].set_visible(False)
+    if ranks["over_ring_peak"].isna().all():
+        panel.set(title=FEW, xlabel="", xticks=[])
+        for place, method in enumerate(ranks["of"]):
+            panel.plot(0.9, place, **look(silo, method), markersize=6, transform=panel.get_yaxis_transform())
+        return
+    for place, row in ranks.iterrows():
+        style = look(silo, row["of"]) if row["over_ring_peak"] >= 1.0 else {"color": "0.6", "marker": "o"}
+        panel.hlines(place, row["low_95"], row["high_95"], color="0.7", linewidth=2.5, zorder=1)
+        panel.plot(row["over_ring_peak"], place, **style, markersize=6, linestyle="none")
+        panel.plot(row["over_cell_peak"], place, **style, markersize=6, linestyle="none", markerfacecolor="white")
+    panel.axvline(1.0, color=BLACK, linewidth=1.0)
+    panel.set_xlim(0.0, 1.05 * float(np.nanmax(ranks.drop(columns="of"))))
+
+
+def _message(ranked: list[pd.DataFrame]) -> str:
+    """How many methods cover the grains, as a range over the settings that are shown."""
+    known = [ranks for ranks in ranked if ranks["over_ring_peak"].notna().any()]
+    if not known:
+        return "No silo is deep enough for ratios of codes to grains"
+    ring, cell, all_of = ([int(count) for count in counts] for counts in zip(*map(_counts, known), strict=True))
+    around = f"In flow {_range(ring)} of {_range(all_of)} methods cover the grains' largest mean around the wall"
+    return f"{around}, {_range(cell)} that on one cell"
+
+
+def _counts(ranks: pd.DataFrame) -> tuple[int, int, int]:
+    return (ranks["over_ring_peak"] >= 1.0).sum(), (ranks["over_cell_peak"] >= 1.0).sum(), len(ranks)
+
+
+def _range(counts: list[int]) -> str:
+    low, high = min(counts), max(counts)
+    return f"{low}" if low == high else f"{low} to {high}"

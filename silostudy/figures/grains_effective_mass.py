@@ -1,17 +1,17 @@
 """Effective mass of shaken discs over the study's last axis: what walls and floor carry, and how much of the motion is lost."""
 
 from pathlib import Path
+from textwrap import fill
 
 import matplotlib.pyplot as plt
 import numpy as np
 import pandas as pd
 import xarray as xr
 
-from silostudy.figures.shaken import COLOURS, LINES
-from silostudy.figures.style import save
+from silostudy.figures.beside import span
+from silostudy.figures.style import BLACK, WIDTH, foot, headline, save, series
 from silostudy.tables.constants import STANDARD_GRAVITY
 
-MARKERS = ("o", "s", "^", "D", "v", "P")
 AXES = {
     "amplitude": ("amplitude of the base's acceleration (g)", 1 / STANDARD_GRAVITY),
     "frequency": ("frequency of the sine (Hz)", 1.0),
@@ -25,25 +25,24 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     *outer, axis = cube.attrs["sweep_axes"].split()
     label, factor = AXES.get(axis, (axis.replace("_", " "), 1.0))
     groups = cube.stack(group=outer) if outer else cube.expand_dims("group")
-    figure, (walls, whole, damping) = plt.subplots(1, 3, figsize=(14, 6.0))
+    figure, (walls, whole, damping) = plt.subplots(1, 3, figsize=(WIDTH, 6.6))
     for number in range(groups.sizes["group"]):
-        one = groups.isel(group=number)
-        x = np.asarray(one[axis], dtype=float) * factor
-        look: dict = {"marker": MARKERS[number % 6], "color": COLOURS[number % 5], "linestyle": LINES[number % 5]}
-        look |= {"capsize": 2, "linewidth": 1.2, "markersize": 5}
-        _line(walls, x, one["carried_in_phase"].sel(carrier="walls"), _name(one, outer), look)
-        _line(whole, x, one["carried_in_phase"].sel(carrier="all"), None, look)
-        _line(damping, x, one["contents_damping"] * 100, None, look)
-        walls.plot(x, one["ring_share"].mean("filling"), color=look["color"], linewidth=0.8, linestyle=":",
-                   marker=look["marker"], markersize=4, markerfacecolor="none",
-                   label="ring that wall friction carries (hollow, same colour)" if number == 0 else None)  # fmt: skip
+        group = groups.isel(group=number)
+        x = np.asarray(group[axis], dtype=float) * factor
+        look = series(number) | {"capsize": 2, "linewidth": 1.5, "markersize": 5}
+        _line(walls, x, group["carried_in_phase"].sel(carrier="walls"), _name(group, outer), look)
+        _line(whole, x, group["carried_in_phase"].sel(carrier="all"), None, look)
+        _line(damping, x, group["contents_damping"] * 100, None, look)
+        walls.plot(x, group["ring_share"].mean("filling"), color="0.6", linewidth=0.9, marker=look["marker"], markersize=4,
+                   markerfacecolor="none", label="ring that wall friction carries" if number == 0 else None)  # fmt: skip
     code = groups["grains_code_share"].mean("filling").isel(group=0)
-    walls.plot(np.asarray(groups[axis], dtype=float) * factor, code, color="black", linewidth=2.2, alpha=0.5,
+    walls.plot(np.asarray(groups[axis], dtype=float) * factor, code, color="0.5", linewidth=3.0,
                label="EN 1998-4, its pressure summed (circular)")  # fmt: skip
-    walls.axhline(EIGHTY, color="black", linewidth=1, linestyle="--", label="80 % (ACI 313, AIJ)")
+    walls.axhline(EIGHTY, color=BLACK, linewidth=1, linestyle="--", label="80 % (ACI 313, AIJ)")
     _dress(walls, whole, damping, label)
-    figure.legend(loc="outside lower center", ncols=3, fontsize=8)
-    figure.suptitle(f"{cube.attrs['title']}\nplane discs in a rigid box; {_fillings(cube)}", fontsize=10)
+    headline(figure, _message(cube))
+    about = f"Plane discs in a rigid box; {_fillings(cube)}. Damping: where half or more moves with the box."
+    foot(figure, f"{cube.attrs['title']}.", about, handles=walls.get_legend_handles_labels()[0])
     save(figure, _numbers(cube, axis), stem)
 
 
@@ -56,18 +55,27 @@ def _lost(values: xr.DataArray | xr.Dataset) -> int:
     return min(1, values.sizes["filling"] - 1)
 
 
-def _name(one: xr.Dataset, outer: list[str]) -> str:
-    return ", ".join(f"{axis} {one[axis].item()}".replace("_", " ") for axis in outer) or "discs"
+def _message(cube: xr.Dataset) -> str:
+    """Which share of the contents the walls carry, beside what EN 1998-4's pressure and the usual codes say."""
+    carried = cube["carried_in_phase"].sel(carrier="walls").mean("filling")
+    code = cube["grains_code_share"].mean("filling")
+    low, high = (100 * float(value) for value in (carried.min(), carried.max()))
+    told = f"Walls carry {low:.0f} to {high:.0f} % of the contents in phase"
+    return f"{told}; codes say {100 * EIGHTY:.0f} %, EN 1998-4 {span(100 * float(code.min()), 100 * float(code.max()))} %"
+
+
+def _name(group: xr.Dataset, outer: list[str]) -> str:
+    return ", ".join(f"{axis} {group[axis].item()}".replace("_", " ") for axis in outer) or "discs"
 
 
 def _dress(walls, whole, damping, label: str) -> None:
     panels = {
-        walls: ("share carried by the walls, in phase", "effective mass coefficient of the walls"),
-        whole: ("share carried by walls and floor, in phase", "effective mass coefficient of the box"),
-        damping: ("equivalent damping ratio of the contents (%)", "damping (where half or more moves with the box)"),
+        walls: ("share carried in phase", "walls"),
+        whole: ("share carried in phase", "walls and floor"),
+        damping: ("damping ratio of the contents (%)", "contents"),
     }
     for panel, (text, title) in panels.items():
-        panel.set(xlabel=label, ylabel=text, title=title)
+        panel.set(xlabel=fill(label, 28), ylabel=text, title=title)
     for panel in (whole, damping):
         panel.axhline(1 if panel is whole else 0, color="black", linewidth=0.8)
     walls.set_ylim(bottom=min(0.0, walls.get_ylim()[0]))

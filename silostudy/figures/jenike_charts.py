@@ -7,44 +7,52 @@ import numpy as np
 import pandas as pd
 import xarray as xr
 
-from silostudy.figures.style import save
+from silostudy.figures.style import MARKERS, WIDTH, foot, headline, save
 from silostudy.tables.outputs import output_of
 
 (METHOD,) = output_of(__name__).methods
-MARKERS = "osD^v<>P"
 
 
 def draw(cube: xr.Dataset, stem: Path) -> None:
     """Writes both charts and their numbers; a line for each wall friction angle."""
-    one = cube.sel(pressure_method=METHOD).transpose("half_angle", "hopper_friction", ...)
+    method = cube.sel(pressure_method=METHOD).transpose("half_angle", "hopper_friction", ...)
     panels = {
-        "i_1": one["unloaded_peak_position"].sel({"phase": "filling"}),
-        "q_2": one["radial_force_coefficient"].sel({"phase": "discharge"}),
+        "i_1": method["unloaded_peak_position"].sel({"phase": "filling"}),
+        "q_2": method["radial_force_coefficient"].sel({"phase": "discharge"}),
     }
-    figure, axes = plt.subplots(1, 2, figsize=(12, 6))
-    angles, tables = np.degrees(one["half_angle"].values), []
+    figure, axes = plt.subplots(1, 2, figsize=(WIDTH, 5.8))
+    angles, tables = np.degrees(method["half_angle"].values), []
     for panel, (name, values) in zip(axes, panels.items(), strict=True):
-        for line, friction in enumerate(one["hopper_friction"].values):
+        for line, friction in enumerate(method["hopper_friction"].values):
             degrees = np.degrees(np.arctan(friction))
             curve = values.isel({"hopper_friction": line}).values
-            shade = plt.get_cmap("viridis")(0.85 * line / max(1, one.sizes["hopper_friction"] - 1))
+            shade = plt.get_cmap("viridis")(0.85 * line / max(1, method.sizes["hopper_friction"] - 1))
             style = {"marker": MARKERS[line % len(MARKERS)], "markevery": 6, "color": shade, "markersize": 5}
             panel.plot(angles, curve, label=f"wall friction {degrees:.0f}°", **style)
             last = np.flatnonzero(np.isfinite(curve))[-1] if np.isfinite(curve).any() else len(angles)
             if last < len(angles) - 1:
-                panel.plot(angles[last], curve[last], marker="|", color=shade, markersize=14, markeredgewidth=2)
+                panel.plot(angles[last], curve[last], "|", color="black", markersize=14, markeredgewidth=2)
             tables.append(
                 pd.DataFrame({"chart": name, "wall_friction_angle_deg": degrees, "half_angle_deg": angles, "value": curve})
             )
-    delta = np.degrees(float(one["effective_friction_angle"].max()))
+    delta = np.degrees(float(method["effective_friction_angle"].max()))
     axes[0].set(
-        ylabel="height of the peak above the vertex over the hopper's, i₁",
-        title="initial, no load on the hopper, K = 0.8 (0: the peak lies at the vertex)",
+        ylabel="height of the peak above the vertex\nover the hopper's, i₁",
+        title="initial, no load on the hopper, K = 0.8\n(0: the peak lies at the vertex)",
         ylim=(-0.02, 1),
     )
     axes[1].set(ylabel="q₂ = Q₂ / (γ D³)", title=f"flow, effective friction angle {delta:.0f}°")
     for panel in axes:
         panel.set(xlabel="half angle of the cone θ (°)", xlim=(0, None))
-    figure.suptitle(f"{cube.attrs['title']} (upright stroke: no field beyond this angle)")
-    figure.legend(*axes[0].get_legend_handles_labels(), loc="outside lower center", ncols=4)
-    save(figure, pd.concat(tables, ignore_index=True).dropna(), stem)
+    numbers = pd.concat(tables, ignore_index=True).dropna()
+    headline(figure, _message(numbers))
+    handles = axes[0].get_legend_handles_labels()[0]
+    foot(figure, f"{cube.attrs['title']}; upright stroke: no field beyond this angle", handles=handles)
+    save(figure, numbers, stem)
+
+
+def _message(numbers: pd.DataFrame) -> str:
+    """What the charts say, in numbers: the flattest cones in which the solid flows along the wall, by wall friction."""
+    ends = numbers[numbers.chart == "q_2"].groupby("wall_friction_angle_deg").half_angle_deg.max()
+    told = (f"{ends.loc[angle]:.0f}° at a wall friction of {angle:.0f}°" for angle in (ends.index.min(), ends.index.max()))
+    return f"The flow field reaches to half angles of {' and '.join(told)}"

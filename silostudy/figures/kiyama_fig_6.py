@@ -8,7 +8,7 @@ import pandas as pd
 import xarray as xr
 
 from silostudy.figures import discs
-from silostudy.figures.style import save
+from silostudy.figures.style import WIDTH, foot, headline, save
 
 
 def draw(cube: xr.Dataset, stem: Path) -> None:
@@ -16,7 +16,9 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     films = discs.films(cube, moving=False)
     columns = min(4, len(films))
     rows = -(-len(films) // columns)
-    figure, panels = plt.subplots(rows, columns, figsize=(3.7 * columns, 4.0 * rows), squeeze=False, sharex=True, sharey=True)
+    figure, panels = plt.subplots(
+        rows, columns, figsize=(WIDTH, 1.3 + 1.12 * WIDTH / columns * rows), squeeze=False, sharex=True, sharey=True
+    )
     for panel in panels.flat[len(films) :]:
         panel.axis("off")
     tables = [pd.DataFrame([_row(cube, film) for film in films])]
@@ -28,10 +30,21 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
         tables.append(contacts.assign(packing=tables[0].packing[place]))
         lowest, leftmost = place + columns >= len(films), place % columns == 0
         panel.set(xlabel="across (cm)" if lowest else "", ylabel="height (cm)" if leftmost else "")
-        panel.set_title(discs.name(cube, film).replace(", ideal start", ""))
-        discs.scale_bar(panel, cube, 1.0, 38.0)
-    figure.suptitle(f"{cube.attrs['title']}\ncontact forces at rest, ideal starts")
+        row = tables[0].iloc[place]
+        panel.set_title(f"{row.packing}: at most {row.largest_disc_weights:.0f} disc weights", fontsize="small")
+    headline(figure, _message(tables[0]))
+    bar = f"Contact forces at rest, ideal starts: a line as long as a disc's diameter is {discs.DIAMETER_IS:.1f} disc weights "
+    foot(figure, f"{cube.attrs['title']}.", f"{bar}({discs.DIAMETER_IS * discs.disc_weight(cube):.0f} N/m).")
     save(figure, pd.concat(tables, ignore_index=True), stem)
+
+
+def _message(rows: pd.DataFrame) -> str:
+    """How the largest contact force and the inclination of contact forces differ from packing to packing."""
+    strong, weak = (rows.loc[rows["largest_disc_weights"].agg(which)] for which in ("idxmax", "idxmin"))
+    steep = rows["mean_inclination_deg"]
+    forces = f"a contact carries at most {strong.largest_disc_weights:.0f} disc weights in {strong.packing} but "
+    forces += f"{weak.largest_disc_weights:.0f} in {weak.packing}"
+    return f"At rest {forces}; forces stand at {steep.min():.0f} to {steep.max():.0f}° on average"
 
 
 def _row(cube: xr.Dataset, film: int) -> dict:

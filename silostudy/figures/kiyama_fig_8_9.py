@@ -1,6 +1,7 @@
 """Places of the discs and contact forces in discharge, after the source's Figs. 8 and 9."""
 
 from pathlib import Path
+from textwrap import fill
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -8,9 +9,9 @@ import pandas as pd
 import xarray as xr
 
 from silostudy.figures import discs
-from silostudy.figures.style import save
+from silostudy.figures.style import WIDTH, foot, headline, save
 
-TIMES = (0.0, 0.05, 0.1, 0.2, 0.3, 0.4, 0.7, 1.0)  # s: the source's text speaks of these
+TIMES = (0.0, 0.05, 0.1, 0.2, 0.4, 0.7)  # s: of these the source's text speaks
 SCALE = 2 * discs.DIAMETER_IS  # disc weights a diameter: forces in flow are several times those at rest
 
 
@@ -18,7 +19,7 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     """Writes the figure and its numbers: discs left, largest and mean force of each time, then every disc and contact."""
     films = shown(cube)
     figure, panels = plt.subplots(
-        2 * len(films), len(TIMES), figsize=(2.35 * len(TIMES), 5.1 * len(films)), squeeze=False, sharex=True, sharey=True
+        2 * len(films), len(TIMES), figsize=(WIDTH, 1.4 + 3.9 * len(films)), squeeze=False, sharex=True, sharey=True
     )
     rows, tables = [], []
     for row, film in enumerate(films):
@@ -27,20 +28,35 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
             time = float(cube["snapshot_time"][snapshot])
             for panel in (place, force):
                 discs.draw_box(panel, cube, opened=time > 0)
-                panel.tick_params(labelsize=6)
+                panel.set_xticks([0, 20, 40])
             place.add_collection(discs.circles(cube, snapshot, place, facecolors="#d9d9d9", edgecolors="black", linewidths=0.3))
             contacts = discs.contacts(cube, snapshot, scale=SCALE)
             force.add_collection(discs.chains(contacts, scale=SCALE))
-            place.set_title(f"t = {time:.3g} s", fontsize=9)
+            place.set_title(f"t = {time:.3g} s")
             rows.append(_row(cube, film, snapshot))
             tables += [part.assign(film=rows[-1]["film"], time_s=time) for part in (discs.centres(cube, snapshot), contacts)]
-        panels[2 * row, 0].set_ylabel(f"{discs.name(cube, film).replace(', a', chr(10) + 'a')}\nheight (cm)", fontsize=8)
-        panels[2 * row + 1, 0].set_ylabel("height (cm)", fontsize=8)
-        discs.scale_bar(panels[2 * row + 1, 0], cube, 0.5, 37.5, SCALE)
+        panels[2 * row, 0].set_ylabel(fill(discs.name(cube, film), 24) + "\nheight (cm)")
+        panels[2 * row + 1, 0].set_ylabel("height (cm)")
     for panel in panels[-1]:
-        panel.set_xlabel("across (cm)", fontsize=8)
-    figure.suptitle(f"{cube.attrs['title']}\nplaces of the discs, and below them the contact forces")
-    save(figure, pd.concat([pd.DataFrame(rows), *tables], ignore_index=True), stem)
+        panel.set_xlabel("across (cm)")
+    numbers = pd.DataFrame(rows)
+    headline(figure, _message(numbers))
+    bar = (
+        f"Places of the discs, and below them contact forces: a line as long as a disc's diameter is {SCALE:.1f} disc weights "
+    )
+    foot(figure, f"{cube.attrs['title']}.", f"{bar}({SCALE * discs.disc_weight(cube):.0f} N/m).")
+    save(figure, pd.concat([numbers, *tables], ignore_index=True), stem)
+
+
+def _message(numbers: pd.DataFrame) -> str:
+    """Film by film, how far the largest contact force rises in flow, when, and how many discs have left by the end."""
+    told = []
+    for _, film in numbers.groupby("film", sort=False):
+        top = film.loc[film["largest_force_disc_weights"].idxmax()]
+        rise = top.largest_force_disc_weights / film["largest_force_disc_weights"].iloc[0]
+        left = int(film["discs_above_floor"].iloc[0] - film["discs_above_floor"].iloc[-1])
+        told.append(f"{film['film'].iloc[0].split(',')[0]}: {rise:.1f} times rest at {top.time_s:.2g} s, {left} discs out")
+    return f"The largest contact force shown, and the discs that left: {'; '.join(told)}"
 
 
 def shown(cube: xr.Dataset) -> list[int]:

@@ -11,9 +11,9 @@ from silostudy.figures.style import save_table
 
 def draw(cube: xr.Dataset, stem: Path) -> None:
     """Writes a line a check."""
-    found = list(checks(cube))
-    for one in found:
-        print(f"check: {one}")
+    made = list(checks(cube))
+    for check in made:
+        print(f"check: {check}")
     columns = {"what": "check", "value": "value", "least": "least", "greatest": "greatest", "holds": "holds"}
-    table = {column: [getattr(one, name) for one in found] for name, column in columns.items()}
+    table = {column: [getattr(check, name) for check in made] for name, column in columns.items()}
     save_table(pd.DataFrame(table), stem.with_suffix(".csv"))

@@ -1,6 +1,7 @@
 """What moisture does to the wall pressure, over depth: where a quotient of two methods comes to the measured ratio."""
 
 from collections.abc import Sequence
+from textwrap import fill
 from typing import Any
 
 import numpy as np
@@ -9,14 +10,13 @@ import xarray as xr
 from matplotlib.axes import Axes
 
 from silostudy.cube.measured import cases_of, crossing, swelling_over_filling
-from silostudy.tables.measured import Measured
+from silostudy.figures.style import LINES, series
+from silostudy.tables.measured import Measurement
 
 DEEPEST = 0.9  # z/z_o down to which the quotient is drawn
-COLOURS = ("#B35806", "#2166AC", "#1B7837", "#762A83")  # of the solids
-LINES = ("-", (0, (5, 2)), (0, (2, 2)))  # of the walls
 
 
-def curves(cube: xr.Dataset, swollen: Sequence[Measured], swelling: str, filled: tuple[str, str]) -> pd.DataFrame:
+def curves(cube: xr.Dataset, swollen: Sequence[Measurement], swelling: str, filled: tuple[str, str]) -> pd.DataFrame:
     """Pressure of the swelling solid over that of filling by its own code (the first of `filled`) and by Janssen.
 
     With a lateral pressure ratio that no wall changes, as Janssen's, the quotient is the same on every wall of a solid: the
@@ -24,7 +24,7 @@ def curves(cube: xr.Dataset, swollen: Sequence[Measured], swelling: str, filled:
     """
     tables: list[pd.DataFrame] = []
     seen: set[str] = set()
-    for place in sorted({place for one in swollen for place in cases_of(cube, one)}):
+    for place in sorted({place for point in swollen for place in cases_of(cube, point)}):
         here = cube.isel(silo=place)
         solid, wall = str(here["silo_solid"].values), str(here["silo_wall"].values)
         for method in filled[: 1 if solid in seen else 2]:
@@ -37,58 +37,57 @@ def curves(cube: xr.Dataset, swollen: Sequence[Measured], swelling: str, filled:
     return pd.concat(tables, ignore_index=True)
 
 
-def crossings(every: pd.DataFrame, swollen: Sequence[Measured]) -> pd.DataFrame:
+def crossings(drawn: pd.DataFrame, swollen: Sequence[Measurement]) -> pd.DataFrame:
     """Where the curves of a measurement's solid come to its value; NaN, and the least value, where they do not."""
     rows = []
-    for one in swollen:
-        own = every[every.taken_solid == one.taken_solid].groupby(["swelling", "pressure_method", "taken_wall"], sort=False)
+    for point in swollen:
+        own = drawn[drawn.taken_solid == point.taken_solid].groupby(["swelling", "pressure_method", "taken_wall"], sort=False)
         for names, curve in own:
-            depth = crossing(curve.relative_depth.to_numpy(), curve.ratio.to_numpy(), one.value)
+            depth = crossing(curve.relative_depth.to_numpy(), curve.ratio.to_numpy(), point.value)
             row = dict(zip(("swelling", "pressure_method", "taken_wall"), names, strict=True))
-            row |= {"shown": "crossing", "measurement": one.measurement, "taken_solid": one.taken_solid}
-            rows.append(row | {"relative_depth": depth, "ratio": one.value, "least_ratio": curve.ratio.min()})
+            row |= {"shown": "crossing", "measurement": point.measurement, "taken_solid": point.taken_solid}
+            rows.append(row | {"relative_depth": depth, "ratio": point.value, "least_ratio": curve.ratio.min()})
     return pd.DataFrame(rows)
 
 
-def words(found: pd.DataFrame, one: Measured) -> str:
+def words(met: pd.DataFrame, point: Measurement) -> str:
     """Where the curves come to the measured value, in words."""
     told = []
-    for row in found[found.measurement == one.measurement].itertuples():
-        met = np.isfinite(row.relative_depth)
-        where = f"at z/z_o = {row.relative_depth:.2f}" if met else f"nowhere, at least {row.least_ratio:.2f}"
+    for row in met[met.measurement == point.measurement].itertuples():
+        meet = np.isfinite(row.relative_depth)
+        where = f"at z/z_o = {row.relative_depth:.2f}" if meet else f"nowhere, at least {row.least_ratio:.2f}"
         told.append(f"{row.swelling} over {row.pressure_method} on {row.taken_wall} wall: {where}")
     return "; ".join(told)
 
 
-def draw_on(panel: Axes, every: pd.DataFrame, found: pd.DataFrame, swollen: Sequence[Measured]) -> None:
+def draw_on(panel: Axes, drawn: pd.DataFrame, met: pd.DataFrame, swollen: Sequence[Measurement]) -> None:
     """Draws the curves, the measured ratios and where they meet."""
-    solids, walls = list(dict.fromkeys(every.taken_solid)), list(dict.fromkeys(every.taken_wall))
+    solids, walls = list(dict.fromkeys(drawn.taken_solid)), list(dict.fromkeys(drawn.taken_wall))
     walls = [*(wall for wall in walls if wall != "any"), "any"]
-    for (solid, method, wall), curve in every.groupby(["taken_solid", "title", "taken_wall"], sort=False):
+    for (solid, method, wall), curve in drawn.groupby(["taken_solid", "title", "taken_wall"], sort=False):
         shown, dotted = curve[curve.relative_depth <= DEEPEST], wall == "any"
-        look: dict[str, Any] = {"color": COLOURS[solids.index(solid)], "linestyle": ":" if dotted else LINES[walls.index(wall)]}
+        look: dict[str, Any] = series(solids.index(solid)) | {"linestyle": ":" if dotted else LINES[walls.index(wall)]}
         label = f"{_plain(solid)} on {'any' if dotted else wall.upper()} wall, over {method.partition(' (')[0]}"
-        panel.plot(shown.ratio, shown.relative_depth, linewidth=1.4 if dotted else 1.8, label=label, **look)
-    points = found.dropna(subset="relative_depth")
-    panel.plot(points.ratio, points.relative_depth, "ko", markersize=4, label="a curve comes to a measured ratio")
-    _ratios(panel, sorted(swollen, key=lambda one: one.value))
-    panel.set(xlabel="pressure of the swelling over that of the filled solid", ylabel="relative depth z/z_o, z_o = R/mu")
+        panel.plot(shown.ratio, shown.relative_depth, markevery=0.2, label=label, **look)
+    points = met.dropna(subset="relative_depth")
+    panel.plot(points.ratio, points.relative_depth, "k*", markersize=9, label="a curve comes to a measured ratio")
+    _ratios(panel, sorted(swollen, key=lambda point: point.value))
+    panel.set(xlabel="pressure of the swelling\nover that of the filled solid", ylabel="relative depth z/z_o, z_o = R/mu")
     panel.set(xlim=(1.6, 5.2), ylim=(DEEPEST, 0))
-    panel.legend(loc="upper right", fontsize=7.5)
-    others = [one for one in swollen if _plain(one.taken_solid) != one.solid]
-    taken = dict.fromkeys(f"{_plain(one.taken_solid)} for {one.solid}" for one in others)
-    panel.set_title(f"Ratios: moist grain swells (AS 3774-1996, one source)\nstand-ins: {', '.join(taken)}", fontsize=10)
+    others = [point for point in swollen if _plain(point.taken_solid) != point.solid]
+    taken = dict.fromkeys(f"{_plain(point.taken_solid)} for {point.solid}" for point in others)
+    panel.set_title(fill(f"Ratios: moist grain swells (AS 3774-1996, one source); stand-ins: {', '.join(taken)}", 44))
 
 
 def _plain(solid: str) -> str:
     return solid.partition("_")[0]
 
 
-def _ratios(panel: Axes, rising: Sequence[Measured]) -> None:
+def _ratios(panel: Axes, rising: Sequence[Measurement]) -> None:
     """A line for each measured ratio, its name on the side where no other stands close."""
-    for place, one in enumerate(rising):
-        panel.axvline(one.value, color="0.35", linewidth=0.9, zorder=1)
+    for place, point in enumerate(rising):
+        panel.axvline(point.value, color="0.35", linewidth=0.9, zorder=1)
         side, gap = ("right", -3) if place % 2 else ("left", 3)
-        name = f"{one.solid} {one.told}" + (" (index)" if "index" in one.quantity else "")
-        panel.annotate(name, (one.value, 0.02), (gap, 0), panel.get_xaxis_transform(), "offset points", ha=side, va="bottom",
-                       rotation=90, fontsize=8)  # fmt: skip
+        name = f"{point.solid} {point.told}" + (" (index)" if "index" in point.quantity else "")
+        panel.annotate(name, (point.value, 0.02), (gap, 0), panel.get_xaxis_transform(), "offset points", ha=side, va="bottom",
+                       rotation=90, fontsize="small")  # fmt: skip

@@ -46,5 +46,5 @@ def _message(cube: xr.Dataset, tests: pd.DataFrame) -> str:
     elastic = tests[tests.elastic]
     places = {"chart_slenderness": elastic.R_over_t, "chart_relative_length": elastic.M2**0.5}
     here = cube["chart_local_coefficient"].interp({dim: ("test", values) for dim, values in places.items()})
-    told = [f"{reached(elastic.C, here.sel(chart_making=making))} that of {making} ones" for making in LINES]
+    told = [f"{reached(elastic.C, here.sel(chart_making=making))} if {making}" for making in LINES]
     return f"Tests that stayed elastic and reach the design curve of their own R/t: {', '.join(told)}"

@@ -9,7 +9,7 @@ from scipy.stats import linregress
 from scipy.stats import t as student
 
 from silostudy.errors import BadInput
-from silostudy.figures.style import plt, save
+from silostudy.figures.style import BLUE, VERMILION, WIDTH, foot, headline, plt, save
 from silostudy.tables.constants import ROUNDED_GRAVITY
 
 POWER = 2.5  # Beverloo's
@@ -24,22 +24,29 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
         raise BadInput("outlet_width", len(table), "cases flowed, of fewer than two outlets: no line goes through them")
     slope, cut = line(table)
     (low, off_low), (high, off_high) = (power(table, edge * diameter) for edge in EDGES)
-    figure, panel = plt.subplots(figsize=(6.4, 4.6))
-    panel.plot(table["outlet_width_m"] / MM, table["root_of_flow"], "o", color="#0072b2", markersize=4, label="a filling")
+    figure, panel = plt.subplots(figsize=(WIDTH, 6.2))
+    panel.plot(table["outlet_width_m"] / MM, table["root_of_flow"], "o", color=BLUE, markersize=6, label="a filling")
     ends = np.array([cut, table["outlet_width_m"].max()])
     law = pd.DataFrame({"outlet_width_m": ends, "root_of_flow": slope * (ends - cut)})
     told = f"Beverloo's law, $(D - k d)^{{5/2}}$ with k = {cut / diameter:.2f}"
-    panel.plot(law["outlet_width_m"] / MM, law["root_of_flow"], color="#d55e00", label=told)
+    panel.plot(law["outlet_width_m"] / MM, law["root_of_flow"], color=VERMILION, linewidth=1.8, label=told, zorder=1)
     panel.set(xlabel="width of the outlet D (mm)", ylabel="mass flow to the power 2/5 (kg$^{2/5}$ s$^{-2/5}$)")
     panel.set(xlim=(0.0, None), ylim=(0.0, None))
-    panel.legend(loc="lower right")
-    told = (
-        f"power of (D - k d): {low:.2f} ± {off_low:.2f} for k = {EDGES[0]:g}, {high:.2f} ± {off_high:.2f} for k = {EDGES[1]:g}"
+    headline(
+        figure,
+        f"Mass flow grows with the power {high:.2f} to {low:.2f} of the free width, Beverloo's 2.5 {_between(low, high)}",
     )
-    figure.suptitle(f"{cube.attrs['title']}\n{told}; Beverloo: 5/2{_constant(cube, slope)}", fontsize=10)
+    edges = f"{low:.2f} ± {off_low:.2f} of (D - k d) with k = {EDGES[0]:g} grain diameters d, "
+    edges += f"{high:.2f} ± {off_high:.2f} with k = {EDGES[1]:g}{_constant(cube, slope)}."
+    foot(figure, f"{cube.attrs['title']}.", f"Power {edges}", handles=panel.get_legend_handles_labels()[0])
     shown = pd.concat([table.assign(kind="filling"), law.assign(kind="law")], ignore_index=True)
     about = {"power_for_k_1": low, "off_for_k_1": off_low, "power_for_k_2": high, "off_for_k_2": off_high}
     save(figure, shown.assign(**about, constant=constant(cube, slope)), stem)
+
+
+def _between(low: float, high: float) -> str:
+    """Whether Beverloo's power lies between those of both edges."""
+    return "between" if high <= POWER <= low else "outside"
 
 
 def flows(cube: xr.Dataset) -> pd.DataFrame:
@@ -54,8 +61,8 @@ def line(table: pd.DataFrame) -> tuple[float, float]:
 
     Source: mankoc_2007 (Beverloo's law).
     """
-    found = linregress(table["outlet_width_m"], table["root_of_flow"])
-    return float(found.slope), float(-found.intercept / found.slope)
+    fit = linregress(table["outlet_width_m"], table["root_of_flow"])
+    return float(fit.slope), float(-fit.intercept / fit.slope)
 
 
 def power(table: pd.DataFrame, edge: float) -> tuple[float, float]:

@@ -8,7 +8,7 @@ import pandas as pd
 import xarray as xr
 
 from silostudy.figures import ensembles
-from silostudy.figures.style import save
+from silostudy.figures.style import AID, BLACK, WIDTH, foot, headline, save
 
 CM = 100.0
 
@@ -20,24 +20,45 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     chances = np.array(
         [ensembles.chance(ensembles.runs(plain["flow_stopped"].sel(packing=s))) for s in plain["packing"].values]
     )
-    figure, ((chance, time), (span, out)) = plt.subplots(2, 2, figsize=(11.5, 8))
+    figure, ((chance, time), (span, out)) = plt.subplots(2, 2, figsize=(WIDTH, 8.8))
     middle, low, high = chances.T
     chance.errorbar(places, middle, [middle - low, high - middle], fmt="o", color="black", capsize=3)
-    chance.set(ylabel="share of runs that an arch stops", ylim=(-0.03, 1.03), title="chance of a stop, with its 95 % interval")
+    chance.set(ylabel="share of runs that an arch stops", ylim=(-0.03, 1.03), title="chance of a stop, 95 % interval")
     stops = [_scatter(time, plain["stop_time"], places, "stopped_at_s"),
              _scatter(span, plain["arch_span"] * CM, places, "arch_span_cm")]  # fmt: skip
     time.set(ylabel="last disc passed at (s)", title="when", ylim=(0, None))
-    span.axhline(cube.attrs["slit_width_m"] * CM, color="black", linewidth=0.8, linestyle="--", label="width of the slit")
-    span.set(ylabel="distance of the arch's feet (cm)", title="where: the shortest chain of touching discs", ylim=(0, None))
-    span.legend(loc="lower right", fontsize=8)
+    span.axhline(
+        cube.attrs["slit_width_m"] * CM, color="black", linewidth=0.8, linestyle="--", gid=AID, label="width of the slit"
+    )
+    span.set(ylabel="distance of the arch's feet (cm)", title="where: shortest chain of touching discs")
+    span.set_ylim(0, 1.1 * max(span.get_ylim()[1], cube.attrs["slit_width_m"] * CM))
     passed = _passed(out, cube, places)
     for panel in (chance, time, span, out):
         panel.set_xticks(places, [ensembles.name(s) for s in cube["packing"].values])
-        panel.set_xlabel("packing")
-    figure.suptitle(
-        f"{cube.attrs['title']}\narches in {cube.sizes['run'] - 1} runs a packing, slit {cube.attrs['slit_width_m'] * CM:g} cm"
+        panel.set(xlabel="packing", xlim=(-0.6, len(places) - 0.4))
+    headline(figure, _message(cube, chances))
+    about = (
+        f"{cube.sizes['run'] - 1} runs a packing, slit of {cube.attrs['slit_width_m'] * CM:g} cm. Dots: every run that stopped."
+    )
+    foot(
+        figure,
+        f"{cube.attrs['title']}.",
+        about,
+        handles=[*out.get_legend_handles_labels()[0], *span.get_legend_handles_labels()[0]],
     )
     save(figure, pd.concat([_numbers(cube, chances), passed, *stops], ignore_index=True), stem)
+
+
+def _message(cube: xr.Dataset, chances: np.ndarray) -> str:
+    """How many of all runs an arch stops, in how many packings, and how many discs come out with the remedy."""
+    share = chances[:, 0]
+    if not share.max() > 0.0:
+        return "No arch stops the flow in any packing"
+    told = f"Arches stop {100 * share.mean():.0f} % of all runs, in {(share > 0).sum()} of {len(share)} packings"
+    if "removal" not in cube.dims:
+        return told
+    plain, remedied = cube["passed_discs"].isel(sample=-1, run=slice(1, None)).mean(("packing", "run")).values
+    return f"{told}; with the remedy {remedied:.0f} discs come out on average in place of {plain:.0f}"
 
 
 def _scatter(panel, values: xr.DataArray, places: np.ndarray, column: str) -> pd.DataFrame:
@@ -46,7 +67,7 @@ def _scatter(panel, values: xr.DataArray, places: np.ndarray, column: str) -> pd
     for place, across in zip(places, values["packing"].values, strict=True):
         known = ensembles.runs(values.sel(packing=across))
         known = np.sort(known[np.isfinite(known)])
-        panel.plot(place + np.linspace(-0.25, 0.25, len(known)), known, ".", color="black", markersize=3, alpha=0.6)
+        panel.plot(place + np.linspace(-0.25, 0.25, len(known)), known, ".", color=BLACK, markersize=4, alpha=0.6)
         tables.append(pd.DataFrame({"packing": ensembles.name(across), column: known}))
     return pd.concat(tables)
 
@@ -68,10 +89,9 @@ def _passed(panel, cube: xr.Dataset, places: np.ndarray) -> pd.DataFrame:
     end = float(cube["sample"][-1])
     panel.set(
         ylabel=f"number of discs out after {end:g} s",
-        title="with and without the remedy (median, middle four fifths)",
-        ylim=(0, 1.3 * panel.get_ylim()[1]),
+        title="remedy: median, middle four fifths",
+        ylim=(0, None),
     )
-    panel.legend(loc="upper center", fontsize=8)
     return pd.concat(tables)
 
 

@@ -25,22 +25,22 @@ def findings(cube: xr.Dataset) -> pd.DataFrame:
         cube = cube.isel(removal=0)
     cube = cube.assign(falling_steps=_falling_steps(cube), janssen_gain=_gain(cube))
     others = [axis for axis in cube.attrs["sweep_axes"].split() if axis in cube.dims and axis != "packing"]
-    found = []
+    lines = []
     for claim in kiyama_1983():
         across = cube["packing"].values if claim.across is None else [claim.across]
         if claim.variable == "falling_steps":
             across = [cube["packing"].values[0]]
         for packing, *place in product(across, *(range(cube.sizes[axis]) for axis in others)):
             if packing in cube["packing"].values:
-                one = cube.sel(packing=packing).isel(dict(zip(others, place, strict=True)))
-                found.append(_row(claim, one, int(packing), _variant(one, others)))
-    return pd.DataFrame(found)
+                variant = cube.sel(packing=packing).isel(dict(zip(others, place, strict=True)))
+                lines.append(_row(claim, variant, int(packing), _settings(variant, others)))
+    return pd.DataFrame(lines)
 
 
-def _variant(one: xr.Dataset, axes: list[str]) -> dict:
+def _settings(variant: xr.Dataset, axes: list[str]) -> dict:
     """What the axes set: their own values, or those of the keys that change together on them."""
-    beside = {axis: [str(name) for name in one.coords if str(name).startswith(f"{axis}_")] or [axis] for axis in axes}
-    return {name: one[name].item() for names in beside.values() for name in names}
+    beside = {axis: [str(name) for name in variant.coords if str(name).startswith(f"{axis}_")] or [axis] for axis in axes}
+    return {name: variant[name].item() for names in beside.values() for name in names}
 
 
 def _falling_steps(cube: xr.Dataset) -> xr.DataArray:
@@ -52,8 +52,8 @@ def _gain(cube: xr.Dataset) -> xr.DataArray:
     return 1.0 - cube["janssen_residual"] / cube["hydrostatic_residual"]
 
 
-def _row(claim: Claim, one: xr.Dataset, across: int, variant: dict) -> dict:
-    values = one[claim.variable]
+def _row(claim: Claim, variant: xr.Dataset, across: int, settings: dict) -> dict:
+    values = variant[claim.variable]
     values = values.sel({values.dims[-1]: claim.measure}) if claim.measure else values
     ideal, runs = float(values.isel(run=0)), values.isel(run=slice(1, None)).values
     runs = runs[np.isfinite(runs)]
@@ -62,7 +62,7 @@ def _row(claim: Claim, one: xr.Dataset, across: int, variant: dict) -> dict:
     low, median, high = np.quantile(runs, [0.1, 0.5, 0.9]) if len(runs) else (np.nan,) * 3
     every = claim.variable == "falling_steps"
     return {
-        "claim": claim.claim, "packing": "all" if every else f"{across - 1}/{across}", **variant,
+        "claim": claim.claim, "packing": "all" if every else f"{across - 1}/{across}", **settings,
         "printed": claim.printed, "at_least": claim.at_least, "at_most": claim.at_most,
         "median": median, "tenth": low, "nine_tenths": high, "ideal_start": ideal,
         "runs": len(runs), "runs_that_meet_it": meet, "share_low_95": chance[0], "share_high_95": chance[1],

@@ -1,6 +1,7 @@
 """The detailed discharges in motion: discs coloured by speed, force chains on them, wall forces beside them."""
 
 from pathlib import Path
+from textwrap import fill
 
 import numpy as np
 import xarray as xr
@@ -9,14 +10,15 @@ from matplotlib.axes import Axes
 from matplotlib.collections import LineCollection
 
 from silostudy.figures import discs
-from silostudy.figures.style import plt
+from silostudy.figures.style import BLUE, WIDTH, foot, headline, plt
 from silostudy.files import replacing
 
 FRAMES_A_SECOND = 8
 EVERY = 2  # snapshots a frame
 FASTEST = 1.0  # m/s: end of the colour scale
 SCALE = 4 * discs.DIAMETER_IS
-DPI = 80
+DPI = 100  # at which small words have 12 px
+ABOUT = "Blue bars: normal force on 1 cm of wall (mean of 10 ms). Black lines: forces of contacts,"
 LENGTH = 10.0  # cm: length of the bar of the largest wall force of a film
 
 
@@ -25,14 +27,15 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     films = [Film(cube, film) for film in discs.films(cube, moving=True)]
     columns = min(2, len(films))
     rows = -(-len(films) // columns)
-    figure, panels = plt.subplots(rows, columns, figsize=(5.0 * columns + 0.6, 3.9 * rows + 0.5), squeeze=False)
+    figure, panels = plt.subplots(rows, columns, figsize=(WIDTH, 7.4 * rows / columns + 1.8), squeeze=False)
     for panel in panels.flat[len(films) :]:
         panel.axis("off")
     for film, panel in zip(films, panels.flat, strict=False):
         film.prepare(panel)
     bar = figure.colorbar(films[0].circles, ax=panels, shrink=0.5, pad=0.01, fraction=0.04)
     bar.set_label("speed of the disc (m/s)")
-    figure.suptitle(f"{cube.attrs['title']}\nblue bars: normal force on 1 cm of wall (mean of 10 ms)", fontsize=10)
+    headline(figure, f"Force on 1 cm of wall: {'; '.join(film.told() for film in films)}")
+    foot(figure, f"{cube.attrs['title']}.", f"{ABOUT} {SCALE:.0f} disc weights a diameter.")
     last = max(len(film.shots) for film in films)
 
     def show(number: int) -> None:
@@ -65,11 +68,16 @@ class Film:
         )
         self.circles = panel.add_collection(self._circles(0))
         self.chains = panel.add_collection(self._chains(0))
-        self.bars = LineCollection([], colors="#0072b2", linewidths=1.6)
+        self.bars = LineCollection([], colors=BLUE, linewidths=1.6)
         panel.add_collection(self.bars)
-        discs.scale_bar(panel, self.cube, 1.0, 38.5, SCALE)
-        panel.plot([self.width, self.width + LENGTH], [38.5, 38.5], color="#0072b2", linewidth=1.6)
-        panel.text(self.width, 36.6, f"{self.force.max():.0f} N/m", fontsize=7, color="#0072b2")
+        panel.plot([self.width, self.width + LENGTH], [38.5, 38.5], color=BLUE, linewidth=1.6)
+        panel.text(self.width, 36.0, f"{self.force.max():.0f} N/m", fontsize="small", color=BLUE)
+
+    def told(self) -> str:
+        """How often the largest force of the film is that of its first frame, and when."""
+        most = self.force.max(axis=(1, 2))
+        time = float(self.cube["snapshot_time"][self.shots[most.argmax()]])
+        return f"{self.name.split(',')[0]} comes to {most.max() / most[0]:.1f} times rest at {time:.2g} s"
 
     def show(self, number: int) -> None:
         """Show a frame."""
@@ -79,14 +87,14 @@ class Film:
         self.chains = self.panel.add_collection(self._chains(number))
         self.bars.set_segments(self._bars(number))
         time = float(self.cube["snapshot_time"][self.shots[number]])
-        self.panel.set_title(f"{self.name}\nt = {time:.2f} s", fontsize=9)
+        self.panel.set_title(f"{fill(self.name, 45)}\nt = {time:.2f} s")
 
     def _circles(self, number: int):
         shot = self.shots[number]
-        found = discs.circles(self.cube, shot, self.panel, cmap="YlOrRd", edgecolors="#888888", linewidths=0.3)
-        found.set_array(discs.speed(self.cube, shot))
-        found.set_clim(0.0, FASTEST)
-        return found
+        circles = discs.circles(self.cube, shot, self.panel, cmap="YlOrRd", edgecolors="#888888", linewidths=0.3)
+        circles.set_array(discs.speed(self.cube, shot))
+        circles.set_clim(0.0, FASTEST)
+        return circles
 
     def _chains(self, number: int) -> LineCollection:
         return discs.chains(discs.contacts(self.cube, self.shots[number], scale=SCALE), scale=SCALE)
@@ -94,9 +102,9 @@ class Film:
     def _bars(self, number: int) -> list[np.ndarray]:
         """Bars outward from both walls, as long as the force of each cell."""
         long = self.force[number] / self.force.max() * LENGTH
-        found = []
-        for foot, way, side in ((0.0, -1.0, 0), (self.width, 1.0, 1)):
-            tips = np.stack([foot + way * long[side], self.heights], axis=1)
-            feet = np.stack([np.full_like(self.heights, foot), self.heights], axis=1)
-            found += list(np.stack([feet, tips], axis=1)[long[side] > 0])
-        return found
+        bars = []
+        for wall, way, side in ((0.0, -1.0, 0), (self.width, 1.0, 1)):
+            tips = np.stack([wall + way * long[side], self.heights], axis=1)
+            feet = np.stack([np.full_like(self.heights, wall), self.heights], axis=1)
+            bars += list(np.stack([feet, tips], axis=1)[long[side] > 0])
+        return bars

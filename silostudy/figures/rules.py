@@ -2,6 +2,7 @@
 
 import numpy as np
 import xarray as xr
+from matplotlib.lines import Line2D
 
 from silostudy.cube.contract import SCOPE
 from silostudy.errors import BadInput
@@ -22,6 +23,11 @@ def look(cube: xr.Dataset, rule: str) -> dict:
     row = cube.sel({"rule": rule})
     drawn = {"color": row.rule_colour, "linestyle": row.rule_line, "marker": row.rule_marker}
     return {key: str(value.values) for key, value in drawn.items()}
+
+
+def handles(cube: xr.Dataset, heading: str = "") -> list[Line2D]:
+    """Entries of a legend for every rule; heading: what stands before their names."""
+    return [Line2D([], [], label=heading + name(cube, rule), **look(cube, rule)) for rule in map(str, cube["rule"].values)]
 
 
 def name(cube: xr.Dataset, rule: str) -> str:

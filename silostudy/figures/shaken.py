@@ -1,17 +1,19 @@
-"""What the seismic figures share: one panel a case, line styles of coefficients, the source's rows, the note on assumptions."""
+"""What the seismic figures share: one panel a case, looks of coefficients, the source's rows, the note on assumptions."""
 
-import textwrap
+from collections.abc import Iterable
 
 import numpy as np
 import xarray as xr
+from matplotlib.artist import Artist
 from matplotlib.figure import Figure
 
+from silostudy.figures.style import foot, headline
 from silostudy.tables.constants import STANDARD_GRAVITY
 from silostudy.tables.sasaki_1991 import PrintedTest, printed_at
 
 MOST = 3  # cases side by side; more do not fit a page
 LINES = ("-", (0, (6, 2)), (0, (3, 1.5, 1, 1.5)), (0, (1, 1.2)), (0, (8, 2, 1, 2, 1, 2)))
-COLOURS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9")
+COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#56B4E9")
 MEASURED = "#9a9a9a"
 
 
@@ -25,33 +27,45 @@ def cases(cube: xr.Dataset) -> list[xr.Dataset]:
     return [cube.isel(dict(zip(axes, map(int, place), strict=True))) for place in places]
 
 
-def name(one: xr.Dataset) -> str:
+def name(case: xr.Dataset) -> str:
     """A case by its shaking: the peak acceleration of the base."""
-    peak = float(np.abs(one["base_acceleration"]).max())
+    peak = float(np.abs(case["base_acceleration"]).max())
     return f"base peak {peak * 100:.3g} gal ({peak / STANDARD_GRAVITY:.2f} g)"
 
 
-def kind(one: xr.Dataset) -> str:
+def kind(case: xr.Dataset) -> str:
     """Whether the response of a case was measured, or stands for a measurement."""
-    return "synthetic measurement" if str(one["measured_origin"].values).startswith("synthetic") else "measured"
+    return "synthetic measurement" if str(case["measured_origin"].values).startswith("synthetic") else "measured"
 
 
-def printed(cube: xr.Dataset, one: xr.Dataset) -> PrintedTest | None:
+def printed(cube: xr.Dataset, case: xr.Dataset) -> PrintedTest | None:
     """The source's row for a case, where the study asks for it."""
     if cube.attrs["published"] != "sasaki_1991":
         return None
-    return printed_at(float(np.abs(one["base_acceleration"]).max()))
+    return printed_at(float(np.abs(case["base_acceleration"]).max()))
 
 
-def answer(one: xr.Dataset, key: str, half_width: str = "", places: int = 3) -> str:
-    """A coefficient found, with its uncertainty where one is stated; one at the end of the candidates is said to be so."""
-    here = one.sel(identification=key)
+def answer(case: xr.Dataset, key: str, half_width: str = "", places: int = 3) -> str:
+    """The coefficient of an index, with its uncertainty where that is stated; an end of the candidates is said to be so."""
+    here = case.sel(identification=key)
     text, end = f"{float(here['effective_mass_coefficient']):.{places}f}", int(here["candidate_end"])
     if end:
         return f"{text}, {'lowest' if end < 0 else 'highest'} candidate: may lie beyond"
-    if half_width and np.isinf(one[half_width]):
+    if half_width and np.isinf(case[half_width]):
         return f"{text}, to beyond the candidates"
-    return f"{text} ± {float(one[half_width]):.{places}f}" if half_width else text
+    return f"{text} ± {float(case[half_width]):.{places}f}" if half_width else text
+
+
+def nearest(case: xr.Dataset) -> float:
+    """The coefficient among those that are shown which is next to the one that the amplitudes answer with."""
+    shown = case["shown_coefficient"].values
+    answered = float(case["effective_mass_coefficient"].sel(identification="amplitude_error"))
+    return float(shown[np.argmin(np.abs(shown - answered))])
+
+
+def distance(computed: np.ndarray, measured: np.ndarray) -> float:
+    """Root mean square of the difference of two series over that of the measured one (1)."""
+    return float(np.sqrt(np.nanmean((computed - measured) ** 2) / np.nanmean(measured**2)))
 
 
 def style(number: int) -> dict:
@@ -59,9 +73,9 @@ def style(number: int) -> dict:
     return {"linestyle": LINES[number % len(LINES)], "color": COLOURS[number % len(COLOURS)]}
 
 
-def head(figure: Figure, cube: xr.Dataset, text: str, base: str = "") -> None:
-    """Title, and below the panels what is synthetic, which record shook (or `base`), and what is assumed."""
-    figure.suptitle(f"{cube.attrs['title']}\n{text}", fontsize=10)
+def head(figure: Figure, cube: xr.Dataset, message: str, *remarks: str, base: str = "", handles: Iterable[Artist] = ()) -> None:
+    """Message above the panels; below them model, remarks, what shook it (or `base`), what is assumed, the legend."""
+    headline(figure, message)
     shaken = [f"Base: {_common(cube, 'base_motion')}."]
     if "measured_origin" in cube:
         shaken.append(f"Measured: {_common(cube, 'measured_origin')}.")
@@ -69,8 +83,7 @@ def head(figure: Figure, cube: xr.Dataset, text: str, base: str = "") -> None:
     if cube.attrs["assumed"]:
         told = "Assumed, not printed by the source" if cube.attrs["published"] else "Assumed"
         notes.append(f"{told}: {cube.attrs['assumed']}.")
-    note = "\n".join(line for text in notes for line in textwrap.wrap(text, int(figure.get_figwidth() * 19)))
-    figure.supxlabel(note, fontsize=6.5, x=0.01, ha="left", color="#444444")
+    foot(figure, f"{cube.attrs['title']}.", *remarks, *notes, handles=handles)
 
 
 def _common(cube: xr.Dataset, variable: str) -> str:

@@ -21,54 +21,54 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
 def findings(cube: xr.Dataset) -> pd.DataFrame:
     """The table: of the grains themselves first, then of each method beside them."""
     return pd.DataFrame(
-        [found for setting, one in settings(cube) for found in (*_grains(one, setting), *_methods(one, setting))]
+        [line for setting, silo in settings(cube) for line in (*_grains(silo, setting), *_methods(silo, setting))]
     )
 
 
-def _grains(one: xr.Dataset, setting: dict[str, Any]) -> list[dict[str, Any]]:
-    found = [row(one["contents_unit_weight"], **setting, of="grains", quantity="unit weight at rest (N/m3)")]
-    friction = one["mobilised_wall_friction"]
-    found += [row(friction.sel(phase=phase), **setting, of="grains", quantity="wall shear over wall pressure", phase=phase)
+def _grains(silo: xr.Dataset, setting: dict[str, Any]) -> list[dict[str, Any]]:
+    lines = [row(silo["contents_unit_weight"], **setting, of="grains", quantity="unit weight at rest (N/m3)")]
+    friction = silo["mobilised_wall_friction"]
+    lines += [row(friction.sel(phase=phase), **setting, of="grains", quantity="wall shear over wall pressure", phase=phase)
               for phase in PHASES]  # fmt: skip
-    found.append(row(one["lateral_pressure_ratio_at_rest"], **setting, of="grains", quantity="lateral pressure ratio at rest"))
+    lines.append(row(silo["lateral_pressure_ratio_at_rest"], **setting, of="grains", quantity="lateral pressure ratio at rest"))
     quantity = "height up to which grains do not slide down the wall in flow (m): effective transition"
-    found.append(row(one["stagnant_wall_height"], **setting, of="grains", quantity=quantity))
-    found += [
-        row(one["largest_over_rest"].sel(phase=phase, averaging=area), **setting, of="grains", phase=phase, area=str(area),
+    lines.append(row(silo["stagnant_wall_height"], **setting, of="grains", quantity=quantity))
+    lines += [
+        row(silo["largest_over_rest"].sel(phase=phase, averaging=area), **setting, of="grains", phase=phase, area=str(area),
             quantity="largest mean on an area over the ring's mean at rest")
-        for phase in PHASES for area in one["averaging"].values
+        for phase in PHASES for area in silo["averaging"].values
     ]  # fmt: skip
-    found += _around(one, setting)
-    if one["hopper_switch_factor"].notnull().any():
+    lines += _around(silo, setting)
+    if silo["hopper_switch_factor"].notnull().any():
         quantity = "largest ring mean on the hopper in flow over that at rest"
-        found.append(row(one["hopper_switch_factor"].max("wall_level"), **setting, of="grains", quantity=quantity))
-        found += _switch(one, setting)
-    return found
+        lines.append(row(silo["hopper_switch_factor"].max("wall_level"), **setting, of="grains", quantity=quantity))
+        lines += _switch(silo, setting)
+    return lines
 
 
-def _around(one: xr.Dataset, setting: dict[str, Any]) -> list[dict[str, Any]]:
+def _around(silo: xr.Dataset, setting: dict[str, Any]) -> list[dict[str, Any]]:
     """How far cells are from the mean around their level, and whether a method's patch load covers the largest."""
-    if "largest_over_ring" not in one:
+    if "largest_over_ring" not in silo:
         return []
-    found = []
+    lines = []
     for phase in PHASES:
-        largest = one["largest_over_ring"].sel(phase=phase)
+        largest = silo["largest_over_ring"].sel(phase=phase)
         about = {**setting, "of": "grains", "phase": phase}
-        found.append(row(one["deviation_around"].sel(phase=phase), **about, quantity="deviation around a level over its mean"))
-        found.append(row(largest, **about, quantity="largest cell over the mean around its level, less 1"))
-        patches = one["code_patch_factor"].sel(phase=phase) if "code_patch_factor" in one else one["pressure_method"][:0]
+        lines.append(row(silo["deviation_around"].sel(phase=phase), **about, quantity="deviation around a level over its mean"))
+        lines.append(row(largest, **about, quantity="largest cell over the mean around its level, less 1"))
+        patches = silo["code_patch_factor"].sel(phase=phase) if "code_patch_factor" in silo else silo["pressure_method"][:0]
         for method in map(str, patches["pressure_method"].values):
             factor = float(patches.sel(pressure_method=method))
             if np.isfinite(factor):
                 cover = row(factor / largest, **about | {"of": method}, quantity="patch load factor over the largest cell's")
-                found.append({**cover, "verdict": verdict(cover["low_95"], cover["high_95"])})
-    return found
+                lines.append({**cover, "verdict": verdict(cover["low_95"], cover["high_95"])})
+    return lines
 
 
-def _switch(one: xr.Dataset, setting: dict[str, Any]) -> list[dict[str, Any]]:
+def _switch(silo: xr.Dataset, setting: dict[str, Any]) -> list[dict[str, Any]]:
     """Where on the hopper the rise is largest, and when its outlet and its transition feel most."""
-    time, factor = one["hopper_switch_time"], one["hopper_switch_factor"]
-    place = one["hopper_level_position"].isel(wall_level=factor.fillna(-1.0).argmax("wall_level"))
+    time, factor = silo["hopper_switch_time"], silo["hopper_switch_factor"]
+    place = silo["hopper_level_position"].isel(wall_level=factor.fillna(-1.0).argmax("wall_level"))
     about = {**setting, "of": "grains"}
     return [
         row(place, **about, quantity="place of the largest rise: 0 transition, 1 outlet"),
@@ -77,37 +77,37 @@ def _switch(one: xr.Dataset, setting: dict[str, Any]) -> list[dict[str, Any]]:
     ]
 
 
-def _methods(one: xr.Dataset, setting: dict[str, Any]) -> list[dict[str, Any]]:
-    found = _in_hopper(one, setting) if "code_hopper_pressure" in one else []
+def _methods(silo: xr.Dataset, setting: dict[str, Any]) -> list[dict[str, Any]]:
+    lines = _in_hopper(silo, setting) if "code_over_grains_hopper" in silo else []
     for phase in PHASES:
-        for method in methods_of(one, phase):
+        for method in methods_of(silo, phase):
             about = {**setting, "of": method, "phase": phase}
-            said = one.sel(pressure_method=method, phase=phase)
-            found.append(row(said["code_over_grains_force"], **about, quantity="wall force over the grains'"))
-            found.append(
+            said = silo.sel(pressure_method=method, phase=phase)
+            lines.append(row(said["code_over_grains_force"], **about, quantity="wall force over the grains'"))
+            lines.append(
                 row(said["code_profile_residual"], **about, quantity="root mean square of pressure over the grains', less 1")
             )
-            for area in one["averaging"].values:
+            for area in silo["averaging"].values:
                 cover = row(said["code_over_grains_peak"].sel(averaging=area), **about, area=str(area),
                             quantity="least pressure over the grains' largest mean on an area")  # fmt: skip
-                found.append({**cover, "verdict": verdict(cover["low_95"], cover["high_95"])})
-    return found
+                lines.append({**cover, "verdict": verdict(cover["low_95"], cover["high_95"])})
+    return lines
 
 
-def _in_hopper(one: xr.Dataset, setting: dict[str, Any]) -> list[dict[str, Any]]:
+def _in_hopper(silo: xr.Dataset, setting: dict[str, Any]) -> list[dict[str, Any]]:
     """What methods say of the hopper beside the grains: its mean in each phase, and next to the transition their largest."""
-    found = []
+    lines = []
     for phase in PHASES:
-        for method in map(str, one["pressure_method"].values):
-            said = one.sel(pressure_method=method, phase=phase)
-            if said["code_hopper_pressure"].isnull().all():
+        for method in map(str, silo["pressure_method"].values):
+            said = silo.sel(pressure_method=method, phase=phase)
+            if said["code_over_grains_hopper"].isnull().all():
                 continue
             about = {**setting, "of": method, "phase": phase}
-            found.append(row(said["code_over_grains_hopper"], **about, quantity="mean pressure on the hopper over the grains'"))
+            lines.append(row(said["code_over_grains_hopper"], **about, quantity="mean pressure on the hopper over the grains'"))
             cover = row(said["code_over_grains_transition"], **about,
                         quantity="hopper pressure at the transition over the grains' largest window there")  # fmt: skip
-            found.append({**cover, "verdict": verdict(cover["low_95"], cover["high_95"])})
-    return found
+            lines.append({**cover, "verdict": verdict(cover["low_95"], cover["high_95"])})
+    return lines
 
 
 def verdict(low: float, high: float) -> str:

@@ -1,4 +1,4 @@
-"""A scene of discs: force chains before and in discharge, and the force on each wall in time."""
+"""A scene of discs: force chains before and in discharge, the force on each wall in time, and the mass that leaves."""
 
 from pathlib import Path
 from typing import Any
@@ -10,30 +10,53 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.collections import EllipseCollection, LineCollection
 
-from silostudy.figures.style import AID, save
+from silostudy.figures import in_time
+from silostudy.figures.bin import opened_at
+from silostudy.figures.style import AID, WIDTH, foot, headline, save
 
 CM = 100.0
 LONGEST = 3.0  # diameters: the line of the largest contact force
-COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#56B4E9", "#E69F00", "#000000")
-LINES = ("-", "--", "-.", ":")
+FORCE, MASS = "force_kN_m", "mass_kg_m"
 
 
 def draw(cube: xr.Dataset, stem: Path) -> None:
-    """Writes the figure with the chains of two snapshots and the forces on the walls that it shows."""
-    figure, (first, second, walls) = plt.subplots(1, 3, figsize=(12.5, 5.6), width_ratios=(1, 1, 1.5))
+    """Writes the figure: the chains of two snapshots, the forces on the walls, and the mass through the outlets."""
+    in_time.check_recorded(cube, "whole_normal_force_mean")
+    figure, panels = plt.subplot_mosaic([["rest", "flow"], ["force", "mass"]], figsize=(WIDTH, 9.2), height_ratios=(1.7, 1))
     largest = float(np.hypot(cube["contact_force_x"], cube["contact_force_y"]).max())
     tables = []
-    for panel, snapshot in zip((first, second), _snapshots(cube), strict=True):
+    for panel, snapshot in zip((panels["rest"], panels["flow"]), snapshots(cube, "discharge_time"), strict=True):
         tables.append(_chains(cube, snapshot, largest))
         _draw_chains(panel, cube, snapshot, tables[-1])
-    tables += _draw_walls(walls, cube)
-    figure.suptitle(f"{cube.attrs['title']}\nline of a contact: as long and wide as its force, at most {largest:.3g} N/m")
-    save(figure, pd.concat(tables, ignore_index=True), stem)
+    push = cube["whole_normal_force_mean"].values / 1e3
+    force, flow = in_time.forces(cube["window_time"].values, push, cube["surface"].values, FORCE), flow_of(cube)
+    lines = in_time.draw_forces(panels["force"], force, FORCE, opened_at(cube))
+    in_time.draw_flow(panels["mass"], flow)
+    panels["force"].set(ylabel="normal force (kN/m)")
+    panels["mass"].set(ylabel="mass that has left (kg/m)")
+    panels["mass"].sharex(panels["force"])
+    in_time.mark_events((panels["force"], panels["mass"]), cube)
+    headline(figure, in_time.message(cube, force, FORCE, flow))
+    chains = (
+        f"Line of a contact: as long and wide as its force, at most {largest:.3g} N/m. Forces: normal, mean of each window."
+    )
+    foot(figure, f"{cube.attrs['title']}.", chains, handles=lines)
+    save(figure, pd.concat([*tables, force, flow.table], ignore_index=True), stem)
 
 
-def _snapshots(cube: xr.Dataset) -> tuple[int, int]:
-    """The last snapshot before anything has left, and the last of all."""
-    time, left = cube["snapshot_time"].values, cube["discharge_time"].values
+def flow_of(cube: xr.Dataset) -> in_time.Flow:
+    """Mass of discs (kg/m) that had left, by outlet where they have names."""
+    table = pd.DataFrame({"time_s": [], "outlet": [], MASS: []})
+    if "discharge_time" in cube:
+        through = cube["outlet_discharged_mass"] if "outlet" in cube else cube["discharged_mass"].expand_dims(outlet=["outlet"])
+        table = through.to_dataframe(MASS).reset_index().rename(columns={"discharge_time": "time_s"})
+    return in_time.Flow(table[["time_s", "outlet", MASS]], MASS, float(cube["disc_mass"].sum()), "kg/m")
+
+
+def snapshots(cube: xr.Dataset, passing: str) -> tuple[int, int]:
+    """The last snapshot before anything has passed the outlet, at the times of that name, and the last of all."""
+    time = cube["snapshot_time"].values
+    left = cube[passing].values if passing in cube else time[:0]
     before = np.flatnonzero(time < left[0]) if left.size else np.arange(len(time))
     return (int(before[-1]) if before.size else 0), len(time) - 1
 
@@ -66,33 +89,8 @@ def _draw_chains(panel: Axes, cube: xr.Dataset, snapshot: int, table: pd.DataFra
     )
     across, up = cube["wall_cell_x"].values * CM, cube["wall_cell_y"].values * CM
     panel.set(xlabel="across (cm)", ylabel="height (cm)", aspect="equal")
-    panel.set(xlim=(across.min() - 1, across.max() + 1), ylim=(min(0.0, np.nanmin(up)) - 3, np.nanmax(y) + 3))
+    panel.set(
+        xlim=(across.min() - 1, across.max() + 1), ylim=(min(0.0, np.nanmin(up)) - 3, float(cube["disc_y"].max()) * CM + 3)
+    )
     panel.set_title(f"{float(cube['snapshot_time'][snapshot]):.3g} s: {there.sum()} discs")
     panel.grid(False)
-
-
-def _draw_walls(panel: Axes, cube: xr.Dataset) -> list[pd.DataFrame]:
-    """Normal force on each wall over the windows, with what happened."""
-    force, time = cube["wall_normal_force_mean"] / 1e3, cube["window_time"].values
-    tables = []
-    for k, name in enumerate(dict.fromkeys(map(str, cube["wall_name"].values))):
-        table = pd.DataFrame(
-            {"wall": name, "time_s": time, "wall_force_kN_m": force[:, cube["wall_name"].values == name].sum("wall_cell")}
-        )
-        if table.wall_force_kN_m.any():
-            look: dict[str, Any] = {
-                "color": COLOURS[k % len(COLOURS)],
-                "linestyle": LINES[k % len(LINES)],
-                "label": name.replace("_", " "),
-            }
-            panel.plot(table.time_s, table.wall_force_kN_m, **look)
-            tables.append(table)
-    for when, what in zip(cube["event_time"].values, cube["event_action"].values, strict=True):
-        panel.axvline(when, color="0.6", linewidth=0.8)
-        panel.annotate(
-            str(what).replace("_", " "), (when, 1.0), xycoords=("data", "axes fraction"), rotation=90, va="top", ha="right"
-        )
-    panel.set(xlabel="time (s)", ylabel="normal force on a wall, mean of each window (kN/m)", ylim=(0, None))
-    panel.set_title("forces on the walls")
-    panel.legend(loc="center right")
-    return tables

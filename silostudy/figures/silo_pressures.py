@@ -13,19 +13,21 @@ import numpy as np
 import pandas as pd
 import xarray as xr
 from matplotlib.axes import Axes
+from matplotlib.patches import Patch
 
 from silostudy.cube.silence import reason
-from silostudy.figures.style import AID, save, title
+from silostudy.figures.style import AID, BLUE, LINES, VERMILION, WIDTH, foot, headline, name, save, title
 
 SIDES = {
     "normal": (1, "wall_normal_pressure", "hopper_normal_pressure"),
     "friction": (-1, "wall_friction_traction", "hopper_friction_traction"),
 }
 HATCHES = {"normal": "////", "friction": "...."}
-COLOURS = {"normal": "#B2182B", "friction": "#2166AC"}
+COLOURS = {"normal": VERMILION, "friction": BLUE}
 SAVED = ("side", "depth_m", "wall_radius_m", "pressure_kPa", "from_axis_m", "tip_from_axis_m", "tip_depth_m")
 STAR, SETS = "*", "pressure, friction and load each by their own set of characteristic values: no single state of the silo"
-WIDEST = 0.75  # diameters that the largest pressure reaches out
+WIDEST = 0.6  # diameters that the largest pressure reaches out
+WORDS = 0.6  # heights of the silo that are kept free beside it, for words
 
 
 def draw(cube: xr.Dataset, stem: Path) -> None:
@@ -35,28 +37,46 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     ]
     phases = [phase for phase in ("filling", "switch", "discharge") if phase in cube["phase"].values]
     given = {(method, phase): state(cube, method, phase) for method in methods for phase in phases}
-    states = {where: found for where, found in given.items() if found is not None}
+    states = {where: table for where, table in given.items() if table is not None}
     largest = max(float(table.pressure_kPa.max()) for table in states.values())
     states = {where: off_the_wall(table, cube, largest) for where, table in states.items()}
     figure, panels = plt.subplots(
-        len(methods), len(phases), figsize=(4.3 * len(phases), 6.6 * len(methods)), squeeze=False, sharex=True, sharey=True
+        len(methods), len(phases), figsize=(WIDTH, 2.7 * len(methods) + 1.4), squeeze=False, sharex=True, sharey=True
     )
     for row, method in zip(panels, methods, strict=True):
         for panel, phase in zip(row, phases, strict=True):
-            panel.set_title(f"{title(cube, method)}{STAR * of_sets(cube, method)}: {phase}", fontsize=9)
+            panel.set_title(f"{title(cube, method)}{STAR * of_sets(cube, method)}: {phase}", fontsize="small")
             panel.set_aspect("equal")
             _silo(panel, cube)
             if (method, phase) in states:
                 _pressures(panel, states[method, phase])
                 _forces(panel, cube, method, phase)
             else:
-                panel.text(0, float(cube["cylinder_depth"]) / 2, _why_not(cube, method, phase), ha="center", va="center")
+                panel.text(1.4 * diameter(cube), 0, _why_not(cube, method, phase), va="top", fontsize="small")
             panel.tick_params(labelbottom=True)
     _frame(panels, cube, largest)
     several = any(of_sets(cube, method) for method in methods)
-    figure.suptitle(cube.attrs["title"] + f"\n{STAR} {SETS}" * several)
     numbers = pd.concat([t.assign(pressure_method=m, phase=p) for (m, p), t in states.items()], ignore_index=True)
+    headline(figure, _message(cube, numbers))
+    foot(figure, cube.attrs["title"], f"{STAR} {SETS}" * several, handles=_handles())
     save(figure, numbers[["pressure_method", "phase", *SAVED]], stem)
+
+
+def _message(cube: xr.Dataset, numbers: pd.DataFrame) -> str:
+    """What the figure says, in numbers: the largest normal pressure and its place, method by method."""
+    normal = numbers[numbers.side == "normal"]
+    told = []
+    for method, table in normal.groupby("pressure_method", sort=False):
+        top = table.loc[table.pressure_kPa.idxmax()]
+        told.append(f"{name(cube, str(method))} {top.pressure_kPa:.0f} kPa ({top.phase}, {top['part']})")
+    return f"The largest pressures normal to the wall: {'; '.join(told)}"
+
+
+def _handles() -> list[Patch]:
+    """Entries of the legend: what is drawn off the two sides of the wall."""
+    told = {"normal": "normal pressure, right", "friction": "wall friction, left"}
+    looks: dict[str, dict[str, Any]] = {side: {"edgecolor": COLOURS[side], "hatch": HATCHES[side]} for side in SIDES}
+    return [Patch(facecolor="none", label=words, **looks[side]) for side, words in told.items()]
 
 
 def of_sets(cube: xr.Dataset, method: str) -> bool:
@@ -67,8 +87,8 @@ def of_sets(cube: xr.Dataset, method: str) -> bool:
 
 def _why_not(cube: xr.Dataset, method: str, phase: str) -> str:
     """What stands in a panel without pressures."""
-    name = "switch_force" if phase == "switch" else "wall_normal_pressure"
-    return "not given:\n" + fill(reason(cube, name, method, phase), 20)
+    quantity = "switch_force" if phase == "switch" else "wall_normal_pressure"
+    return "not given:\n" + fill(reason(cube, quantity, method, phase), 20)
 
 
 def diameter(cube: xr.Dataset) -> float:
@@ -80,8 +100,8 @@ def wall(cube: xr.Dataset) -> tuple[np.ndarray, np.ndarray]:
     """(depth, radius) (m) of the places on the hopper wall."""
     radius = diameter(cube) / 2
     outlet = float(cube["outlet_width"]) / 2
-    at = radius - cube["hopper_position"].values * (radius - outlet)
-    return float(cube["cylinder_depth"]) + (radius - at) / np.tan(float(cube["hopper_half_angle"])), at
+    inside = radius - cube["hopper_position"].values * (radius - outlet)
+    return float(cube["cylinder_depth"]) + (radius - inside) / np.tan(float(cube["hopper_half_angle"])), inside
 
 
 def state(cube: xr.Dataset, method: str, phase: str) -> pd.DataFrame | None:
@@ -109,15 +129,15 @@ def state(cube: xr.Dataset, method: str, phase: str) -> pd.DataFrame | None:
 def _hopper(pressure: xr.DataArray, phase: str) -> np.ndarray:
     if phase != "switch":
         return pressure.sel({"phase": phase}).values
-    filling, flow = (pressure.sel({"phase": one}).values for one in ("filling", "discharge"))
+    filling, flow = (pressure.sel({"phase": phase}).values for phase in ("filling", "discharge"))
     return np.where(pressure["hopper_position"].values < 0.5, filling, flow)
 
 
 def _silo(panel: Axes, cube: xr.Dataset) -> None:
-    radius, (depth, at) = diameter(cube) / 2, wall(cube)
+    radius, (depth, inside) = diameter(cube) / 2, wall(cube)
     for sign in (1, -1):
         panel.plot(
-            [sign * radius] * 2 + list(sign * at),
+            [sign * radius] * 2 + list(sign * inside),
             [0, float(cube["cylinder_depth"]), *depth],
             color="black",
             linewidth=1.8,
@@ -147,48 +167,48 @@ def _pressures(panel: Axes, table: pd.DataFrame) -> None:
         outline = np.vstack([outline, outline[:1]])
         panel.fill(*outline.T, facecolor=COLOURS[side], alpha=0.15, linewidth=0)
         panel.fill(*outline.T, facecolor="none", edgecolor=COLOURS[side], hatch=HATCHES[side], linewidth=0, alpha=0.45)
-        panel.plot(*outline.T, color=COLOURS[side], linewidth=1.3)
+        panel.plot(*outline.T, color=COLOURS[side], linestyle=LINES[list(SIDES).index(side)], linewidth=1.3)
     here = table[table.side == "normal"]
     top = here.loc[here.pressure_kPa.idxmax()]
     tip, text = (top.tip_from_axis_m, top.tip_depth_m), f"{top.pressure_kPa:.0f} kPa"
-    panel.annotate(text, tip, xytext=(3, 2), textcoords="offset points", fontsize=8, va="center")
+    panel.annotate(text, tip, xytext=(3, 2), textcoords="offset points", fontsize="small", va="center")
 
 
 def _forces(panel: Axes, cube: xr.Dataset, method: str, phase: str) -> None:
     """Ring force at its place, and the balance of vertical forces on the hopper's contents (kN) in the middle."""
-    one = cube.sel(pressure_method=method, phase=phase)
+    here = cube.sel(pressure_method=method, phase=phase)
     depth, radius = wall(cube)
     if phase == "switch":
         place = int(np.argmin(np.abs(cube["hopper_position"].values - 0.5)))
-        ring = float(one["switch_force"][place])
-        text = f"switch half-way up\nring force {ring / 1e3:.0f} kN"
-        most = int(np.nanargmax(one["switch_force"].values))
-        together = str(one["pressure_method_initial_state"].values).replace(" = ", "\N{NO-BREAK SPACE}=\N{NO-BREAK SPACE}")
+        ring = float(here["switch_force"][place])
+        text = f"switch half-way up,\nring {ring / 1e3:.0f} kN"
+        most = int(np.nanargmax(here["switch_force"].values))
+        together = str(here["pressure_method_initial_state"].values).replace(" = ", "\N{NO-BREAK SPACE}=\N{NO-BREAK SPACE}")
         text += "\n" + fill(f"from the {together}", 20)
         if cube["hopper_normal_pressure"].sel(pressure_method=method, phase="discharge").isnull().all():
-            text += "\n(flow pressures\nbelow: not given)"
-        text += f"\nlargest on its way\n{float(one['switch_force'][most]) / 1e3:.0f} kN at {depth[most]:.1f} m"
+            text += "\n(flow below: not given)"
+        text += f"\nat most {float(here['switch_force'][most]) / 1e3:.0f} kN at {depth[most]:.1f} m"
     else:
-        if one["hopper_normal_pressure"].isnull().all():
+        if here["hopper_normal_pressure"].isnull().all():
             why = reason(cube, "hopper_normal_pressure", method, phase)
-            middle = float(cube["cylinder_depth"]) * 0.45  # between the cylinder's walls, as the hopper is too narrow
-            panel.text(0, middle, "hopper not given:\n" + fill(why, 20), ha="center", va="center", fontsize=7.5)
+            told = "hopper not given:\n" + fill(why, 20)
+            panel.text(1.4 * diameter(cube), 0, told, va="top", fontsize="small")
             return
-        place, ring = 0, float(one["ring_force"]) if "ring_force" in one else np.nan
+        place, ring = 0, float(here["ring_force"]) if "ring_force" in here else np.nan
         kilo = {
-            name: float(one[name]) / 1e3 for name in ("hopper_weight", "transition_force", "hopper_wall_force", "outlet_force")
+            name: float(here[name]) / 1e3 for name in ("hopper_weight", "transition_force", "hopper_wall_force", "outlet_force")
         }
-        ring_text = f"\nring      {ring / 1e3:7.0f}" if ring == ring else ""
+        ring_text = f"\nring     {ring / 1e3:5.0f}" if ring == ring else ""
         text = (
-            f"hopper (kN)\ncontents  {kilo['hopper_weight']:7.0f}\nload      {kilo['transition_force']:7.0f}\nwall      "
-            f"{kilo['hopper_wall_force']:7.0f}{ring_text}\noutlet    {kilo['outlet_force']:7.0f}\n"
-            f"off by % {100 * abs(float(one['hopper_balance'])):8.0e}"
+            f"hopper (kN)\ncontents {kilo['hopper_weight']:5.0f}\nload     {kilo['transition_force']:5.0f}\nwall     "
+            f"{kilo['hopper_wall_force']:5.0f}{ring_text}\noutlet   {kilo['outlet_force']:5.0f}\n"
+            f"off by % {100 * abs(float(here['hopper_balance'])):5.0e}"
         )
-    panel.text(0, float(cube["cylinder_depth"]) * 0.45, text, ha="center", va="center", fontsize=7.5, family="monospace")
+    panel.text(1.4 * diameter(cube), 0, text, va="top", fontsize="small", family="monospace")
     if ring > 0:
         arrow = {"arrowstyle": "-|>", "linewidth": 2.2, "color": "black", "shrinkA": 0, "shrinkB": 0}
-        start = (-radius[place] - 0.4 * diameter(cube), depth[place] - 0.12 * diameter(cube))
-        label: dict[str, Any] = {"xytext": start, "arrowprops": arrow, "fontsize": 8, "ha": "right", "va": "bottom"}
+        start = (-radius[place] - 0.25 * diameter(cube), depth[place] - 0.12 * diameter(cube))
+        label: dict[str, Any] = {"xytext": start, "arrowprops": arrow, "fontsize": "small", "ha": "right", "va": "bottom"}
         panel.annotate(f"P {ring / 1e3:.0f} kN", (-radius[place], depth[place]), **label)
 
 
@@ -197,11 +217,16 @@ def _frame(panels: np.ndarray, cube: xr.Dataset, largest: float) -> None:
     bar = max(n * 10.0**power for power in range(-3, 7) for n in (1, 2, 5) if n * 10.0**power <= largest / 2)
     length = bar * WIDEST * width / largest
     for panel in panels.flat:
-        panel.set(xlim=(-1.45 * width, 1.45 * width), ylim=(bottom + 0.45 * width, -0.06 * width))
-        panel.plot([-1.3 * width, -1.3 * width + length], [bottom + 0.3 * width] * 2, color="black", linewidth=2, gid=AID)
-        panel.text(-1.3 * width + length / 2, bottom + 0.27 * width, f"{bar:.0f} kPa", ha="center", va="bottom", fontsize=8)
-        panel.text(1.4 * width, 0.3, "normal\npressure", ha="right", va="top", color=COLOURS["normal"], fontsize=8)
-        panel.text(-1.4 * width, 0.3, "wall\nfriction", ha="left", va="top", color=COLOURS["friction"], fontsize=8)
+        right = 1.25 * width + WORDS * bottom
+        panel.set(
+            xlim=(-1.6 * width, right),
+            ylim=(bottom + 0.45 * width, -0.06 * width),
+            xticks=[sign * round(width) for sign in (-1, 0, 1)],
+        )
+        panel.plot([2.2 * width, 2.2 * width + length], [bottom + 0.3 * width] * 2, color="black", linewidth=2, gid=AID)
+        panel.text(
+            2.2 * width + length / 2, bottom + 0.27 * width, f"{bar:.0f} kPa", ha="center", va="bottom", fontsize="small"
+        )
         panel.grid(False)
     for panel in panels[:, 0]:
         panel.set_ylabel("depth z (m)")

@@ -33,14 +33,15 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
             tables.append(
                 pd.DataFrame({key: values.values for key, values in table.items()}).assign(rule=rule, R_over_t=slender)
             )
-        panel.set(xlim=(0, 1), ylim=(0, None), xticks=(0, 0.5, 1))
+        panel.set(xlabel="$p r / (t f_y)$", xlim=(0, 1), ylim=(0, None), xticks=(0, 0.5, 1))
         panel.set_title(f"R/t {float(here['radius_over_thickness']):g}")
     axes[0, 0].set_ylabel("buckling stress over yield stress")
-    figure.supxlabel("hoop stress over yield stress, $p r / (t f_y)$", fontsize="medium")
     numbers = pd.concat(tables, ignore_index=True)
     headline(figure, _message(numbers))
-    told = "rules without pressure stay level: they forgo its help and do not see the elephant's foot"
-    foot(figure, f"{cube.attrs['title']}; {told}", handles=axes[0, 0].get_legend_handles_labels()[0])
+    told = "$p r / (t f_y)$: hoop stress over yield stress; rules without pressure stay level: they forgo its help"
+    foot(
+        figure, f"{cube.attrs['title']}; {told} and miss the elephant's foot", handles=axes[0, 0].get_legend_handles_labels()[0]
+    )
     save(figure, numbers, stem)
 
 

@@ -1,7 +1,9 @@
 """How every figure looks and is saved: PNG, SVG that is the same each time, and the numbers shown as CSV.
 
-The page of the report shows a picture 1000 px wide in a window of 1366 px.  A figure is WIDTH wide, so that "small", the
-smallest words of it, have 12 px there: sizes are said by name ("small", "medium", "large"), never in points.
+The page of the report shows a picture at least 1000 px wide in a window of 1400 px, and never larger than it is.  A figure is
+WIDTH wide, so that "small", the smallest words of it, have 12 px there: sizes are said by name ("small", "medium", "large"),
+never in points.  The report centres a picture and cuts its head off where the window is too low: one that is drawn with DPI
+and at most TALLEST shows its headline in a window of 1080 px.
 """
 
 from collections.abc import Iterable
@@ -26,8 +28,8 @@ from matplotlib.patheffects import withStroke
 
 from silostudy.files import replacing
 
-WIDTH = 10.0  # inches
-DPI = 160
+WIDTH, TALLEST = 10.0, 9.6  # inches
+DPI = 110
 # Okabe and Ito's colours, which the colour-blind tell apart; their yellow is left out, too pale for a line on white
 BLUE, VERMILION, GREEN, ORANGE, SKY, PURPLE, BLACK = COLOURS = (
     "#0072B2", "#D55E00", "#009E73", "#E69F00", "#56B4E9", "#CC79A7", "#000000",
@@ -87,7 +89,7 @@ def headline(figure: Figure, message: str) -> None:
 
 def foot(figure: Figure, *remarks: str, handles: Iterable[Artist] = ()) -> None:
     """Puts under a figure which silo it is and how to read it, and below that the legend of handles."""
-    told = "\n".join(fill(remark, int(16.0 * figure.get_figwidth())) for remark in remarks if remark)
+    told = "\n".join(fill(remark, int(15.5 * figure.get_figwidth())) for remark in remarks if remark)
     shown = list(handles)
     columns = _columns([str(handle.get_label()) for handle in shown], int(15.0 * figure.get_figwidth()))
     figure.legend(handles=shown, title=told, loc="outside lower left", ncols=columns, alignment="left")
@@ -102,9 +104,10 @@ def _columns(labels: list[str], room: int) -> int:
 
 def point_out(panel: Axes, words: str, point: tuple[float, float], offset: tuple[float, float], **options: Any) -> None:
     """Writes words at an offset (points) from a point of a panel's data, with a thin line to it."""
-    arrow = {"arrowstyle": "-", "color": INK, "linewidth": 0.8, "shrinkB": 3}
-    placed = {"textcoords": "offset points", "fontsize": "small", "ha": "left" if offset[0] >= 0 else "right", "va": "center"}
-    text = panel.annotate(words, point, offset, arrowprops=arrow, **placed | options)
+    placed: dict[str, Any] = {"textcoords": "offset points", "fontsize": "small", "va": "center"}
+    placed |= {"ha": "left" if offset[0] >= 0 else "right"}
+    placed |= {"arrowprops": {"arrowstyle": "-", "color": INK, "linewidth": 0.8, "shrinkB": 3}}
+    text = panel.annotate(words, point, offset, **placed | options)
     text.set_path_effects([withStroke(linewidth=2.5, foreground="white")])
 
 
@@ -113,6 +116,7 @@ def named(line: Line2D, words: str, offset: tuple[float, float] = (4, 0), **opti
     placed = {"textcoords": "offset points", "fontsize": "small", "va": "center", "color": line.get_color()}
     point = tuple(np.asarray(line.get_xydata())[-1])
     line.set_gid(NAMED)
+    assert isinstance(line.axes, Axes)  # a curve that was drawn
     text = line.axes.annotate(words, point, offset, **placed | options)
     text.set_path_effects([withStroke(linewidth=2.5, foreground="white")])
 

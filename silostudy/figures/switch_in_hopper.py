@@ -1,62 +1,99 @@
 """Pressure on the hopper at rest, on average in flow and at its largest, beside the codes: the switch at the transition."""
 
 from pathlib import Path
+from typing import Any
 
+import numpy as np
 import pandas as pd
 import xarray as xr
+from matplotlib.axes import Axes
 
-from silostudy.figures.beside import settings, told
-from silostudy.figures.grains_beside_codes import INK, KPA
-from silostudy.figures.style import look, plt, save, title
+from silostudy.figures.beside import settings, span, told
+from silostudy.figures.grains_beside_codes import KPA
+from silostudy.figures.steps import over_depth
+from silostudy.figures.style import BLACK, PHASE_LINES, WIDTH, foot, headline, look, plt, save, title
 
-LOOKS = {"at rest": ("o:", 1.5), "mean in flow": ("s--", 1.5), "largest window in flow": ("^-", 2.0)}
-DASHES = {"filling": ":", "discharge": "-"}
+COLUMNS = 3
+LOOKS: dict[str, dict[str, Any]] = {
+    "at rest": {"linewidth": 1.6, "linestyle": (0, (1, 1)), "marker": "o", "markerfacecolor": "white"},
+    "mean in flow": {"linewidth": 1.2, "linestyle": (0, (4, 2)), "marker": "none"},
+    "largest window in flow": {"linewidth": 2.4, "linestyle": "-", "marker": "o"},
+}
 
 
 def draw(cube: xr.Dataset, stem: Path) -> None:
     """Writes the figure and its numbers: a panel a setting, the hopper from its outlet to the transition."""
     every = list(settings(cube))
-    figure, panels = plt.subplots(1, len(every), figsize=(2.6 + 4.0 * len(every), 5.4), squeeze=False, sharey=True)
+    columns = min(COLUMNS, len(every))
+    rows = -(-len(every) // columns)
+    figure, panels = plt.subplots(rows, columns, figsize=(WIDTH, 2.0 + 3.4 * rows), squeeze=False, sharey=True)
     numbers = []
-    for panel, (setting, one) in zip(panels.flat, every, strict=True):
-        numbers += [table.assign(**setting) for table in (*_codes(panel, one), *_grains(panel, one))]
-        factor = one["hopper_switch_factor"].mean("filling")
-        told_factor = f"largest over rest: {float(factor.max()):.2g}" if factor.notnull().any() else "nothing felt"
-        panel.set(title=f"{told(setting)}\n{told_factor}", xlabel="pressure on the hopper (kPa)", xlim=(0.0, None))
-    panels[0, 0].set(ylabel="height above the outlet over that of the transition")
+    for panel, (setting, silo) in zip(panels.flat, every, strict=False):
+        numbers += [table.assign(**setting) for table in (*_codes(panel, silo), *_grains(panel, silo))]
+        factor = silo["hopper_switch_factor"].mean("filling")
+        rise = f"largest over rest: {float(factor.max()):.2g}" if factor.notnull().any() else "nothing felt"
+        panel.set(title=f"{told(setting)}\n{rise}", xlabel="pressure on the hopper (kPa)", xlim=(0.0, None), ylim=(0.0, 1.0))
+    for panel in panels.flat[len(every) :]:
+        panel.set_visible(False)
+    for panel in panels[:, 0]:
+        panel.set_ylabel("height over the transition's")
+    headline(figure, _message(cube))
     handles = {text: line for panel in panels.flat for line, text in zip(*panel.get_legend_handles_labels(), strict=True)}
-    figure.legend(handles.values(), handles.keys(), loc="outside right center", fontsize=8)
-    figure.suptitle(cube.attrs["title"])
+    about = (
+        "Height above the outlet over that of the transition; grains: means around, bands of least and largest of the fillings."
+    )
+    foot(figure, f"{cube.attrs['title']}.", about, handles=handles.values())
     save(figure, pd.concat(numbers, ignore_index=True), stem)
 
 
-def _grains(panel, one: xr.Dataset) -> list[pd.DataFrame]:
-    place = 1.0 - one["hopper_level_position"].mean("filling")
+def _message(cube: xr.Dataset) -> str:
+    """How far the pressure around the hopper rises over rest at most, and how high above the outlet."""
+    rises = cube["hopper_switch_factor"].mean("filling")
+    if not rises.notnull().any():
+        return "The grains were not felt on the hopper"
+    largest = [silo["hopper_switch_factor"].mean("filling").max().item() for _, silo in settings(cube)]
+    most = {dim: k.item() for dim, k in rises.argmax(...).items()}
+    height = 1.0 - float(cube["hopper_level_position"].mean("filling").isel(most))
+    low, high = np.nanmin(largest), np.nanmax(largest)
+    where = f"the largest at {height:.2f} of the transition's height"
+    return f"In flow the pressure around the hopper rises to {span(low, high)} times that at rest, {where}"
+
+
+def _grains(panel: Axes, silo: xr.Dataset) -> list[pd.DataFrame]:
+    """Draws what the grains did; the tables that it shows."""
+    place = 1.0 - silo["hopper_level_position"].mean("filling")
     felt = {
-        "at rest": one["hopper_ring_pressure"].sel(phase="filling"),
-        "mean in flow": one["hopper_ring_pressure"].sel(phase="discharge"),
-        "largest window in flow": one["hopper_ring_largest"],
+        "at rest": silo["hopper_ring_pressure"].sel(phase="filling"),
+        "mean in flow": silo["hopper_ring_pressure"].sel(phase="discharge"),
+        "largest window in flow": silo["hopper_ring_largest"],
     }
     tables = []
     for name, pressure in felt.items():
-        form, width = LOOKS[name]
         mean, low, high = (getattr(pressure, what)("filling") for what in ("mean", "min", "max"))
-        panel.plot(mean / KPA, place, form, color=INK, linewidth=width, markersize=4, label=f"grains, {name}")
-        panel.fill_betweenx(place, low / KPA, high / KPA, color=INK, alpha=0.12, linewidth=0)
+        panel.plot(mean / KPA, place, color=BLACK, markersize=4, label=f"grains, {name}", **LOOKS[name])
+        panel.fill_betweenx(place, low / KPA, high / KPA, color="0.3", alpha=0.15, linewidth=0)
         tables.append(pd.DataFrame({"of": f"grains, {name}", "place": place, "pressure_Pa": mean, "least_Pa": low,
                                     "largest_Pa": high}))  # fmt: skip
     return tables
 
 
-def _codes(panel, one: xr.Dataset) -> list[pd.DataFrame]:
-    if "code_hopper_pressure" not in one:
+def _codes(panel: Axes, silo: xr.Dataset) -> list[pd.DataFrame]:
+    """Draws what theories and codes say, hollow and dashed after filling; the tables that it shows."""
+    if "code_hopper_profile" not in silo:
         return []
-    place, tables = 1.0 - one["hopper_level_position"].mean("filling"), []
-    for method in map(str, one["pressure_method"].values):
-        for phase, dashes in DASHES.items():
-            said = one["code_hopper_pressure"].sel(pressure_method=method, phase=phase)
-            if said.notnull().any():
-                panel.plot(said / KPA, place, color=look(one, method)["color"], linestyle=dashes, linewidth=1.1,
-                           label=f"{title(one, method)}, {phase}")  # fmt: skip
-                tables.append(pd.DataFrame({"of": method, "phase": phase, "place": place, "pressure_Pa": said}))
+    place, tables = 1.0 - silo["hopper_position"].values, []
+    for method in map(str, silo["pressure_method"].values):
+        for phase in map(str, silo["phase"].values):
+            said = silo["code_hopper_profile"].sel(pressure_method=method, phase=phase).values
+            known = np.isfinite(said)
+            if known.any():
+                style = look(silo, method) | {
+                    "linestyle": PHASE_LINES[phase],
+                    "linewidth": 1.2,
+                    "markersize": 5,
+                    "markevery": 12,
+                }
+                style |= {"markerfacecolor": "white"} if phase == "filling" else {}
+                over_depth(panel, said[known] / KPA, place[known], label=f"{title(silo, method)}, {phase}", **style)
+                tables.append(pd.DataFrame({"of": method, "phase": phase, "place": place[known], "pressure_Pa": said[known]}))
     return tables

@@ -62,8 +62,8 @@ def _message(summary: pd.DataFrame) -> str:
     rules = summary[(summary.group == "small, all") & ~summary.rival].sort_values("cov")
     best, others = rules.iloc[0], rules.iloc[1:]
     return (
-        f"{best.title} comes to {best['mean']:.2f} times the small tests' strength on average, with the least scatter"
-        f" ({100 * best['cov']:.0f} %); the other rules to {others['mean'].min():.2f} to {others['mean'].max():.2f} times"
+        f"The small tests bore {best['mean']:.2f} times what {best.title} predicts, with the least scatter"
+        f" ({100 * best['cov']:.0f} %), and {others['mean'].min():.2f} to {others['mean'].max():.2f} times what the others do"
     )
 
 

@@ -9,14 +9,14 @@ import pandas as pd
 import xarray as xr
 from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 
-from silostudy.figures.style import save
+from silostudy.figures.style import BLACK, WIDTH, foot, headline, save, series
 
-COLOURS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#e69f00", "#7f7f7f", "#332288", "#882255")
-MARKERS = ("o", "s", "^", "D", "v", "P", "X", "*", "h")
 LEAST = 1e-16  # where an error of zero is drawn
-NAME = 0.055  # share of a panel's height that a name in its legend takes
+NAME = 0.07  # share of a panel's height that a name in its legend takes
 BELOW = 30.0  # how far below the statistical floor is shown: what lies there is chance
-ACROSS = 3
+ACROSS = 2
+WRAP = 66  # letters across a panel
+ASKED = 1e-3  # relative error that the headline asks for
 SPAN = 20.0  # of the time axis at the least: a narrower one is all noise
 FEW = 300.0  # of a time axis on which there is room for labels between the decades
 
@@ -35,14 +35,30 @@ def draw_group(cube: xr.Dataset, group: str, stem: Path) -> None:
     panels = list(points.groupby(["problem", "quantity"], sort=False))
     across = min(ACROSS, max(1, len(panels)))
     down = -(-len(panels) // across) or 1
-    figure, axes = plt.subplots(down, across, figsize=(5.6 * across, 5.0 * down), squeeze=False)
+    figure, axes = plt.subplots(down, across, figsize=(WIDTH, 1.2 + 4.2 * down), squeeze=False)
     for axis, ((key, _), part) in zip(axes.flat, panels, strict=False):
         panel(axis, part, problems.sel(problem=key))
     for axis in axes.flat[len(panels) :]:
         axis.set_visible(False)
-    about = f"CPU time: median of {cube.attrs['repeats']} readings on {cube.attrs['machine']}, {cube.attrs['measured_on']}"
-    figure.suptitle(f"{cube.attrs['title']}\n{about}", fontsize=10)
+    headline(figure, _message(points))
+    about = (
+        f"CPU time: median of {cube.attrs['repeats']} readings on {cube.attrs['machine']}, {cube.attrs['measured_on']}. Grey "
+    )
+    about += (
+        "band: Pareto front of errors that finer settings keep (where chance is part of them: of the ends of their intervals)."
+    )
+    foot(figure, f"{cube.attrs['title']}.", about)
     save(figure, written(points), stem)
+
+
+def _message(points: pd.DataFrame) -> str:
+    """How many of the quantities come to the error asked for, and what the cheapest settings that do so cost at most."""
+    quantities = points.groupby(["problem", "quantity"]).ngroups
+    reached = points[points["error_kept"] <= ASKED].groupby(["problem", "quantity"])["cost"].min()
+    if reached.empty:
+        return f"None of {quantities} quantities comes to {100 * ASKED:g} %"
+    cost = f"for {reached.max():.2g} s of CPU time at most"
+    return f"{len(reached)} of {quantities} quantities come to an error of {100 * ASKED:g} %, {cost}"
 
 
 def written(points: pd.DataFrame) -> pd.DataFrame:
@@ -60,33 +76,30 @@ def panel(axis, part: pd.DataFrame, problem: xr.Dataset) -> None:
         steep = slope(shown)
         label = f"{ladder}  (slope {round(steep, 1) + 0.0:.1f})" if np.isfinite(steep) else ladder
         error = np.maximum(shown["error"], LEAST)
-        look: dict = {"markersize": 4.5, "linewidth": 1.0}
-        look |= {"color": COLOURS[number % len(COLOURS)], "marker": MARKERS[number % len(MARKERS)]}
+        look = series(number) | {"markersize": 5, "linewidth": 1.2}
         bars = np.array([error - np.maximum(shown["error_low"], error / 30), shown["error_high"] - error])
         axis.errorbar(shown["cost"], error, yerr=bars if bars.any() else None, label=label, capsize=2, elinewidth=0.6, **look)
     front, chance = part[part["on_front"] > 0].sort_values("cost"), bool((part["floor"] > 0).any())
-    what = "upper ends of intervals" if chance else "errors"
     axis.plot(
-        front["cost"], np.maximum(front["error_kept"], LEAST), color="black", linewidth=6, alpha=0.13, solid_capstyle="round",
-        label=f"Pareto front of {what} that finer settings keep", zorder=1,
-    )  # fmt: skip
+        front["cost"], np.maximum(front["error_kept"], LEAST), color="0.87", linewidth=7, solid_capstyle="round", zorder=1
+    )
     if chance:
         floor = part["floor"].min()
         axis.set_ylim(bottom=floor / BELOW)
         axis.axhspan(floor / BELOW, floor, color="grey", alpha=0.15, linewidth=0)
-        axis.axhline(floor, color="grey", linewidth=1, linestyle="--", label="statistical floor: least half-width seen")
+        axis.axhline(floor, color="grey", linewidth=1, linestyle="--", label="statistical floor")
     for share in (0.1, 0.01, 0.001):
-        axis.axhline(share, color="black", linewidth=0.5, linestyle=":")
+        axis.axhline(share, color=BLACK, linewidth=0.5, linestyle=":")
     about = f"over {problem['problem_setting'].item()}; reference, {problem['problem_reference'].item()}"
     axis.set(xscale="log", yscale="log", ylabel="relative error")
-    axis.set_xlabel(f"CPU time (s)\n{textwrap.fill(about, 80)}", fontsize=7.5)
+    axis.set_xlabel(f"CPU time (s)\n{textwrap.fill(about, WRAP)}", fontsize="small")
     _spread(axis)
     titles = (problem["problem_title"].item(), part["quantity_title"].iloc[0])
-    axis.set_title("\n".join(textwrap.fill(title, 80) for title in titles), fontsize=8.5)
+    axis.set_title("\n".join(textwrap.fill(title, WRAP) for title in titles))
     names = len(axis.get_legend_handles_labels()[1])
     low, high = axis.get_ylim()
     axis.set_ylim(low, high * (high / low) ** (NAME * names))  # the legend stands above all points
-    axis.legend(fontsize=6.5, loc="upper right", borderpad=0.1)
+    axis.legend(loc="upper right", borderpad=0.1)
 
 
 def _spread(axis) -> None:

@@ -2,15 +2,17 @@
 
 def shown(name, key):
     """Files of an output, the first of them with its caption in the report."""
-    return told(files_of(key, RESULTS / name, silos(name)), name, MODELS[name].title, key)
+    return told(files_of(key, RESULTS / name, silos(name)), name, key)
 
 
-def told(files, name, title, key):
-    """Files of an output, the first of them with its caption in the report."""
+def told(files, name, key):
+    """Files of an output, the first of them with its caption in the report.
+
+    Names are short there: the list beside a picture is as wide as its longest line and leaves the picture the rest.
+    """
     first, *others = files
-    row, title = OUTPUTS[key], title.replace("{", "{\u2060")  # which is not seen, and makes it no wildcard
-    labels = {"output": f"{row.title} ({row.kind})"}
-    return [report(first, CAPTIONS[key].absolute(), f"{title} ({name})", labels=labels), *others]
+    labels = {"output": f"{key.replace('_', ' ')} ({OUTPUTS[key].kind})"}
+    return [report(first, CAPTIONS[key].absolute(), name.replace("{", "{\u2060"), labels=labels), *others]  # no wildcard
 
 
 def drawing(name, stage):
@@ -52,7 +54,7 @@ for scene in SCENES:
             input:
                 RESULTS / "dem" / f"{scene}.nc",
             output:
-                [file for key, files in outputs.items() for file in told(files, scene, title_of_scene(SCENES[scene]), key)],
+                [file for key, files in outputs.items() for file in told(files, scene, key)],
             params:
                 code=stamp("figures/style", *(f"figures/{key}" for key in outputs)),
                 folder=RESULTS / "dem" / scene,

@@ -8,7 +8,7 @@ import numpy as np
 
 from silostudy.choice.expand import expand_file
 from silostudy.cube.silos import named
-from silostudy.scene.scenes import files_of_scene, outputs_of_scene, title_of_scene
+from silostudy.scene.scenes import files_of_scene, outputs_of_scene
 
 
 def cases_held(name):

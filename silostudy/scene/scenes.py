@@ -31,11 +31,6 @@ def scene_in(path: Path) -> AnyScene:
     return own_validated(scene_class(content, str(path)), content, str(path), path.parent)
 
 
-def title_of_scene(path: Path) -> str:
-    """Title of the scene in a file."""
-    return scene_in(path).title
-
-
 def outputs_of_scene(path: Path) -> tuple[str, ...]:
     """Keys of the figures that a scene file asks for."""
     return getattr(scene_in(path), "outputs", ())

@@ -170,7 +170,7 @@ def test_shell_over_depth_is_labelled(tmp_path, kept):
     axes = kept[0].axes
     assert axes[0].yaxis_inverted()
     assert axes[0].get_ylabel() == "depth z (m)"
-    labels = [panel.get_xlabel() for panel in axes]
+    labels = [" ".join(panel.get_xlabel().split()) for panel in axes]
     assert labels[0] == "axial wall force (kN/m)"
     assert labels[2] == "axial stress; buckling stress (MPa)"
     texts = {text.get_text() for text in axes[0].texts}

@@ -89,6 +89,21 @@ def test_a_cell_that_feels_twice_its_level_is_seen_around(beside):
     assert (even.max("wall_turn") / even.min("wall_turn")).values == pytest.approx(1.0)
 
 
+def test_codes_keep_their_own_depths_and_jumps(tmp_path):
+    """Between two levels of cells a jump of a stepped code would be a slope: at its own depths it is a jump."""
+    methods = {"methods": ["ty124_1956", "as3774_1996"], "hopper_position": [0.0, 0.5, 0.9]}
+    expansion, grains, codes = swept(tmp_path, codes_of(**methods))
+    cube = beside_cube(expansion, grains, codes)
+    profile = cube["code_wall_profile"].sel(pressure_method="ty124_1956", phase="discharge")
+    own = codes["wall_normal_pressure"].sel(pressure_method="ty124_1956", phase="discharge")
+    assert np.array_equal(profile, own, equal_nan=True)
+    assert np.nanmax(np.diff(profile)) > 0.3 * np.nanmax(profile)
+    assert cube["code_profile_depth"].values == pytest.approx(np.outer(DEEP, codes["relative_depth"]))
+    hopper = cube["code_hopper_profile"].sel(pressure_method="as3774_1996")
+    assert hopper.notnull().any()
+    assert np.array_equal(hopper, codes["hopper_normal_pressure"].sel(pressure_method="as3774_1996"), equal_nan=True)
+
+
 def test_an_area_takes_cells_and_levels_together():
     """Loads of 16 and 8 on cells of a wall of nothing, on both sides of where turns close: means at every level they reach."""
     wall = np.zeros((6, 8))

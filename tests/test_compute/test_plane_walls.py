@@ -148,9 +148,9 @@ def test_the_switch_is_seen_where_and_when_it_was_put(beside):
     assert first["hopper_switch_factor"].values == pytest.approx([1.0] * 23 + [SWITCH])
     assert first["hopper_switch_time"].values == pytest.approx([WINDOW] * 23 + [3 * WINDOW])
     code = first.sel(pressure_method="jenike_mass_flow", phase="filling")
-    top = code["code_hopper_pressure"].values[-1]
-    assert code["code_over_grains_transition"].item() == pytest.approx(top / (SWITCH * 1000.0))
-    assert code["code_over_grains_hopper"].item() == pytest.approx(code["code_hopper_pressure"].values.mean() / 1000.0)
+    at_levels = np.interp(code["hopper_level_position"], code["hopper_position"], code["code_hopper_profile"])
+    assert code["code_over_grains_transition"].item() == pytest.approx(at_levels[-1] / (SWITCH * 1000.0))
+    assert code["code_over_grains_hopper"].item() == pytest.approx(at_levels.mean() / 1000.0)
     assert np.isnan(first["code_over_grains_hopper"].sel(pressure_method="janssen")).all()
 
 

@@ -31,10 +31,11 @@ UNITS = {
     "N/m": ("N/m", 1.0), "kN/m": ("N/m", 1e3), "kN m": ("N m", 1e3), "N m": ("N m", 1.0), "disc weights": ("disc", 1.0),
     "m/s": ("m/s", 1.0), "cm/s": ("m/s", 1e-2), "m/s²": ("m/s²", 1.0), "gal": ("m/s²", 1e-2),
     "g": ("m/s²", STANDARD_GRAVITY), "°": ("rad", np.pi / 180),
-    "rad": ("rad", 1.0), "%": ("1", 1e-2), "1": ("1", 1.0), "kg m⁻¹ s⁻¹": ("kg/m/s", 1.0),
+    "kg": ("kg", 1.0), "kg/m": ("kg/m", 1.0), "rad": ("rad", 1.0), "%": ("1", 1e-2), "1": ("1", 1.0),
+    "kg m⁻¹ s⁻¹": ("kg/m/s", 1.0),
 }  # fmt: skip
 IN_NAMES = {"t_m2": "t/m²", "m_s2": "m/s²", "m_s": "m/s", "deg": "°", "percent": "%", "disc_weights": "disc weights",
-            "kN_m": "kN/m", "N_m": "N/m", "cm_s": "cm/s", "kg_m_s": "kg m⁻¹ s⁻¹"}  # fmt: skip
+            "kN_m": "kN/m", "N_m": "N/m", "cm_s": "cm/s", "kg_m_s": "kg m⁻¹ s⁻¹", "kg_m": "kg/m"}  # fmt: skip
 IN_CUBES = {"m s-2": "m/s²", "m s-1": "m/s", "N m-1": "N/m", "kg m-1 s-1": "kg m⁻¹ s⁻¹"}
 QUOTIENT = re.compile(
     r"\b(over|ratio|relative|factor|coefficient|share|chance|index|number|utilisation|C_eff)\b|/|=|²"
@@ -271,12 +272,9 @@ def _looks(axes: Axes) -> Iterator[tuple[str, str, tuple]]:
     """(what, colour, all else of its look) of every curve, cloud of points and set of bars that is no background."""
     for line in axes.lines:
         if _shows(line, axes) and line.get_gid() != NAMED and line not in _caps(axes) and not _is_grey(line.get_color()):
-            hollow = is_hollow(line)
-            yield (
-                f"line {line.get_label()!r}",
-                to_hex(line.get_color()),
-                (str(line._dash_pattern), str(line.get_marker()), hollow),
-            )
+            drawn = line.get_linestyle() not in ("None", "none", "", " ")
+            shape = str(line._unscaled_dash_pattern) if drawn else "points", str(line.get_marker()), is_hollow(line)
+            yield f"line {line.get_label()!r}", to_hex(line.get_color()), shape
     for points in axes.collections:
         if isinstance(points, PathCollection) and points.get_array() is None and points.get_gid() != AID:
             face, edge = points.get_facecolor(), points.get_edgecolor()

@@ -236,10 +236,11 @@ def bin_cube() -> xr.Dataset:
     record.happened = [(0.04, "rest", "open"), (0.08, "after", "stop")]
     for time in (0.0, 0.04, 0.08):
         motion = np.column_stack([model.place + np.array([0.0, 0.0, 0.04 - time / 2]), random.uniform(-1, 1, (120, 6))])
-        none = np.empty((0, 8))
+        chain = np.column_stack([np.arange(20), np.arange(1, 21), motion[:20, :3], random.uniform(-1.0, 1.0, (20, 3))])
         record.snapshots.append(
-            {"time": np.array(time), "label": np.arange(120), "motion": motion, "pairs": none, "walls": none}
+            {"time": np.array(time), "label": np.arange(120), "motion": motion, "pairs": chain, "walls": np.empty((0, 8))}
         )
+    record.passed = [(0.05 + 0.002 * k, 1e-4, 0) for k in range(10)]
     (fields, *_), cells = task.observers, grid_of(scene, scene.record.fields, model).cells
     for number in range(4):
         shapes = (cells,), (cells,), (cells, 3), (cells, 3, 3), (cells, 3, 3), (cells, 3)

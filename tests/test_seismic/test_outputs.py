@@ -18,6 +18,7 @@ from silostudy.figures import (
 )
 from silostudy.tables.outputs import OUTPUTS
 from tests.conftest import expanded
+from tests.test_figures.content import told as words_of
 from tests.test_seismic.conftest import SASAKI
 
 FIGURES = (seismic_resonance, seismic_histories, seismic_spectra, seismic_indices, seismic_recovery, seismic_demand)
@@ -30,11 +31,11 @@ def test_figures_have_labels_units_and_notes(cube, tmp_path, kept):
         figure = kept[-1]
         assert all("(" in panel.get_xlabel() or "C_eff" in panel.get_xlabel() or not panel.lines or panel.get_xlabel() == ""
                    or "half-width" in panel.get_xlabel() for panel in figure.axes)  # fmt: skip
-        assert "silo.mid_wall_radius_m" in figure.get_supxlabel()
+        assert "silo.mid_wall_radius_m" in words_of(figure)
         assert len(pd.read_csv(stem.with_suffix(".csv"))) > 0
         for suffix in (".png", ".svg"):
             assert stem.with_suffix(suffix).stat().st_size > 10_000
-    assert "synthetic" in kept[1].get_supxlabel()
+    assert "synthetic" in words_of(kept[1])
 
 
 def test_indices_figure_shows_what_the_cube_holds(cube, tmp_path, kept):
@@ -43,9 +44,8 @@ def test_indices_figure_shows_what_the_cube_holds(cube, tmp_path, kept):
     one = cube.isel(level=0)
     assert left.lines[0].get_ydata() == pytest.approx((one["amplitude_error"] / one["amplitude_error"][-1]).values)
     assert len({str(line.get_linestyle()) + str(line._dash_pattern) for line in left.lines[:3]}) == 3  # without colour too
-    texts = " ".join(text.get_text() for text in left.texts)
-    assert "0.70, f1 = 21.1 Hz" in texts
-    assert "2.62 wall masses" in texts
+    assert "0.70, f1 = 21.1 Hz" in words_of(kept[0])
+    assert "2.62 wall masses" in words_of(kept[0])
 
 
 def test_demand_figure_runs_downward(cube, tmp_path, kept):
@@ -112,7 +112,7 @@ def test_demand_alone(content, tmp_path, kept):
         same = whole[name].sel(mass_choice=cube["mass_choice"].values) if "mass_choice" in whole[name].dims else whole[name]
         np.testing.assert_array_equal(cube[name].values, same.values)
     seismic_demand.draw(cube, tmp_path / "demand")
-    assert "Measured" not in kept[-1].get_supxlabel()
+    assert "Measured" not in words_of(kept[-1])
 
 
 @pytest.mark.long
@@ -139,8 +139,8 @@ def test_an_answer_at_the_end_of_the_candidates_is_open(content, tmp_path, kept,
         module.draw(cube, tmp_path / module.__name__)
     indices, recovery, demand, histories = kept
     word = "lowest" if end < 0 else "highest"
-    assert f"{word} candidate: may lie beyond" in " ".join(text.get_text() for text in indices.axes[0].texts)
-    assert "are not judged" in " ".join(text.get_text() for text in indices.axes[0].texts)
+    assert f"{word} candidate: may lie beyond" in words_of(indices)
+    assert "are not judged" in words_of(indices)
     assert "open: reaches an end" in " ".join(text.get_text() for text in recovery.axes[1].texts)
-    assert f"{word} candidate" in " ".join(text.get_text() for text in demand.axes[5].get_legend().get_texts())
+    assert f"{word} candidate" in words_of(demand)
     assert f"{word} candidate" in histories.axes[0].get_title()

@@ -21,7 +21,7 @@ def snakemake(folder: Path, *arguments) -> None:
 
 
 def looked_at(page, report: Path) -> dict[str, tuple[str, list[str]]]:
-    """Opens everything in the report as a reader would: output -> (its caption, natural sizes of the images shown)."""
+    """Opens everything in the report as a reader would: output -> (its caption, widths of the images shown)."""
     page.goto(report.as_uri())
     found = {}
     for category in page.evaluate("Object.keys(categories)"):
@@ -35,7 +35,7 @@ def looked_at(page, report: Path) -> dict[str, tuple[str, list[str]]]:
                 row.locator("[iconname=eye]").click()
                 page.wait_for_selector(PICTURE)
                 page.wait_for_function("s => [...document.querySelectorAll(s)].every(one => one.complete)", arg=PICTURE)
-                sizes = page.eval_on_selector_all(PICTURE, "them => them.map(one => one.naturalWidth)")
+                sizes = page.eval_on_selector_all(PICTURE, "them => them.map(one => one.width)")
             else:
                 sizes = []
                 assert row.locator("[iconname=eye]").get_attribute("href").startswith("data:text/csv")
@@ -48,7 +48,7 @@ def check(page, wrong, report: Path, least: int) -> None:
     assert len(found) >= least
     for path, (caption, sizes) in found.items():
         assert "Source: " in caption, path
-        assert all(size > 400 for size in sizes), path
+        assert all(size >= 1000 for size in sizes), path  # px, in which its smallest words have 12
         assert len(sizes) == path.endswith(".png"), path
     assert wrong == []
 
