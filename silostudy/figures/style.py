@@ -23,7 +23,6 @@ from cycler import cycler
 from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
-from matplotlib.lines import Line2D
 from matplotlib.patheffects import withStroke
 
 from silostudy.files import replacing
@@ -45,8 +44,8 @@ REST: dict[str, Any] = {
     "marker": "none",
     "zorder": 1,
 }  # what is not the point
-AID = "aid"  # gid of what helps the eye and shows no number of the table: the outline of a silo, a bar of scale
 NAMED = "named"  # gid of a curve whose name stands at it
+AID = "aid"  # gid of what helps the eye and shows no number of the table: the outline of a silo, a bar of scale
 PHASE_LINES = {"switch": (0, (1, 1)), "filling": (0, (4, 2)), "discharge": "-"}
 plt.rcParams.update(
     {
@@ -108,16 +107,6 @@ def point_out(panel: Axes, words: str, point: tuple[float, float], offset: tuple
     placed |= {"ha": "left" if offset[0] >= 0 else "right"}
     placed |= {"arrowprops": {"arrowstyle": "-", "color": INK, "linewidth": 0.8, "shrinkB": 3}}
     text = panel.annotate(words, point, offset, **placed | options)
-    text.set_path_effects([withStroke(linewidth=2.5, foreground="white")])
-
-
-def named(line: Line2D, words: str, offset: tuple[float, float] = (4, 0), **options: Any) -> None:
-    """Writes the name of a curve at its end, in its colour: it needs no legend, and no line of its own."""
-    placed = {"textcoords": "offset points", "fontsize": "small", "va": "center", "color": line.get_color()}
-    point = tuple(np.asarray(line.get_xydata())[-1])
-    line.set_gid(NAMED)
-    assert isinstance(line.axes, Axes)  # a curve that was drawn
-    text = line.axes.annotate(words, point, offset, **placed | options)
     text.set_path_effects([withStroke(linewidth=2.5, foreground="white")])
 
 
