@@ -29,7 +29,9 @@ from silostudy.commands import (
 from silostudy.errors import BadInput
 from silostudy.files import check_output, check_writable
 
-OUTPUT, STEMS = "output", ("stem", "figure")  # arguments that name what a command writes: a file, files without their ending
+# arguments that name what a command writes
+OUTPUT = "output"  # a file
+STEMS = ("stem", "figure")  # files without their ending
 STOPPED = 130  # status of a command that the user stopped
 ROOMS = (
     new,
@@ -85,7 +87,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 
 def check_outputs(chosen) -> None:
-    """BadInput for an output that cannot be written, before anything is computed."""
+    """Raises BadInput for an output that cannot be written, before anything is computed."""
     given = vars(chosen)
     if given.get(OUTPUT) is not None:
         check_output(given[OUTPUT], [path for name, path in given.items() if name != OUTPUT and isinstance(path, Path)])

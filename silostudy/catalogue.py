@@ -9,7 +9,7 @@ from typing import Generic, TypeVar
 
 from silostudy.errors import BadInput, unknown
 
-LAST = 1000
+LAST = 1000  # rank of a row that names none: behind all that do
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -36,7 +36,7 @@ class Row(Entry):
     origin: str = ""
 
     def faults(self) -> Iterator[str]:
-        """What is wrong with the row, in words: nothing of a sound one.  A family's own class adds to it."""
+        """Faults of the row, in words: none of a sound one.  A family's own class adds to it."""
         for name in ("key", "title", "source", "locator"):
             text = getattr(self, name)
             if not isinstance(text, str) or not text.strip():
@@ -92,6 +92,6 @@ def members(room: str, kind: type[R]) -> list[R]:
 
 
 def declared(module: Mapping[str, object]) -> tuple:
-    """What a module's names ROW and ROWS hold."""
+    """Rows under a module's names ROW and ROWS."""
     row, many = module.get("ROW"), module.get("ROWS", ())
     return (*(() if row is None else (row,)), *many)  # type: ignore[misc]

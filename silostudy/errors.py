@@ -1,4 +1,4 @@
-"""What bad input raises: always with the field, the value and what is allowed, before any long work starts."""
+"""Errors of bad input: always with the field, the value and what is allowed, before any long work starts."""
 
 from collections.abc import Iterable
 

@@ -1,4 +1,4 @@
-"""Writing files so that a half-written one never looks like a result."""
+"""Writes files so that a half-written one never looks like a result."""
 
 import fcntl
 import glob
@@ -63,7 +63,7 @@ class replacing:
 
 
 def _mark(path: Path) -> str:
-    """How the names of this machine's temporary files beside a path begin, before the number of their process."""
+    """Beginning of the names of this machine's temporary files beside a path, before the number of their process."""
     return f".{path.name}.{hashlib.sha256(platform.node().encode()).hexdigest()[:8]}-"
 
 
@@ -82,7 +82,7 @@ def seal(path: Path) -> None:
 
 
 def _write_seal(path: Path, *digests: str) -> None:
-    """In one go: a half-written seal would call an older result damaged."""
+    """Writes a seal in one go: a half-written seal would call an older result damaged."""
     temporary = path.with_name(f"{_mark(path)}{os.getpid()}.{threading.get_ident()}.seal")
     try:
         temporary.write_text("\n".join(digests), encoding="ascii")
@@ -147,7 +147,7 @@ def alone(folder: Path) -> None:
 
 
 def check_writable(folder: Path) -> None:
-    """BadInput unless the folder can be written or made and its disk has room, without making it."""
+    """Raises BadInput unless the folder can be written or made and its disk has room, without making it."""
     try:
         nearest = next(place for place in (folder, *folder.absolute().parents) if place.exists())
         why = "" if nearest.is_dir() and os.access(nearest, os.W_OK) else "cannot be written"
@@ -159,14 +159,14 @@ def check_writable(folder: Path) -> None:
 
 
 def check_folder(folder: Path) -> None:
-    """BadInput unless files can be written into a folder, without making it."""
+    """Raises BadInput unless files can be written into a folder, without making it."""
     if folder.exists() and not folder.is_dir():
         raise BadInput("results folder", str(folder), "is a file")
     check_writable(folder)
 
 
 def check_output(path: Path, read: Iterable[Path] = ()) -> None:
-    """BadInput unless a file can be written there, without writing it, and it is none of the files that are read."""
+    """Raises BadInput unless a file can be written there, without writing it, and it is none of the files that are read."""
     check_writable(path.parent)
     if len(os.fsencode(path.name)) > LONGEST_NAME:
         raise BadInput("output", str(path), f"has too long a name: {LONGEST_NAME} bytes at most")
@@ -179,14 +179,14 @@ def check_output(path: Path, read: Iterable[Path] = ()) -> None:
 
 
 def check_there(files: Iterable[Path]) -> None:
-    """BadInput for a file that is not there."""
+    """Raises BadInput for a file that is not there."""
     for path in files:
         if not path.is_file():
             raise BadInput("file", str(path), "is not there")
 
 
 def check_sent(names: Iterable[str], paths: Iterable[Path]) -> None:
-    """BadInput for what Snakemake spoils on the way to a job elsewhere: it sends `rule:study=NAME,...` between quotes."""
+    """Raises BadInput for names that Snakemake spoils on the way to a job: it sends `rule:study=NAME,...` between quotes."""
     for name, spoilt in [*((name, ",'\"") for name in names), *((str(path), "'\"") for path in paths)]:
         if set(name) & set(spoilt) or repr(name)[1:-1] != name:
             raise BadInput("name", name, "jobs elsewhere can be sent no quote, comma or backslash: rename it, or run here")

@@ -34,7 +34,7 @@ class Measure:
 
 @dataclass(frozen=True, kw_only=True)
 class Limit:
-    """Where a method speaks: least <= measure <= most, above < measure < below, and not within the open gap.
+    """Limit of a method's range: least <= measure <= most, above < measure < below, and not within the open gap.
 
     why: whose limit it is; phases and quantities: where it holds, empty everywhere; part: the quantities in one word;
     tolerance: relative, of the closed ends.
@@ -57,7 +57,7 @@ class Limit:
         return (not self.phases or phase in self.phases) and (not self.quantities or quantity in self.quantities)
 
     def broken(self, z, parameters: Mapping) -> np.ndarray:
-        """Where the measure lies beyond the limit; a number that is not known breaks none."""
+        """Mask of places where the measure lies beyond the limit; a number that is not known breaks none."""
         value = self.measure.value(z, parameters)
         least, most = self.least - self.tolerance * abs(self.least), self.most + self.tolerance * abs(self.most)
         with np.errstate(invalid="ignore"):
@@ -84,7 +84,7 @@ class Limit:
 
 
 def broken(limits: Iterable[Limit], quantity: str, phase: str, z, parameters: Mapping) -> np.ndarray:
-    """Where any limit of a quantity in a phase is broken; without a place (z None) those of the depth are left out."""
+    """Mask of places where a limit of a quantity in a phase is broken; without a place (z None) those of depth are left out."""
     outside = np.zeros((), dtype=bool)
     for limit in limits:
         if limit.holds_for(quantity, phase) and not (z is None and limit.measure.of_depth):

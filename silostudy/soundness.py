@@ -1,4 +1,4 @@
-"""What makes a row of any family sound, in pieces: each says in words what is wrong, and nothing where nothing is."""
+"""Faults of the rows of any family, in words: each function yields those of a part, none of a sound one."""
 
 import re
 from collections.abc import Callable, Iterable, Iterator
@@ -13,7 +13,7 @@ LINES = ("solid", "dashed", "dashdot", "dotted", "-", "--", "-.", ":")  # of mat
 
 
 def faults_of_look(row) -> Iterator[str]:
-    """What is wrong with how a row is drawn and explained: colour, marker, line where it has one, formula, range."""
+    """Faults of how a row is drawn and explained: colour, marker, line where it has one, formula, range."""
     if not re.fullmatch(r"#[0-9A-Fa-f]{6}", row.colour):
         yield f"colour = {row.colour!r}: must be #rrggbb"
     if row.marker not in MARKERS and not re.fullmatch(r"\$.+\$", row.marker):
@@ -26,7 +26,7 @@ def faults_of_look(row) -> Iterator[str]:
 
 
 def faults_of_function(name: str, function: Callable, unit: str, asked: Iterable[str], known: Iterable[str]) -> Iterator[str]:
-    """What is wrong with a function of a row: no unit in its docstring, a parameter that has no unit in the family."""
+    """Faults of a function of a row: no unit in its docstring, a parameter that has no unit in the family."""
     written = unit.replace(" m-1", "/m").replace(" m-", "/m")
     doc = getdoc(function) or ""
     if f"({unit}" not in doc and f"({written}" not in doc:
@@ -36,7 +36,7 @@ def faults_of_function(name: str, function: Callable, unit: str, asked: Iterable
 
 
 def faults_of_trial(name: str, trial: Callable[[], object]) -> Iterator[str]:
-    """What goes wrong when a function of a row is called with arrays of usual values."""
+    """Faults of a function of a row when it is called with arrays of usual values."""
     try:
         trial()
     except Exception as error:
@@ -44,7 +44,7 @@ def faults_of_trial(name: str, trial: Callable[[], object]) -> Iterator[str]:
 
 
 def check_numbers(call: Callable[[], object]) -> np.ndarray:
-    """What a call gives, as an array; ValueError unless these are finite or NaN, real, and the same when called again."""
+    """Result of a call, as an array; ValueError unless these are finite or NaN, real, and the same when called again."""
     values = np.asarray(call())
     if values.dtype.kind not in "fiub":
         raise ValueError(f"gives no real numbers but {values.ravel()[:1]}")

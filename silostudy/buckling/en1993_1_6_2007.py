@@ -22,22 +22,25 @@ PLASTIC_RANGE = 0.6  # beta; the interaction exponent eta is 1
 
 
 def short_factor(relative_length):
-    """C_x (1) of a short shell, omega = l / sqrt(r t) up to 1.7: 1.36 - 1.83/omega + 2.07/omega^2. Source: en1993_1_6_2007.
+    """Length factor C_x (1) of a short shell, omega = l / sqrt(r t) up to 1.7: 1.36 - 1.83/omega + 2.07/omega^2.
 
-    Both edges must be held radially and against turning.
+    Both edges must be held radially and against turning. Source: en1993_1_6_2007.
     """
     return 1.36 - 1.83 / relative_length + 2.07 / relative_length**2
 
 
 def length_factor(relative_length, radius_over_thickness, end_factor):
-    """C_x (1) from omega = l / sqrt(r t): short, medium or long. Source: en1993_1_6_2007, annex D, second-hand."""
+    """Length factor C_x (1) from omega = l / sqrt(r t): short, medium or long.
+
+    Source: en1993_1_6_2007, annex D, second-hand.
+    """
     long = np.maximum(0.6, 1 + 0.2 / end_factor * (1 - 2 * relative_length / radius_over_thickness))
     medium_or_long = np.where(relative_length <= 0.5 * radius_over_thickness, 1.0, long)
     return np.where(relative_length <= SHORT, short_factor(relative_length), medium_or_long)
 
 
 def critical_stress(*, youngs_modulus, shell_radius, thickness, factor=1.0):
-    """sigma_Rcr (Pa), elastic critical stress of the perfect shell: 0.605 E C_x t / r. Source: en1993_1_6_2007, annex D."""
+    """Elastic critical stress sigma_Rcr (Pa) of the perfect shell: 0.605 E C_x t / r. Source: en1993_1_6_2007, annex D."""
     return 0.605 * youngs_modulus * factor * thickness / shell_radius
 
 
@@ -49,17 +52,17 @@ def held_length(*, bay_length, total_length, ring_area, shell_radius, thickness)
 
 
 def relative_imperfection(shell_radius, thickness, fabrication_quality):
-    """delta (1), characteristic imperfection over thickness: sqrt(r/t) / Q. Source: en1993_1_6_2007, annex D."""
+    """Characteristic imperfection over thickness, delta (1): sqrt(r/t) / Q. Source: en1993_1_6_2007, annex D."""
     return np.sqrt(shell_radius / thickness) / fabrication_quality
 
 
 def imperfection_factor(delta):
-    """alpha (1): 0.62 / (1 + 1.91 delta^1.44). Source: en1993_1_6_2007, annex D, second-hand."""
+    """Imperfection factor alpha (1): 0.62 / (1 + 1.91 delta^1.44). Source: en1993_1_6_2007, annex D, second-hand."""
     return 0.62 / (1 + 1.91 * delta**1.44)
 
 
 def capacity(slenderness, alpha, delta):
-    """chi (1), strength over yield stress, from lambda = sqrt(f_y / sigma_Rcr). Source: en1993_1_6_2007, section 8.5.
+    """Strength over yield stress, chi (1), from lambda = sqrt(f_y / sigma_Rcr). Source: en1993_1_6_2007, section 8.5.
 
     Between lambda_0 and lambda_p = sqrt(alpha / (1 - beta)) straight in lambda; delta plays no part in this edition.
     """
@@ -70,7 +73,7 @@ def capacity(slenderness, alpha, delta):
 
 
 def capacity_range(slenderness, alpha, delta):
-    """(beta, lambda_p, eta) (1) of the capacity curve; eta 1. Source: en1993_1_6_2007, section 8.5."""
+    """Parameters beta, lambda_p, eta (1) of the capacity curve; eta 1. Source: en1993_1_6_2007, section 8.5."""
     return PLASTIC_RANGE, np.sqrt(alpha / (1 - PLASTIC_RANGE)), 1.0
 
 

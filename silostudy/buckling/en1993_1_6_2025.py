@@ -24,12 +24,15 @@ HARDENING_LIMIT = 1.10  # chi_h
 
 
 def length_factor(relative_length, radius_over_thickness, end_factor):
-    """C_x (1): short shells as in 2007, 1 beyond omega = 1.7. Source: en1993_1_6_2025, second-hand (one public program)."""
+    """Length factor C_x (1): short as in 2007, 1 beyond omega = 1.7.
+
+    Source: en1993_1_6_2025, second-hand (one public program).
+    """
     return np.where(relative_length <= SHORT, short_factor(relative_length), 1.0)
 
 
 def _relative_length(*, bay_length, total_length, ring_area, shell_radius, thickness):
-    """omega t / r (1) of the length between held edges."""
+    """Relative length omega t / r (1) between held edges."""
     wall = {"shell_radius": shell_radius, "thickness": thickness}
     length = held_length(bay_length=bay_length, total_length=total_length, ring_area=ring_area, **wall)
     return length / np.sqrt(shell_radius * thickness) * thickness / shell_radius
@@ -44,17 +47,17 @@ NOT_LONG = ShellLimit(
 
 
 def imperfection_factor(delta):
-    """alpha (1): 0.83 / (1 + 2.2 delta^0.75). Source: en1993_1_6_2025, second-hand transcription."""
+    """Imperfection factor alpha (1): 0.83 / (1 + 2.2 delta^0.75). Source: en1993_1_6_2025, second-hand transcription."""
     return 0.83 / (1 + 2.2 * delta**0.75)
 
 
 def plastic_range(delta):
-    """beta (1): 1 - 0.75 / (1 + 1.1 delta). Source: en1993_1_6_2025, second-hand transcription."""
+    """Plastic range beta (1): 1 - 0.75 / (1 + 1.1 delta). Source: en1993_1_6_2025, second-hand transcription."""
     return 1 - 0.75 / (1 + 1.1 * delta)
 
 
 def interaction_exponent(share, delta):
-    """eta (1) at a share of the way from lambda_0 to lambda_p, straight from eta_0 to eta_p.
+    """Exponent eta (1) at a share of the way from lambda_0 to lambda_p, straight from eta_0 to eta_p.
 
     Source: en1993_1_6_2025, second-hand transcription: eta_0 = 1.35 - 0.10 delta, eta_p = 1 / (0.45 + 0.72 delta).
     """
@@ -63,7 +66,7 @@ def interaction_exponent(share, delta):
 
 
 def capacity_range(slenderness, alpha, delta):
-    """(beta, lambda_p, eta) (1) of the capacity curve. Source: en1993_1_6_2025, second-hand."""
+    """Parameters beta, lambda_p, eta (1) of the capacity curve. Source: en1993_1_6_2025, second-hand."""
     beta = plastic_range(delta)
     plastic_limit = np.sqrt(alpha / (1 - beta))
     share = np.clip((slenderness - SQUASH_LIMIT) / (plastic_limit - SQUASH_LIMIT), 0, 1)
@@ -71,7 +74,7 @@ def capacity_range(slenderness, alpha, delta):
 
 
 def capacity(slenderness, alpha, delta):
-    """chi (1), strength over yield stress; up to 1.10 for stocky shells. Source: en1993_1_6_2025, second-hand."""
+    """Strength over yield stress, chi (1); up to 1.10 for stocky shells. Source: en1993_1_6_2025, second-hand."""
     beta, plastic_limit, eta = capacity_range(slenderness, alpha, delta)
     between = 1 - beta * np.clip((slenderness - SQUASH_LIMIT) / (plastic_limit - SQUASH_LIMIT), 0, 1) ** eta
     hardened = HARDENING_LIMIT - slenderness / SQUASH_LIMIT * (HARDENING_LIMIT - 1)

@@ -22,7 +22,7 @@ FOOT_SHAPE = 400  # s = r / (400 t)
 
 
 def pressurised_elastic_factor(alpha, relative_pressure):
-    """alpha_pe (1): alpha + (1 - alpha) p_s / (p_s + 0.3 / sqrt(alpha)), p_s = p r / (t sigma_Rcr).
+    """Factor alpha_pe (1): alpha + (1 - alpha) p_s / (p_s + 0.3 / sqrt(alpha)), p_s = p r / (t sigma_Rcr).
 
     Source: en1993_4_1, second-hand transcription.
     """
@@ -30,8 +30,9 @@ def pressurised_elastic_factor(alpha, relative_pressure):
 
 
 def elephants_foot_factor(slenderness, radius_over_thickness, relative_pressure):
-    """alpha_pp (1): (1 - (p_g/lambda^2)^2) (1 - 1/(1.12 + s^1.5)) (s^2 + 1.21 lambda^2) / (s (s + 1)), s = r / (400 t).
+    """Elephant's-foot factor alpha_pp (1), s = r / (400 t).
 
+    (1 - (p_g/lambda^2)^2) (1 - 1/(1.12 + s^1.5)) (s^2 + 1.21 lambda^2) / (s (s + 1)).
     Source: en1993_4_1, second-hand transcription.
     """
     s, squared = radius_over_thickness / FOOT_SHAPE, slenderness**2

@@ -1,4 +1,4 @@
-"""What a buckling rule is: one row with a function from the shell to its strength under axial compression."""
+"""The row of a buckling rule: a function from the shell to its strength under axial compression."""
 
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
@@ -153,7 +153,7 @@ class BucklingRule(Row):
         return "; ".join((*(limit.words() for limit in self.limits), self.validity))
 
     def faults(self) -> Iterator[str]:
-        """What is wrong with the row, in words."""
+        """Faults of the row, in words."""
         yield from super().faults()
         yield from faults_of_look(self)
         faults = list(faults_of_function("strength", self.strength, "Pa", self.needs, PARAMETERS))
@@ -171,7 +171,7 @@ class BucklingRule(Row):
 
 
 def _usual() -> dict[str, np.ndarray]:
-    """Two usual shells at once."""
+    """Parameters of two usual shells at once."""
     return {name: np.full(2, value) for name, (_, _, value) in PARAMETERS.items()}
 
 

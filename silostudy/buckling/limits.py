@@ -9,7 +9,7 @@ LEAST_RING_RATIO = 0.06  # of ring area over bay area L t
 
 
 def needed_ring_ratio(*, bay_length, shell_radius, thickness):
-    """A_r / (L t) (1) from which a ring ends a bay: 0.06 + 2 / Z^2, Z = L^2 sqrt(1 - nu^2) / (R t), nu = 0.3.
+    """Ratio A_r / (L t) (1) from which a ring ends a bay: 0.06 + 2 / Z^2, Z = L^2 sqrt(1 - nu^2) / (R t), nu = 0.3.
 
     Source: miller1977, text after eq. (12), for 0.06; 2 / Z^2 from one public program for offshore shells alone.
     """

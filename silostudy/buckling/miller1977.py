@@ -27,21 +27,21 @@ from silostudy.limits import Measure
 
 
 def long_coefficient(radius_over_thickness, fabricated, safe_constants, logarithm=np.log10):
-    """C (1), sigma R / (E t) of a long unstiffened shell. Source: miller1977, eqs. (4), (5)."""
+    """Coefficient C (1), sigma R / (E t) of a long unstiffened shell. Source: miller1977, eqs. (4), (5)."""
     term = 0.286 * logarithm(radius_over_thickness)
     floor = np.where(safe_constants, 0.125, np.maximum(0.125, 0.919 - term))
     return np.where(fabricated, floor, np.minimum(0.34, 0.963 - term))
 
 
 def short_coefficient(radius_over_thickness, fabricated, safe_constants, logarithm=np.log10):
-    """J (1) of the short shell's C = J M^-0.6. Source: miller1977, eqs. (6), (7)."""
+    """Coefficient J (1) of the short shell's C = J M^-0.6. Source: miller1977, eqs. (6), (7)."""
     term = 0.5 * logarithm(radius_over_thickness)
     floor = np.where(safe_constants, 0.50, np.maximum(0.50, 1.88 - term))
     return np.where(fabricated, floor, np.maximum(0.76, 2.29 - term))
 
 
 def local_coefficient(relative_length, long, short, junction_exponent=5 / 3):
-    """C (1) of a shell of relative length M = L / sqrt(R t): long from M = (J/C)^(5/3) on, else J M^-0.6.
+    """Coefficient C (1) of a shell of relative length M = L / sqrt(R t): long from M = (J/C)^(5/3) on, else J M^-0.6.
 
     Source: miller1977, text after eq. (7), its printed exponent 3/5 mended.
     """
@@ -50,12 +50,15 @@ def local_coefficient(relative_length, long, short, junction_exponent=5 / 3):
 
 
 def ring_coefficient(ring_area_ratio, long):
-    """C_3 (1) of general buckling: from the unstiffened C up to 0.4 at A_r / (L t) = 0.2. Source: miller1977, (11), (12)."""
+    """Coefficient C_3 (1) of general buckling: the unstiffened C, up to 0.4 at A_r / (L t) = 0.2.
+
+    Source: miller1977, (11), (12).
+    """
     return np.where(ring_area_ratio < 0.2, (2 - 5 * long) * ring_area_ratio + long, 0.4)
 
 
 def effective_thickness(thickness, ring_area_ratio):
-    """t_e (m): t sqrt(1 + A_r / (L t)). Source: miller1977, eq. (9)."""
+    """Effective thickness t_e (m): t sqrt(1 + A_r / (L t)). Source: miller1977, eq. (9)."""
     return thickness * np.sqrt(1 + ring_area_ratio)
 
 
@@ -68,7 +71,7 @@ def inelastic_ratio(elastic_ratio, full_yield_from=6.2):
 
 @dataclass(frozen=True)
 class Reading:
-    """How the source is read.  The defaults are what its own tests settle; miller1977_rivals holds the others."""
+    """Reading of the source.  The defaults are what its own tests settle; miller1977_rivals holds the others."""
 
     logarithm: Callable = np.log10
     junction_exponent: float = 5 / 3
@@ -129,7 +132,7 @@ def rings_count(*, ring_area, bay_length, thickness):
 
 
 def _small_ring_ratio(*, ring_area, bay_length, thickness, total_length):
-    """A_r / (L t) (1); NaN without rings, and where the whole length is known and small rings are left out."""
+    """Ratio A_r / (L t) (1); NaN without rings, and where the whole length is known and small rings are left out."""
     asked = (np.asarray(ring_area) > 0) & np.isnan(total_length)
     return np.where(asked, ring_area / (bay_length * thickness), np.nan)
 

@@ -11,11 +11,11 @@ from silostudy.buckling.family import (
 )
 from silostudy.buckling.limits import NO_SUCTION, NOT_THICK, SLENDERNESS, WITHOUT_RINGS
 
-GREATEST_SLENDERNESS = 1500
+GREATEST_SLENDERNESS = 1500  # R/t up to which the source's tests go
 
 
 def correlation_factor(radius_over_thickness):
-    """gamma (1): 1 - 0.901 (1 - exp(-sqrt(R/t) / 16)). Source: nasa_sp8007, second-hand transcription."""
+    """Correlation factor gamma (1): 1 - 0.901 (1 - exp(-sqrt(R/t) / 16)). Source: nasa_sp8007, second-hand transcription."""
     return 1 + 0.901 * np.expm1(-np.sqrt(radius_over_thickness) / 16)
 
 

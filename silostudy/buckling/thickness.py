@@ -1,4 +1,4 @@
-"""How thick a wall must be: the thickness at which a rule's strength meets the axial force."""
+"""Required thickness: that at which a rule's strength meets the axial force."""
 
 from collections.abc import Mapping
 
@@ -6,8 +6,10 @@ import numpy as np
 
 from silostudy.buckling.family import IN_SCOPE, LONG, NO_LOAD, OUT_OF_RANGE, BucklingRule, evaluate
 
-SLENDEREST, STOCKIEST = 10_000, 20  # R/t between which the required thickness is sought
-HALVINGS = 40
+# R/t between which the required thickness is sought
+SLENDEREST = 10_000
+STOCKIEST = 20
+HALVINGS = 40  # of log R/t: the thickness comes to 1e-11 of itself
 
 
 def with_thickness(rule: BucklingRule, parameters: Mapping, thickness: np.ndarray) -> dict[str, np.ndarray]:
@@ -23,7 +25,7 @@ def with_thickness(rule: BucklingRule, parameters: Mapping, thickness: np.ndarra
 def required_thickness(
     rule: BucklingRule, parameters: Mapping, force: np.ndarray, safety, halvings: int = HALVINGS, own_weight=0.0
 ) -> tuple[np.ndarray, np.ndarray]:
-    """(thickness (m) at which the rule's strength meets the force (N/m), scope flag), by halving the range of log R/t.
+    """Thickness (m) at which the rule's strength meets the force (N/m), and scope flag, by halving the range of log R/t.
 
     own_weight: axial force (N/m) per thickness (m) of the wall above, which grows with what is sought.
     """

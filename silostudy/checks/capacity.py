@@ -15,7 +15,7 @@ KNOWN_CLASSES = Limit(
 
 
 def capacity(slenderness, alpha=IMPERFECTION):
-    """chi (1), strength over yield stress, from lambda. Source: en1993_1_6_2007, section 8.5, two public programs.
+    """Strength over yield stress, chi (1), from lambda. Source: en1993_1_6_2007, section 8.5, two public programs.
 
     1 up to lambda_0 = 0.4, alpha / lambda^2 from lambda_p = sqrt(alpha / 0.4), straight between.
     """

@@ -7,7 +7,9 @@ from silostudy.checks.family import SteelCheck
 from silostudy.limits import Limit, Measure
 
 LONGEST = 1.63  # omega / C over r / t up to which a cylinder is of medium length
-WIND_LEAST, WIND_MOST = 0.65, 1.0  # ends of k_w
+# ends of k_w
+WIND_LEAST = 0.65
+WIND_MOST = 1.0
 # (upper edge, lower edge) -> C_theta; with theory's first eigenvalue of a beam over pi beside it: 1.506, 1.250, 1, 0.597
 EDGE_FACTORS = {
     ("clamped", "clamped"): 1.5,
@@ -28,7 +30,7 @@ def critical_pressure(*, youngs_modulus, inner_radius, thickness, wall_height, e
 
 
 def wind_factor(*, inner_radius, thinnest, wall_height, edge_factor):
-    """k_w (1), even pressure over that at the stagnation line: 0.46 (1 + 0.1 sqrt(C_theta r/(omega t))), 0.65 to 1.
+    """Wind factor k_w (1), even pressure over that at the stagnation line: 0.46 (1 + 0.1 sqrt(C_theta r/(omega t))), 0.65 to 1.
 
     Source: en1993_1_6_2007, annex D, two sources; the ends by one of them.
     """
@@ -50,7 +52,7 @@ def hoop_compression(*, wind_pressure, suction, inner_radius, thickness, thinnes
 
 
 def reduction(*, yield_stress, critical_external_pressure, inner_radius, thickness):
-    """chi_th (1), of lambda = sqrt(f_y t / (p_cr r)). Source: en1993_1_6_2007, section 8.5, two public programs."""
+    """Reduction chi_th (1), of lambda = sqrt(f_y t / (p_cr r)). Source: en1993_1_6_2007, section 8.5, two public programs."""
     critical = critical_external_pressure * (inner_radius / thickness + 0.5)
     with np.errstate(divide="ignore"):
         return capacity(np.sqrt(yield_stress / critical))
@@ -67,7 +69,7 @@ def behind(
     *, yield_stress, critical_external_pressure, wind_pressure, suction, inner_radius, thickness, thinnest, wall_height,
     edge_factor,
 ):  # fmt: skip
-    """omega and k_w of the thinnest course, even pressure (Pa), critical stress (Pa), lambda and chi behind the check.
+    """Numbers behind the check: omega and k_w of the thinnest course, even pressure, critical stress (Pa), lambda and chi.
 
     Source: en1993_1_6_2007, as above.
     """
@@ -85,7 +87,7 @@ def behind(
 
 
 def _length(*, inner_radius, thickness, wall_height, edge_factor):
-    """omega t / (C_theta r) (1)."""
+    """Relative length omega t / (C_theta r) (1)."""
     r = inner_radius + thickness / 2
     return wall_height / np.sqrt(r * thickness) * thickness / r / edge_factor
 

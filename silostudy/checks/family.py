@@ -1,4 +1,4 @@
-"""What a check of the steel beside axial buckling is: one row with an effect, what resists it, and a wall that just does."""
+"""The row of a check of the steel beside axial buckling: an effect, what resists it, and a wall that just does."""
 
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
@@ -11,7 +11,10 @@ from silostudy.catalogue import Row
 from silostudy.limits import Limit, Measure
 from silostudy.soundness import faults_of_function, faults_of_trial
 
-WALL, HOPPER, SUPPORT = "wall", "hopper", "support"  # what of the silo a check is made of, and where its numbers stand
+# parts of the silo that checks are made of, and where their numbers stand
+WALL = "wall"
+HOPPER = "hopper"
+SUPPORT = "support"
 PARTS = (WALL, HOPPER, SUPPORT)
 
 # Every parameter that a check may ask for: (unit, symbol and meaning, a usual value).  Actions hold their partial factors.
@@ -138,7 +141,7 @@ class SteelCheck(Row):
         return call(self.effect, available) / call(self.resistance, available)
 
     def faults(self) -> Iterator[str]:
-        """What is wrong with the row, in words."""
+        """Faults of the row, in words."""
         yield from super().faults()
         if self.part not in PARTS:
             yield f"part = {self.part!r}: must be one of {', '.join(PARTS)}"

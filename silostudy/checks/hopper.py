@@ -9,12 +9,15 @@ from silostudy.checks.membrane import equivalent_stress
 
 
 def hoop_force(normal, *, height, half_angle):
-    """n_th (N/m), tension positive, at heights (m) above the apex: p_n r / cos(beta). Source: en1993_4_1, a program; theory."""
+    """Hoop force n_th (N/m), tension positive, at heights (m) above the apex: p_n r / cos(beta).
+
+    Source: en1993_4_1, a program; theory.
+    """
     return normal * height * np.tan(half_angle) / np.cos(half_angle)
 
 
 def meridional_force(normal, traction, *, height, half_angle, wall_weight=0.0):
-    """n_phi (N/m), tension positive, at heights (m) above the apex, which fall from the transition to a free lower edge.
+    """Meridional force n_phi (N/m), tension positive, at heights (m) above the apex, from the transition down to a free edge.
 
     Source: statics: 1/(x cos beta) int x' (p_n tan beta + p_t) dx', the pressures straight between the heights; wall_weight
     (Pa): of the plate, per area of it.

@@ -20,17 +20,17 @@ OUTSIDE = ("wind_pressure", "suction", "edge_factor", "critical_external_pressur
 
 
 def exponents_2007(chi_x, chi_th, chi_tau):
-    """(k_x, k_th, k_tau) (1): 1.25 + 0.75 chi, and 1.75 + 0.25 chi for shear. Source: en1993_1_6_2007, two public programs."""
+    """Exponents k_x, k_th, k_tau (1): 1.25 + 0.75 chi; shear 1.75 + 0.25 chi. Source: en1993_1_6_2007, two public programs."""
     return 1.25 + 0.75 * chi_x, 1.25 + 0.75 * chi_th, 1.75 + 0.25 * chi_tau
 
 
 def exponents_2025(chi_x, chi_th, chi_tau):
-    """(k_x, k_th, k_tau) (1): 1 + chi^2, and 1.5 + 0.5 chi^2 for shear. Source: en1993_1_6_2025, one public program."""
+    """Exponents k_x, k_th, k_tau (1): 1 + chi^2, and 1.5 + 0.5 chi^2 for shear. Source: en1993_1_6_2025, one public program."""
     return 1 + chi_x**2, 1 + chi_th**2, 1.5 + 0.5 * chi_tau**2
 
 
 def together(shares, chis, exponents):
-    """U (1): s_x^k_x - k_i s_x s_th + s_th^k_th + s_tau^k_tau, k_i = (chi_x chi_th)^2, s stress over strength, tension as 0.
+    """Sum U (1): s_x^k_x - k_i s_x s_th + s_th^k_th + s_tau^k_tau, k_i = (chi_x chi_th)^2, s stress over strength, tension 0.
 
     Source: en1993_1_6_2007, two public programs; en1993_1_6_2025 with its own exponents, one.
     """
@@ -40,7 +40,7 @@ def together(shares, chis, exponents):
 
 
 def _axial(edition: ModuleType, given) -> tuple:
-    """(stress over strength, chi_x) of axial compression with what the solid's pressure does to it."""
+    """Stress over strength and chi_x (1) of axial compression with what the solid's pressure does to it."""
     own = {**given, "shell_radius": given["inner_radius"] + given["thickness"] / 2}
     chi = call(en1993_4_1.strength(edition), own).strength / given["yield_stress"]
     stress = given["axial_wall_force"] / given["thickness"] + given["wall_above"]
@@ -53,7 +53,7 @@ def _shear(alpha: Callable, given) -> tuple:
 
 
 def _hoop(given) -> tuple:
-    """(stress over strength, chi_th) of hoop compression; 0 and 1 where nothing presses from outside."""
+    """Stress over strength and chi_th (1) of hoop compression; 0 and 1 where nothing presses from outside."""
     if "wind_pressure" not in given:
         return 0.0, 1.0
     with np.errstate(invalid="ignore", divide="ignore"):
@@ -90,7 +90,7 @@ def interaction(edition: ModuleType, alpha: Callable, exponents: Callable, names
 
 
 def resistance():
-    """What the sum may reach (1)."""
+    """Limit of the sum (1)."""
     return 1.0
 
 
@@ -112,7 +112,7 @@ def _row(edition: ModuleType, year: str, effect: Callable, formula: str, sources
 
 
 def _yielding(*, upper_internal_pressure, inner_radius, thickness, yield_stress):
-    """p r / (t f_y) (1)."""
+    """Hoop stress over yield stress p r / (t f_y) (1)."""
     return upper_internal_pressure * (inner_radius / thickness + 0.5) / yield_stress
 
 

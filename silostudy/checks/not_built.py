@@ -1,4 +1,4 @@
-"""What of the steel's checks the package leaves out, and why: told by `silostudy explain checks`."""
+"""Checks of the steel that the package leaves out, and why: told by `silostudy explain checks`."""
 
 MEMORY = (
     "rings under external pressure (I >= 0.1 L t^3, 0.08 C_w r t^3 sqrt(r/t)) and the shortcut C_w of EN 1993-4-1",

@@ -12,7 +12,10 @@ LONG = 8.7  # omega over r / t beyond which a cylinder is long
 
 
 def length_factor(relative_length, radius_over_thickness):
-    """C_tau (1): 1, of a long cylinder sqrt(omega t/r)/3. Source: en1993_1_6_2007, annex D, two public programs."""
+    """Length factor C_tau (1): 1, of a long cylinder sqrt(omega t/r)/3.
+
+    Source: en1993_1_6_2007, annex D, two public programs.
+    """
     long = relative_length > LONG * radius_over_thickness
     return np.where(long, np.sqrt(relative_length / radius_over_thickness) / 3, 1.0)
 
@@ -33,20 +36,20 @@ def stress(*, shear_wall_force, thickness):
 
 
 def alpha_2007(relative_imperfection):
-    """alpha_tau (1) of class B: 0.65. Source: en1993_1_6_2007, two public programs."""
+    """Imperfection factor alpha_tau (1) of class B: 0.65. Source: en1993_1_6_2007, two public programs."""
     return IMPERFECTION
 
 
 def alpha_2025(relative_imperfection):
-    """alpha_tau (1): 0.96 / (1 + 0.5 delta), delta = sqrt(r/t)/Q. Source: en1993_1_6_2025, one public program."""
+    """Imperfection factor alpha_tau (1): 0.96 / (1 + 0.5 delta), delta = sqrt(r/t)/Q. Source: en1993_1_6_2025, one program."""
     return 0.96 / (1 + 0.5 * relative_imperfection)
 
 
 def reduction(alpha: Callable) -> Callable:
-    """chi_tau by an edition's imperfection factor."""
+    """Function that gives chi_tau by an edition's imperfection factor."""
 
     def chi(*, yield_stress, youngs_modulus, inner_radius, thickness, wall_height, fabrication_quality):
-        """chi_tau (1), of lambda = sqrt(f_y / (sqrt(3) tau_cr)). Source: en1993_1_6_2007, section 8.5."""
+        """Reduction chi_tau (1), of lambda = sqrt(f_y / (sqrt(3) tau_cr)). Source: en1993_1_6_2007, section 8.5."""
         wall = {"inner_radius": inner_radius, "thickness": thickness}
         critical = critical_stress(youngs_modulus=youngs_modulus, wall_height=wall_height, **wall)
         delta = np.sqrt(inner_radius / thickness + 0.5) / fabrication_quality
@@ -74,7 +77,7 @@ def behind(alpha: Callable) -> Callable:
     chi = reduction(alpha)
 
     def numbers(*, yield_stress, youngs_modulus, inner_radius, thickness, wall_height, fabrication_quality):
-        """omega, C_tau, tau_cr (Pa), delta, alpha, lambda, chi. Source: en1993_1_6_2007, as above."""
+        """Numbers omega, C_tau, tau_cr (Pa), delta, alpha, lambda, chi. Source: en1993_1_6_2007, as above."""
         wall = {"inner_radius": inner_radius, "thickness": thickness, "wall_height": wall_height}
         r = inner_radius + thickness / 2
         critical = critical_stress(youngs_modulus=youngs_modulus, **wall)

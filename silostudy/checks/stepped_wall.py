@@ -6,9 +6,10 @@ Derived from mechanics, checked against the uniform wall of every kind of edge; 
 
 import numpy as np
 
-ELEMENTS = 40
+ELEMENTS = 40  # over the height; two a course at least
 # edge -> which of deflection w and slope w' it holds; w' stands for the axial movement
 HELD = {"free": (False, False), "pinned": (True, False), "clamped": (True, True)}
+# integrals over an element of length 1 of its cubic functions: of w'' squared, of w squared
 STRETCH = np.array([[12, 6, -12, 6], [6, 4, -6, 2], [-12, -6, 12, -6], [6, 2, -6, 4]])
 SPREAD = np.array([[156, 22, 54, -13], [22, 4, 13, -3], [54, 13, 156, -22], [-13, -3, -22, 4]]) / 420
 
@@ -16,7 +17,7 @@ SPREAD = np.array([[156, 22, 54, -13], [22, 4, 13, -3], [54, 13, 156, -22], [-13
 def critical_pressure(
     thicknesses, heights, *, radius, youngs_modulus, shell_poisson_ratio, edges, elements=ELEMENTS
 ) -> tuple[float, int]:
-    """(external pressure (Pa) at which the perfect wall buckles, waves round it), courses from the top down.
+    """External pressure (Pa) at which the perfect wall buckles, and waves round it; courses from the top down.
 
     heights (m): of the courses; edges: how the upper and the lower one are held, keys of HELD.
     """
@@ -38,7 +39,7 @@ def critical_pressure(
 
 
 def _mesh(thicknesses: np.ndarray, heights: np.ndarray, elements: int) -> tuple[np.ndarray, np.ndarray]:
-    """(length (m), thickness (m)) of every element; none reaches over an edge of a course."""
+    """Length (m) and thickness (m) of every element; none reaches over an edge of a course."""
     counts = np.maximum(np.ceil(elements * heights / heights.sum() - 1e-9).astype(int), 2)
     return np.repeat(heights / counts, counts), np.repeat(thicknesses, counts)
 

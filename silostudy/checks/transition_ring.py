@@ -10,7 +10,7 @@ THIN_SHELL = 0.778  # (3 (1 - nu^2))^(-1/4): effective length over sqrt(r t)
 
 
 def effective_lengths(radius, cylinder, hopper, half_angle):
-    """(of the cylinder, of the hopper): lengths (m) of the shells that work with the ring.
+    """Lengths (m) of cylinder and hopper that work with the ring.
 
     Source: derived from edge bending of two joined shells, which these forms meet within 1.1 %: the thinner 0.778 sqrt(r t),
     the thicker 0.389 (1 + 3 a^2 - 2 a^3) sqrt(r t), a thin over thick; of the hopper r / cos(beta) in place of r.
@@ -22,17 +22,20 @@ def effective_lengths(radius, cylinder, hopper, half_angle):
 
 
 def cylinder_length(*, inner_radius, thickness, hopper_thickness, hopper_half_angle):
-    """l_c (m), length of the cylinder that works with the ring. Source: derived, see above."""
+    """Length l_c (m) of the cylinder that works with the ring. Source: derived, see above."""
     return effective_lengths(inner_radius, thickness, hopper_thickness, hopper_half_angle)[0]
 
 
 def hopper_length(*, inner_radius, thickness, hopper_thickness, hopper_half_angle):
-    """l_h (m), length of the hopper that works with the ring. Source: derived, see above."""
+    """Length l_h (m) of the hopper that works with the ring. Source: derived, see above."""
     return effective_lengths(inner_radius, thickness, hopper_thickness, hopper_half_angle)[1]
 
 
 def effective_area(*, ring_area, inner_radius, thickness, hopper_thickness, hopper_half_angle):
-    """A_et (m2): the ring and the effective lengths of cylinder and hopper; a skirt is left out. Source: derived, see above."""
+    """Effective area A_et (m2): ring, effective lengths of cylinder and hopper; a skirt is left out.
+
+    Source: derived, see above.
+    """
     lengths = effective_lengths(inner_radius, thickness, hopper_thickness, hopper_half_angle)
     return ring_area + lengths[0] * thickness + lengths[1] * hopper_thickness
 

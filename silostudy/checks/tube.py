@@ -7,12 +7,12 @@ WIND_HARMONICS = {1: 0.4, 2: 0.8, 3: 0.3, 4: -0.1, 5: -0.05}
 
 
 def ring_forces(moment, shear, radius):
-    """(axial force (N/m), shear (N/m)), each the largest round a thin tube: M/(pi r^2), V/(pi r). Source: statics."""
+    """Axial force and shear (N/m), each the largest round a thin tube: M/(pi r^2), V/(pi r). Source: statics."""
     return moment / (np.pi * radius**2), shear / (np.pi * radius)
 
 
 def wind_forces(depth, *, pressure, force_coefficient, diameter):
-    """(moment (N m), shear (N)) of a tube at a depth (m) below its top, in wind that is even over the height.
+    """Moment (N m) and shear (N) of a tube at a depth (m) below its top, in wind that is even over the height.
 
     Source: statics: c_f q d z^2/2, c_f q d z; the roof's own wind is left out.
     """
@@ -21,7 +21,7 @@ def wind_forces(depth, *, pressure, force_coefficient, diameter):
 
 
 def patch_forces(depth, *, resultant, middle, height):
-    """(moment (N m), shear (N)) of a tube at a depth (m) by a patch load (N) spread evenly over a height (m).
+    """Moment (N m) and shear (N) of a tube at a depth (m) by a patch load (N) spread evenly over a height (m).
 
     Source: en1991_4_2006 for the patch, two public programs; statics: F (z - z_p) below it.
     """

@@ -4,11 +4,11 @@ import json
 from collections.abc import Collection, Mapping, Sequence
 from typing import Any
 
-from silostudy.choice.fronts import TRAITS, Measured, Traits, rows_for
+from silostudy.choice.fronts import TRAITS, FrontPoint, Traits, rows_for
 from silostudy.choice.promise import Choice
 from silostudy.errors import BadInput
 
-Rows = Mapping[str, list[Measured]]  # of one setting: quantity -> its rows
+Rows = Mapping[str, list[FrontPoint]]  # of one setting: quantity -> its rows
 
 
 def choose(fronts: Sequence[str], asked: Mapping[str, float], scenes: Sequence[Traits] = ({},)) -> Choice:
@@ -37,13 +37,15 @@ def _together(fronts: Sequence[str], asked: Mapping[str, float]) -> list[list[st
 
 def _by_settings(fronts: Sequence[str], names: Collection[str]) -> list[Rows]:
     """The rows of every setting that was measured for all of the quantities."""
-    groups: dict[str, dict[str, list[Measured]]] = {}
+    groups: dict[str, dict[str, list[FrontPoint]]] = {}
     for row in rows_for(fronts, names):
         groups.setdefault(row.settings, {}).setdefault(row.quantity, []).append(row)
     return [by for by in groups.values() if len(by) == len(names)]
 
 
-def cheapest(fronts: Sequence[str], asked: Mapping[str, float], scenes: Sequence[Traits]) -> tuple[Measured, dict[str, float]]:
+def cheapest(
+    fronts: Sequence[str], asked: Mapping[str, float], scenes: Sequence[Traits]
+) -> tuple[FrontPoint, dict[str, float]]:
     """A row of the cheapest settings that reach it, and the worst error expected by quantity."""
     tried = [(by, worst(by, scenes)) for by in _by_settings(fronts, asked)]
     measured = [(by, errors) for by, errors in tried if errors is not None]
@@ -58,8 +60,8 @@ def cheapest(fronts: Sequence[str], asked: Mapping[str, float], scenes: Sequence
     return next(iter(by.values()))[0], errors
 
 
-def _outside(rows: Sequence[Measured], scenes: Sequence[Traits]) -> str:
-    """Which traits of the scenes lie outside all ranges, and what they are."""
+def _outside(rows: Sequence[FrontPoint], scenes: Sequence[Traits]) -> str:
+    """Traits of the scenes that lie outside all ranges, with their values."""
     ranges: dict[str, dict[tuple[float, float], None]] = {}  # in the order of the rows
     for row in rows:
         for name, span in row.within.items():

@@ -23,7 +23,7 @@ def load(path: Path) -> tuple[AnyScene, Choice | None]:
 
 
 def dem_traits(asking: DemScene, scenes: Sequence[DemScene]) -> list[dict[str, float]]:
-    """What the error of the wall forces at rest hangs on (1), of each scene."""
+    """Numbers (1) that the error of the wall forces at rest hangs on, of each scene."""
     return [scene_traits(scene) for scene in scenes]
 
 

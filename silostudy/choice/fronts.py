@@ -17,7 +17,7 @@ Traits = Mapping[str, float]
 
 
 @dataclass(frozen=True)
-class Measured:
+class FrontPoint:
     """Worst relative error of a quantity over the measured scenes with these settings (dotted keys), and CPU seconds."""
 
     kind: str
@@ -44,16 +44,16 @@ class Measured:
         return self.error * (scene[self.scaled_by] if self.scaled_by else 1.0)
 
 
-def _measured(raw: dict) -> Measured:
+def _measured(raw: dict) -> FrontPoint:
     names = ("kind", "quantity", "settings", "error", "scaled_by", "machine", "measured_on")
     within = {name: (low, high) for name, (low, high) in json.loads(raw["within"] or "{}").items()}
-    return Measured(cost=raw["cost_s"], within=within, **{name: raw[name] for name in names})
+    return FrontPoint(cost=raw["cost_s"], within=within, **{name: raw[name] for name in names})
 
 
 TRAITS: dict[str, str] = {raw["trait"]: raw["title"] for raw in rows(HERE / "traits.csv", text=("trait",))}
 FRONTS = [_measured(raw) for raw in rows(HERE / "fronts.csv", text=TEXT)]
 
 
-def rows_for(kinds: Collection[str], quantities: Collection[str]) -> list[Measured]:
+def rows_for(kinds: Collection[str], quantities: Collection[str]) -> list[FrontPoint]:
     """The rows of some quantities on the fronts of some kinds."""
     return [row for row in FRONTS if row.kind in kinds and row.quantity in quantities]

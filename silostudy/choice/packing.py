@@ -8,7 +8,7 @@ from silostudy.scene.packing import SlitScene, discs_of
 
 
 def packing_traits(study: PackingStudy, scenes: Sequence[SlitScene]) -> list[dict[str, float]]:
-    """Of each scene: what the spread of its runs goes with; how far discs of a row are apart and offset, over the radius."""
+    """Traits of each scene: scatter by friction, and how far discs of a row are apart and offset, over the radius."""
     traits = []
     for scene in scenes:
         discs, count = scene.config.discs, len(discs_of(study, scene.config, 1)[0])

@@ -14,7 +14,7 @@ JUMP = 5.0  # how many times its neighbours a difference must be
 
 
 def pressure_traits(study, scenes: Sequence[Scene]) -> list[dict[str, float]]:
-    """Of each scene: the worst of the study's curves for an integral and for a largest value, its heap, its scatter."""
+    """Traits of each scene: the worst of the study's curves for an integral and for a largest value, its heap, its scatter."""
     integral = np.zeros(len(scenes))
     peak, kink = np.zeros(len(scenes)), np.zeros(len(scenes))
     for curves in curves_of(study, scenes):
@@ -31,7 +31,7 @@ def pressure_traits(study, scenes: Sequence[Scene]) -> list[dict[str, float]]:
 
 
 def shell_traits(study, scenes: Sequence[Scene]) -> list[dict[str, float]]:
-    """Those of a pressure study, and the worst of the frictions that are summed to an axial force: own, or by the pressure."""
+    """Traits of a pressure study, and the worst of the frictions that are summed to an axial force: own, or by the pressure."""
     smooth, jump = np.zeros(len(scenes)), np.zeros(len(scenes))
     for curves in curves_of(study, scenes):
         if "axial_wall_force" not in curves:
@@ -42,7 +42,7 @@ def shell_traits(study, scenes: Sequence[Scene]) -> list[dict[str, float]]:
 
 
 def curves_of(study, scenes: Sequence[Scene]) -> Iterator[dict[str, np.ndarray]]:
-    """quantity -> values at even levels, shape (scene, level), by method and phase; NaN where the method does not speak."""
+    """Values by quantity at even levels, shape (scene, level), by method and phase; NaN where the method does not speak."""
     depth = np.array([[scene.silo.cylinder_depth] for scene in scenes])
     z = depth * np.linspace(0.0, 1.0, LEVELS)
     for key in study.method_keys:
@@ -89,7 +89,7 @@ def jump_number(curve: np.ndarray) -> np.ndarray:
 
 
 def peak_number(curve: np.ndarray) -> np.ndarray:
-    """What a rounded peak loses (1, relative) half a step away, if that step were the whole depth: (scene,).
+    """Loss (1, relative) of a rounded peak half a step away, if that step were the whole depth: (scene,).
 
     0 where the curve is largest at its end, which is a level, where it has a kink there, or where it is masked.
     """
@@ -99,7 +99,7 @@ def peak_number(curve: np.ndarray) -> np.ndarray:
 
 
 def kink_number(curve: np.ndarray) -> np.ndarray:
-    """What a peak with a kink loses (1, relative) at most between two levels, if their distance were the whole depth: (scene,).
+    """Largest loss (1, relative) of a peak with a kink between two levels, if their distance were the whole depth: (scene,).
 
     There the slopes on both sides do not fall to nothing towards the peak; 0 elsewhere.
     """
@@ -129,7 +129,7 @@ def _around(curve: np.ndarray, steps: tuple[int, ...]) -> list[np.ndarray]:
 
 
 def scatter(scene: Scene) -> float:
-    """How far the solid's properties scatter (1); 0 where it is not known."""
+    """Scatter (1) of the solid's properties; 0 where it is not known."""
     values = solid_parameters(scene, "")
     lightest = values["unit_weight_lower"] / values["unit_weight"]
     number = spread_number(values["a_phi"], values["a_K"], values["a_mu"], lightest)

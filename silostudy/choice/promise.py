@@ -1,4 +1,4 @@
-"""What was chosen for an accuracy, and how a cube says so."""
+"""Choice of settings for an accuracy, and how a cube tells it."""
 
 from collections.abc import Iterable
 from dataclasses import dataclass

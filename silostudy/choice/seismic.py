@@ -9,7 +9,7 @@ from silostudy.seismic.beam import Tube
 
 
 def seismic_traits(study: SeismicStudy, scenes: Sequence[Shaken]) -> list[dict[str, float]]:
-    """What the error of the coefficient found goes with: of each scene, 0 where none is sought."""
+    """Number that the error of the identified coefficient goes with, of each scene; 0 where none is sought."""
     sought = study.identification
     if sought is None:
         return [{"valley_number": 0.0} for _ in scenes]

@@ -18,7 +18,7 @@ A = TypeVar("A", bound=Asked)
 
 
 def settled(asking: A, scenes: Sequence[Any], where: str) -> tuple[A, Choice]:
-    """What asks with the settings chosen for it, and the choice; BadInput where its scenes or errors were not measured."""
+    """A study or scene with the settings chosen for it, and the choice; BadInput where scenes or errors were not measured."""
     assert asking.accuracy
     traits = resolve_name(FILE_KINDS[asking.kind].traits)
     try:

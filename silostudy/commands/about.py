@@ -1,8 +1,8 @@
-"""What `silostudy check` says of a study, kind by kind: each function takes an expansion and gives lines."""
+"""Lines that `silostudy check` says of a study, kind by kind: each function takes an expansion and gives lines."""
 
 
 def pressures(expansion) -> list[str]:
-    """How much a study of pressures computes."""
+    """Size of a study of pressures: methods, cases and values."""
     from silostudy.compute.pressure import silent_cube
     from silostudy.cube.silence import silences
 
@@ -14,7 +14,7 @@ def pressures(expansion) -> list[str]:
 
 
 def cautions(expansion) -> list[str]:
-    """What a study's author should know although it is no mistake."""
+    """Cautions for a study's author, though nothing is wrong."""
     from silostudy.scene.scene import solid_parameters
 
     notes: dict[str, int] = {}
@@ -32,7 +32,7 @@ def cautions(expansion) -> list[str]:
 
 
 def unusual_inputs(expansion) -> list[str]:
-    """Which inputs of a study's silos and solids can be but hardly are, each once."""
+    """Inputs of a study's silos and solids that are possible but unusual, each once."""
     from silostudy.scene.possible import unusual
     from silostudy.scene.scene import Scene
 
@@ -41,7 +41,7 @@ def unusual_inputs(expansion) -> list[str]:
 
 
 def _switches(expansion) -> list[str]:
-    """Which methods a switch of the scene leaves as they are."""
+    """Methods that a switch of the scene leaves as they are."""
     from silostudy.pressure import PRESSURE
 
     rows = [expansion.study.family(PRESSURE)[key] for key in expansion.study.method_keys]
@@ -54,7 +54,7 @@ def _switches(expansion) -> list[str]:
 
 
 def shaking(expansion) -> list[str]:
-    """What a seismic study shakes with, judges by, and assumes."""
+    """Base motion, likeness index and assumptions of a seismic study."""
     study, lines = expansion.study, []
     if asked := study.identification:
         count, trials = len(asked.fine_coefficients), asked.recovery_trials
@@ -66,7 +66,7 @@ def shaking(expansion) -> list[str]:
 
 
 def earthquake(expansion) -> list[str]:
-    """Which earthquake a shell study lays on its wall, and what is not checked with it."""
+    """Earthquake that a shell study lays on its wall, and what is not checked with it."""
     from silostudy.compute.shell_earthquake import UNCHECKED
 
     asked = expansion.study.earthquake
@@ -74,7 +74,7 @@ def earthquake(expansion) -> list[str]:
 
 
 def checks(expansion) -> list[str]:
-    """In how many combinations of actions the steel is checked, and which actions are not given."""
+    """Number of combinations of actions that the steel is checked in, and actions that are not given."""
     from silostudy.compute.checks import not_given
     from silostudy.scene.steelwork import combinations
 
@@ -95,7 +95,7 @@ def time_of_parts(expansion) -> list[str]:
 
 
 def tests(expansion) -> list[str]:
-    """How many cells a laboratory tests at which stresses, and at which its numbers enter the row of the solid."""
+    """Number of cells of a laboratory, their stresses, and those at which its numbers enter the row of the solid."""
     study, counts = expansion.study, dict.fromkeys(case.scene.count for case in expansion.cases)
     stresses = ", ".join(f"{stress:g}" for stress in study.stresses_kPa)
     return [
@@ -105,12 +105,12 @@ def tests(expansion) -> list[str]:
 
 
 def rules(expansion) -> list[str]:
-    """How many buckling rules judge the shell."""
+    """Number of buckling rules that judge the shell."""
     return [f"{len(expansion.study.rule_keys)} buckling rule(s)"]
 
 
 def rings(expansion) -> list[str]:
-    """Up to which wall the rings of a silo count, for the rules that count any, and that they are left out beyond it."""
+    """Reach of a silo's rings, for the rules that count any, and that they are left out beyond it."""
     from silostudy.buckling.limits import LEAST_RING_RATIO
 
     walls = dict.fromkeys((case.scene.shell.bay_length, case.scene.shell.ring_area) for case in expansion.cases)

@@ -1,4 +1,4 @@
-"""What `silostudy check` says of a study of shaken discs."""
+"""Lines that `silostudy check` says of a study of shaken discs."""
 
 from collections.abc import Iterable
 

@@ -1,10 +1,12 @@
-"""`silostudy bench`: what things cost, measured side by side on this machine."""
+"""Command `silostudy bench`: measures what things cost, side by side on this machine."""
 
 import time
 from collections.abc import Callable
 from pathlib import Path
 
-DEPTHS, CASES = 50, 4000  # one call of 200,000 pressures, a sweep of usual size
+# one call of 200,000 pressures, a sweep of usual size
+DEPTHS = 50
+CASES = 4000
 PEER_CASES = 40  # the scalar loop is timed on fewer
 
 

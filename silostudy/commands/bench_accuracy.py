@@ -1,4 +1,4 @@
-"""`silostudy bench accuracy`: CPU time to an error of the static wall forces, the engine and LAMMPS side by side.
+"""Command `silostudy bench accuracy`: CPU time to an error of the static wall forces, the engine and LAMMPS side by side.
 
 Where discs come to rest hangs on every rounding, so one filling may hit its mark by luck: an error is the root of the mean
 square over fillings that differ by tiny offsets, each against the same filling at the finest step of the same code.
@@ -11,7 +11,7 @@ from functools import partial
 
 import numpy as np
 
-from silostudy.accuracy.front import cheapest, kept
+from silostudy.accuracy import front
 from silostudy.accuracy.silo import LEVELS, silo_of_rows
 from silostudy.dem.engine import Engine, Explosion
 from silostudy.dem.integrate import PLAIN, SMOOTHED, VERLET
@@ -19,10 +19,13 @@ from silostudy.dem.model import Model
 from silostudy.scene.plane_silo import inner_width
 from silostudy.tables.kiyama_1983 import ACTIVE
 
-PARTS, REST = 6, 0.4  # parts of a wall; s to rest
-OFFSET, FILLINGS = 4e-6, 6  # m; every disc starts up to the offset elsewhere
+PARTS = 6  # of a wall, each with its force
+REST = 0.4  # s: the fillings are at rest by then
+OFFSET = 4e-6  # m: every disc of a filling starts up to this elsewhere
+FILLINGS = 6  # so many that their scatter shows
 STEPS = tuple(float(f"{1e-4 * 2.0 ** (-k / 2):.3g}") for k in range(11))  # s
-FINEST, ASKED = 1e-6, (0.2, 0.1, 0.05, 0.02)
+FINEST = 1e-6  # s: step of the runs that the others are measured against
+ASKED = (0.2, 0.1, 0.05, 0.02)  # relative errors whose cost is told
 INTEGRATORS = (PLAIN.key, SMOOTHED.key, VERLET.key)
 LOOKS = {PLAIN.key: ("#0072b2", "o"), SMOOTHED.key: ("#d55e00", "s"), VERLET.key: ("#009e73", "^"), "LAMMPS": ("black", "D")}
 
@@ -115,7 +118,9 @@ def _told(rows, asked: float) -> str:
     words, costs = [], []
     for mine in (True, False):
         part = rows[(rows["code"] != "LAMMPS") == mine].sort_values("step_s", ascending=False)
-        best = cheapest(part["cpu_s"], part.fillna({"error": np.inf}).groupby("code")["error"].transform(kept), asked)
+        best = front.cheapest(
+            part["cpu_s"], part.fillna({"error": np.inf}).groupby("code")["error"].transform(front.kept), asked
+        )
         if best is None:
             words.append("not reached")
             continue

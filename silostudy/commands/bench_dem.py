@@ -1,4 +1,4 @@
-"""`silostudy bench dem`: the engine and LAMMPS side by side, in turn, on the same scene, law and number of steps."""
+"""Command `silostudy bench dem`: the engine and LAMMPS in turn, on the same scene, law and number of steps."""
 
 import os
 import subprocess
@@ -13,9 +13,10 @@ from silostudy.tables.kiyama_1983 import ACTIVE
 REPEATS = 7  # turns of each code; the best counts, since whatever else runs on the machine only adds
 # discs across, rows, steps that settle, steps a turn
 SIZES = {"350": (ACTIVE, LEVELS, 40000, 5000), "10 thousand": (100, 101, 20000, 600), "100 thousand": (316, 317, 3000, 60)}
-LARGE = (1000, 1001, 100, 10)
-BATCH, BATCH_STEPS = 60, 20000  # discharges of 350 discs: a twentieth of a thousand or so, over 0.5 s
-BATCH_OF_PEER = 3
+LARGE = (1000, 1001, 100, 10)  # as SIZES: a million discs
+BATCH = 60  # discharges of 350 discs: a twentieth of a thousand or so
+BATCH_STEPS = 20000  # over 0.5 s
+BATCH_OF_PEER = 3  # discharges by LAMMPS, one after another
 
 
 def run(chosen) -> None:
@@ -46,7 +47,7 @@ def show(rows: list[dict], output: Path) -> None:
     save_table(table, output)
 
 
-class Ours:
+class OwnDiscs:
     """The engine under the bench's own names."""
 
     def __init__(self, model, threads=1):
@@ -74,7 +75,7 @@ def compare(name: str, with_peer: bool) -> list[dict]:
     """Both codes, settled and discharging, in turn."""
     across, levels, settle, steps = SIZES[name]
     model, slit = silo_of_rows(across, levels)
-    ours = Ours(model)
+    ours = OwnDiscs(model)
     ours.step(settle)
     codes: dict[str, Any] = {"silostudy": ours}
     if with_peer:
@@ -121,7 +122,7 @@ def threads() -> list[dict]:
     """One large scene on one thread and on two, in turn; the ratio is to one thread."""
     across, levels, _, steps = SIZES["100 thousand"]
     model, _ = silo_of_rows(across, levels)
-    codes = {"silostudy, 2 threads": Ours(model, threads=2), "silostudy, 1 thread": Ours(model)}
+    codes = {"silostudy, 2 threads": OwnDiscs(model, threads=2), "silostudy, 1 thread": OwnDiscs(model)}
     for code in codes.values():
         code.step(500)
     return in_turn(codes, "settling", steps)
@@ -129,7 +130,7 @@ def threads() -> list[dict]:
 
 def large(rows: list[dict]) -> list[dict]:
     """A million discs; the ratio is their cost a particle-step over that of ten thousand, measured in turn."""
-    small, great = (Ours(silo_of_rows(*size[:2])[0]) for size in (SIZES["10 thousand"], LARGE))
+    small, great = (OwnDiscs(silo_of_rows(*size[:2])[0]) for size in (SIZES["10 thousand"], LARGE))
     small.step(2000)
     great.step(LARGE[2])
     times: list[list[float]] = [[], []]
@@ -160,12 +161,12 @@ def batch(with_peer: bool) -> list[dict]:
     from silostudy.dem.checkpoint import checkpoint, restore
 
     model, slit = silo_of_rows(ACTIVE, LEVELS)
-    ours = Ours(model)
+    ours = OwnDiscs(model)
     ours.step(SIZES["350"][2])
     settled = checkpoint(ours.engine)
 
     def discharge(_):
-        silo = Ours(model)
+        silo = OwnDiscs(model)
         restore(silo.engine, settled)
         silo.open_slit()
         silo.step(BATCH_STEPS)
@@ -214,7 +215,7 @@ def batch(with_peer: bool) -> list[dict]:
 def memory() -> list[dict]:
     """Bytes a disc of all arrays of the engine, at a hundred thousand discs."""
     model, _ = silo_of_rows(*SIZES["100 thousand"][:2])
-    ours = Ours(model)
+    ours = OwnDiscs(model)
     ours.step(10)
     return [
         row("silostudy, bytes a disc", ours.grains, "memory", 0, float("nan"), float("nan"), ours.engine.nbytes / ours.grains)
@@ -223,7 +224,7 @@ def memory() -> list[dict]:
 
 def start_up() -> list[dict]:
     """Seconds of a whole process that runs a short scene with kernels compiled before."""
-    code = "from silostudy.commands.bench_dem import Ours, silo_of_rows; Ours(silo_of_rows(5, 5)[0]).step(10)"
+    code = "from silostudy.commands.bench_dem import OwnDiscs, silo_of_rows; OwnDiscs(silo_of_rows(5, 5)[0]).step(10)"
     seconds = []
     for _ in range(REPEATS + 1):
         start = time.perf_counter()

@@ -1,4 +1,4 @@
-"""`silostudy bench discharge`: how many spheres stay in a bin while it flows out, by the engine and by LAMMPS.
+"""Command `silostudy bench discharge`: spheres left in a bin while it flows out, by the engine and by LAMMPS.
 
 Both start from the same fillings, at rest; which sphere goes when differs soon, so the scatter over fillings is beside it.
 """
@@ -11,14 +11,14 @@ import numpy as np
 
 from silostudy.accuracy.bin_of_spheres import Bin, benchmark_bin, bin_of_spheres
 from silostudy.commands.bench_dem import has_peer, show
-from silostudy.commands.bench_spheres import Ours
+from silostudy.commands.bench_spheres import OwnSpheres
 from silostudy.errors import unknown
 
 SKIN = 0.2  # of a diameter: of the peer's lists
 
 
 @dataclass(frozen=True)
-class Discharge:
+class DischargeCase:
     """A bin that flows out: for how long it settles (s), when after the opening spheres are counted (s), how many fillings."""
 
     name: str
@@ -28,18 +28,18 @@ class Discharge:
     fillings: int
 
 
-def benchmark(diameter: float, softening: float, steps: dict[str, float], until: float, fillings: int) -> list[Discharge]:
+def benchmark(diameter: float, softening: float, steps: dict[str, float], until: float, fillings: int) -> list[DischargeCase]:
     """The four cases of Dosta et al. (2024): two materials, each by its step (s), and outlets of 60 and 40 mm."""
     times = np.arange(1, round(until / 0.1) + 1) * 0.1
     return [
-        Discharge(f"{material}, {1e3 * outlet:g} mm", benchmark_bin(material, outlet, diameter, softening, steps[material]),
+        DischargeCase(f"{material}, {1e3 * outlet:g} mm", benchmark_bin(material, outlet, diameter, softening, steps[material]),
                   0.5, times, fillings)
         for material, outlet in product(steps, (0.06, 0.04))
     ]  # fmt: skip
 
 
-SILOS: dict[str, list[Discharge]] = {
-    "small": [Discharge("5,000 of 4 mm", Bin(count=5_000, wide=0.05), 0.4, np.arange(1, 7) * 0.05, 6)],
+SILOS: dict[str, list[DischargeCase]] = {
+    "small": [DischargeCase("5,000 of 4 mm", Bin(count=5_000, wide=0.05), 0.4, np.arange(1, 7) * 0.05, 6)],
     "benchmark-8mm": benchmark(0.008, 500.0, {"m1": 1e-4, "m2": 1e-4}, 1.0, 3),
     "benchmark": benchmark(0.004, 1.0, {"m1": 1.5e-6, "m2": 2e-6}, 5.0, 3),
 }
@@ -62,10 +62,10 @@ def run(chosen) -> None:
     show(rows, chosen.output)
 
 
-def filling(case: Discharge, seed: int, with_peer: bool) -> dict[str, list[int]]:
+def filling(case: DischargeCase, seed: int, with_peer: bool) -> dict[str, list[int]]:
     """Spheres above the outlet at the times, by code, from one filling."""
     model = bin_of_spheres(case.bin, seed)
-    ours = Ours(model)
+    ours = OwnSpheres(model)
     ours.step(round(case.settle / case.bin.step))
     codes: dict[str, Any] = {"silostudy": ours}
     if with_peer:
@@ -75,7 +75,7 @@ def filling(case: Discharge, seed: int, with_peer: bool) -> dict[str, list[int]]
     return {name: above(case, code) for name, code in codes.items()}
 
 
-def above(case: Discharge, code) -> list[int]:
+def above(case: DischargeCase, code) -> list[int]:
     """Spheres above the outlet of a code at the times after its outlet opens."""
     code.open_outlet()
     counts, done = [], 0
@@ -87,7 +87,7 @@ def above(case: Discharge, code) -> list[int]:
     return counts
 
 
-def table(case: Discharge, left: dict[str, np.ndarray]) -> list[dict]:
+def table(case: DischargeCase, left: dict[str, np.ndarray]) -> list[dict]:
     """A row a time: of each code the mean over fillings, and of two their mean difference and how far a filling's scatters.
 
     left: shape (fillings, times) by code.

@@ -1,4 +1,4 @@
-"""`silostudy bench spheres`: the engine and LAMMPS side by side, in turn, on the same bin of spheres, law and step."""
+"""Command `silostudy bench spheres`: the engine and LAMMPS in turn, on the same bin of spheres, law and step."""
 
 import time
 
@@ -19,7 +19,7 @@ def run(chosen) -> None:
     show([line for size in sizes.values() for line in compare(size, with_peer)] + threads(), chosen.output)
 
 
-class Ours:
+class OwnSpheres:
     """The engine under the bench's own names."""
 
     def __init__(self, model, threads=1):
@@ -39,7 +39,7 @@ class Ours:
 
     @property
     def places(self):
-        """x, y, z (m) of the spheres."""
+        """Places x, y, z (m) of the spheres."""
         return self.engine.places
 
     @property
@@ -53,7 +53,7 @@ def compare(size: tuple, with_peer: bool) -> list[dict]:
     count, wide, settle, steps = size
     of = Bin(count=count, wide=wide)
     model = bin_of_spheres(of)
-    ours = Ours(model)
+    ours = OwnSpheres(model)
     ours.step(settle)
     codes = {"silostudy": ours} | (peers_of(of, model, ours.engine.places, steps) if with_peer else {})
     rows = []
@@ -80,7 +80,7 @@ def peers_of(of: Bin, model, places, steps: int) -> dict:
     return codes
 
 
-def beside(rows: list[dict], ours: Ours) -> list[dict]:
+def beside(rows: list[dict], ours: OwnSpheres) -> list[dict]:
     """Rows with the rate of the engine over each code's, and what a sphere costs."""
     for row in rows:
         row["ratio"] = rows[0]["particle_steps_per_s"] / row["particle_steps_per_s"]
@@ -93,7 +93,9 @@ def beside(rows: list[dict], ours: Ours) -> list[dict]:
 def threads() -> list[dict]:
     """Fifty thousand spheres on one thread and on two, in turn; the ratio is to one thread, by the clock on the wall."""
     count, wide, _, steps = SIZES["50 thousand"]
-    codes = {f"silostudy, {number} threads": Ours(bin_of_spheres(Bin(count=count, wide=wide)), number) for number in (2, 1)}
+    codes = {
+        f"silostudy, {number} threads": OwnSpheres(bin_of_spheres(Bin(count=count, wide=wide)), number) for number in (2, 1)
+    }
     for code in codes.values():
         code.step(3_000)
     return in_turn(codes, "falling", steps)

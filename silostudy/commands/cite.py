@@ -1,4 +1,4 @@
-"""`silostudy cite CUBE`: the references behind the numbers of a cube."""
+"""Command `silostudy cite CUBE`: prints the references behind the numbers of a cube."""
 
 from pathlib import Path
 

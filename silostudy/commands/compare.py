@@ -1,4 +1,4 @@
-"""`silostudy compare`: one silo, from flags or a study file, by every method: a table in the terminal and a figure."""
+"""Command `silostudy compare`: one silo, from flags or a study file, by every method: a table in the terminal and a figure."""
 
 import argparse
 from collections.abc import Collection, Mapping
@@ -161,7 +161,7 @@ def _unit_weight(state: "xr.Dataset") -> float:
 
 
 def hopper_table(cube: "xr.Dataset") -> list[str]:
-    """What carries the hopper's contents and the load on them (kN), a line for each state, and the flow pattern."""
+    """Forces (kN) that carry the hopper's contents and the load on them, a line for each state, and the flow pattern."""
     if "hopper_balance" not in cube:
         return []
     names = ("hopper_weight", "transition_force", "hopper_wall_force", "ring_force", "outlet_force")

@@ -1,4 +1,4 @@
-"""`silostudy compare`: the load cases of EN 1991-4's Table 3.1 for one silo, each computed or with why it is not."""
+"""Lines of `silostudy compare` on the load cases of EN 1991-4's Table 3.1: each computed, or with the reason why not."""
 
 
 def told(expansion) -> list[str]:

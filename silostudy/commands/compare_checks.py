@@ -1,4 +1,4 @@
-"""What `silostudy compare` prints of the checks of a shell study: strakes, hopper, supports, and what was not checked."""
+"""Lines of `silostudy compare` on the checks of a shell study: strakes, hopper, supports, and what was not checked."""
 
 from math import isnan
 from typing import TYPE_CHECKING
@@ -75,7 +75,7 @@ def _whole_wall(cube: "xr.Dataset") -> list[str]:
 
 
 def _worst(of_strake: "xr.Dataset", name: str) -> tuple[float, str]:
-    """(largest number over cases and places, check and combination behind it)."""
+    """Largest number over cases and places, with the check and combination behind it."""
     import numpy as np
 
     values = of_strake[name].values.ravel()

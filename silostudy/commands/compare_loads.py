@@ -1,4 +1,4 @@
-"""`silostudy compare`: load cases beside the symmetric ones (bottom, patch, eccentric discharge), each line by line."""
+"""Lines of `silostudy compare` on loads beside the symmetric ones: bottom, patch, eccentric discharge."""
 
 from collections.abc import Iterator
 from itertools import product
@@ -15,7 +15,7 @@ def told(cube: "xr.Dataset") -> list[str]:
 
 
 def _states(cube: "xr.Dataset", name: str) -> Iterator[tuple[str, "xr.Dataset"]]:
-    """(name for people, values) of every method and phase that gives a number; none where the cube does not hold it."""
+    """Name for people and values of every method and phase that gives a number; none where the cube does not hold it."""
     if name in cube:
         for method, phase in product(map(str, cube["pressure_method"].values), map(str, cube["phase"].values)):
             state = cube.sel(pressure_method=method, phase=phase)

@@ -1,4 +1,4 @@
-"""`silostudy compare`: what was measured in a silo of this size, and the methods next below and above it."""
+"""Lines of `silostudy compare` on what was measured in a silo of this size, and the methods next below and above it."""
 
 from typing import TYPE_CHECKING
 

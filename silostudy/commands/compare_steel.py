@@ -83,7 +83,7 @@ def _unjudged(walled: "xr.Dataset", name: str) -> bool:
 
 
 def _unlooked(pressure: "xr.Dataset") -> list[str]:
-    """That the study's depths end above the foot of the wall."""
+    """Note that the study's depths end above the foot of the wall."""
     deepest, foot = float(pressure["depth"].max()), float(pressure["cylinder_depth"].max())
     return [f"depths end at {deepest:g} m, the wall at {foot:g} m: its foot is not looked at"] * (deepest < foot * (1 - 1e-9))
 
@@ -136,7 +136,7 @@ def _end(flags: "xr.DataArray") -> str:
 
 
 def _reason(walled: "xr.Dataset", *names: str) -> str:
-    """Why a number is masked: the first reason met that is no want of a load, and whether for a part of the wall alone."""
+    """Reason why a number is masked: the first that is no want of a load, and whether for a part of the wall alone."""
     from silostudy.buckling.family import IN_SCOPE, NO_LOAD, REASONS
 
     flags = [flag for name in names for flag in walled[f"{name}_scope"].values[walled[name].isnull().values].ravel()]

@@ -1,4 +1,4 @@
-"""`silostudy dem SCENE.yaml`: runs a discrete-element scene, with its progress, into a netCDF file."""
+"""Command `silostudy dem SCENE.yaml`: runs a scene of grains, with its progress, into a netCDF file."""
 
 import sys
 from pathlib import Path
@@ -168,7 +168,7 @@ def keep(task, scene, choice, output: Path) -> None:
 
 
 def where_discs_are(task) -> str:
-    """How many discs are left in the silo, and how the others left it."""
+    """Number of discs that are left in the silo, and how the others left it."""
     counts = {**task.recording.left, "not in yet": task.engine.most - task.come}
     gone = ", ".join(f"{count} {way}" for way, count in counts.items() if count)
     return f"{task.engine.n} of {len(task.engine.model.x)} {task.engine.space.body}s still there" + (

@@ -1,4 +1,4 @@
-"""`silostudy doctor`: what is installed here, where kernels are kept, how many threads there are, which optional programs."""
+"""Command `silostudy doctor`: tells what is installed, where kernels are kept, threads, and optional programs."""
 
 import os
 import platform
@@ -27,7 +27,7 @@ PROGRAMS = {
     ("chromium", "chromium-browser", "google-chrome"): ("chromium", "tests in a browser"),
     ("ncdump",): ("netcdf-bin", "looking into cubes from the shell"),
 }
-MEGABYTE = 1e6
+MEGABYTE = 1e6  # bytes
 
 
 def add(sub) -> None:

@@ -1,4 +1,4 @@
-"""`silostudy draw`, `redraw`, `captions`: figures and tables from cubes, and what the report says of them."""
+"""Commands `silostudy draw`, `redraw`, `captions`: figures and tables from cubes, and what the report says of them."""
 
 from pathlib import Path
 

@@ -1,4 +1,4 @@
-"""`silostudy explain KEY`: formula, symbols, source, range of a method or rule, and its source's errors; or a DEM scene."""
+"""Command `silostudy explain KEY`: formula, symbols, source, range of a method or rule, its source's errors; or a scene."""
 
 from typing import TYPE_CHECKING
 

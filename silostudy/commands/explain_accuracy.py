@@ -1,4 +1,4 @@
-"""What `silostudy explain accuracy` says: which kinds of study may ask for which accuracy, and what their errors hang on."""
+"""Lines of `silostudy explain accuracy`: which kinds of study may ask for which accuracy, and what their errors hang on."""
 
 KEY = "accuracy"
 

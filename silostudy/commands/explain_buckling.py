@@ -1,4 +1,4 @@
-"""What `silostudy explain` says of a buckling rule or of a rival reading."""
+"""Lines of `silostudy explain` on a buckling rule or on a rival reading."""
 
 SILO = (
     "  in a silo safety_factor multiplies the axial stress (friction of the solid, own weight, roof, snow) and the "

@@ -1,4 +1,4 @@
-"""What `silostudy explain` says of the checks of a silo's steel: one of them, or all with what is left out."""
+"""Lines of `silostudy explain` on the checks of a silo's steel: one of them, or all with what is left out."""
 
 KEY = "checks"
 

@@ -1,4 +1,4 @@
-"""What `silostudy explain KIND` says: every key that a file of a kind of study or scene takes."""
+"""Lines of `silostudy explain KIND`: every key that a file of a kind of study or scene takes."""
 
 from collections.abc import Iterator, Mapping
 from typing import Any

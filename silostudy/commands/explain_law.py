@@ -1,4 +1,4 @@
-"""What `silostudy explain` says of a contact law."""
+"""Lines of `silostudy explain` on a contact law."""
 
 
 def explanation(row) -> list[str]:

@@ -1,4 +1,4 @@
-"""What `silostudy explain` says of a pressure method."""
+"""Lines of `silostudy explain` on a pressure method."""
 
 
 def explanation(row) -> list[str]:

@@ -1,4 +1,4 @@
-"""What `silostudy explain` says of a discrete-element scene, and of the parts that scenes choose from."""
+"""Lines of `silostudy explain` on a scene of grains, and on the parts that scenes choose from."""
 
 from pathlib import Path
 from typing import Any
@@ -80,7 +80,7 @@ def _of_spheres(scene, model) -> list[str]:
 
 
 def run_cost(scene, model, price: float, memory: float) -> str:
-    """What a run costs at most, from the CPU time (s) of a body's step and the memory (bytes) of a body."""
+    """Cost of a run at most, from the CPU time (s) of a body's step and the memory (bytes) of a body."""
     from math import ceil
 
     from silostudy.scene.costs import duration

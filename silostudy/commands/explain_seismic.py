@@ -1,4 +1,4 @@
-"""What `silostudy explain` says of a way to the effective mass coefficient, and of the earthquake on a shell."""
+"""Lines of `silostudy explain` on a way to the effective mass coefficient, and on the earthquake on a shell."""
 
 EARTHQUAKE = "earthquake"
 

@@ -1,4 +1,4 @@
-"""`silostudy explore CUBE`: a cube in the browser, served on this machine alone."""
+"""Command `silostudy explore CUBE`: shows a cube in the browser, served on this machine alone."""
 
 from importlib.util import find_spec
 from pathlib import Path

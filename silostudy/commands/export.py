@@ -1,9 +1,10 @@
-"""`silostudy export STUDY FOLDER`: load cases as tables and as a netCDF file for finite elements, and as decks for CalculiX."""
+"""Command `silostudy export STUDY FOLDER`: load cases as tables, a netCDF file for finite elements, and CalculiX decks."""
 
 from pathlib import Path
 
 SHOWN = 6  # ids of cases in a message
-LEVELS, DEGREES = 201, 5.0  # of the tables: on wall and hopper, and where a load waves round the wall
+LEVELS = 201  # of the tables, on wall and hopper
+DEGREES = 5.0  # step of the tables where a load waves round the wall
 
 
 def add(sub) -> None:
@@ -89,7 +90,7 @@ def _check(chosen) -> None:
 
 
 def _wanted(cube, chosen) -> list[tuple[str, str]]:
-    """(load case, set) of everything that is asked for; BadInput where a case that is named has no field here, and why."""
+    """Load case and set of everything that is asked for; BadInput where a case that is named has no field here, and why."""
     from silostudy.cube.load import given_cases, of_case
     from silostudy.errors import BadInput
 

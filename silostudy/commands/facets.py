@@ -1,4 +1,4 @@
-"""`silostudy facets MESH`: the triangles of an STL file, or of another mesh, as inserts to put into a scene."""
+"""Command `silostudy facets MESH`: the triangles of an STL file, or of another mesh, as inserts to put into a scene."""
 
 from pathlib import Path
 

@@ -1,4 +1,4 @@
-"""What a failed pipeline says last: which jobs failed, the last line of each one's log, and the command to go on."""
+"""Last words of a failed pipeline: which jobs failed, the last line of each one's log, and the command to go on."""
 
 import os
 import re

@@ -1,4 +1,4 @@
-"""`silostudy fronts`: measures the Pareto fronts that `accuracy:` chooses from, or tries its choices."""
+"""Command `silostudy fronts`: measures the Pareto fronts that `accuracy:` chooses from, or tries its choices."""
 
 from pathlib import Path
 
@@ -55,5 +55,5 @@ def run_fronts(chosen) -> None:
 
 
 def _settings_told(ratio) -> str:
-    """How many levels, samples, runs were taken over the fewest that would have met it, where settings are such numbers."""
+    """Median of levels, samples or runs taken over the fewest that would have met it, where settings are such numbers."""
     return f"; {ratio.median():.2g} times the fewest levels, samples or runs" if ratio.notna().any() else ""

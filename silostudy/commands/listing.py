@@ -1,4 +1,4 @@
-"""`silostudy list`: what there is to choose from."""
+"""Command `silostudy list`: prints what there is to choose from."""
 
 from pathlib import Path
 

@@ -1,4 +1,4 @@
-"""`silostudy new PROJECT`: a folder of one's own with the pipeline, a study and a scene to start from."""
+"""Command `silostudy new PROJECT`: lays a folder with the pipeline, a study and a scene to start from."""
 
 import shutil
 from pathlib import Path

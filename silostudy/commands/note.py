@@ -1,4 +1,4 @@
-"""`silostudy note`: the calculation note of a silo, from a study file, as an HTML page that prints from any browser."""
+"""Command `silostudy note`: the calculation note of a silo, from a study file, as an HTML page that prints from any browser."""
 
 from pathlib import Path
 from typing import TYPE_CHECKING

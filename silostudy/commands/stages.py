@@ -1,4 +1,4 @@
-"""`silostudy STAGE STUDY ... OUTPUT`: a sub-command for every stage that computes a cube, as the pipeline's rules call it."""
+"""Commands `silostudy STAGE STUDY ... OUTPUT`, one for every stage that computes a cube, as the pipeline's rules call them."""
 
 from pathlib import Path
 

@@ -1,4 +1,4 @@
-"""What a study is before it is computed: `check`, `cases`, and `schema` for editors."""
+"""Commands on a study before it is computed: `check`, `cases`, and `schema` for editors."""
 
 from collections.abc import Collection
 from pathlib import Path
@@ -59,7 +59,7 @@ def _check_price(asked: bool, kind: object, timed: Collection[str]) -> None:
 
 
 def scene_checked(path: Path) -> list[str]:
-    """What is said of a discrete-element scene: its start is built, with every file that it names, and its run is not."""
+    """Lines on a scene of grains: its start is built, with every file that it names, and its run is not."""
     from silostudy.choice.dem import load
     from silostudy.choice.promise import promises
     from silostudy.compute.dem import run_of, scene_model
@@ -73,7 +73,7 @@ def scene_checked(path: Path) -> list[str]:
 
 
 def told_before(scene, model) -> list[str]:
-    """What a user should know of a scene before it runs: where it goes on from, its softening, and what may be a mistake."""
+    """Lines that a user should know of a scene before it runs: where it goes on from, softening, possible mistakes."""
     from silostudy.config.spheres import SphereScene
     from silostudy.scene.spheres_about import softening, warnings
 

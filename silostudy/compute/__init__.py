@@ -1,1 +1,1 @@
-"""From scenes to cubes: one file a stage."""
+"""Stages that compute cubes from scenes, one file a stage."""

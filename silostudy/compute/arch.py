@@ -13,7 +13,7 @@ from silostudy.scene.plane_silo import HALVES
 
 @dataclass(frozen=True)
 class Arch:
-    """discs: labels from the left foot to the right; span: distance (m) of the feet; height (m) and label of the roof."""
+    """An arch. discs: labels from left foot to right; span: distance (m) of the feet; height (m) and label of the roof."""
 
     discs: tuple[int, ...]
     span: float

@@ -1,4 +1,4 @@
-"""What the sweep makes of a cube: its axes as SI numbers with their unit or keys as text, and the cases' numbers in one."""
+"""Axes of a sweep in a cube, as SI numbers with their unit or keys as text, and the numbers of its cases in one."""
 
 from collections.abc import Mapping, Sequence
 from typing import Any
@@ -36,7 +36,7 @@ def axis_names(study: BaseStudy) -> tuple[str, ...]:
 
 
 def axis_coordinates(study: BaseStudy) -> dict[str, tuple]:
-    """xarray coordinates of every axis: one key gives the axis its values, several hang beside a plain count."""
+    """Coordinates of every axis (xarray): one key gives the axis its values, several hang beside a plain count."""
     coords: dict[str, tuple] = {}
     for axis in study.sweep:
         columns = _columns(axis)

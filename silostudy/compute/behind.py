@@ -54,7 +54,7 @@ def _handed(name: str, quantity: str) -> str:
 
 
 def limit_variables(expansion: Expansion, methods: list[AskedMethod], given: Sequence[Mapping]) -> dict:
-    """Which limit keeps a method from giving a wall pressure, (method, phase, axes...): numbers on the axis of limits."""
+    """Limit that keeps a method from giving a wall pressure, (method, phase, axes...): its number on the axis of limits."""
     words = list(dict.fromkeys([INSIDE, *(limit.words() for method in methods for limit in method.row.limits)]))
     broken_limits = np.zeros((len(methods), len(expansion.study.phases), *expansion.shape), dtype=np.int8)
     for m, (method, parameters) in enumerate(zip(methods, given, strict=True)):

@@ -44,7 +44,7 @@ def _in_order(value: xr.DataArray, name: str, axes: tuple[str, ...]) -> np.ndarr
 
 
 def felt(grains: xr.Dataset, wide: float) -> dict[str, xr.DataArray]:
-    """What the vertical wall felt: depths (m), pressures (Pa) by phase and area, friction and lateral pressure ratio."""
+    """Loads on the vertical wall: depths (m), pressures (Pa) by phase and area, friction and lateral pressure ratio."""
     height, step = grains["wall_level_height"], _step(grains["wall_level_height"])
     depth = grains["filled_height_at_rest"] - (height - height.isel(wall_level=0) + step / 2)
     depth = depth.where(depth >= step / 2)  # levels that are wholly below the surface
@@ -100,7 +100,7 @@ def _sides(step: xr.DataArray, wide: float, around: int) -> xr.DataArray:
 
 
 def in_cone(grains: xr.Dataset) -> dict[str, xr.DataArray]:
-    """What the hopper felt: place on it, mean pressure around (Pa) at rest and in flow, the largest, and its rise over rest."""
+    """Loads on the hopper: place on it, mean pressure around (Pa) at rest and in flow, the largest, and its rise over rest."""
     height, step = grains["hopper_level_height"], _step(grains["hopper_level_height"])
     top = height.isel(wall_level=-1) + step / 2
     rest = grains["hopper_pressure_at_rest"].mean("wall_turn")

@@ -1,4 +1,4 @@
-"""What theories and codes say of the walls of a sweep of silos of spheres, at the levels where the grains were felt."""
+"""Theories and codes for the walls of a sweep of silos of spheres, at the levels where the grains' forces were recorded."""
 
 import numpy as np
 import xarray as xr
@@ -7,7 +7,8 @@ from silostudy.errors import BadInput
 from silostudy.scene.expand import Expansion
 
 PHASES = ("filling", "discharge")
-SAME, AS_FULL = 0.01, 0.15  # how far diameters and depths may differ, as a share
+SAME = 0.01  # share by which diameters of the same silo may differ
+AS_FULL = 0.15  # share by which the depths of the solid may
 
 
 def matched(expansion: Expansion, codes: xr.Dataset | None, scenes: xr.Dataset) -> xr.Dataset:

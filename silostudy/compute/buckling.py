@@ -46,7 +46,7 @@ def rule_coordinates(rules: list[BucklingRule]) -> dict[str, list[str]]:
 
 
 def limit_variables(rules: list[BucklingRule], parameters: Mapping) -> dict:
-    """Which limit of its range masks a rule, (rule, axes...): numbers on the axis of limits, of several the first."""
+    """Limit of its range that masks a rule, (rule, axes...): its number on the axis of limits, of several the first."""
     words = list(dict.fromkeys([INSIDE, *(limit.words() for rule in rules for limit in rule.limits)]))
     broken_limits = np.zeros((len(rules), *np.shape(parameters["thickness"])), dtype=np.int8)
     for place, rule in enumerate(rules):
@@ -60,6 +60,6 @@ def _gathered(expansion: Expansion, name: str) -> np.ndarray:
 
 
 def _measured(expansion: Expansion) -> dict[str, np.ndarray]:
-    """What the tests of the study measured, and what tells them apart."""
+    """Strengths that the tests of the study measured, and what tells the tests apart."""
     values = {name: [getattr(case.scene.test, name) for case in expansion.cases] for name in OF_TEST}
     return {f"test_{name}": np.array(column).reshape(expansion.shape) for name, column in values.items()}

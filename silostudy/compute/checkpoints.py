@@ -15,7 +15,7 @@ from silostudy.stamp import stamp
 
 
 def made_of(run: Run, scene: AnyScene) -> dict[str, str]:
-    """What a run is made of, part by part: a checkpoint holds for a run of the same alone.
+    """Parts that a run is made of: a checkpoint holds for a run of the same parts alone.
 
     Files of the user's own count by what was read from them: a path says nothing of a changed file.
     """
@@ -55,7 +55,7 @@ def write_whole(held: Any, path: Path) -> None:
 
 
 def read_whole(path: Path) -> Any:
-    """What such a file holds; any error where it is none, or cut short.  Nothing else is unpickled, for that would run it."""
+    """Content of such a file; any error where it is none, or cut short.  Nothing else is unpickled, for that would run it."""
     raw, size = path.read_bytes(), hashlib.sha256().digest_size
     if hashlib.sha256(raw[size:]).digest() != raw[:size]:
         raise ValueError("not what was written")

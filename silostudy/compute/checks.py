@@ -19,7 +19,7 @@ from silostudy.compute.checks_places import places, uneven
 from silostudy.compute.checks_scope import combined, rows_of
 from silostudy.compute.checks_supports import below
 from silostudy.compute.checks_wall import (
-    Load,
+    WallActions,
     as_built,
     beyond,
     buckled,
@@ -85,8 +85,8 @@ def not_given(expansion: Resolved) -> list[str]:
     return [name for name, missing in absent.items() if missing]
 
 
-def actions(loads: Load) -> dict:
-    """Where the wall is looked at, and what acts there in each combination."""
+def actions(loads: WallActions) -> dict:
+    """Places at which the wall is looked at, and the actions there in each combination."""
     place, source = loads.source.places, loads.source
     critical, waves = courses_critical(source)
     own = loads.factor("permanent") * place.own_weight
@@ -111,8 +111,8 @@ def actions(loads: Load) -> dict:
     }
 
 
-def utilisations(rules, rows, loads: Load, built) -> dict:
-    """How far the wall of strakes is used: by axial buckling, by each check, and the largest with what governs."""
+def utilisations(rules, rows, loads: WallActions, built) -> dict:
+    """Utilisation (1) of the wall of strakes: by axial buckling, by each check, and the largest with what governs."""
     by_rule, by_check = buckled(rules, loads, built), checked(rows, loads, built)
     unjudged = ((by_rule["scope"] != IN_SCOPE) & (by_rule["scope"] != NO_LOAD)).any(axis=1) | loads.unloaded
     unjudged |= (by_check["scope"] == OUT_OF_RANGE).any(axis=(0, 1))
@@ -134,7 +134,7 @@ def utilisations(rules, rows, loads: Load, built) -> dict:
     return data | _by_strake(loads, "design_strake_utilisation", (used, check, combination), unjudged, told)
 
 
-def thicknesses(rules, rows, loads: Load) -> dict:
+def thicknesses(rules, rows, loads: WallActions) -> dict:
     """Thickness that each depth asks for in a wall of one thickness: the largest of all checks, with what governs."""
     (by_rule, scope), by_check = needed_by_rules(rules, loads), needed(rows, loads)
     unjudged = (np.isnan(by_rule) & (scope != NO_LOAD)).any(axis=1) | loads.unloaded
@@ -153,7 +153,7 @@ def thicknesses(rules, rows, loads: Load) -> dict:
     return data | _by_strake(loads, "design_strake_thickness", (most, check, combination), unjudged, told)
 
 
-def _by_strake(loads: Load, name: str, values_with_causes: tuple, unjudged: np.ndarray, told: tuple) -> dict:
+def _by_strake(loads: WallActions, name: str, values_with_causes: tuple, unjudged: np.ndarray, told: tuple) -> dict:
     """The largest number of every strake, over all its depths and both its ends, with what governs it.
 
     NaN where any part of it is beyond the rule: the largest of the rest would speak for a strake not judged.
@@ -182,5 +182,5 @@ def _names(rows) -> list[str]:
     return [BUCKLING, *(row.key for row in rows)]
 
 
-def _keys(loads: Load) -> list[str]:
+def _keys(loads: WallActions) -> list[str]:
     return [combination.key for combination in loads.combinations]

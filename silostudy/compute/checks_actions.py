@@ -1,4 +1,4 @@
-"""What acts on a wall in a combination of actions: forces and pressures with their partial factors, at every place."""
+"""Actions on a wall in a combination: forces and pressures with their partial factors, at every place."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -19,7 +19,7 @@ NO_WIND = REASONS.index(f"needs_{GIVEN_BY['wind_pressure']}")
 
 @dataclass(frozen=True)
 class Characteristic:
-    """What the actions are made of: places, the silo's numbers by name (axes..., 1), patch and earthquake at the places."""
+    """Characteristic actions: places, the silo's numbers by name (axes..., 1), patch load and earthquake at the places."""
 
     expansion: Resolved
     places: WallPlaces
@@ -65,7 +65,7 @@ def _shaken(place: WallPlaces, seismic: xr.Dataset | None, numbers: Mapping) -> 
 
 
 def lacking(combination: Combination, source: Characteristic) -> np.ndarray:
-    """Why a combination cannot be checked, flag of REASONS (axes..., 1): the action that leads it is not given."""
+    """Reason why a combination cannot be checked, flag of REASONS (axes..., 1): the action that leads it is not given."""
     shape = (*source.expansion.shape, 1)
     if combination.earthquake:
         missing = source.shaken is None or source.expansion.study.checks.earthquake is None

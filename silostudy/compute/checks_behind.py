@@ -1,4 +1,4 @@
-"""Where each check of the wall is used most in every strake, and the numbers behind it there: for readers who follow it."""
+"""Numbers behind each check of the wall where it is used most in every strake: for readers who follow it."""
 
 from collections.abc import Mapping, Sequence
 
@@ -7,13 +7,13 @@ import numpy as np
 from silostudy.buckling.family import BEHIND
 from silostudy.checks.family import call
 from silostudy.compute.checks_actions import of_contents, of_earthquake, of_wind
-from silostudy.compute.checks_wall import Load
+from silostudy.compute.checks_wall import WallActions
 from silostudy.cube.variables import flags
 
 FORCES = ("own_weight", "solid", "patch", "roof", "snow", "wind", "earthquake")
 
 
-def strakes_behind(rules, rows, loads: Load, built: Mapping, by_rule: np.ndarray, by_check: np.ndarray) -> dict:
+def strakes_behind(rules, rows, loads: WallActions, built: Mapping, by_rule: np.ndarray, by_check: np.ndarray) -> dict:
     """Utilisation, place, combination and BEHIND of every check in every strake, (followed_check, method, axes..., strake).
 
     by_rule: (rule, combination, method, ...), by_check: (check, combination, method, ...): the utilisations.
@@ -80,8 +80,8 @@ def _in_strakes(used: np.ndarray, numbers: Mapping, forces: np.ndarray, shears: 
     return {name: np.stack([of_strake[name] for of_strake in strakes], axis=-1) for name in strakes[0]}
 
 
-def parts(loads: Load) -> tuple[np.ndarray, np.ndarray]:
-    """(axial force, shear (N/m)) of the wall by each of FORCES with factors, (part, combination, method, axes..., place)."""
+def parts(loads: WallActions) -> tuple[np.ndarray, np.ndarray]:
+    """Axial force and shear (N/m) of the wall by each of FORCES with factors, (part, combination, method, axes..., place)."""
     source, place = loads.source, loads.source.places
     axial, shear = [], []
     for combination in loads.combinations:

@@ -1,6 +1,6 @@
-"""What the study gives for the checks beside the silo's sizes, as variables of the cube: steel, actions, supports."""
+"""Numbers that the study gives for the checks beside the silo's sizes, as variables of the cube: steel, actions, supports."""
 
-from silostudy.compute.checks_wall import Load
+from silostudy.compute.checks_wall import WallActions
 
 # variable of the cube -> parameter of the wall, or number of the silo
 OF_WALL = {
@@ -34,7 +34,7 @@ OF_SILO = {
 }
 
 
-def given_numbers(loads: Load) -> dict:
+def given_numbers(loads: WallActions) -> dict:
     """Every number, (axes...), partial factors without a dimension; NaN where the study does not give it."""
     axes, data = loads.source.expansion.shape, {}
     for name, own in OF_WALL.items():

@@ -1,4 +1,4 @@
-"""Which load case of the contents is the worst one, where a combination takes that: a phase, with or without its patch."""
+"""The worst load case of the contents, where a combination takes that: a phase, with or without its patch."""
 
 from collections.abc import Mapping
 
@@ -10,7 +10,9 @@ from silostudy.compute.checks_actions import Characteristic
 from silostudy.compute.checks_supports import heights, pressures_in_hopper
 from silostudy.cube.variables import flags
 
-NONE, ALIKE = "no_load", "every_phase_alike"
+# load cases of the contents besides phases
+NONE = "no_load"
+ALIKE = "every_phase_alike"
 TOLERANCE = 1e-9  # relative, within which two phases count as alike
 
 

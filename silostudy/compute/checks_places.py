@@ -1,4 +1,4 @@
-"""Where the checks look at a wall: the depths of the study and both ends of every strake, from the top down."""
+"""Places at which the checks look at a wall: the depths of the study and both ends of every strake, from the top down."""
 
 from dataclasses import dataclass
 
@@ -59,7 +59,7 @@ def places(expansion: Resolved, pressure: xr.Dataset) -> WallPlaces:
 
 
 def uneven(expansion: Resolved) -> np.ndarray:
-    """Which methods give pressures that differ round the wall: the checks take even ones, and theirs are no load to them."""
+    """Mask of the methods whose pressures differ round the wall: the checks take even ones, and these are no load to them."""
     return np.array([bool(method.row.channel) for method in methods_of(expansion)])
 
 
@@ -68,7 +68,7 @@ def _has_strakes(expansion: Resolved) -> bool:
 
 
 def _with_ends(expansion: Resolved, levels: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """(share of the wall's height, depth z (m), strake) of all places, sorted by depth."""
+    """Share of the wall's height, depth z (m) and strake of all places, sorted by depth."""
     share = wall_share(expansion, levels)
     if not _has_strakes(expansion):
         return share, levels, np.full(levels.shape, -1)

@@ -1,4 +1,4 @@
-"""Which checks are made in which combination, why the others are not, and the largest of what was found."""
+"""Scope of the checks: which are made in which combination, why the others are not, and the largest of the results."""
 
 from collections.abc import Mapping, Sequence
 
@@ -36,19 +36,19 @@ def scope(row: SteelCheck, parameters: Mapping, combinations: Sequence[Combinati
 
 
 def judged(values: np.ndarray, flags: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """(values, NaN where masked; flags, out of range where a value is none)."""
+    """Values, NaN where masked, and flags, out of range where a value is none."""
     flags = np.where((flags == IN_SCOPE) & np.isnan(values), OUT_OF_RANGE, flags).astype(np.int8)
     return np.where(flags == IN_SCOPE, values, np.nan), flags
 
 
 def largest(values: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """(largest over the first axis, its position there); NaN and 0 where all are masked."""
+    """Largest value over the first axis and its position there; NaN and 0 where all are masked."""
     place = np.argmax(np.where(np.isnan(values), -np.inf, values), axis=0)
     return np.take_along_axis(values, place[None], axis=0)[0], place.astype(np.int8)
 
 
 def combined(buckling: np.ndarray, checked: np.ndarray, unjudged: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """(largest by rule, which check: 0 buckling, which combination), each (rule, method, axes..., place).
+    """Largest by rule, its check (0: buckling) and its combination, each (rule, method, axes..., place).
 
     buckling: (rule, combination, method, ...); checked: (check, combination, method, ...); unjudged: where a rule is silent.
     """

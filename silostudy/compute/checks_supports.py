@@ -9,7 +9,7 @@ from silostudy.checks import anchors, hopper, ring_beam, transition_ring, tube
 from silostudy.checks.family import HOPPER, REASONS, SUPPORT, call
 from silostudy.compute.checks_actions import FILLING, of_earthquake, of_wind
 from silostudy.compute.checks_scope import judged, rows_of, scope
-from silostudy.compute.checks_wall import Load
+from silostudy.compute.checks_wall import WallActions
 from silostudy.cube.variables import flags as meaning
 from silostudy.tables.combinations import Combination
 
@@ -18,8 +18,8 @@ NUMBERS = ("hopper_thickness", "hopper_joint_efficiency", "ultimate_stress", "ri
 LOADED_BY = {"support_force": "wall hopper", "hopper_meridional_force": "hopper"}  # force that a check asks for -> whose it is
 
 
-def hopper_forces(pressure: xr.Dataset, loads: Load) -> dict[str, np.ndarray]:
-    """n_phi and n_th (N/m) of the hopper's wall, (combination, method, axes..., hopper_position), own weight included."""
+def hopper_forces(pressure: xr.Dataset, loads: WallActions) -> dict[str, np.ndarray]:
+    """Forces n_phi and n_th (N/m) of the hopper's wall, (combination, method, axes..., hopper_position), with own weight."""
     height, half_angle = heights(pressure)
     normal, traction = pressures_in_hopper(pressure)
     shape = {"height": height, "half_angle": half_angle}
@@ -47,14 +47,14 @@ def pressures_in_hopper(pressure: xr.Dataset) -> tuple[np.ndarray, np.ndarray]:
 
 
 def heights(pressure: xr.Dataset) -> tuple[np.ndarray, np.ndarray]:
-    """(height above the apex (m), (axes..., hopper_position); half angle (rad), (axes..., 1))."""
+    """Height above the apex (m), (axes..., hopper_position), and half angle (rad), (axes..., 1)."""
     half_angle = pressure["hopper_half_angle"].values[..., None]
     top, outlet = pressure["hopper_height"].values[..., None], pressure["outlet_width"].values[..., None]
     bottom = outlet / 2 / np.tan(half_angle)
     return top - pressure["hopper_position"].values * (top - bottom), half_angle
 
 
-def _of_contents(combination: Combination, values: np.ndarray, loads: Load) -> np.ndarray:
+def _of_contents(combination: Combination, values: np.ndarray, loads: WallActions) -> np.ndarray:
     """A force of the solid in a combination: of the worst phase or of filling, with its factor; 0 in an empty silo."""
     phases = list(loads.source.expansion.study.phases)
     if combination.contents == "empty":
@@ -66,7 +66,7 @@ def _of_contents(combination: Combination, values: np.ndarray, loads: Load) -> n
     return combination.solids * chosen
 
 
-def parameters_below(pressure: xr.Dataset, loads: Load, built: Mapping) -> dict[str, np.ndarray]:
+def parameters_below(pressure: xr.Dataset, loads: WallActions, built: Mapping) -> dict[str, np.ndarray]:
     """The parameters of everything below the cylinder, without a place: (combination, method, axes..., 1); NaN: not known."""
     source, number = loads.source, loads.source.numbers
     values = {name: number[name] for name in NUMBERS} | {"inner_radius": number["inner_radius"]}
@@ -88,8 +88,8 @@ def parameters_below(pressure: xr.Dataset, loads: Load, built: Mapping) -> dict[
     return values
 
 
-def anchor_lifts(loads: Load) -> dict[str, np.ndarray]:
-    """What lifts the foot of the wall and what holds it down (N/m), (combination, 1, axes..., 1): the contents hold nothing."""
+def anchor_lifts(loads: WallActions) -> dict[str, np.ndarray]:
+    """Forces (N/m) that lift the foot of the wall or hold it down, (combination, 1, axes..., 1): the contents hold nothing."""
     source, number, lifts = loads.source, loads.source.numbers, []
     asked = source.expansion.study.checks.earthquake
     for combination in loads.combinations:
@@ -103,7 +103,7 @@ def anchor_lifts(loads: Load) -> dict[str, np.ndarray]:
     return {f"anchor_lift_{name}": np.array([part[name] for part in lifts])[:, None] for name in lifts[0]}
 
 
-def anchor_tension(loads: Load) -> np.ndarray:
+def anchor_tension(loads: WallActions) -> np.ndarray:
     """Tension (N) of the anchor that is drawn most, (combination, 1, axes..., 1)."""
     number = loads.source.numbers
     lifts = {name.removeprefix("anchor_lift_"): value for name, value in anchor_lifts(loads).items()}
@@ -111,7 +111,7 @@ def anchor_tension(loads: Load) -> np.ndarray:
     return anchors.tension(lifts["bending"] + lifts["earthquake"], lifts["harmonics"] - lifts["weight"], **ring)
 
 
-def below(pressure: xr.Dataset, loads: Load, built: Mapping) -> dict:
+def below(pressure: xr.Dataset, loads: WallActions, built: Mapping) -> dict:
     """The cube's variables of hopper, ring, beam and anchors."""
     parameters = parameters_below(pressure, loads, built)
     top = parameters.pop("hopper_top_force", parameters["hopper_meridional_force"])
@@ -146,7 +146,7 @@ def below(pressure: xr.Dataset, loads: Load, built: Mapping) -> dict:
     return data | behind | {name: np.broadcast_to(value, shape)[..., 0] for name, value in tension.items()}
 
 
-def _checked(rows: Sequence, parameters: Mapping, loads: Load, shape, part: str) -> dict:
+def _checked(rows: Sequence, parameters: Mapping, loads: WallActions, shape, part: str) -> dict:
     """Utilisation by every check of a part with its scope; the last axis left out where it is one number a case."""
     values, flags = [], []
     for row in rows:

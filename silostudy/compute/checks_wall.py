@@ -16,11 +16,11 @@ from silostudy.compute.checks_scope import judged, scope
 from silostudy.compute.shell_places import of_cases, wall_parameters
 from silostudy.tables.combinations import Combination
 
-HALVINGS = 30
+HALVINGS = 30  # of log R/t: the thickness comes to 1e-8 of itself
 
 
 @dataclass(frozen=True)
-class Load:
+class WallActions:
     """The actions of all combinations, each (combination, method, axes..., place), with the wall's own parameters beside them.
 
     lacks: why a combination cannot be checked, (combination, 1, axes..., 1).
@@ -42,7 +42,7 @@ class Load:
 
     @property
     def unloaded(self) -> np.ndarray:
-        """Where on the wall a method gives no load in any combination with contents, (method, axes..., place)."""
+        """Mask of places where a method gives no load in any combination with contents, (method, axes..., place)."""
         full = [bool(combination.solids) for combination in self.combinations]
         if not any(full):
             return np.zeros(self.shape[1:], dtype=bool)
@@ -50,7 +50,7 @@ class Load:
         return silent[full].all(axis=0) & (self.source.places.below_top > 0)
 
 
-def load(source: Characteristic, combinations: Sequence[Combination]) -> Load:
+def load(source: Characteristic, combinations: Sequence[Combination]) -> WallActions:
     """Everything that the checks of the wall ask for but its thickness."""
     acting_by = [acting(combination, source) for combination in combinations]
     actions = {name: np.array([forces[name] for forces in acting_by]) for name in acting_by[0]}
@@ -67,10 +67,10 @@ def load(source: Characteristic, combinations: Sequence[Combination]) -> Load:
         "partial_joint": asked.gamma_M2,
     }
     lacks = np.array([lacking(combination, source) for combination in combinations])[:, None]
-    return Load(source, combinations, {**steel, **actions, **beside}, lacks)
+    return WallActions(source, combinations, {**steel, **actions, **beside}, lacks)
 
 
-def as_built(loads: Load) -> dict[str, np.ndarray]:
+def as_built(loads: WallActions) -> dict[str, np.ndarray]:
     """The parameters of a wall of strakes, its own weight in the axial force, its courses in the critical pressure."""
     place = loads.source.places
     own = loads.factor("permanent") * place.own_weight
@@ -85,7 +85,7 @@ def as_built(loads: Load) -> dict[str, np.ndarray]:
     }
 
 
-def of_one_thickness(loads: Load) -> Callable[[np.ndarray], dict[str, np.ndarray]]:
+def of_one_thickness(loads: WallActions) -> Callable[[np.ndarray], dict[str, np.ndarray]]:
     """Function that gives the parameters of a wall of one thickness (m), which weighs on itself."""
     source, own = loads.source, {**loads.parameters}
     above = loads.factor("permanent") * source.numbers["steel_weight"] * source.places.below_top
@@ -97,14 +97,14 @@ def of_one_thickness(loads: Load) -> Callable[[np.ndarray], dict[str, np.ndarray
     return given_wall
 
 
-def _outside(loads: Load, critical) -> np.ndarray:
+def _outside(loads: WallActions, critical) -> np.ndarray:
     """Critical external pressure (Pa); without bound where the solid stands, so that nothing is asked of the edges there."""
     full = np.isin([combination.contents for combination in loads.combinations], ["empty"], invert=True)
     return np.where(full.reshape(-1, *[1] * (len(loads.shape) - 1)), np.inf, critical)
 
 
 def courses_critical(source: Characteristic) -> tuple[np.ndarray, np.ndarray]:
-    """(external pressure (Pa) at which the wall with its courses buckles, waves round it), (axes..., 1); NaN without wind."""
+    """External pressure (Pa) at which the wall with its courses buckles, and waves round it, (axes..., 1); NaN without wind."""
     results = np.array([_of_case(case.scene) for case in source.expansion.cases])
     return of_cases(source.expansion, results[:, 0].tolist()), of_cases(source.expansion, results[:, 1].tolist())
 
@@ -127,7 +127,7 @@ def _critical(thicknesses, shares, height: float, diameter: float, steel, edges)
     )
 
 
-def checked(rows: Sequence[SteelCheck], loads: Load, parameters: Mapping) -> dict[str, np.ndarray]:
+def checked(rows: Sequence[SteelCheck], loads: WallActions, parameters: Mapping) -> dict[str, np.ndarray]:
     """Utilisation, its scope, and effect and resistance where they are stresses (Pa): (check, combination, method, ...)."""
     lists: dict[str, list] = {"utilisation": [], "scope": [], "effect": [], "resistance": []}
     for row in rows:
@@ -145,14 +145,14 @@ def checked(rows: Sequence[SteelCheck], loads: Load, parameters: Mapping) -> dic
     return {name: np.array(values).reshape(len(rows), *loads.shape) for name, values in lists.items()}
 
 
-def needed(rows: Sequence[SteelCheck], loads: Load) -> np.ndarray:
+def needed(rows: Sequence[SteelCheck], loads: WallActions) -> np.ndarray:
     """Thickness (m) at which each check just holds in a wall of one thickness, (check, combination, method, axes..., place)."""
     wall_of = of_one_thickness(loads)
     return np.array([_needed(row, loads, wall_of) for row in rows]).reshape(len(rows), *loads.shape)
 
 
-def beyond(rows: Sequence[SteelCheck], loads: Load, thickness: np.ndarray) -> np.ndarray:
-    """Where some check is beyond its range on a wall of one thickness (m), both (method, axes..., place)."""
+def beyond(rows: Sequence[SteelCheck], loads: WallActions, thickness: np.ndarray) -> np.ndarray:
+    """Mask of places where some check is beyond its range on a wall of one thickness (m), both (method, axes..., place)."""
     thinnest = np.broadcast_to(loads.source.numbers["inner_radius"], loads.shape) / SLENDEREST
     wall = of_one_thickness(loads)(np.where(thickness > 0, thickness, thinnest))
     with np.errstate(invalid="ignore", divide="ignore", over="ignore"):
@@ -160,7 +160,7 @@ def beyond(rows: Sequence[SteelCheck], loads: Load, thickness: np.ndarray) -> np
     return (np.array(scopes).reshape(len(rows), *loads.shape) == OUT_OF_RANGE).any(axis=(0, 1))
 
 
-def _needed(row: SteelCheck, loads: Load, wall_of: Callable) -> np.ndarray:
+def _needed(row: SteelCheck, loads: WallActions, wall_of: Callable) -> np.ndarray:
     radius = np.broadcast_to(loads.source.numbers["inner_radius"], loads.shape)
     with np.errstate(invalid="ignore", divide="ignore", over="ignore"):
         thickness = call(row.needed, wall_of(radius)) if row.needed else _sought(row, wall_of, radius)
@@ -181,7 +181,7 @@ def _sought(row: SteelCheck, wall_of: Callable, radius: np.ndarray) -> np.ndarra
     return np.where(idle, 0.0, np.where(enough, thick, np.nan))
 
 
-def buckled(rules, loads: Load, parameters: Mapping) -> dict[str, np.ndarray]:
+def buckled(rules, loads: WallActions, parameters: Mapping) -> dict[str, np.ndarray]:
     """Axial stress over design strength by rule, its scope, and the strength (Pa), each (rule, combination, method, ...)."""
     lists: dict[str, list] = {"utilisation": [], "scope": [], "strength": []}
     stress = parameters["axial_wall_force"] / parameters["thickness"]
@@ -196,8 +196,8 @@ def buckled(rules, loads: Load, parameters: Mapping) -> dict[str, np.ndarray]:
     return {name: np.array(values) for name, values in lists.items()}
 
 
-def needed_by_rules(rules, loads: Load) -> tuple[np.ndarray, np.ndarray]:
-    """(thickness (m) that axial buckling asks for, scope), each (rule, combination, method, axes..., place)."""
+def needed_by_rules(rules, loads: WallActions) -> tuple[np.ndarray, np.ndarray]:
+    """Thickness (m) that axial buckling asks for, and scope, each (rule, combination, method, axes..., place)."""
     source, own = loads.source, loads.parameters
     above = loads.factor("permanent") * source.numbers["steel_weight"] * source.places.below_top
     force = np.where(loads.lacks > 0, np.nan, own["axial_wall_force"])

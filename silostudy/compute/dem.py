@@ -94,7 +94,7 @@ def _of_spheres(scene: SphereScene, model: Model) -> dict[str, Any]:
 
 
 def _window(scene: AnyScene, model: Model) -> int:
-    """Steps of a window of wall forces, or of the ledger where that alone is kept; 0: none are kept."""
+    """Steps of a window of wall forces, or of the energy balance where that alone is kept; 0: none are kept."""
     record = scene.record
     length = record.wall_force_window_s or (scene.march.limit_s / 100.0 if record.energy else None)
     return max(1, round(length / model.dt)) if length else 0

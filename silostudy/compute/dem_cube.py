@@ -64,7 +64,7 @@ def disc_arrays(run: Run) -> dict[str, np.ndarray]:
 
 
 def slit_arrays(run: Run, scene: DemScene) -> dict[str, np.ndarray]:
-    """Of outlets by names: where each is, when it opened, and the mass that had left by each at the times of the discharge."""
+    """Outlets by names: where each is, when it opened, and the mass that had left by each at the times of the discharge."""
     slits, record = plane_silo_of(scene).slits, run.recording
     if not slits:
         return {}

@@ -17,7 +17,7 @@ GIVEN_SPHERES = ("grain_x", "grain_y", "grain_z", "grain_radius")
 
 
 def given_discs(file: str, folder: Path) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """x, y and radius (m) of the discs in a netCDF file, those of its last snapshot; BadInput names the file and what is wrong.
+    """Places x, y and radius (m) of the discs in a netCDF file's last snapshot; BadInput names the file and what is wrong.
 
     Discs that have left an earlier run have no place (NaN in all they have) and are left out.
     """

@@ -1,4 +1,4 @@
-"""What every part of the pressure stage shares: labels, parameters, and values with the reason where they are masked."""
+"""Values of the pressure stage with the reason where they are masked, labels, and parameters."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
@@ -46,11 +46,11 @@ class AskedMethod:
 
     @property
     def drawn(self) -> str:
-        """How a figure that compares many methods shows it."""
+        """Look of the method in a figure that compares many methods."""
         return self.row.drawn_as_printed if self.as_printed else self.row.drawn
 
     def functions(self, phase: str) -> Mapping[str, Callable]:
-        """quantity -> function in a phase; empty where the method does not cover it."""
+        """Functions by quantity in a phase; empty where the method does not cover it."""
         misprinted = self.as_printed and self.row.as_printed
         return (self.row.as_printed if misprinted else self.row.phases).get(phase, {})
 

@@ -1,4 +1,4 @@
-"""What a scene expects of its run, beside what the run came to."""
+"""Numbers that a scene expects of its run, beside what the run came to."""
 
 from dataclasses import dataclass
 from typing import Any
@@ -28,7 +28,7 @@ class Verdict:
 
     @property
     def _digits(self) -> int:
-        """So many that the tolerance can be seen."""
+        """Number of digits that show the tolerance."""
         size = abs(self.value) / self.tolerance
         return max(4, 2 + int(np.ceil(np.log10(size)))) if size > 0.0 else 4
 
@@ -41,7 +41,7 @@ class Verdict:
 
 
 def verdicts(run: Run, scene: AnyScene) -> list[Verdict]:
-    """What each number that the scene expects came to."""
+    """Verdict on each number that the scene expects."""
     looks = _looks(run)
     return [_verdict(looks, asked) for asked in scene.expected]
 
@@ -65,7 +65,7 @@ def _verdict(looks: Looks, asked: Any) -> Verdict:
 
 
 def _looks(run: Run) -> Looks:
-    """What the run recorded, as quantities are found from it."""
+    """The run's record, as quantities are computed from it."""
     record, engine = run.recording, run.engine
     weight = np.asarray(engine.gravity, float)
     return Looks(

@@ -8,7 +8,7 @@ import numpy as np
 from silostudy.cube.load import Load
 
 EPSILON = 1e-9  # m or rad, within which two edges are one
-GAUSS = np.polynomial.legendre.leggauss(4)
+GAUSS = np.polynomial.legendre.leggauss(4)  # points and weights of an interval: exact for polynomials up to the seventh degree
 
 
 @dataclass(frozen=True)
@@ -89,7 +89,7 @@ def nodal_forces(load: Load, on: Mesh) -> np.ndarray:
 
 
 def _points(ends: np.ndarray) -> tuple[np.ndarray, tuple[np.ndarray, np.ndarray]]:
-    """(Gauss points between ends, (weights of the first end's linear function, of the second's)), each (interval, point)."""
+    """Gauss points between ends, and weights of the linear functions of both ends, each (interval, point)."""
     places, weights = GAUSS
     share, width = (1 + places) / 2, np.diff(ends)[:, None]
     whole = width * weights / 2

@@ -47,7 +47,7 @@ def grains_cube(expansion: Expansion, tell: Callable[[str], None] = lambda text:
 
 
 def settle(scene: ShakenBox, seed: int, limit: float) -> tuple[Model, dict, bool]:
-    """(model, checkpoint with its clock set back, whether it came to rest within the limit (s)) of one filling.
+    """Settles a filling: the model, a checkpoint with its clock set back, and whether it came to rest within the limit (s).
 
     Rest is the engine's, a mean motion of rounding size; random fillings ring on far below what the shaking moves.
     """
@@ -57,7 +57,7 @@ def settle(scene: ShakenBox, seed: int, limit: float) -> tuple[Model, dict, bool
     if done.explosion is not None:
         raise done.explosion
     x, y = run.engine.places.T
-    check_step(replace(model, x=x, y=y))  # the settled network is stiffer than the start: beyond its bound nothing rests
+    check_step(replace(model, x=x, y=y))  # the settled contacts are stiffer than the start: beyond its bound nothing rests
     return model, {**checkpoint(run.engine), "step": np.array(0)}, done.happened[-1][1] == "rest"
 
 
@@ -102,7 +102,7 @@ def _shaken(study, scene: ShakenBox, model: Model, saved: dict, rested: bool) ->
 
 
 def record(engine: Engine, edges: np.ndarray) -> tuple[np.ndarray, np.ndarray, float]:
-    """(horizontal force on the contents (N/m) from walls, floor, all: (3, window); momentum at the edges; static wall force).
+    """Horizontal force on the contents (N/m) from walls, floor, all, (3, window); momentum at the edges; static wall force.
 
     Each force is the mean of every step of its window; the static normal force of both walls is that of the first window.
     """

@@ -21,7 +21,7 @@ from silostudy.tables.kiyama_1983 import WALL_STIFFNESS_RATIO
 
 @dataclass(frozen=True)
 class RunLength:
-    """How much one run of the engine is: a filling that settles (at most so many steps), or one that is shaken."""
+    """Length of one run of the engine: a filling that settles (at most so many steps), or one that is shaken."""
 
     discs: int
     steps: int

@@ -92,7 +92,7 @@ def balanced(row: PressureMethod, phase: str, parameters: Mapping) -> dict[str, 
 
 
 def _of_wall_scope(row: PressureMethod, phase: str, parameters: Mapping) -> np.ndarray:
-    """Why the hopper wall's normal pressure is masked, at its top."""
+    """Reason why the hopper wall's normal pressure is masked, at its top."""
     return _of_wall(row, phase, heights(parameters)[0], parameters)["hopper_normal_pressure"][1][..., 0]
 
 

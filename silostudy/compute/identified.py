@@ -1,4 +1,4 @@
-"""What a seismic study with a measured response adds to its cube: histories, indices, the coefficient found, recovery test."""
+"""Variables that a measured response adds to a seismic cube: histories, indices, the estimated coefficient, recovery test."""
 
 from dataclasses import replace
 
@@ -46,7 +46,7 @@ def labels(asked: Identification) -> dict[str, list]:
 
 
 def _origin(scene: Shaken) -> str:
-    """Where the measured response comes from."""
+    """Origin of the measured response."""
     true = scene.imitation
     if true is None:
         return scene.measured.origin if scene.measured else ""

@@ -1,4 +1,4 @@
-"""What the tests of one cell of a laboratory come to: a filling, pressed from stress to stress, sheared at each of them."""
+"""Tests of one cell of a laboratory: a filling, pressed from stress to stress, sheared at each of them."""
 
 from collections.abc import Mapping
 from dataclasses import replace

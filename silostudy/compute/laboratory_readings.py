@@ -1,4 +1,4 @@
-"""What the surfaces of a laboratory's cell feel over the windows of a run, and how dense the inside of it is."""
+"""Readings of a laboratory's cell: forces on its surfaces over the windows of a run, and the density inside."""
 
 from dataclasses import dataclass
 from math import pi

@@ -1,4 +1,4 @@
-"""What the cube holds of a lid that moves, of any grains."""
+"""Variables of the cube on a lid that moves, of any grains."""
 
 import numpy as np
 

@@ -1,4 +1,4 @@
-"""Which load cases a silo calls for, which of them a study computes, and why it does not compute the others."""
+"""Load cases that a silo calls for, which of them a study computes, and why it does not compute the others."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
@@ -15,7 +15,8 @@ from silostudy.scene.scene import Scene, parameters_of_scenes
 from silostudy.tables.load_cases import LOAD_CASES, STATES, LoadCase
 
 COMPUTED, NOT_COMPUTED = STATES
-NOT_ASKED, NOT_CALLED_FOR = "not asked for", "not called for"
+NOT_ASKED = "not asked for"  # by the study
+NOT_CALLED_FOR = "not called for"  # by the code for this silo
 LISTED_STATES = (COMPUTED, NOT_ASKED, NOT_CALLED_FOR, NOT_COMPUTED)
 VERY_SLENDER = 4.0  # h_c / d_c, from memory
 
@@ -60,7 +61,7 @@ def _by_methods(row: LoadCase, study, scene: Scene) -> Listed:
 
 
 def _mask(row: LoadCase, method: PressureMethod, scene: Scene) -> str:
-    """Why a method masks the case's first quantity for a silo; nothing where it gives it, or where no method does."""
+    """Reason why a method masks the case's first quantity for a silo; nothing where it gives it, or where no method does."""
     given = parameters_of_scenes([scene], method) | {"channel_size": np.full((1, 1), CHANNEL_SIZES[0])}
     name, phase = row.names[0], row.phase
     places = {
@@ -78,7 +79,7 @@ def _mask(row: LoadCase, method: PressureMethod, scene: Scene) -> str:
 
 
 def _words(method: PressureMethod, name: str, phase: str, scope: int, given: Mapping) -> str:
-    """Why a quantity is masked: the limits that are broken, or the reason."""
+    """Reason why a quantity is masked, in words: the limits that are broken, or the flag's."""
     holding = [limit for limit in method.limits if limit.holds_for(name, phase) and not limit.measure.of_depth]
     broken = [limit.words() for limit in holding if scope == OUT_OF_RANGE and limit.broken(None, given).any()]
     return f"outside {'; '.join(broken)}" if broken else REASONS[scope].replace("_", " ")

@@ -166,7 +166,7 @@ def _with_patch(case: Listed, values: str, study, scene: Scene, given: Mapping) 
 
 
 def _channels(case: Listed, values: str, study, scene: Scene, given: Mapping) -> list[Piece]:
-    """Three zones of wall: in the channel, beside it, and at rest."""
+    """Pieces of three zones of wall: in the channel, beside it, and at rest."""
     size = CHANNEL_SIZES[_channels_before(case)]
     method = next(PRESSURE[key] for key in case.row.methods if key in study.method_keys)
     given = {**given, "channel_size": np.full((1, 1), size)}
@@ -185,7 +185,7 @@ def _channels(case: Listed, values: str, study, scene: Scene, given: Mapping) ->
 
 
 def _channels_before(case: Listed) -> int:
-    """How many channels stand before this one in the table: its place among the sizes."""
+    """Number of channels before this one in the table: its place among the sizes."""
     return [row.key for row in LOAD_CASES.values() if row.field == case.row.field].index(case.row.key)
 
 

@@ -10,10 +10,10 @@ from silostudy.buckling.miller1977 import (
     short_coefficient,
 )
 
-SLENDER = np.geomspace(100, 3000, 60)
-LENGTH = np.geomspace(0.5, 100, 90)
-RING_RATIO = np.linspace(0, 0.4, 81)
-ELASTIC_RATIO = np.geomspace(0.1, 10, 120)
+SLENDER = np.geomspace(100, 3000, 60)  # R/t
+LENGTH = np.geomspace(0.5, 100, 90)  # M, relative length
+RING_RATIO = np.linspace(0, 0.4, 81)  # area of a ring over that of its bay's wall
+ELASTIC_RATIO = np.geomspace(0.1, 10, 120)  # elastic buckling stress over yield stress
 MAKING = ("manufactured", "fabricated")
 
 

@@ -19,7 +19,7 @@ SIDE_WALLS = ("left", "right")  # in the order of packing_measure.cells_of
 
 
 @dataclass
-class Film:
+class RunFrames:
     """Frames of one run of one case; forces on the side walls' cells by frame: (frames, 2 walls, cells, 2 ways)."""
 
     case: str
@@ -48,13 +48,13 @@ def motion_cube(expansion: Expansion, tell: Callable[[str], None] = lambda text:
     return _cube(expansion, films)
 
 
-def _at_rest(study, case) -> Film:
+def _at_rest(study, case) -> RunFrames:
     """The ideal packing at rest: one frame, before the slit opens."""
     film = _filmed(study.model_copy(update={"discharge_s": SAMPLE * WINDOW}), case, 0)
     return replace(film, frames=film.frames[:1], sides=film.sides[:1])
 
 
-def _filmed(study, case, number: int) -> Film:
+def _filmed(study, case, number: int) -> RunFrames:
     """A run with a frame at every sample; one that has come to a standstill ends there."""
     config = case.scene.config
     rested = settle(study, config, number)
@@ -64,10 +64,10 @@ def _filmed(study, case, number: int) -> Film:
     means = flowed.windows[:, sides][..., MEAN]  # (windows, 2 walls, cells, 2 ways)
     means = means.reshape(-1, SAMPLE, *means.shape[1:]).mean(axis=1)
     forces = np.concatenate([rested.walls[sides][None], means])[: len(frames)]
-    return Film(case.id, config.across, number, config.remedy, frames, forces, bool(flowed.removed))
+    return RunFrames(case.id, config.across, number, config.remedy, frames, forces, bool(flowed.removed))
 
 
-def _cube(expansion: Expansion, films: list[Film]) -> xr.Dataset:
+def _cube(expansion: Expansion, films: list[RunFrames]) -> xr.Dataset:
     frames = [(k, frame) for k, film in enumerate(films) for frame in film.frames]
     most = max(int(frame["label"].max()) + 1 for _, frame in frames)
     motion = np.full((len(frames), most, 5), np.nan)

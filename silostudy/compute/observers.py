@@ -17,7 +17,9 @@ from silostudy.dem.run import Run
 from silostudy.errors import BadInput
 from silostudy.scene.spheres import space_silo_of
 
-FIELDS, STATISTICS = "fields", "contact_statistics"
+# keys of the section `record`
+FIELDS = "fields"
+STATISTICS = "contact_statistics"
 SOURCES = ("goldhirsch_2010", "weinhart_2012")  # of the fields
 DEEP = 0.05  # of a radius: overlap beyond which the cube warns
 

@@ -1,4 +1,4 @@
-"""What is read off a run of a packing study: wall forces at rest, their peaks in discharge, flow and displacements."""
+"""Measurements of a run of a packing study: wall forces at rest, their peaks in discharge, flow and displacements."""
 
 from dataclasses import dataclass
 
@@ -16,8 +16,8 @@ MEASURES = ("layer_peak", "layer_mean", "panel_peak", "panel_mean")
 LOOKS = {"step": 0.0, "1 ms": 1e-3, "5 ms": 5e-3, "10 ms": 0.01, "20 ms": 0.02, "50 ms": 0.05, "100 ms": 0.1}  # s
 PANEL = 0.7  # of the width: height over which Wagner measured mean wall loads (silo_handbook, section 4.5.1)
 EARLY = 0.4  # s: end of the paper's early flow
-NORMAL, SHEAR = 0, 1
-MEAN, LEAST, MOST = range(3)
+NORMAL, SHEAR = range(2)  # components of a window's forces
+MEAN, LEAST, MOST = range(3)  # what it holds of each
 
 
 @dataclass(frozen=True)
@@ -30,7 +30,7 @@ class WallCells:
 
 
 def cells_of(rested: Rested) -> WallCells:
-    """Where the forces of each wall stand; end points count with the floor's halves, never with the sides."""
+    """Cells that hold the forces of each wall; end points count with the floor's halves, never with the sides."""
     floor, half_left, half_right, left, right = (wall_cells(rested.model, name) for name in (FLOOR, *HALVES, *SIDES))
     return WallCells(floor, np.concatenate([half_left, half_right]), np.array([left[-2:0:-1], right[1:-1]]))
 
@@ -59,7 +59,7 @@ def tributary(depth: np.ndarray) -> np.ndarray:
 def fit_janssen(
     force: np.ndarray, depth: np.ndarray, *, unit_weight: float, hydraulic_radius: float
 ) -> tuple[float, float, float]:
-    """(K, wall friction, residual) of Janssen's law through contact forces (N/m) at depths (m) from the top one down.
+    """K, wall friction and residual of Janssen's law through contact forces (N/m) at depths (m) from the top one down.
 
     Each contact answers for the wall between the middles to its neighbours.  The lowest is left out: the drop at the floor
     is a finding of its own.  residual: root mean square miss over the mean contact force.

@@ -44,7 +44,7 @@ class Rested:
 
 @dataclass
 class Discharge:
-    """What a discharge left behind.
+    """Record of a discharge.
 
     windows: (windows, cells, 2, 3) mean, least and largest normal and shear force (N/m) of every step of each window;
     passed: (samples,) discs below the floor's level, removed ones not counted; places: (samples, discs, 2) (m), NaN for

@@ -10,7 +10,7 @@ from silostudy.files import replacing
 
 
 def export(run: Run, folder: Path) -> list[Path]:
-    """Two files a snapshot in the folder, NNN-discs.vtu or NNN-spheres.vtu, and NNN-forces.vtu; gives their names."""
+    """Writes two files a snapshot into the folder, NNN-discs.vtu or NNN-spheres.vtu, and NNN-forces.vtu; gives their names."""
     space = run.engine.space
     written = []
     for k, snapshot in enumerate(run.recording.snapshots):

@@ -121,7 +121,7 @@ def _heights(expansion: Resolved) -> np.ndarray:
 
 
 def evaluate(method: AskedMethod, phase: str, z: np.ndarray, parameters: Mapping) -> dict[str, tuple]:
-    """quantity -> (values, scope flags) of one method in one phase; empty where the method does not cover the phase."""
+    """Values and scope flags by quantity of one method in one phase; empty where the method does not cover the phase."""
     row, functions = method.row, method.functions(phase)
     if not functions:
         return {}

@@ -1,4 +1,4 @@
-"""What one discrete-element scene of a sweep comes to: forces on walls and floor at rest and after it, and the discharge."""
+"""Numbers of one scene of grains of a sweep: forces on walls and floor at rest and after it, and the discharge."""
 
 from typing import Any
 

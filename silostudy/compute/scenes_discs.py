@@ -1,4 +1,4 @@
-"""What sweeps tell of a scene of discs."""
+"""Numbers of a scene of discs in a sweep."""
 
 import numpy as np
 

@@ -1,4 +1,4 @@
-"""What sweeps tell of a scene of spheres."""
+"""Numbers of a scene of spheres in a sweep."""
 
 import numpy as np
 

@@ -1,4 +1,4 @@
-"""What the walls of a round silo of spheres feel, over height and angle: at rest, and window by window in flow."""
+"""Forces on the walls of a round silo of spheres, over height and angle: at rest, and window by window in flow."""
 
 from typing import TypeGuard
 
@@ -22,7 +22,7 @@ def keeps_walls(scene: AnyScene) -> TypeGuard[SphereScene]:
 
 
 def windows_in_flow(scene: SphereScene) -> int:
-    """How many whole windows follow the first event: up to the stop where that comes after a time, else up to the limit."""
+    """Number of whole windows after the first event: up to the stop where that comes after a time, else up to the limit."""
     last, window = scene.events[-1], scene.record.wall_force_window_s
     assert window is not None
     span = last.value if last.when == "after" and last.value is not None else scene.march.limit_s

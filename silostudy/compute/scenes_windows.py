@@ -13,7 +13,7 @@ Numbers = dict[str, np.ndarray]
 
 @dataclass(frozen=True)
 class Swept:
-    """What sweeps tell of scenes of one sort of grains.
+    """Numbers that sweeps take of scenes of one sort of grains.
 
     bodies: what bears on the grains -> the names that its walls have, or begin with; numbers(run, time of its first event) ->
     those of a case.
@@ -24,7 +24,7 @@ class Swept:
 
 
 def at_rest_and_largest(run: Run, opening: float, sums: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """(value of the last window before `opening` (s), largest value of a window after) of each column of sums (window, ...).
+    """Value of the last window before `opening` (s), and largest value of a window after, of each column of sums (window, ...).
 
     Of whole windows: a mean over less is no match for them.  NaN where none is recorded before or after, or no event came.
     """
@@ -38,7 +38,7 @@ def at_rest_and_largest(run: Run, opening: float, sums: np.ndarray) -> tuple[np.
 
 
 def whole_windows(run: Run) -> np.ndarray:
-    """Which windows are of full length."""
+    """Mask of the windows of full length."""
     ends = np.array(run.recording.window_time)
     dt = run.engine.model.dt
     return np.isclose(np.diff(ends, prepend=run.began * dt), run.window * dt)

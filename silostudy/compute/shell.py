@@ -20,7 +20,7 @@ from silostudy.compute.shell_strength import required_thicknesses, utilisations
 from silostudy.cube.assemble import assemble
 from silostudy.cube.variables import flags
 from silostudy.errors import BadInput
-from silostudy.scene.shell import Wall
+from silostudy.scene.shell import SteelWall
 
 
 def shell_cube(expansion: Resolved, pressure: xr.Dataset, seismic: xr.Dataset | None = None) -> xr.Dataset:
@@ -55,11 +55,11 @@ def shell_cube(expansion: Resolved, pressure: xr.Dataset, seismic: xr.Dataset | 
     return assemble(study, "shell", data, sources=sources, notes=notes, sweep=sweep)
 
 
-def _safety(wall: Wall) -> float:
+def _safety(wall: SteelWall) -> float:
     return wall.safety_factor
 
 
-def _dead(wall: Wall) -> float:
+def _dead(wall: SteelWall) -> float:
     return wall.imposed_force
 
 
@@ -119,7 +119,7 @@ def strake_variables(expansion, rules, at_ends: Places, safety, dead) -> dict:
 
 
 def load_variables(pressure: xr.Dataset, force, source, pressures) -> dict:
-    """What loads the wall, and what the figures need of the pressure cube."""
+    """Loads on the wall, and variables of the pressure cube that figures need."""
     return {
         "axial_wall_force": force,
         "carried_share": carried_share(force, pressure),
@@ -131,6 +131,6 @@ def load_variables(pressure: xr.Dataset, force, source, pressures) -> dict:
 
 
 def excluded(rules) -> dict[str, str]:
-    """Which rules of an earthquake study leave out by their source what they are used for."""
+    """Rules of an earthquake study that their source does not give for earthquakes."""
     told = "; ".join(f"{rule.key} excludes {rule.excludes}" for rule in rules if rule.excludes)
     return {"rules_exclude": told} if told else {}

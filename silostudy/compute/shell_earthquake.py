@@ -38,7 +38,7 @@ def earthquake_loads(z: np.ndarray, seismic: xr.Dataset) -> list[np.ndarray]:
 
 
 def earthquake_told(of_choice: xr.Dataset) -> dict[str, str | float]:
-    """What the shell's cube says of its earthquake."""
+    """Attributes of the shell's cube on its earthquake."""
     return {
         "earthquake": of_choice.attrs["title"],
         "earthquake_base_motion": str(of_choice["base_motion"].values),
@@ -52,7 +52,7 @@ def earthquake_told(of_choice: xr.Dataset) -> dict[str, str | float]:
 
 
 def sides(force, lower, upper, *, seismic_force, seismic_pressure) -> dict[str, tuple]:
-    """side -> (axial wall force (N/m), lower, upper internal pressure (Pa)): static loads and the earthquake's peaks.
+    """Axial wall force (N/m), lower and upper internal pressure (Pa) by side: static loads and the earthquake's peaks.
 
     Pressed: more axial force, and more pressure to yield under, none of it counted on to steady the wall.  Lifted: less of
     either; the solid cannot pull on the wall.

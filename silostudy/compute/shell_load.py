@@ -1,4 +1,4 @@
-"""From a pressure cube to the load on the shell: axial wall force and the pressures that help and harm."""
+"""Load on the shell from a pressure cube: axial wall force, and the pressures that help and harm."""
 
 import numpy as np
 import xarray as xr
@@ -25,7 +25,7 @@ def depths(pressure: xr.Dataset) -> np.ndarray:
 
 
 def axial_wall_force(pressure: xr.Dataset) -> tuple[np.ndarray, np.ndarray]:
-    """(axial wall force (N/m), shape (method, phase, axes..., depth); flag of SOURCES, shape (method, phase)).
+    """Axial wall force (N/m), shape (method, phase, axes..., depth), and flag of SOURCES, shape (method, phase).
 
     A method's own force where it has one; elsewhere its own wall friction traction, or wall friction times its wall
     pressure, integrated from the surface.  The friction coefficient is then the one in the method's own traction, or the one
@@ -64,7 +64,7 @@ def _source(normal: np.ndarray, own: np.ndarray, traction: np.ndarray) -> np.nda
 
 
 def internal_pressures(pressure: xr.Dataset) -> tuple[np.ndarray, np.ndarray]:
-    """(smallest guaranteed, largest) wall pressure (Pa) of each method over its phases, shape (method, axes..., depth).
+    """Smallest guaranteed and largest wall pressure (Pa) of each method over its phases, shape (method, axes..., depth).
 
     Smallest is the pressure that accompanies the axial force, where the method gives it; else an overpressure is not
     guaranteed, and the smallest is counted with the method's static pressure.

@@ -1,4 +1,4 @@
-"""Where a steel wall is looked at: the depths of the study and the ends of its strakes, with loads and parameters there."""
+"""Places at which a steel wall is looked at: depths of the study and ends of its strakes, with loads and parameters there."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
@@ -21,7 +21,7 @@ from silostudy.compute.shell_strakes import (
 
 @dataclass(frozen=True)
 class Places:
-    """Where a wall is looked at: depth (m), the solid's force (N/m), the wall above over the silo's height, and its own load.
+    """Places of a wall: depth (m), the solid's force (N/m), the wall above over the silo's height, and its own load.
 
     thickness (m) and own_weight (N/m): of the strakes, None where the wall has none.
     """

@@ -18,7 +18,7 @@ def wall_share(expansion: Resolved, z: np.ndarray) -> np.ndarray:
 
 
 def edges_and_thicknesses(expansion: Resolved) -> tuple[np.ndarray, np.ndarray]:
-    """(share of the wall's height at each strake's foot, its thickness (m)), shape (axes..., strake).
+    """Share of the wall's height at each strake's foot, and its thickness (m), shape (axes..., strake).
 
     Where cases have unequally many strakes, the last one stands again, without height.
     """
@@ -48,7 +48,7 @@ def mass_above(share: np.ndarray, edges: np.ndarray, thicknesses: np.ndarray) ->
 
 
 def ends(expansion: Resolved, edges: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """(share of the wall's height, depth z (m)) of every strake's top and foot, shape (axes..., strake x end)."""
+    """Share of the wall's height and depth z (m) of every strake's top and foot, shape (axes..., strake x end)."""
     starts = np.concatenate([np.zeros((*edges.shape[:-1], 1)), edges[..., :-1]], axis=-1)
     share = np.stack([starts, edges], axis=-1).reshape(*edges.shape[:-1], -1)
     silos = [case.scene.silo for case in expansion.cases]

@@ -1,4 +1,4 @@
-"""What a wall's loads ask of its thickness, and how far a wall of given thickness is used: by buckling and every check."""
+"""Thickness that a wall's loads ask for, and utilisation of a wall of given thickness: by buckling and every check."""
 
 from collections.abc import Mapping
 
@@ -45,7 +45,7 @@ def required_thicknesses(rules, parameters: Mapping, force: np.ndarray, safety, 
 
 
 def worst(buckling: np.ndarray, checked: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """(largest of buckling's numbers and those of each check; position in NAMES); NaN where a rule is silent."""
+    """Largest of buckling's numbers and those of each check, and its position in NAMES; NaN where a rule is silent."""
     uses = np.stack([buckling, *(np.broadcast_to(use, buckling.shape) for use in checked)])
     silent = np.isnan(buckling)
     largest = np.where(silent, np.nan, np.fmax.reduce(uses, axis=0))

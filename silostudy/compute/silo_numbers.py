@@ -1,4 +1,4 @@
-"""What a reader of a cube needs to follow its numbers: the silo's sizes, its contents, and where the properties come from."""
+"""Numbers that a reader of a cube needs to follow it: the silo's sizes, its contents, and where the properties come from."""
 
 from collections.abc import Sequence
 

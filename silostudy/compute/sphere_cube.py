@@ -60,7 +60,7 @@ def insert_arrays(scene: SphereScene) -> dict[str, np.ndarray]:
 
 
 def passages(run: Run) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """When (s) each sphere passed the level of the outlets, in order, its mass (kg), and the number of its outlet."""
+    """Times (s) at which spheres passed the level of the outlets, in order, their mass (kg), and the number of the outlet."""
     passed = sorted([*run.recording.passed, *run.passing(np.ones(run.engine.n, bool))])
     time, mass, outlet = np.array(passed, float).reshape(-1, 3).T
     return time, mass, outlet.astype(int)
@@ -79,14 +79,14 @@ def mean_rate(time: np.ndarray, mass: np.ndarray) -> float:
 
 
 def _meter(run: Run) -> dict[str, np.ndarray]:
-    """When spheres came below the outlet, in order, and the mass up to each; those that have not left yet among them."""
+    """Times (s) at which spheres came below the outlet, in order, and the mass up to each; those not yet away among them."""
     time, mass, _ = passages(run)
     last = np.flatnonzero(np.diff(time, append=np.inf))  # those that pass in one step count together
     return {"outflow_time": time[last], "outflow_mass": np.cumsum(mass)[last]}
 
 
 def outlet_arrays(run: Run, scene: SphereScene) -> dict[str, np.ndarray]:
-    """Of the outlets of a flat floor: where a slice through the axis cuts each, when it opened, its meter and mean rate."""
+    """Outlets of a flat floor: where a slice through the axis cuts each, when it opened, its meter and mean rate."""
     openings = space_silo_of(scene).openings
     if not scene.outlets:
         return {}
@@ -103,7 +103,7 @@ def outlet_arrays(run: Run, scene: SphereScene) -> dict[str, np.ndarray]:
 
 
 def opened_at(run: Run, names: Iterable[str]) -> dict[str, float]:
-    """When (s) each outlet opened; missing where it did not."""
+    """Time (s) at which each outlet opened; missing where it did not."""
     opened = dict.fromkeys(names, np.nan)
     for event, (when, *_) in zip(run.events, run.recording.happened, strict=False):
         if event.action == "open holes":

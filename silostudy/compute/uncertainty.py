@@ -20,7 +20,7 @@ from silostudy.scene.scene import solid_parameters
 
 SAMPLED = ("internal_friction_angle", "wall_friction", "lateral_pressure_ratio", "unit_weight")
 SPREAD_OF = {"internal_friction_angle": "a_phi", "wall_friction": "a_mu", "lateral_pressure_ratio": "a_K"}
-QUANTILES = (0.05, 0.5, 0.95)
+QUANTILES = (0.05, 0.5, 0.95)  # ends of nine tenths of the samples, and the median
 QUANTILE = "wall_normal_pressure_quantile"
 
 
@@ -50,7 +50,7 @@ def uncertainty_cube(expansion: Resolved) -> xr.Dataset:
 
 
 def _pressure_of(expansion: Resolved, method: AskedMethod, phase: str, z: np.ndarray) -> Callable:
-    """(wall pressure (Pa), its scope), shape (samples, depths), as a function of points (samples, properties) in [0, 1]."""
+    """Wall pressure (Pa) and its scope, shape (samples, depths), as a function of points (samples, properties) in [0, 1]."""
     parameters, base = gather(expansion, method), spreads(expansion)
 
     def pressure(points: np.ndarray) -> tuple:
@@ -83,7 +83,7 @@ def scattered(parameters: Mapping, base: Mapping, points: np.ndarray) -> dict[st
 
 
 def _indices(pressure: Callable, whole: np.ndarray, asked) -> np.ndarray:
-    """(first-order, total) Sobol indices of the largest wall pressure, by Saltelli's estimator with the study's seed."""
+    """First-order and total Sobol indices (1) of the largest wall pressure, by Saltelli's estimator with the study's seed."""
 
     def largest(points):
         return np.max(pressure(points.T)[0][:, whole], axis=1)

@@ -1,1 +1,1 @@
-"""What users ask for: YAML files read into frozen models, every key described and with its unit."""
+"""Configuration: YAML files read into frozen models, every key described and with its unit."""

@@ -13,7 +13,7 @@ ProblemKey: TypeAlias = Literal[tuple(PROBLEMS)]  # type: ignore[valid-type]
 
 
 class Measuring(Strict):
-    """What is measured, and how carefully."""
+    """Settings of a measurement of accuracy: what is measured, and how carefully."""
 
     problems: tuple[ProblemKey, ...] | Literal["all"] = described("problems (`silostudy list problems`), or all", "")
     repeats: int = described("readings of the cost of every setting; their median counts", ge=1, le=1000, default=5)

@@ -14,7 +14,7 @@ from silostudy.tables.asked import quantities
 
 
 class Asked(Strict):
-    """What may ask for an accuracy."""
+    """Base of studies and scenes that may ask for an accuracy."""
 
     fronts: ClassVar[tuple[str, ...]]  # the measured fronts whose quantities it may ask for
 

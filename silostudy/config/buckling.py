@@ -33,7 +33,7 @@ Shell = Annotated[Annotated[TestCylinder, Tag("a test")] | Annotated[Cylinder, T
 
 
 class RuleChoice(OwnMethods, BaseStudy):
-    """What every study with buckling rules shares."""
+    """Base of studies with buckling rules."""
 
     joins: ClassVar[tuple[Family, ...]] = (BUCKLING, RIVALS)
 

@@ -1,4 +1,4 @@
-"""What a user writes of how two bodies push each other: laws, and the fields that their coefficients come from."""
+"""Contact of two bodies as a user writes it: laws, and the fields that their coefficients come from."""
 
 from collections.abc import Mapping
 from functools import cache
@@ -58,7 +58,7 @@ def own_fields(coefficients: tuple[Coefficient, ...]) -> type[BaseModel]:
 
 
 def _with_own_fields(schema: dict[str, Any], model: Any) -> None:
-    """For editors: the fields of the package's laws; any other number may be one of a user's own law."""
+    """Schema for editors: the fields of the package's laws; any other number may be of a user's own law."""
     schema["properties"] |= own_fields(own_coefficients(model.choices)).model_json_schema()["properties"]
     schema["additionalProperties"] = {"type": "number"}
 
@@ -115,7 +115,7 @@ class LawsConfig(Strict):
 
 
 class ContactConfig(LawsConfig):
-    """How two bodies push each other: a law of each family and its coefficients, per metre thickness."""
+    """Contact of two bodies: a law of each family and its coefficients, per metre thickness."""
 
     normal: NormalKey = described("law of the normal force", "", default=DEFAULTS["normal"])
     tangential: TangentialKey = described("law of the tangential force", "", default=DEFAULTS["tangential"])

@@ -1,4 +1,4 @@
-"""What a user writes to describe one discrete-element scene, in the user's units."""
+"""A scene of discs as a user writes it, in the user's units."""
 
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any, ClassVar, Literal, Self, TypeAlias
@@ -165,7 +165,7 @@ class DemScene(Asked, GrainScene):
 
     @property
     def touches(self) -> tuple[ContactConfig, ContactConfig]:
-        """How two discs push each other, and walls push them."""
+        """Sections of the contacts of two discs, and of discs with walls."""
         return self.discs, self.walls or self.discs
 
     @property
@@ -180,7 +180,7 @@ class DemScene(Asked, GrainScene):
         return GRAIN, *self.other_grains
 
     def between(self, kind: str, other: str) -> ContactConfig:
-        """How two kinds of discs push each other."""
+        """Section of the contacts between two kinds of discs."""
         return self._apart(self.discs, kind, other)
 
     def at_surfaces(self, kind: str = GRAIN) -> dict[str, ContactConfig]:

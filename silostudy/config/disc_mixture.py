@@ -1,4 +1,4 @@
-"""What a user writes of several kinds of discs in one scene: radii, densities and shares, and what pairs of them do."""
+"""Several kinds of discs in one scene as a user writes them: radii, densities and shares, and contacts of pairs."""
 
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
@@ -24,7 +24,7 @@ class OtherDiscConfig(Strict):
 
 
 class DiscPairConfig(DiscPairApart):
-    """What two kinds of discs, or a kind and a surface, do to each other that is not as `discs` or `walls` say."""
+    """Contact of two kinds of discs, or of a kind and a surface, where it differs from `discs` or `walls`."""
 
     between: tuple[str, str] = described("two names: of a kind (grain or another), and of a kind or a surface (or walls)", "")
 

@@ -1,4 +1,4 @@
-"""What a user writes of the materials of spheres and walls, and of how they push each other."""
+"""Materials of spheres and walls as a user writes them, and the contacts between them."""
 
 from collections.abc import Mapping
 from typing import ClassVar, Literal, Self, TypeAlias
@@ -52,7 +52,7 @@ class GrainConfig(MaterialConfig):
 
 
 class TouchConfig(LawsConfig):
-    """How spheres push each other, or walls push them: laws, and what the pair of materials does not say."""
+    """Contact of two spheres, or of spheres with walls: laws, and values that the pair of materials does not give."""
 
     choices: ClassVar[Mapping[str, Family]] = LAWS
 

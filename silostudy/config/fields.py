@@ -34,7 +34,7 @@ def one_of(family: Family, name: str = "") -> Any:
     return Annotated[reduce(or_, (section_of(row, name) for row in family.values())), Field(discriminator="kind")]
 
 
-class Range(Strict):
+class ValueRange(Strict):
     """Evenly spaced values, both ends included."""
 
     start: float = described("first value")
@@ -56,6 +56,6 @@ class Range(Strict):
 Numbers = Annotated[tuple[float, ...], Field(min_length=1)]
 
 
-def expand(values: "Numbers | Range | tuple") -> list:
+def expand(values: "Numbers | ValueRange | tuple") -> list:
     """The plain list behind a list or a range."""
-    return values.expand() if isinstance(values, Range) else list(values)
+    return values.expand() if isinstance(values, ValueRange) else list(values)

@@ -1,4 +1,4 @@
-"""What a user writes to ask for a virtual laboratory: grains as in a scene of spheres, a wall, stresses, cells and fillings."""
+"""A virtual laboratory as a user writes it: grains as in a scene of spheres, a wall, stresses, cells and fillings."""
 
 from itertools import pairwise
 from typing import Annotated, Any, ClassVar, Literal, Self
@@ -15,7 +15,9 @@ from silostudy.contact import SPHERE_LAWS
 from silostudy.tables.solids import GRAINS
 
 LEAST_CELL = 5.0  # mean diameters: EN 1991-4's rule for the uniaxial cell, from memory
-CELL, FILLING = "cell", "filling"  # axes that every laboratory has
+# axes that every laboratory has
+CELL = "cell"
+FILLING = "filling"
 Stress = Annotated[float, Field(gt=0, le=1e4)]
 Width = Annotated[float, Field(ge=LEAST_CELL, le=200)]
 
@@ -114,7 +116,7 @@ class LaboratoryStudy(SweepStudy):
 
     @property
     def settings(self) -> str:
-        """What the numbers of a case depend on besides its scene: the stresses, and how far the shear goes (canonical JSON)."""
+        """Settings that a case's numbers depend on besides its scene: stresses, and how far the shear goes (canonical JSON)."""
         return self.model_dump_json(include={"kind", "stresses_kPa", "shear_strain"})
 
 

@@ -20,7 +20,7 @@ M = TypeVar("M", bound=BaseModel)
 
 
 class Project(Strict):
-    """config.yaml: which studies and scenes the pipeline builds."""
+    """File config.yaml: which studies and scenes the pipeline builds."""
 
     studies: tuple[str, ...] = described("names of files in config/studies, without .yaml", "", default=())
     scenes: tuple[str, ...] = described("names of discrete-element scenes in config/scenes, without .yaml", "", default=())
@@ -84,7 +84,7 @@ class Mistakes(BadInput):
 
 
 def _line(item: Any, content: Any, where: str, model: type[BaseModel]) -> str:
-    """`file: key = value: what is allowed`, leaving out the names pydantic gives to branches of a union."""
+    """Line `file: key = value: what is allowed`, without the names that pydantic gives to branches of a union."""
     path: list[str] = []
     node = content
     for part in item["loc"]:
@@ -105,7 +105,7 @@ def _line(item: Any, content: Any, where: str, model: type[BaseModel]) -> str:
 
 
 def _unknown_key(key: str, known: list[str]) -> str:
-    """What is said of a key that its place does not take: what took its place in a later version, or the known ones."""
+    """Message on a key that its place does not take: what took its place in a later version, or the known ones."""
     if key in RETIRED_KEYS:
         since, write = RETIRED_KEYS[key]
         return f"is no key any more since version {since}: write {write}"
@@ -134,7 +134,7 @@ def _allowed(item: Any) -> str:
 
 
 def _unit_hint(key: str, siblings: Any) -> str:
-    """Where a key differs from a known one only by its unit, say so."""
+    """Hint where a key differs from a known one only by its unit."""
     if isinstance(siblings, dict):
         bare = next((key.removesuffix(suffix) for suffix in SUFFIXES if key.endswith(suffix)), key)
         if bare != key and bare in siblings:

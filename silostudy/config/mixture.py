@@ -1,4 +1,4 @@
-"""What a user writes of several kinds of spheres in one scene: materials, sizes and shares, and what pairs of them do."""
+"""Several kinds of spheres in one scene as a user writes them: materials, sizes and shares, and contacts of pairs."""
 
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Annotated, Any
@@ -33,7 +33,7 @@ class OtherGrainConfig(GrainConfig):
 
 
 class PairConfig(PairApart):
-    """What two kinds of spheres, or a kind and a surface, do to each other that is not as `spheres` or `walls` say."""
+    """Contact of two kinds of spheres, or of a kind and a surface, where it differs from `spheres` or `walls`."""
 
     between: tuple[str, str] = described("two names: of a kind (grain or another), and of a kind or a surface (or walls)", "")
 

@@ -1,4 +1,4 @@
-"""What events of any grains say of a lid that is put down, pressed or moved, and of a feeder under the outlet."""
+"""Events of any grains that put down, press or move a lid, or start a feeder under the outlet."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass

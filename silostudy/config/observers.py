@@ -1,4 +1,4 @@
-"""What a scene of grains may have observed beside walls and snapshots: fields in cells, statistics of contacts."""
+"""Observations of a scene of grains beside walls and snapshots: fields in cells, statistics of contacts."""
 
 from math import prod
 from typing import Annotated, Self, TypeAlias

@@ -13,7 +13,7 @@ ALL = "all"
 
 
 class OwnMethods(Strict):
-    """What may name such a file; the rows come with the context of the validation (see `load`)."""
+    """Base of files that may name a user's own methods; the rows come with the context of the validation (see `load`)."""
 
     joins: ClassVar[tuple[Family, ...]]  # families that the rows may join
 

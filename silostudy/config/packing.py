@@ -43,7 +43,7 @@ class RowDiscs(Strict):
 
 
 class PackingMarch(Strict):
-    """How forces and motions are computed."""
+    """Settings of the computation of forces and motions."""
 
     normal: SpringKey = described("law of the normal force", default=DEFAULTS["normal"])
     integrator: IntegratorKey = described("how velocities and places follow from forces", default=PLAIN.key)

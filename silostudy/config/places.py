@@ -1,4 +1,4 @@
-"""Which keys a place of a file takes, for the message about one that it does not."""
+"""Keys that a place of a file takes, for the message about one that it does not."""
 
 from collections.abc import Iterable, Iterator, Mapping
 from typing import Any
@@ -27,7 +27,7 @@ def _plain(nodes: Iterable[Schema], whole: Schema) -> Iterator[Schema]:
 
 
 def _below(nodes: list[Schema], part: str | int, whole: Schema) -> Iterator[Schema]:
-    """What lies at a key or a place in a list; the chosen branches where the part names one, all where it names nothing."""
+    """Content at a key or a place in a list; the chosen branches where the part names one, all where it names nothing."""
     further = [node["properties"][part] for node in nodes if part in node.get("properties", ())]
     if isinstance(part, int):
         further += [node["items"] for node in nodes if "items" in node]

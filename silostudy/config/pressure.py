@@ -8,7 +8,7 @@ from pydantic import Field, ValidationInfo, field_validator, model_validator
 
 from silostudy.catalogue import Family
 from silostudy.config.asked import Asked
-from silostudy.config.fields import Numbers, Range, Strict, described, expand
+from silostudy.config.fields import Numbers, Strict, ValueRange, described, expand
 from silostudy.config.own import OwnMethods, families_of, key_of, keys_of
 from silostudy.config.scene import SceneConfig
 from silostudy.config.study import BaseStudy, distinct
@@ -53,15 +53,15 @@ class PressureStudy(Asked, OwnMethods, BaseStudy):
         "methods to give a second time with the source's misprints left in", "", default=()
     )
     phases: tuple[PhaseKey, ...] = Field(default=USUAL_PHASES, min_length=1, description="phases of operation")
-    depth_m: Range | Numbers | None = described("depths below the equivalent surface", "m", default=None)
-    relative_depth: Range | Numbers | None = described(
+    depth_m: ValueRange | Numbers | None = described("depths below the equivalent surface", "m", default=None)
+    relative_depth: ValueRange | Numbers | None = described(
         "depths over the depth of the transition below the equivalent surface, 0 ... 1", default=None
     )
-    hopper_position: Range | Numbers | None = described(
+    hopper_position: ValueRange | Numbers | None = described(
         "places on the hopper wall, 0 the transition ... 1 the outlet; null: no results for the hopper wall", default=None
     )
 
-    floor_position: Range | Numbers | None = described(
+    floor_position: ValueRange | Numbers | None = described(
         "places on a flat circular floor, 0 the middle ... 1 the wall; null: no results for the floor", default=None
     )
     loads: Loads | None = described(

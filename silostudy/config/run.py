@@ -1,4 +1,4 @@
-"""What every discrete-element scene says, whatever its grains are: the march, rest, what events wait for, what is recorded."""
+"""Sections of every scene of grains: time stepping, rest, triggers of events, records."""
 
 from abc import abstractmethod
 from typing import TYPE_CHECKING, Annotated, Any, Literal, Self, TypeAlias
@@ -24,7 +24,7 @@ else:
 
 
 class MarchConfig(Strict):
-    """The march in time."""
+    """Time stepping."""
 
     integrator: IntegratorKey | None = described(
         "how velocities and places follow from forces; null: for the accuracy", "", default=PLAIN.key
@@ -38,7 +38,7 @@ class MarchConfig(Strict):
 
 
 class RestConfig(Strict):
-    """When the grains count as at rest."""
+    """Measure by which the grains count as at rest."""
 
     criterion: CriterionKey | None = described(
         "unbalanced-force: mean force left over on a grain over mean contact force; kinetic-over-potential: kinetic energy "
@@ -52,7 +52,7 @@ class RestConfig(Strict):
 
 
 class Waiting(Strict):
-    """What an event waits for."""
+    """Trigger that an event waits for."""
 
     when: TriggerKey = described("; ".join(f"{row.key}: {row.title}" for row in TRIGGERS.values()), "")
     value: float = described("seconds, share or kPa that the trigger takes", "", ge=0, default=0.0)
@@ -68,7 +68,7 @@ class Waiting(Strict):
 
 
 class Recorded(Strict):
-    """What is recorded of any grains; everything is off unless asked for."""
+    """Records of a run of any grains; everything is off unless asked for."""
 
     wall_force_window_s: float | None = described(
         "wall forces of every step, as mean, minimum and maximum over windows of this length; the last ends with the run",
@@ -82,7 +82,7 @@ class Recorded(Strict):
     snapshots_every_s: float | None = described("time between further snapshots, from the start on", "s", gt=0, default=None)
     fields: FieldsConfig | None = described("coarse-grained fields of the grains; null: none", "", default=None)
     contact_statistics: StatisticsConfig | None = described("statistics of the contacts; null: none", "", default=None)
-    energy: bool = described("whether the energy ledger is kept", "", default=False)
+    energy: bool = described("whether the energy balance is kept", "", default=False)
     paraview: bool = described("whether the snapshots are also written for ParaView", "", default=False)
     checkpoint_every_s: float | None = described("model time between checkpoints", "s", gt=0, default=None)
     keep_end: bool = described(
@@ -94,7 +94,7 @@ class GrainScene(OwnMethods):
     """A discrete-element scene."""
 
     title: str = described("title of the scene", "")
-    march: MarchConfig = described("the march in time", "")
+    march: MarchConfig = described("time stepping", "")
     rest: RestConfig = described("what `when: rest` waits for", "", default=RestConfig())
     start_from: str | None = described(
         "end of an earlier run (record.keep_end), relative to this file: this one goes on from there with the clock; grains, "
@@ -114,7 +114,7 @@ class GrainScene(OwnMethods):
     @property
     @abstractmethod
     def touches(self) -> tuple[LawsConfig, LawsConfig]:
-        """How two grains push each other, and walls push them."""
+        """Sections of the contacts of two grains, and of grains with walls."""
 
     @property
     def branched_from(self) -> tuple[str, ...]:

@@ -1,4 +1,4 @@
-"""What a user writes to describe one silo with its contents, in the user's units."""
+"""A silo with its contents as a user writes it, in the user's units."""
 
 from typing import Annotated, Any, Literal, Self, TypeAlias
 
@@ -17,7 +17,7 @@ def possible(written: str) -> dict[str, Any]:
 WallKey: TypeAlias = Literal[tuple(WALLS)]  # type: ignore[valid-type]
 
 
-class Hopper(Strict):
+class HopperConfig(Strict):
     """A hopper below the cylinder."""
 
     half_angle_deg: float = described(
@@ -33,7 +33,7 @@ class Hopper(Strict):
 
 
 class FlexibleWall(Strict):
-    """How far a circular wall gives way to the pressure, for AS 3774's squat containers; it is not read off a shell's wall."""
+    """Flexibility of a circular wall, for AS 3774's squat containers; it is not read off a shell's wall."""
 
     thickness_mm: float = described("thickness of the wall", "mm", gt=0)
     youngs_modulus_GPa: float = described("Young's modulus of the wall", "GPa", **possible("youngs_modulus_GPa"))
@@ -63,7 +63,7 @@ class RapidFilling(Strict):
 
 
 class AnySilo(Strict):
-    """What every plan shares."""
+    """Base of silos of every plan."""
 
     cylinder_depth_m: float | None = described(
         "depth of the vertical part, from the highest contact of solid and wall to the transition",
@@ -86,7 +86,7 @@ class AnySilo(Strict):
     heap_at_repose: bool = described(
         "whether the heap stands at the solid's angle of repose, in place of top_cone_height_m", "", default=False
     )
-    hopper: Hopper | None = described("the hopper; null: a flat bottom", "", default=None)
+    hopper: HopperConfig | None = described("the hopper; null: a flat bottom", "", default=None)
     filling_eccentricity_m: float = described("distance of the heap's top from the axis", "m", ge=0, default=0.0)
     outlet_eccentricity_m: float = described("distance of the outlet's middle from the axis", "m", ge=0, default=0.0)
     channel_half_angle_deg: float | None = described(

@@ -30,7 +30,7 @@ FILLING = "filling"  # name of the axis of fillings in the cube beside codes
 
 
 class CodesConfig(Strict):
-    """What theories and codes say of the same silos, to stand beside the grains."""
+    """Theories and codes that are computed for the same silos, to stand beside the grains."""
 
     study: str = described(
         "name of a study of pressures of the same silos and solid, in a file beside this one; its axes are among this one's", ""
@@ -38,7 +38,7 @@ class CodesConfig(Strict):
 
 
 class ScenesStudy(SweepStudy):
-    """What walls and floor carry in each of many discrete-element scenes, and what leaves through the outlet."""
+    """Forces on walls and floor in each of many scenes of grains, and what leaves through the outlet."""
 
     unasked: ClassVar[str] = "its scenes do: write scene.accuracy"
 
@@ -87,7 +87,7 @@ class ScenesStudy(SweepStudy):
 
     @property
     def settings(self) -> str:
-        """What a case's numbers depend on besides its scene: not on what it is compared with (canonical JSON)."""
+        """Settings that a case's numbers depend on besides its scene: not what it is compared with (canonical JSON)."""
         return self.model_dump_json(exclude={*SweepStudy.model_fields, "codes"})
 
     @classmethod

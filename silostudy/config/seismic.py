@@ -5,7 +5,7 @@ from typing import Any, ClassVar, Literal, Self, TypeAlias
 from pydantic import field_validator, model_validator
 
 from silostudy.config.asked import Asked
-from silostudy.config.fields import Numbers, Range, Strict, described, expand
+from silostudy.config.fields import Numbers, Strict, ValueRange, described, expand
 from silostudy.config.study import BaseStudy
 from silostudy.tables.outputs import OUTPUTS
 from silostudy.tables.records import RECORDS
@@ -16,7 +16,7 @@ Unit = Literal["g", "gal", "m_s2"]
 Form = Literal["obspy", "peer_at2", "two_columns"]
 
 
-class Tube(Strict):
+class TubeConfig(Strict):
     """The silo's wall as a tube clamped at its base."""
 
     mid_wall_radius_m: float = described("radius of the wall's middle surface", "m", gt=0)
@@ -101,7 +101,7 @@ class Imitation(Strict):
     seed: int = described("seed of the noise", ge=0, default=0)
 
 
-class Measured(Series):
+class MeasuredTop(Series):
     """Acceleration of the top: measured, or imitated."""
 
     imitation: Imitation | None = described("a synthetic response in place of a file; labelled as such", "", default=None)
@@ -116,7 +116,7 @@ class Measured(Series):
 class SeismicScene(Strict):
     """One tube with contents, its shaking, and its measured answer."""
 
-    silo: Tube = described("shape and size", "")
+    silo: TubeConfig = described("shape and size", "")
     wall: TubeMaterial = described("material of the wall", "")
     contents: Contents = described("the stored solid", "")
     empty_frequency_Hz: float | None = described(
@@ -128,7 +128,7 @@ class SeismicScene(Strict):
     )
     damping_ratio: float = described("damping ratio of every mode, from the empty tube", gt=0, lt=1)
     motion: Motion = described("acceleration of the base", "")
-    measured: Measured | None = described("acceleration of the top, for an identification", "", default=None)
+    measured: MeasuredTop | None = described("acceleration of the top, for an identification", "", default=None)
 
 
 class Sine(Strict):
@@ -139,7 +139,7 @@ class Sine(Strict):
     rounding_Hz: float = described("half of the last digit of both frequencies: the least they may be off by", "Hz", ge=0)
     damping_ratio: float = described("damping ratio of every mode", gt=0, lt=1)
     base_acceleration_gal: float = described("amplitude of the base's acceleration", "gal", gt=0)
-    frequency_Hz: Range | Numbers = described("frequencies of the resonance curves", "Hz")
+    frequency_Hz: ValueRange | Numbers = described("frequencies of the resonance curves", "Hz")
 
     @model_validator(mode="after")
     def _ordered(self) -> Self:
@@ -149,9 +149,9 @@ class Sine(Strict):
 
 
 class Identification(Strict):
-    """How the effective mass coefficient is found from a measured response, and how sure that is."""
+    """Search for the effective mass coefficient in a measured response, and its uncertainty."""
 
-    coefficients: Range = described(
+    coefficients: ValueRange = described(
         "effective mass coefficients to try; an answer at their end is flagged and its uncertainty is infinite"
     )
     refinement: int | None = described("finer steps in each of theirs; null: for the accuracy", ge=1, le=1000, default=10)
@@ -183,11 +183,11 @@ class Identification(Strict):
         """The coefficients with `refinement` steps in each of theirs."""
         coarse = self.coefficients
         assert self.refinement is not None, "identification.refinement is not chosen yet"
-        return Range(start=coarse.start, stop=coarse.stop, count=(coarse.count - 1) * self.refinement + 1).expand()
+        return ValueRange(start=coarse.start, stop=coarse.stop, count=(coarse.count - 1) * self.refinement + 1).expand()
 
 
 class SeismicStudy(Asked, BaseStudy):
-    """What an earthquake asks of a silo's wall, and where a response was measured the effective mass of the contents."""
+    """Demand of an earthquake on a silo's wall and, where a response was measured, the effective mass of the contents."""
 
     fronts: ClassVar[tuple[str, ...]] = ("seismic",)
 
@@ -202,7 +202,7 @@ class SeismicStudy(Asked, BaseStudy):
         "find the effective mass coefficient from scene.measured; null: only the demand on the wall", "", default=None
     )
     seed: int = described("seed of noise and trials", ge=0, default=0)
-    relative_depth: Range | Numbers | None = described(
+    relative_depth: ValueRange | Numbers | None = described(
         "depths over the height of the contents, 0 ... 1, for the demand on the wall; null: for the accuracy"
     )
 

@@ -16,7 +16,7 @@ from silostudy.tables.outputs import OUTPUTS
 
 BOTH = "both"
 END_KEY = "wall_friction_end"
-HOPPER_PLACES = 21
+HOPPER_PLACES = 21  # least number of places over the hopper, whose forces the checks sum
 OF_THE_HOPPER = ("hopper_shell", "transition_ring")
 ANCHOR_CIRCLE = 1.25  # of the wall's diameter, or its inverse: farther off it is a slip of the pen
 FOR_CHECKS = ("wind", "hopper_shell", "transition_ring", "columns", "anchors")

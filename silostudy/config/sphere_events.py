@@ -1,4 +1,4 @@
-"""What a user writes to say what happens in a scene of spheres."""
+"""Events of a scene of spheres as a user writes them."""
 
 from collections.abc import Mapping
 from typing import ClassVar, Literal, Self

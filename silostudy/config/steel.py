@@ -1,4 +1,4 @@
-"""What a user writes about a steel shell: the steel, how well it is made, and its ends."""
+"""A steel shell as a user writes it: the steel, how well it is made, and its ends."""
 
 from itertools import pairwise
 from typing import Literal, Self, TypeAlias
@@ -13,7 +13,7 @@ Manufacture: TypeAlias = Literal["manufactured", "fabricated", "fabricated_safe"
 
 
 class Making(Strict):
-    """How well a shell is made and how its ends are held."""
+    """Quality of a shell's fabrication, and how its ends are held."""
 
     quality: Quality = described("EN 1993-1-6 fabrication quality class: A excellent, B high, C normal", "")
     end_factor: Literal[6, 3, 1] = described("EN 1993-1-6 factor C_xb of the end conditions, for long shells", default=1)

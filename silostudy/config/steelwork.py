@@ -1,4 +1,4 @@
-"""What a user writes for the checks of the steel: wind, hopper, ring, columns, anchors, and the section `checks`."""
+"""Sections for the checks of the steel as a user writes them: wind, hopper, ring, columns, anchors, and `checks`."""
 
 from re import fullmatch
 from typing import Literal, Self, TypeAlias
@@ -81,7 +81,7 @@ class Anchors(Strict):
 
 
 class CheckedEarthquake(Strict):
-    """What of the earthquake's elastic demand the checks take; none of it has a default."""
+    """Values that the checks take of the earthquake's elastic demand; none of them has a default."""
 
     behaviour_factor: float = described("q, by which the elastic demand is divided; 1.5 is usual on ground", ge=1, le=8)
     solids_factor: float = described("psi_2 of the stored solid; 0.8 by one source", ge=0, le=1)

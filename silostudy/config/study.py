@@ -1,4 +1,4 @@
-"""What a user writes to ask for a parametric study: axes, and what every kind of study shares."""
+"""A parametric study as a user writes it: axes, and the keys of every kind of study."""
 
 from itertools import pairwise
 from pathlib import Path
@@ -6,7 +6,7 @@ from typing import Any, ClassVar, Literal, Self, TypeAlias
 
 from pydantic import field_validator, model_validator
 
-from silostudy.config.fields import Range, Strict, described, expand
+from silostudy.config.fields import Strict, ValueRange, described, expand
 from silostudy.stages import called_for
 from silostudy.tables.outputs import OUTPUTS
 from silostudy.tables.references import own_files
@@ -20,7 +20,7 @@ class Axis(Strict):
     """One axis of a sweep: one key with its values, several keys that change together, or a list of points."""
 
     axis: str = described("name of the axis: a dimension of the cube", "", pattern=r"^[a-z][a-z0-9_]*$")
-    values: dict[str, Range | tuple[Any, ...]] | None = described(
+    values: dict[str, ValueRange | tuple[Any, ...]] | None = described(
         "dotted key of the scene -> its values; several keys of equal length change together (paired)",
         "",
         default=None,
@@ -73,7 +73,7 @@ def _steady(values: list) -> bool:
 
 
 class BaseStudy(Strict):
-    """What every study shares, whatever is computed; `kind` tells the sorts of study apart."""
+    """Base of every kind of study; `kind` tells them apart."""
 
     unasked: ClassVar[str] = "none of its settings decides a numerical error"  # why this kind may not ask for an accuracy
 

@@ -1,4 +1,4 @@
-"""What a user writes of contacts that are not like the others of their section: coefficients of their own."""
+"""Contacts that are not like the others of their section, as a user writes them: coefficients of their own."""
 
 from collections.abc import Mapping
 from typing import Annotated, Any, ClassVar, Self, TypeVar
@@ -14,7 +14,7 @@ S = TypeVar("S", bound=LawsConfig)
 
 
 def _with_own_fields(schema: dict[str, Any], model: Any) -> None:
-    """For editors: the fields that laws bring along, without defaults: where nothing is said the section's values hold."""
+    """Schema for editors: fields that laws bring along, without defaults; where nothing is said the section's values hold."""
     own = own_fields(own_coefficients(model.choices)).model_json_schema()["properties"]
     schema["properties"] |= {
         name: {key: value for key, value in field.items() if key != "default"} for name, field in own.items()
@@ -23,7 +23,7 @@ def _with_own_fields(schema: dict[str, Any], model: Any) -> None:
 
 
 class Apart(Strict):
-    """What differs from a section of laws: its fields but for the laws; null: what the section says."""
+    """Differences from a section of laws: its fields but for the laws; null: as the section says."""
 
     model_config = ConfigDict(extra="allow", json_schema_extra=_with_own_fields)
     choices: ClassVar[Mapping[str, Family]]

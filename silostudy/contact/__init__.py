@@ -35,8 +35,11 @@ def of_grains(grains: str, told: Callable[[Law], Law]) -> Mapping[str, Family]:
     return {name: family for name, family in families.items() if family}
 
 
-LAWS, SPHERE_LAWS = of_grains("discs", lambda row: row), of_grains("spheres", lambda row: row.of_spheres)
-NO_TANGENTIAL, NO_ROLLING, NO_COHESION = frictionless.ROW.key, no_rolling.ROW.key, no_cohesion.ROW.key
+LAWS = of_grains("discs", lambda row: row)
+SPHERE_LAWS = of_grains("spheres", lambda row: row.of_spheres)
+NO_TANGENTIAL = frictionless.ROW.key
+NO_ROLLING = no_rolling.ROW.key
+NO_COHESION = no_cohesion.ROW.key
 NO_TWISTING = no_twisting.ROW.key
 # what a contact has whose section in a scene names no law
 DEFAULTS = {

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Given:
-    """What a contact's coefficients are made from: the fields of its section in a scene, radius (m), density (kg/m3).
+    """Input to a contact's coefficients: the fields of its section in a scene, radius (m), density (kg/m3).
 
     normal: the law of its normal force; wall: whether the other body is a wall; uneven: whether the discs differ in size, so
     that dashpots have to follow the masses of each pair.
@@ -27,7 +27,7 @@ class Given:
     uneven: bool = False
 
     def get(self, field: str) -> Any:
-        """What a field gives; nothing where it is not given, or sections of these grains do not have it."""
+        """Value of a field; None where it is not given, or sections of these grains do not have it."""
         return self.fields.get(field)
 
     def __getitem__(self, field: str) -> Any:

@@ -63,7 +63,7 @@ def damping_where_cut(restitution: float) -> float:
 
 
 def hertz_stiffness(given: Given) -> float:
-    """4/3 E* (Pa) of two bodies, each of a Young's modulus (Pa) and a Poisson's ratio."""
+    """Hertz's stiffness 4/3 E* (Pa) of two bodies, each with a Young's modulus (Pa) and a Poisson's ratio."""
     return 4.0 / 3.0 * contact_modulus(*_of_both(given))
 
 
@@ -77,7 +77,7 @@ def hertz_damping(given: Given) -> float:
 
 
 def mindlin_stiffness(given: Given) -> float:
-    """8 G* (Pa) of two bodies."""
+    """Mindlin's stiffness 8 G* (Pa) of two bodies."""
     return 8.0 * contact_shear_modulus(*_of_both(given))
 
 

@@ -1,4 +1,4 @@
-"""What a contact law's row says of itself: functions, coefficients and where they come from, stiffness, damping, losses."""
+"""The row of a contact law: functions, coefficients and where they come from, stiffness, damping, losses."""
 
 import hashlib
 from abc import abstractmethod
@@ -19,7 +19,7 @@ from silostudy.soundness import faults_of_function, faults_of_trial
 
 
 class Touch(NamedTuple):
-    """What every law may take of a contact: reduced mass (kg/m; of spheres kg), reduced radius (m), time step (s), overlap (m),
+    """State of a contact for its laws: reduced mass (kg/m; of spheres kg), reduced radius (m), time step (s), overlap (m),
     closing speed (m/s), overlap a step before (m).
 
     Overlaps are those that the normal law presses with: larger than the bodies' own where an attraction widens the contact.
@@ -33,7 +33,7 @@ class Touch(NamedTuple):
     before: float = 0.0
 
 
-USUAL = Touch(mass=1.0, radius=0.01, dt=1e-5)
+USUAL = Touch(mass=1.0, radius=0.01, dt=1e-5)  # a contact that laws are tried on: 1 kg/m, 1 cm, 10 us
 
 
 def _is_jitable(function: Callable) -> bool:
@@ -84,7 +84,7 @@ def no_damping(touch, c):
 class Law(Row):
     """A contact law: its function, the coefficients it takes in order, and what its users need to know of it.
 
-    stiffness(overlap, touch, c) is compiled into the energy ledger and bounds the time step, damping(touch, c) bounds it
+    stiffness(overlap, touch, c) is compiled into the energy balance and bounds the time step, damping(touch, c) bounds it
     too: the dashpot as it acts, the least that a semi-implicit one becomes at touch.dt.
     """
 
@@ -98,13 +98,13 @@ class Law(Row):
     acts: bool = True  # False: the law that a scene without this effect has
     stores: bool = False  # whether it carries a history
     implicit: bool = False  # whether its dashpot depends on the time step
-    dissipates: tuple[str, ...] = ()  # entries of the energy ledger that take what it costs
+    dissipates: tuple[str, ...] = ()  # entries of the energy balance that take what it costs
     restless: bool = False  # whether what it gives changes its sign from step to step at rest
     measured: bool = False  # whether the errors behind `accuracy:` of scenes were measured with it
     explicit_key: str = ""  # another row with the same spring, under which the same discs rest; empty: this one
 
     def faults(self) -> Iterator[str]:
-        """What is wrong with the row, in words."""
+        """Faults of the row, in words."""
         yield from super().faults()
         unit = self.unit if "discs" in self.grains else self.unit.removesuffix(" m-1")
         yield from faults_of_function("law", self.law, unit, (), ())
@@ -164,7 +164,7 @@ class Law(Row):
 
 @dataclass(frozen=True, kw_only=True)
 class NormalLaw(Law):
-    """law(overlap, closing speed, touch, c) -> elastic and total force (N/m); energy(overlap, touch, c) -> J/m.
+    """Normal force. law(overlap, closing speed, touch, c) -> elastic and total (N/m); energy(overlap, touch, c) -> J/m.
 
     damped(restitution) -> dashpot over 2 sqrt(m K), m the reduced mass; None where no restitution holds at every speed.
     """
@@ -191,7 +191,7 @@ class NormalLaw(Law):
 
 @dataclass(frozen=True, kw_only=True)
 class TangentialLaw(Law):
-    """law(stored, sliding speed, touch, elastic, normal, c) -> stored and total force (N/m)."""
+    """Tangential force. law(stored, sliding speed, touch, elastic, normal, c) -> stored and total (N/m)."""
 
     unit: ClassVar[str] = "N m-1"
 
@@ -204,7 +204,7 @@ class TangentialLaw(Law):
 
 @dataclass(frozen=True, kw_only=True)
 class RollingLaw(Law):
-    """law(stored, difference of spins, touch, elastic, c) -> stored and total moment (N m/m)."""
+    """Rolling resistance. law(stored, difference of spins, touch, elastic, c) -> stored and total moment (N m/m)."""
 
     unit: ClassVar[str] = "N m m-1"
 
@@ -217,7 +217,7 @@ class RollingLaw(Law):
 
 @dataclass(frozen=True, kw_only=True)
 class TwistingLaw(RollingLaw):
-    """law(stored, difference of spins about the normal, touch, elastic, c) -> stored and total moment (N m) about it."""
+    """Twisting resistance. law(stored, difference of spins about the normal, touch, elastic, c) -> stored, total (N m)."""
 
     unit: ClassVar[str] = "N m"
 
@@ -244,7 +244,7 @@ def without_pull(force, pull, touch, c):
 
 @dataclass(frozen=True, kw_only=True)
 class CohesionLaw(Law):
-    """law(touch, c) -> attraction (N/m) while in touch; energy(touch, c) -> J/m that it holds, none where bodies just touch.
+    """Attraction (N/m) while in touch: law(touch, c); energy(touch, c) -> J/m that it holds, zero where bodies just touch.
 
     One that holds on keeps bodies in touch that have touched, up to the gap(reduced radius, c) (m), and may widen the contact:
     pressed(overlap, reduced radius, c) -> overlap (m) that the normal law presses with, rubbed(force, attraction, touch, c) ->

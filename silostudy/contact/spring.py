@@ -1,4 +1,4 @@
-"""What laws of linear springs and dashpots share: their coefficients and how a scene's fields become them.
+"""Coefficients that laws of linear springs and dashpots share, and how a scene's fields become them.
 
 The coefficients of a spring and dashpot are c = (stiffness, damping, damping by root of mass).
 """

@@ -1,4 +1,4 @@
-"""What laws do with a sliding or rolling motion: a number in the plane, three numbers in space, by the same words.
+"""Arithmetic of sliding and rolling motion by the same words: a number in the plane, three numbers in space.
 
 In a kernel these are numba's overloads, in Python they look at what they are given.
 """
@@ -10,12 +10,12 @@ from numba.extending import overload
 
 
 def less(value, factor, motion):
-    """value - factor * motion."""
+    """Difference value - factor * motion."""
     return _less_three(value, factor, motion) if isinstance(value, tuple) else value - factor * motion
 
 
 def scaled(factor, motion):
-    """factor * motion."""
+    """Product factor * motion."""
     return _scaled_three(factor, motion) if isinstance(motion, tuple) else factor * motion
 
 

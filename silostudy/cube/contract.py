@@ -26,7 +26,7 @@ class Variable:
     role: str
 
     def dims_in(self, axes: Sequence[str], *, relative: bool) -> tuple[str, ...]:
-        """Its dimensions in a cube of these sweep axes, over relative depths or over depths; of an own dimension only that."""
+        """Dimensions in a cube of these sweep axes, over relative depths or over depths; of an own dimension only that."""
         filled: list[str] = []
         for dim in self.dims:
             filled += axes if dim == "..." else ["relative_depth" if dim == "depth" and relative else dim]

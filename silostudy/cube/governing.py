@@ -1,4 +1,4 @@
-"""What governs each part of a silo's steel: utilisation by combination of actions, and the check and load case behind it."""
+"""Governing check of each part of a silo's steel: utilisation by combination of actions, and the load case behind it."""
 
 from collections.abc import Iterator, Mapping
 
@@ -8,7 +8,9 @@ import xarray as xr
 from silostudy.cube.contract import SCOPE
 
 BUCKLING = "buckling"
-NO_LOAD, OUT_OF_RANGE = "load_or_pressure_masked", "out_of_range"
+# flags of the checks' scope
+NO_LOAD = "load_or_pressure_masked"
+OUT_OF_RANGE = "out_of_range"
 PATCHED = "_with_patch"
 WALL_CASES = {"axial force": "axial_wall_force_load_case", "pressure": "wall_pressure_load_case"}
 HOPPER_CASES = {"meridian": "hopper_meridional_force_load_case", "hoop": "hopper_hoop_force_load_case"}

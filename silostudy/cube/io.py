@@ -16,7 +16,7 @@ SAID = ("title", "source", "references", "study", "study_hash", "sweep_axes")  #
 
 
 def changed_since(contract: str) -> str:
-    """What changed in cubes since a contract, in words."""
+    """Changes in cubes since a contract, in words."""
     older = int(contract) if contract.isdecimal() else CONTRACT
     later = [f"since {number} {what}" for number, what in CONTRACTS.items() if number > older]
     return "; ".join(later) or "which this version does not know"

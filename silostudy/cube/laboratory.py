@@ -1,4 +1,4 @@
-"""What a laboratory's cube says of its solid: means and scatter over fillings, the row of the solid, and what must hold."""
+"""The solid of a laboratory's cube: means and scatter over fillings, its row, and what must hold."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -9,13 +9,15 @@ import xarray as xr
 
 from silostudy.errors import BadInput
 
-CELL, FILLING = "cell", "filling"
+# axes of every laboratory's cube
+CELL = "cell"
+FILLING = "filling"
 FRACTILE = 1.28  # standard deviations from the mean to the fractiles of 10 and 90 % of a normal distribution
 OWN_AXES = {CELL, FILLING}
 
 
 @dataclass(frozen=True)
-class Found:
+class Scatter:
     """A quantity over the fillings of a cell: mean, standard deviation, and how many fillings."""
 
     mean: float
@@ -23,8 +25,8 @@ class Found:
     count: int
 
     @classmethod
-    def of(cls, values: xr.DataArray) -> "Found":
-        """Of the fillings that were computed; BadInput for fewer than two."""
+    def of(cls, values: xr.DataArray) -> "Scatter":
+        """Scatter over the fillings that were computed; BadInput for fewer than two."""
         known = values.values[np.isfinite(values.values)]
         if len(known) < 2:
             raise BadInput("filling", len(known), "filling(s) of a cell were computed: a scatter needs two")
@@ -40,31 +42,31 @@ class Found:
 
 
 @dataclass(frozen=True)
-class Solid:
-    """What the tests of one cell say of the solid: unit weights (N/m3), angle (rad), friction, pressure ratio (1)."""
+class TestedSolid:
+    """Properties of the solid by the tests of one cell: unit weights (N/m3), angle (rad), friction, pressure ratio (1)."""
 
-    loose: Found
-    repose_angle: Found
-    unit_weight: Found
-    friction_angle: Found
-    wall_friction: Found
-    lateral_pressure_ratio: Found
+    loose: Scatter
+    repose_angle: Scatter
+    unit_weight: Scatter
+    friction_angle: Scatter
+    wall_friction: Scatter
+    lateral_pressure_ratio: Scatter
 
     @classmethod
-    def of(cls, cube: xr.Dataset, cell: int = -1) -> "Solid":
-        """Of the cell at a position, the last one's: the widest; BadInput for a cube with further axes."""
+    def of(cls, cube: xr.Dataset, cell: int = -1) -> "TestedSolid":
+        """The solid of the cell at a position, the last one's: the widest; BadInput for a cube with further axes."""
         if others := set(cube.attrs["sweep_axes"].split()) - OWN_AXES:
             raise BadInput("sweep", ", ".join(sorted(others)), "one solid is one row: select a position on it first")
         tested = cube.isel({CELL: cell})
         upright = tested.sel(normal_stress=float(tested["row_vertical_stress"]))
         on_wall = tested.sel(normal_stress=float(tested["row_horizontal_stress"]))
         return cls(
-            loose=Found.of(tested["loose_unit_weight"]),
-            repose_angle=Found.of(tested["tested_repose_angle"]),
-            unit_weight=Found.of(upright["tested_unit_weight"]),
-            friction_angle=Found.of(xr.apply_ufunc(np.arctan, upright["internal_peak_shear_ratio"])),
-            wall_friction=Found.of(on_wall["wall_steady_shear_ratio"]),
-            lateral_pressure_ratio=Found.of(upright["tested_lateral_pressure_ratio"]),
+            loose=Scatter.of(tested["loose_unit_weight"]),
+            repose_angle=Scatter.of(tested["tested_repose_angle"]),
+            unit_weight=Scatter.of(upright["tested_unit_weight"]),
+            friction_angle=Scatter.of(xr.apply_ufunc(np.arctan, upright["internal_peak_shear_ratio"])),
+            wall_friction=Scatter.of(on_wall["wall_steady_shear_ratio"]),
+            lateral_pressure_ratio=Scatter.of(upright["tested_lateral_pressure_ratio"]),
         )
 
     def row(self, cube: xr.Dataset) -> dict[str, str | float]:
@@ -116,13 +118,13 @@ def active_ratio(sine: float) -> float:
 
 
 def checks(cube: xr.Dataset) -> Iterator[Check]:
-    """What must hold of the widest cell's tests.
+    """Conditions that the tests of the widest cell must meet.
 
     The row's angle is that of the largest shear over the normal stress on the sheared plane.  As that plane keeps its length,
     the ratio is rather the angle's sine: a K below the active ratio of that angle is out of reach, but for the scatter.  Below
     the active ratio of the row's own angle it may well be.
     """
-    solid = Solid.of(cube)
+    solid = TestedSolid.of(cube)
     ratio, angle = solid.lateral_pressure_ratio, solid.friction_angle
     upper, steep = ratio.mean * ratio.factor, angle.mean * angle.factor
     yield Check("upper K over Rankine's of upper phi, tau/sigma for its sine", upper / active_ratio(tan(steep)), 1.0, np.inf)

@@ -37,7 +37,7 @@ class Piece:
     on_hopper: bool = False
 
     def stress(self, z: np.ndarray, theta: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """(pressure, friction (Pa)) of this piece, 0 outside of it; theta between 0 and pi."""
+        """Pressure and friction (Pa) of this piece, 0 outside of it; theta between 0 and pi."""
         ends_here = (z == self.depth[-1]) if self.last else False
         begins = z > self.depth[0] if self.on_hopper else z >= self.depth[0]
         level = begins & ((z < self.depth[-1]) | ends_here)
@@ -47,7 +47,7 @@ class Piece:
         return share * normal, share * traction
 
     def around(self) -> tuple[float, float]:
-        """(integral of the share over the angle (rad), the same times cos(theta)), both sides."""
+        """Integral of the share over the angle (rad), and the same times cos(theta), both sides."""
         if self.waves == 0:
             return ENDS * (self.angle_to - self.angle_from), ENDS * (np.sin(self.angle_to) - np.sin(self.angle_from))
         ends = np.array([self.angle_from, self.angle_to])
@@ -72,7 +72,7 @@ class Load:
     bottom_force: float
 
     def stress(self, z, theta) -> tuple[np.ndarray, np.ndarray]:
-        """(wall normal pressure, friction down the wall (Pa)) at depth z (m) and angle theta (rad); 0 where nothing presses."""
+        """Wall normal pressure and friction (Pa) down the wall at depth z (m) and angle theta (rad); 0 where nothing is."""
         z, theta = np.broadcast_arrays(np.asarray(z, dtype=float), np.asarray(theta, dtype=float))
         turned = np.abs(theta)
         turned = np.where(turned > np.pi, np.abs(np.remainder(theta + np.pi, 2 * np.pi) - np.pi), turned)
@@ -112,7 +112,7 @@ class Load:
         return float(np.sum(np.diff(z) / 6 * (2 * upper * wide + upper * narrow + lower * wide + 2 * lower * narrow)))
 
     def grid(self, *, levels: int, step: float) -> tuple[np.ndarray, np.ndarray]:
-        """(depths (m), angles (rad)) of a table: both sides of every edge, so many levels on wall and hopper between them, and
+        """Depths (m) and angles (rad) of a table: both sides of every edge, so many levels on wall and hopper between them, and
         an angle every `step` where the load waves round the wall."""
         depths, angles = self.edges()
         between = [np.linspace(piece.depth[0], piece.depth[-1], levels) for piece in self.pieces if piece.last]
@@ -129,7 +129,7 @@ class Load:
         return columns | {"normal_kPa": normal / 1e3, "friction_kPa": traction / 1e3}
 
     def edges(self) -> tuple[np.ndarray, np.ndarray]:
-        """(depths (m), angles (rad)) at which the load steps or bends: ends of pieces, for the lines of a mesh."""
+        """Depths (m) and angles (rad) at which the load steps or bends: ends of pieces, for the lines of a mesh."""
         depths = {float(end) for piece in self.pieces for end in (piece.depth[0], piece.depth[-1])}
         angles = {end for piece in self.pieces for end in (piece.angle_from, piece.angle_to)}
         return np.array(sorted(depths)), np.array(sorted(angles))

@@ -1,4 +1,4 @@
-"""What the methods of a pressure cube say to a measurement, by how much they are off, and which of them bracket it."""
+"""Deviations of the methods of a pressure cube from a measurement, and which of them bracket it."""
 
 from collections.abc import Sequence
 
@@ -7,19 +7,19 @@ import pandas as pd
 import xarray as xr
 
 from silostudy.errors import BadInput
-from silostudy.tables.measured import Measured, measured_pressures
+from silostudy.tables.measured import Measurement, measured_pressures
 
 PRESSURE = "wall_normal_pressure"
 COLUMNS = ["measurement", "pressure_method", "phase", "measured", "computed", "off"]
 FORMULAS = {"1 - sin(phi)": lambda here: 1 - np.sin(float(here["internal_friction_angle"].isel(pressure_method=0)))}
 
 
-def pressures_measured_in(here: xr.Dataset) -> list[Measured]:
+def pressures_measured_in(here: xr.Dataset) -> list[Measurement]:
     """The measured wall pressures of a silo of these very dimensions."""
     return [measurement for measurement in measured_pressures() if _of_this_size(here, measurement)]
 
 
-def cases_of(cube: xr.Dataset, measurement: Measured) -> list[int]:
+def cases_of(cube: xr.Dataset, measurement: Measurement) -> list[int]:
     """Places on the cube's axis `silo` with the solid, the wall and the size that a measurement is answered with.
 
     What the measurement leaves open (the size, the wall) any case has.  BadInput where the cube holds no such case.
@@ -42,17 +42,17 @@ def cases_of(cube: xr.Dataset, measurement: Measured) -> list[int]:
     return cases
 
 
-def _of_this_size(here: xr.Dataset, measurement: Measured) -> bool:
+def _of_this_size(here: xr.Dataset, measurement: Measurement) -> bool:
     sizes = 4 * float(here["hydraulic_radius"]), float(here["cylinder_depth"])
     return bool(np.allclose((measurement.diameter, measurement.height), sizes, rtol=1e-6, atol=0))
 
 
-def measured_value(here: xr.Dataset, measurement: Measured) -> float:
+def measured_value(here: xr.Dataset, measurement: Measurement) -> float:
     """The measured value (SI): as it stands, or as its formula makes it of the solid that the methods were handed."""
     return FORMULAS[measurement.formula](here) if measurement.formula else measurement.value
 
 
-def deviations(here: xr.Dataset, measurement: Measured, methods: Sequence[str]) -> pd.DataFrame:
+def deviations(here: xr.Dataset, measurement: Measurement, methods: Sequence[str]) -> pd.DataFrame:
     """Each method's value in every phase, by how much it is off (1), and which of the measured phase bracket it."""
     rows, measured = [], measured_value(here, measurement)
     for method in methods:
@@ -69,13 +69,13 @@ def deviations(here: xr.Dataset, measurement: Measured, methods: Sequence[str]) 
 
 
 def neighbour(table: pd.DataFrame, where: str) -> tuple[list[str], float]:
-    """(methods, by how much they are off) of the values next `below` or `above` a measurement; none and NaN where none is."""
+    """Methods, and by how much they are off, next `below` or `above` a measurement; none and NaN where none is."""
     rows = table[table.bracket == f"next {where}"]
     return list(rows.pressure_method), float(rows.off.iloc[0]) if len(rows) else np.nan
 
 
-def _computed(state: xr.Dataset, measurement: Measured) -> float:
-    """What answers a measurement in one state: a value behind the wall pressure, or a quantity at the measured depth.
+def _computed(state: xr.Dataset, measurement: Measurement) -> float:
+    """Computed answer to a measurement in one state: a value behind the wall pressure, or a quantity at the measured depth.
 
     NaN at a depth that the cube does not reach.
     """
@@ -86,7 +86,7 @@ def _computed(state: xr.Dataset, measurement: Measured) -> float:
 
 
 def swelling_over_filling(here: xr.Dataset, swollen: str, filled: str) -> tuple[np.ndarray, np.ndarray]:
-    """(z/z_o, pressure of the swelling over that of the filled solid) of two methods in a case."""
+    """Depth z/z_o and pressure of the swelling over that of the filled solid (1) of two methods in a case."""
     pressure = here[PRESSURE].sel(phase="filling")
     depth_constant = here["depth_constant"].sel(pressure_method=swollen, phase="filling", used_for=PRESSURE)
     ratio = pressure.sel(pressure_method=swollen) / pressure.sel(pressure_method=filled)

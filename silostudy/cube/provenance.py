@@ -1,4 +1,4 @@
-"""Where a cube comes from: attributes that go on every file. No time of day, so equal inputs give equal files."""
+"""Provenance of a cube: attributes that go on every file. No time of day, so equal inputs give equal files."""
 
 import hashlib
 from collections.abc import Iterable

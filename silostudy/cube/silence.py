@@ -1,4 +1,4 @@
-"""Which methods of a cube give no wall pressure, and why: for tables in the terminal and for figures."""
+"""Methods of a cube that give no wall pressure, and why: for tables in the terminal and for figures."""
 
 import numpy as np
 import xarray as xr
@@ -7,7 +7,9 @@ from silostudy.cube.contract import SCOPE
 
 PRESSURE = "wall_normal_pressure"
 DEPTHS = ("depth", "relative_depth")
-NOT_COVERED, OUT_OF_RANGE = "phase_not_covered", "outside_published_range"
+# flags of the pressures' scope
+NOT_COVERED = "phase_not_covered"
+OUT_OF_RANGE = "outside_published_range"
 
 
 def silences(cube: xr.Dataset, *, in_every_case: bool = False, titles: bool = False) -> list[str]:
@@ -29,7 +31,7 @@ def silences(cube: xr.Dataset, *, in_every_case: bool = False, titles: bool = Fa
 
 
 def _silence(of_method: xr.Dataset) -> str:
-    """What is told of a method in a phase; empty where it speaks in every case."""
+    """Words on a method in a phase; empty where it speaks in every case."""
     silent = _silent(of_method)
     if not silent.any():
         return ""
@@ -58,7 +60,7 @@ def _limits(state: xr.Dataset, silent: xr.DataArray) -> list[str]:
 
 
 def reason(cube: xr.Dataset, name: str, method: str, phase: str) -> str:
-    """Why a variable of a method is masked in a phase, in words: the first reason of all its masked values."""
+    """Reason, in words, why a variable of a method is masked in a phase: the first of all its masked values."""
     flags = cube[name + SCOPE].sel(pressure_method=method, phase=phase)
     meanings = flags.attrs["flag_meanings"].split()
     return meanings[int(flags.where(flags > 0).min())].replace("_", " ")

@@ -9,7 +9,9 @@ from functools import cache
 from pathlib import Path
 from threading import Lock
 
-DENSEST, TEXTS = 2000, 10  # values, and texts, a byte of their file: more than zlib can save, so something is lost
+# more than zlib can save, so something is lost
+DENSEST = 2000  # values a byte of their file
+TEXTS = 10  # texts a byte of their file
 SECONDS = 2  # of CPU time to open any file, and to read it
 VALUES_A_SECOND = 5_000_000  # which is slow
 TOO_MANY = 3  # how a child ends over a file with more values than it can hold
@@ -17,7 +19,7 @@ _TURN = Lock()
 
 
 def flaw(path: Path) -> str:
-    """What keeps a file from being read without harm to the process that does it; empty where nothing does."""
+    """Flaw that keeps a file from being read without harm to the process that does it; empty where there is none."""
     with _TURN:
         helper = _helper()
         assert helper.stdin is not None

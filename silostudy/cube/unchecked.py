@@ -1,4 +1,4 @@
-"""Which checks of a cube were not made, in which combinations, and why: for tables in the terminal and for figures."""
+"""Checks of a cube that were not made, in which combinations, and why: for tables in the terminal and for figures."""
 
 import numpy as np
 import xarray as xr
@@ -37,7 +37,7 @@ def unchecked(cube: xr.Dataset) -> list[str]:
 
 
 def worst_combination(values: xr.DataArray, scope: xr.DataArray) -> tuple[float, str]:
-    """(largest utilisation of a check, the combination it is of); NaN and why not where one finds no load in any place.
+    """Largest utilisation (1) of a check and its combination; NaN and the reason where no place has one.
 
     NaN and nothing where no combination makes the check.
     """

@@ -9,7 +9,7 @@ LINE = 64  # bytes of a cache line
 
 
 class Discs(NamedTuple):
-    """rows (n, 8): x, y (m), u, v (m/s), w (rad/s), fx, fy (N/m), torque (N m/m); held (n, 4): an integrator's velocities."""
+    """Discs. Rows (n, 8): x, y (m), u, v (m/s), w (rad/s), fx, fy (N/m), torque (N m/m); held (n, 4): an integrator's own."""
 
     rows: np.ndarray
     held: np.ndarray
@@ -22,7 +22,7 @@ class Discs(NamedTuple):
 
 
 class Spheres(NamedTuple):
-    """rows (n, 16): x, y, z (m), u, v, w (m/s), p, q, r (rad/s), force (N), torque (N m); held (n, 8): an integrator's own."""
+    """Spheres. Rows (n, 16): x, y, z (m), u, v, w (m/s), p, q, r (rad/s), force (N), torque (N m); held (n, 8): as of discs."""
 
     rows: np.ndarray
     held: np.ndarray
@@ -54,8 +54,8 @@ class Contacts(NamedTuple):
     beyond: np.ndarray  # one more than the last of a thread's own bodies that a block, or one before it, calls for
 
 
-class Record(NamedTuple):
-    """What the walls feel: every wall contact of this step, thread by thread, and sums of cells and walls over a window."""
+class WallRecord(NamedTuple):
+    """Forces that the walls feel: every contact of this step, thread by thread, and sums over a window by cells and walls."""
 
     force: np.ndarray  # (threads, contacts, 2) along the inner normal (pressing positive), along the wall (carrying positive)
     cell: np.ndarray  # (threads, contacts)
@@ -77,14 +77,14 @@ class Memory(NamedTuple):
     touched: np.ndarray
 
     def picked(self, which, key: np.ndarray | None = None) -> "Memory":
-        """Those that `which` picks, under other keys where these are given; what no law calls for stays empty."""
+        """The entries that `which` picks, under other keys where these are given; columns that no law calls for stay empty."""
         columns = (column[..., which] if column.shape[-1] else column for column in self[1:])
         return Memory(self.key[which] if key is None else key, *columns)
 
 
 class Walls(NamedTuple):
-    """shape (n, 20): start x, y (m), unit direction, length (m), kinds of the ends, speed of rise (m/s), of each end the unit
-    direction of the wall that it meets, and how far the wall reaches beyond its own ends (columns of `walls`).
+    """Walls. shape (n, 20): start x, y (m), unit direction, length (m), kinds of the ends, speed of rise (m/s), of each end the
+    unit direction of the wall that it meets, and how far (m) the wall reaches beyond its ends (columns of `walls`).
 
     The solid lies left of the direction.
     """
@@ -96,7 +96,7 @@ class Walls(NamedTuple):
 
 
 class Blocks(NamedTuple):
-    """Per block of bodies (m): travel since the list was made, what it allows, the last step's most; of both lists."""
+    """Distances (m) of blocks of bodies: travelled since the list was made, allowed, most of the last step; of both lists."""
 
     travel: np.ndarray
     skin: np.ndarray
@@ -127,7 +127,7 @@ class Scratch(NamedTuple):
 
 
 class Ledger(NamedTuple):
-    """account: the entries (J/m), then what the next step needs; mean: the discs with their mean velocity of the step."""
+    """Energy balance of a run. account: entries (J/m), then what the next step needs; mean: discs at mean speeds."""
 
     account: np.ndarray
     mean: np.ndarray
@@ -143,12 +143,12 @@ class Ledger(NamedTuple):
 
 
 class Shared(NamedTuple):
-    """What all threads of a scene step together; clock: steps made, then a disc that ran away, thread by thread."""
+    """Arrays that all threads of a scene share. clock: steps made, then the disc that ran away, thread by thread."""
 
     bodies: Discs | Spheres
     walls: Walls
     blocks: Blocks
-    record: Record
+    record: WallRecord
     ledger: Ledger
     quake: np.ndarray  # (steps, 2) acceleration of the box, m/s2
     clock: np.ndarray
@@ -178,7 +178,7 @@ class Table(NamedTuple):
 
 
 class March(NamedTuple):
-    """How a scene is stepped: coefficients of the laws of pairs and of walls, gravity (m/s2), step (s), where to stop."""
+    """Settings of a run's steps: coefficients of the laws of pairs and of walls, gravity (m/s2), step (s), where to stop."""
 
     pair_coefficients: tuple[tuple[float, ...], ...] | Table
     wall_coefficients: tuple[tuple[float, ...], ...] | Table

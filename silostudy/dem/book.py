@@ -1,4 +1,4 @@
-"""How a step is booked in the energy ledger: contact by contact, then body by body, after its forces and before its moves."""
+"""The energy balance of a step: contacts first, then bodies, after the step's forces and before its moves."""
 
 from numba.extending import register_jitable
 

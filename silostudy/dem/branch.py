@@ -23,7 +23,7 @@ Values = dict[tuple[str, int, str], float]  # a wall's name, or none; a kind, or
 
 
 def end_of(run) -> dict[str, Any]:
-    """Where a run stands, and what of its model a run that goes on from there must have too, or may change."""
+    """End of a run: its state, and those parts of its model that a run which goes on from there must share or may change."""
     model, engine = run.engine.model, run.engine
     return {
         "engine": checkpoint(engine),
@@ -41,7 +41,7 @@ def end_of(run) -> dict[str, Any]:
 
 
 def fixed(model: Model) -> dict[str, Any]:
-    """What a branch cannot change, by the words of a scene."""
+    """Parts of a model that a branch cannot change, by the words of a scene."""
     contacts = (model.pair_contact, model.wall_contact)
     columns = (model.place, model.radius, model.mass, *([] if model.kind is None else [model.kind]))
     return {
@@ -80,7 +80,7 @@ def values(model: Model, contacts: Contacts) -> Values:
 
 
 def _meant(model: Model, number: int, *, pairs: bool, varied: bool) -> list[tuple[str, int]]:
-    """What a set of coefficients is of: a wall and a kind of bodies, or no wall and a pair; all walls where they are alike."""
+    """Contacts that a set of coefficients is of: a wall's name (empty: pairs) and the kind; all walls where they are alike."""
     if pairs:
         return [("", number)]
     kind, wall = divmod(number, len(model.walls)) if varied else (0, None)
@@ -88,7 +88,7 @@ def _meant(model: Model, number: int, *, pairs: bool, varied: bool) -> list[tupl
 
 
 def differences(model: Model, end: Mapping[str, Any]) -> Iterator[str]:
-    """What of a model does not agree with the end that it is to go on from, in words."""
+    """Differences, in words, between a model and the end that it is to go on from."""
     yield from _other_walls(model, end)
     for name, now in fixed(model).items():
         then = end["fixed"][name]
@@ -130,7 +130,7 @@ def go_on(run, end: Mapping[str, Any]) -> None:
 
 
 def _here(engine, end: Mapping[str, Any]) -> dict[str, np.ndarray]:
-    """Those parts of a checkpoint that an engine of other walls, records or frictions takes otherwise."""
+    """The parts of a checkpoint that an engine with other walls, records or frictions takes otherwise."""
     model, saved = engine.model, end["engine"]
     account = saved["account"] if saved["account"].shape == engine.ledger.account.shape else engine.ledger.account
     same = model.gravity == end["gravity"]
@@ -145,7 +145,7 @@ def _here(engine, end: Mapping[str, Any]) -> dict[str, np.ndarray]:
 
 
 def _walls_here(engine, end: Mapping[str, Any]) -> dict[str, np.ndarray]:
-    """Which walls stand, where, and what moves them: of those that have changed by then, as there."""
+    """State of the walls: which stand, where, and what moves them; of those that had changed by then, as they were there."""
     here = {name: getattr(engine.walls, name).copy() for name in ("live", "shape", "drive")}
     numbers = {wall.name: number for number, wall in enumerate(engine.model.walls)}
     for then, name in enumerate(end["walls"]):

@@ -1,4 +1,4 @@
-"""Where compiled kernels are kept: a folder named by the sources, because numba does not notice a changed import."""
+"""Folder of compiled kernels, named by the sources, because numba does not notice a changed import."""
 
 import hashlib
 import os

@@ -19,14 +19,15 @@ from scipy.stats import qmc
 
 from silostudy.dem.cache import OPTIONS
 from silostudy.dem.grid import Grid, cell_at, components
-from silostudy.dem.snapshot import Contacts, pair_contacts, wall_contacts
+from silostudy.dem.snapshot import ContactForces, pair_contacts, wall_contacts
 
-POINTS, LINES = 64, 4  # the first twice a power of two
+POINTS = 64  # of the sample that spreads what a grain has over the kernel; twice a power of two
+LINES = 4  # points on a contact's branch that its force is spread along
 KERNEL = "Lucy: (1 + 3 q) (1 - q)^3 up to q = 1, q the distance over twice the width"
 
 
 class Instant(NamedTuple):
-    """What fields are made of.
+    """Grains and contacts of an instant, which fields are averaged from.
 
     Mass (kg/m, kg), volume (m2, m3), place (m) and velocity (m/s) of the grains; end (m) of every contact, branch from there to
     a grain's centre (m) and force on that grain (N/m, N); where walls push (m), and how much (N/m, N).
@@ -98,8 +99,8 @@ def instant(engine) -> Instant:
     return Instant(engine.mass, volume, *moving, end, branch, force, walls.place, walls.force)
 
 
-def branches(engine, pairs: Contacts, walls: Contacts) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Of every contact its end (m), branch from there to the first body's centre (m), and force on that body (N/m, N)."""
+def branches(engine, pairs: ContactForces, walls: ContactForces) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """End (m) of every contact, branch from there to the first body's centre (m), and force on that body (N/m, N)."""
     place = engine.places
     end = np.vstack([place[pairs.second], walls.place])
     return end, place[np.concatenate([pairs.first, walls.first])] - end, np.vstack([pairs.force, walls.force])

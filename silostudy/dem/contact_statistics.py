@@ -6,7 +6,7 @@ import numpy as np
 
 from silostudy.contact import spring
 from silostudy.dem.coarse import branches
-from silostudy.dem.snapshot import Contacts, length, pair_contacts, wall_contacts
+from silostudy.dem.snapshot import ContactForces, length, pair_contacts, wall_contacts
 from silostudy.dem.varied import set_of_pair
 
 HELD = 2  # contacts that a body needs to be held: one with fewer is a rattler
@@ -42,7 +42,7 @@ def statistics(engine) -> Statistics:
     return Statistics(*coordination(engine, pairs, walls), fabric, spread, sliding, mean, deepest)
 
 
-def coordination(engine, pairs: Contacts, walls: Contacts) -> tuple[float, float, float]:
+def coordination(engine, pairs: ContactForces, walls: ContactForces) -> tuple[float, float, float]:
     """Mean number of contacts of a body, the same without rattlers, and the share of those."""
     ends = np.concatenate([pairs.first, pairs.second, walls.first])
     count = np.bincount(ends, minlength=engine.most)
@@ -59,7 +59,7 @@ def fabric_of(branch: np.ndarray) -> np.ndarray:
         return normal.T @ normal / np.float64(len(normal))
 
 
-def sliding_share(engine, pairs: Contacts, branch: np.ndarray) -> float:
+def sliding_share(engine, pairs: ContactForces, branch: np.ndarray) -> float:
     """Share (1) of pairs whose tangential force is friction times normal force; NaN without friction or with an attraction.
 
     An attraction is no part of what friction takes, or not all of it: the whole normal force does not tell the cap then.
@@ -77,7 +77,7 @@ def sliding_share(engine, pairs: Contacts, branch: np.ndarray) -> float:
     return float((drag >= SLIDING * friction * np.maximum(pressing, 0.0)).mean())
 
 
-def overlaps_of(engine, pairs: Contacts, walls: Contacts, branch: np.ndarray) -> np.ndarray:
+def overlaps_of(engine, pairs: ContactForces, walls: ContactForces, branch: np.ndarray) -> np.ndarray:
     """Overlap of every contact over the smaller radius of its bodies (1)."""
     radius = np.empty(engine.most)
     radius[engine.labels] = engine.radius

@@ -49,7 +49,7 @@ class Contact:
 
     @property
     def sets(self) -> "tuple[Contact]":
-        """Itself: the only set of coefficients."""
+        """Sets of coefficients: this only one."""
         return (self,)
 
     def numbered(self, number: int) -> "Contact":
@@ -57,7 +57,7 @@ class Contact:
         return self
 
     def changed(self, values: Mapping[str, float]) -> "Contact":
-        """With other values of coefficients."""
+        """A copy with other values of coefficients."""
         return replace(self, coefficients={**self.coefficients, **values})
 
     def scaled(self, *, stiffness: float, damping: float) -> "Contact":

@@ -1,4 +1,4 @@
-"""What tells the plane from space: a table of functions that the passes of a kernel close over.
+"""Differences between plane and space: a table of functions that the passes of a kernel close over.
 
 Passes are written once for any dimension; another is a second table like `plane.PLANE`.
 """

@@ -1,4 +1,4 @@
-"""What moves a wall along its axis: a speed, until a force or a height stops it, or a load on a mass.
+"""Drives of walls: a speed along the axis, until a force or a height stops it, or a load on a mass.
 
 A loaded wall is a rigid body of its own: its mass is inertia alone, and its load is all that presses, its weight included.  It
 moves in a drag of load over speed, as a piston on a throttled line: at that speed where nothing resists, and at rest where what

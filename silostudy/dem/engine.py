@@ -11,11 +11,11 @@ from silostudy.dem.arrays import (
     Ledger,
     March,
     Memory,
-    Record,
     Share,
     Shared,
     Spheres,
     Table,
+    WallRecord,
     Walls,
     aligned,
 )
@@ -87,7 +87,7 @@ class Engine:
         if not self.model.booked:
             return empty(self.space, 0, 0, 0)
         if self.threads > 1:
-            raise BadInput("threads", self.threads, "the energy ledger sums in one order: use 1 thread")
+            raise BadInput("threads", self.threads, "the energy balance sums in one order: use 1 thread")
         fresh = empty(self.space, len(self.bodies.rows), self.parts[0].room, self.parts[0].wall_room)
         return fresh._replace(account=self.ledger.account) if hasattr(self, "ledger") else fresh
 
@@ -106,7 +106,7 @@ class Engine:
         kind = np.zeros(1, np.int32) if model.kind is None else model.kind[label].astype(np.int32)
         return space.bodies(rows, held, radius, mass, 1.0 / mass, space.inverse_inertia / (mass * radius**2), label, kind)
 
-    def _record(self) -> Record:
+    def _record(self) -> WallRecord:
         room = max(part.wall_room for part in self.parts)
         watched = self.model.pieces.watched
         cells = self.space.cell_count(self.model.walls) if watched else 0

@@ -1,4 +1,4 @@
-"""What happens to a scene while it runs: events, the triggers they wait for, and what they do."""
+"""Events of a scene while it runs, the triggers they wait for, and what they do."""
 
 from dataclasses import dataclass
 
@@ -10,7 +10,7 @@ ACTIONS = ("open", "open holes", "take away", "remove", "gravity", "friction", "
 
 @dataclass(frozen=True, kw_only=True)
 class Trigger(Entry):
-    """takes_value: whether it waits for a value; most: the largest one, where there is one.
+    """Condition that an event waits for. takes_value: whether it has a value; most: the largest one, where there is one.
 
     scale: SI units in one of the value's; of_lid: whether it is a lid's.
     """

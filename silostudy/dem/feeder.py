@@ -12,14 +12,14 @@ DOWN = 0.05  # of its radius: a body whose gap to the plug is smaller has come d
 
 
 class Feeder:
-    """mouth(places) -> which places (n, d; m) stand over the outlet; it stands still until its rate (kg/s) is set."""
+    """Feeder under an outlet, still until its rate (kg/s) is set. mouth(places) -> mask of places (n, d; m) over it."""
 
     def __init__(self, mouth: Callable[[np.ndarray], np.ndarray], plug: float = 0.0):
         self.mouth, self.plug = mouth, plug  # plug: its height, m
         self.rate, self.owed = 0.0, 0.0  # owed: mass that is due, kg
 
     def take(self, engine, seconds: float) -> np.ndarray:
-        """Which bodies go, after some seconds more."""
+        """Bodies that it takes within some seconds more."""
         self.owed += self.rate * seconds
         place, radius, mass = engine.bodies.rows[: engine.n, engine.space.place], engine.radius, engine.mass
         gap = place[:, -1] - radius - self.plug

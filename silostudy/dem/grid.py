@@ -22,7 +22,7 @@ class Grid:
     def around(
         cls, low: tuple[float, ...], high: tuple[float, ...], inner: tuple[int, ...], margin: float, *, round: bool = False
     ) -> "Grid":
-        """So many cells between two corners (m), and as many more of the same size as a margin (m) about them takes."""
+        """Grid of so many cells between two corners (m), and as many more of the same size as a margin (m) takes."""
         size = tuple((b - a) / count for a, b, count in zip(low, high, inner, strict=True))
         more = [int(np.ceil(margin / step)) for step in size]
         before = [0, *more[1:]] if round else more  # nothing lies before the axis
@@ -42,7 +42,7 @@ class Grid:
 
     @property
     def cells(self) -> int:
-        """How many cells there are."""
+        """Number of cells."""
         return int(np.prod(self.count))
 
     @property

@@ -9,7 +9,7 @@ from numba.extending import overload
 
 from silostudy.dem.arrays import aligned
 
-NONE = (0.0, 0.0, 0.0)
+NONE = (0.0, 0.0, 0.0)  # nothing stored
 
 
 def histories(room: int, components: int) -> np.ndarray:
@@ -18,7 +18,7 @@ def histories(room: int, components: int) -> np.ndarray:
 
 
 def entry(history, k):
-    """What contact k holds; nothing where no histories are kept."""
+    """History of contact k; zeros where no histories are kept."""
     return _entry_one(history, k) if history.ndim == 1 else _entry_three(history, k)
 
 

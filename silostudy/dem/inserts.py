@@ -13,13 +13,13 @@ Pair: TypeAlias = tuple[float, float]
 
 @dataclass(frozen=True, kw_only=True)
 class Insert(Entry):
-    """make(name, **arguments) -> a wall or surface; asks: fields of an entry of a scene's `inserts`."""
+    """Kind of insert. make(name, **arguments) -> a wall or surface; asks: fields of an entry of a scene's `inserts`."""
 
     asks: tuple[PackingField, ...]
     make: Callable[..., Any]
 
     def arguments(self, section: Any) -> Mapping[str, Any]:
-        """What an entry gives, by the names of its arguments."""
+        """Values that an entry gives, by the names of its arguments."""
         return {field.argument: getattr(section, field.name) for field in self.asks}
 
 

@@ -10,7 +10,7 @@ from silostudy.catalogue import Family, Row
 
 @dataclass(frozen=True, kw_only=True)
 class Integrator(Row):
-    """advance(rate, held, acceleration, kick, dt) -> rate, held, increment; the forces see `rate`, `held` is its own."""
+    """Time integration: advance(rate, held, acceleration, kick, dt) -> rate, held, increment; forces see `rate`, not `held`."""
 
     advance: Callable
     holds: bool  # whether it keeps a velocity apart from the rate that the forces see

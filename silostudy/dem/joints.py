@@ -6,12 +6,18 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-START, END = 0, 1
-# kinds of ends: pushes as a point, does not, does where it is beyond another wall's end, goes straight on in another wall
-FREE, JOINED, MEETS, SHUT = 0.0, 1.0, 2.0, 3.0
-ENDS, RISE, WAYS = 5, 7, 8  # columns of a shape: kinds of the ends, speed of rise, directions of the walls that the ends meet
+START, END = range(2)  # numbers of a wall's ends
+# kinds of ends
+FREE = 0.0  # it pushes as a point
+JOINED = 1.0  # it does not push
+MEETS = 2.0  # it pushes what is beyond the end of another wall that it meets
+SHUT = 3.0  # it goes straight on in another wall
+# columns of a wall's shape
+ENDS = 5  # kinds of both ends
+RISE = 7  # speed of rise (m/s)
+WAYS = 8  # unit directions of the walls that the ends meet
 CLOSE = 1e-9  # of the longest wall: places that are no farther apart are one
-STRAIGHT = 1e-12  # rad
+STRAIGHT = 1e-12  # rad: walls whose directions differ by less go straight on
 
 
 class Tip(NamedTuple):
@@ -65,7 +71,7 @@ def tips_of(number: int, wall: Any) -> tuple[Tip, Tip]:
 
 
 def meeting(tips: list[Tip], close: float) -> list[list[Tip]]:
-    """Those ends that stand in one place (m), place by place."""
+    """Groups of the ends that stand in one place (m)."""
     groups: list[list[Tip]] = []
     for tip in tips:
         for group in groups:

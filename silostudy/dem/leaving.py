@@ -1,4 +1,4 @@
-"""How bodies leave a scene: through its opening, over its walls, or taken out by an event; each counts for itself."""
+"""Ways in which bodies leave a scene: through its opening, over its walls, or taken out by an event; each is counted apart."""
 
 from collections.abc import Callable
 from typing import TypeAlias
@@ -9,7 +9,8 @@ from silostudy.dem.snapshot import length
 
 # places (n, d) at the outlets' level -> numbers of their outlets; None: there is one
 OutletAt: TypeAlias = Callable[[np.ndarray], np.ndarray] | None
-DISCHARGED, SPILT, REMOVED = WAYS = ("discharged", "spilt", "removed")
+WAYS = ("discharged", "spilt", "removed")  # in which bodies leave
+DISCHARGED, SPILT, REMOVED = WAYS
 
 
 def lowest(model) -> float:
@@ -18,7 +19,7 @@ def lowest(model) -> float:
 
 
 def below(engine, floor: float) -> np.ndarray:
-    """Which bodies are wholly below the floor (m) and touch no other body any more."""
+    """Bodies that are wholly below the floor (m) and touch no other body any more."""
     place, radius = engine.bodies.rows[: engine.n, engine.space.place], engine.radius
     gone = np.zeros(engine.n, bool)
     for i in np.flatnonzero(place[:, -1] < floor - radius):
@@ -38,7 +39,7 @@ def number_of(engine, what: tuple) -> int | None:
 
 
 def spilt(engine) -> np.ndarray:
-    """Which bodies came below the outlet beside the silo: they went over its walls."""
+    """Bodies that came below the outlet beside the silo: they went over its walls."""
     return engine.space.beside(engine.model.walls, at_level(engine))
 
 
@@ -49,7 +50,7 @@ def at_level(engine) -> np.ndarray:
 
 
 def passing(engine, which: np.ndarray, outlet_at: OutletAt) -> list[tuple[float, float, int]]:
-    """When (s) bodies among those left came below the outlet, each with its mass and the number of its outlet."""
+    """Times (s) at which bodies among those left came below the outlet, each with its mass and the number of its outlet."""
     steps = engine.space.passed_for(engine.bodies.rows[: engine.n])
     times = (engine.step - steps) * engine.model.dt
     return _listed(engine, which & (steps > 0.0), times, at_level(engine), outlet_at)

@@ -1,4 +1,4 @@
-"""The energy ledger: where the energy of a scene is, and where it went, booked contact by contact at every step.
+"""The energy balance: where the energy of a scene is, and where it went, booked contact by contact at every step.
 
 Kinetic + potential + elastic + dashpots + sliding + carried out
 = start + worked in by the base + by changes of gravity + by walls that move + created by the step.
@@ -23,7 +23,7 @@ WORK, BRAKING, RUBBING, SHAKING, DRIVING, BEGUN, TURNOVER = range(len(ENTRIES), 
 
 
 def empty(space, rows: int, room: int, wall_room: int) -> Ledger:
-    """A ledger for this many rows and contacts, nothing booked; no room at all where the scene asks for none."""
+    """An energy balance for this many rows and contacts, all zero; no room at all where the scene asks for none."""
     asked = room > 0
     return Ledger(
         account=np.zeros(TURNOVER + 1),

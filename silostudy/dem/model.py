@@ -1,4 +1,4 @@
-"""What the engine is asked to step: discs, walls, laws with their coefficients, and the march. Checked when it is made."""
+"""Model that the engine steps: discs, walls, laws with their coefficients, time stepping. It is checked when it is made."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -214,7 +214,7 @@ class Model:
 
     @property
     def pieces(self) -> Pieces:
-        """What these contents call for."""
+        """Pieces of a kernel that these contents call for."""
         return Pieces(
             space=self.space,
             pair_laws=self.pair_contact.laws,

@@ -1,4 +1,4 @@
-"""What sets walls in motion, between two steps: a lid put down, pressed or moved, surfaces that turn."""
+"""Moves of walls that begin between two steps: a lid put down, pressed or moved, surfaces that turn."""
 
 from collections.abc import Callable
 
@@ -63,7 +63,7 @@ def lid_height(engine: Engine) -> float:
 
 
 def lid_standing(engine: Engine) -> str:
-    """Where the lid stands, and under what."""
+    """Height of the lid, and what lies under it."""
     return f"the lid stands {lid_height(engine):.4g} m high under {1e-3 * lid_stress(engine):.4g} kPa"
 
 

@@ -15,7 +15,7 @@ from silostudy.dem.varied import set_at_wall, set_of_pair
 from silostudy.dem.vectors import WIDTH
 from silostudy.dem.wide import GHOSTS, KEPT_PAIRS, KEPT_WALLS, PRESSED, SHIFT, WIDE_WALLS
 
-LOW = (1 << SHIFT) - 1
+LOW = (1 << SHIFT) - 1  # bits of a key that hold the second body's number
 TOO_DEEP = 0.5  # of the smaller radius: discs or walls that overlap by more are no longer in touch but pressed through
 
 

@@ -1,4 +1,4 @@
-"""What the stability bound needs of the plane: densest packing, directions across a contact, ways from walls to discs."""
+"""Geometry of the plane for the stability bound: densest packing, directions across a contact, ways from walls to discs."""
 
 from math import sqrt
 

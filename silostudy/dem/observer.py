@@ -7,7 +7,7 @@ from typing import Any
 
 @dataclass(frozen=True)
 class Observer:
-    """read(engine) -> a tuple of arrays or numbers, at every multiple of so many steps, as soon as a body is there."""
+    """Reading at every multiple of so many steps, once a body is there. read(engine) -> a tuple of arrays or numbers."""
 
     name: str
     every: int

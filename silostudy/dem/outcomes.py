@@ -16,7 +16,7 @@ STEADY = (0.2, 0.8)  # share of what came out between which a flow counts as ste
 
 @dataclass(frozen=True)
 class Looks:
-    """What a run recorded: places (n, d; m), radii (m) at snapshots; mass (kg, discs kg/m) that had left by times (s)."""
+    """Record of a run: places (n, d; m) and radii (m) at snapshots; mass (kg, discs kg/m) that had left by times (s)."""
 
     places: tuple[np.ndarray, ...]
     radii: tuple[np.ndarray, ...]
@@ -29,7 +29,7 @@ class Looks:
 
 @dataclass(frozen=True, kw_only=True)
 class Outcome(Entry):
-    """find(looks, **arguments) -> the number, NaN where the run did not show it; of_snapshots, of_windows:
+    """Quantity of a run. find(looks, **arguments) -> the number, NaN where the run did not show it; of_snapshots, of_windows:
     whether it is seen on snapshots, or in windows of wall forces.
 
     unit: of the number; suffix: of the names of its fields in a scene, and of its attributes in a cube.
@@ -93,7 +93,7 @@ def _slope(across: np.ndarray, tops: np.ndarray, start: float, end: float, width
 
 
 def _published(suffix: str, unit: str) -> tuple[PackingField, ...]:
-    """What is asked of every quantity: its published number, how far a run may be off, and where it stands."""
+    """Fields that every quantity asks for: its published number, how far a run may be off, and where it stands."""
     return (
         PackingField(name=f"value_{suffix}", text="published number", unit=unit),
         PackingField(name=f"tolerance_{suffix}", text="how far from it a run may come out", unit=unit, bounds={"gt": 0}),

@@ -12,7 +12,7 @@ REACH = 4.5  # radii: size of the densest packing whose bound is taken
 
 
 def packings(model: Model) -> list[Model]:
-    """Of each kind the smallest bodies in the densest order on a floor, with each contact that the kind has; larger ones are
+    """The smallest bodies of each kind in the densest order on a floor, with each contact that the kind has; larger ones are
     heavier, or touch fewer of them."""
     models = []
     for kind in range(model.kinds):
@@ -42,5 +42,5 @@ def least_of_kind(model: Model, values: np.ndarray, kind: int) -> int:
 
 
 def differing(contacts: list[Contact]) -> list[Contact]:
-    """Those contacts that no other before them equals."""
+    """The contacts that differ from all before them."""
     return [contact for number, contact in enumerate(contacts) if contact not in contacts[:number]]

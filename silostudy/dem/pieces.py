@@ -1,4 +1,4 @@
-"""What a scene calls for: the rows of its laws and the switches of its effects; a kernel is built from exactly these."""
+"""Pieces of a kernel: the rows of the laws and the switches of the effects that a scene calls for, and nothing else."""
 
 from dataclasses import dataclass
 
@@ -35,7 +35,7 @@ class Laws:
         return cls(**{family: FAMILIES[family][key] for family, key in keys.items()})
 
     def __repr__(self) -> str:
-        """What tells the laws apart in the names of kept kernels: the same in every process."""
+        """Name of the laws in the file names of kept kernels: the same in every process."""
         return f"Laws({', '.join(row.fingerprint for row in self.rows)})"
 
     @property
@@ -85,7 +85,7 @@ class Laws:
 
 @dataclass(frozen=True)
 class Pieces:
-    """What a scene calls for; everything else is not compiled in."""
+    """Laws and effects that a scene calls for; everything else is not compiled in."""
 
     space: Dimension
     pair_laws: Laws
@@ -94,7 +94,7 @@ class Pieces:
     unequal: bool = False  # discs of several sizes
     shaken: bool = False  # the box is accelerated
     watched: bool = False  # wall forces are recorded every step
-    booked: bool = False  # the energy ledger is kept
+    booked: bool = False  # the energy balance is kept
     varied: tuple[bool, bool] = (False, False)  # coefficients differ among pairs, among contacts with walls
     moving: bool = False  # walls move; what they feel is recorded then
 

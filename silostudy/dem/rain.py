@@ -14,8 +14,8 @@ WAITS = 5.0  # times that a body needs to fall by its diameter: after so long wi
 
 @dataclass(frozen=True)
 class Rain:
-    """rate: bodies a second; velocity: m/s, of those that come; level: of the plane, m; spots(random, radius, count) -> places
-    (count, d) on it.
+    """Bodies that rain in: rate (1/s), velocity (m/s) and level (m) of those that come; spots(random, radius, count) -> places
+    (count, d) on that level.
 
     seed: with the step it gives the spots, so that they are the same wherever a run is cut.
     """
@@ -27,7 +27,7 @@ class Rain:
     seed: int = 0
 
     def due(self, time: float) -> float:
-        """How many bodies should have come at a time (s)."""
+        """Number of bodies that should have come at a time (s)."""
         return 1.0 + self.rate * time
 
     def patience(self, engine) -> float:

@@ -1,4 +1,4 @@
-"""What a run keeps of itself."""
+"""Record that a run makes of itself."""
 
 from dataclasses import dataclass, field
 
@@ -11,13 +11,13 @@ from silostudy.dem.leaving import WAYS
 
 @dataclass
 class Recording:
-    """What a run has recorded: windows of wall forces, discharge, snapshots, the events that happened."""
+    """Windows of wall forces, discharge, snapshots and events that a run has recorded."""
 
     window_time: list[float] = field(default_factory=list)  # s, end of each window; the last may be shorter
     window: list[np.ndarray] = field(default_factory=list)  # (cells, 2, 3): mean, least, largest
     whole: list[np.ndarray] = field(default_factory=list)  # (walls, 2, 2): least, largest of every wall, with each window
     motion: list[np.ndarray] = field(default_factory=list)  # (walls, 3) height (m), rise (m/s), turn (rad/s), with each window
-    energy: list[np.ndarray] = field(default_factory=list)  # J/m, entries of the ledger, with each window
+    energy: list[np.ndarray] = field(default_factory=list)  # J/m, entries of the energy balance, with each window
     discharge_time: list[float] = field(default_factory=list)
     discharged: list[float] = field(default_factory=list)  # kg/m
     left: dict[str, int] = field(default_factory=lambda: dict.fromkeys(WAYS, 0))  # discs that are gone, by their way

@@ -1,4 +1,4 @@
-"""When a scene counts as at rest: a family of measures that fall as it calms down, and the value each must come below."""
+"""Rest of a scene: a family of measures that fall as it calms down, and the value below which each must come."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -19,7 +19,7 @@ class Look(NamedTuple):
 
 @dataclass(frozen=True, kw_only=True)
 class Criterion(Row):
-    """measure(engine, earlier look or None) -> a ratio (1); below: what it must come below unless a scene says otherwise."""
+    """Measure of rest. measure(engine, earlier look or None) -> a ratio (1); below: its bound unless a scene says otherwise."""
 
     measure: Callable
     below: float

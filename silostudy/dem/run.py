@@ -99,7 +99,7 @@ class Run:
 
     @property
     def trouble(self) -> str:
-        """Why the run did not come to its stop; empty where it did."""
+        """Reason why the run did not come to its stop; empty where it did."""
         if self.recording.explosion is not None:
             return str(self.recording.explosion)
         if self.recording.buried:
@@ -108,7 +108,7 @@ class Run:
         return f"the time limit came before the event `{event}`: {self._standing(event)}" if event else ""
 
     def _standing(self, event: Event) -> str:
-        """How far an event is from its trigger."""
+        """Distance of an event from its trigger, in words."""
         if event.trigger == "rest":
             return f"{self.rest.criterion.measure(self.engine, self.looked):.3g}, to be at rest: {self.rest}"
         if TRIGGERS[event.trigger].of_lid:
@@ -263,7 +263,7 @@ class Run:
             record.discharged.append(self.dropped)
 
     def passing(self, which: np.ndarray) -> list[tuple[float, float, int]]:
-        """When (s) bodies among those left came below the outlet since the run began, each with mass and outlet."""
+        """Times (s) at which bodies among those left came below the outlet since the run began, each with mass and outlet."""
         engine = self.engine
         later = engine.step - engine.space.passed_for(engine.bodies.rows[: engine.n]) >= self.began
         return passing(engine, which & later, self.outlet_at)

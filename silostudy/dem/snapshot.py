@@ -18,7 +18,7 @@ from silostudy.dem.pieces import Laws
 
 
 @dataclass(frozen=True)
-class Contacts:
+class ContactForces:
     """Touching contacts: labels of the bodies (the second may be a wall), place (m), force on the first (N/m, N)."""
 
     first: np.ndarray
@@ -62,7 +62,7 @@ def _forces(engine, part, contacts, count, flat):
     return total
 
 
-def pair_contacts(engine) -> Contacts:
+def pair_contacts(engine) -> ContactForces:
     """Every touching pair once, in the order of the engine's own numbers, first before second."""
     engine.list_contacts()
     columns = []
@@ -77,10 +77,10 @@ def pair_contacts(engine) -> Contacts:
     i, j, force = (np.concatenate(column) for column in zip(*columns, strict=True))
     place, radius = engine.bodies.rows[:, engine.space.place], engine.radius
     share = (radius[i] / (radius[i] + radius[j]))[:, None]
-    return Contacts(engine.labels[i], engine.labels[j], place[i] + (place[j] - place[i]) * share, force)
+    return ContactForces(engine.labels[i], engine.labels[j], place[i] + (place[j] - place[i]) * share, force)
 
 
-def wall_contacts(engine) -> Contacts:
+def wall_contacts(engine) -> ContactForces:
     """Every body that touches a wall, with the number of the wall."""
     engine.list_contacts()
     columns = []
@@ -91,7 +91,7 @@ def wall_contacts(engine) -> Contacts:
         columns.append((part.near.first[:count][touching], part.near.second[:count][touching], force[touching]))
     i, q, force = (np.concatenate(column) for column in zip(*columns, strict=True))
     place = engine.bodies.rows[i][:, engine.space.place]
-    return Contacts(engine.labels[i], q, place - from_walls(engine, q, place), force)
+    return ContactForces(engine.labels[i], q, place - from_walls(engine, q, place), force)
 
 
 def snapshot(engine) -> dict[str, np.ndarray]:

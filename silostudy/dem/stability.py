@@ -1,6 +1,6 @@
-"""The longest stable time step: from the extreme motions of the contact network as it is, and the integrator's own march.
+"""The longest stable time step: from the extreme motions of the contacts as they are, and the integrator's own steps.
 
-Put any mode of the linear network, real or complex, into its equation of motion and take the product with itself: it is
+Put any mode of the linear contacts, real or complex, into its equation of motion and take the product with itself: it is
 an oscillator whose stiffness and damping (per mass) are its Rayleigh quotients.  So every mode stays bounded where all
 oscillators do that have at most the largest stiffness, at most the largest damping, and at least the damping that the
 least damped contact gives to their stiffness (eqs. 17, 19 need some).
@@ -23,7 +23,7 @@ from silostudy.dem.strength import damping_of, springs, stiffness_of
 from silostudy.dem.varied import set_of_pair
 from silostudy.errors import BadInput
 
-HALVINGS = 50
+HALVINGS = 50  # of the bracket of the longest step: to 1e-15 of its width
 SOFTEST = 1e-3  # of the largest stiffness: a slow mode
 SAFETY = 0.5  # of the bound, when the engine chooses the step: flow makes contacts that the start does not have
 DENSEST = 0.8  # of the bound of six contacts a disc: the most that a start without contacts will come to
@@ -33,7 +33,7 @@ NEAR = 0.05  # of a radius: gaps smaller than this count as contacts, since they
 
 @dataclass(frozen=True)
 class Extremes:
-    """Of a network's modes, per mass: largest stiffness (1/s2), of all springs and of the incremental ones, which are the
+    """Extremes of the contacts' modes, per mass: largest stiffness (1/s2) of all springs, and of the incremental ones, the
     tangential, rolling and twisting; largest damping (1/s); least damping over stiffness (s) of any contact."""
 
     stiffness: float
@@ -53,16 +53,16 @@ class Extremes:
 
 
 def longest_step(model: Model) -> float:
-    """Longest time step (s) that keeps every motion of the linear network bounded, and of a lone contact of two discs or a
+    """Longest time step (s) that keeps every motion of the linear contacts bounded, and of a lone contact of two discs or a
     disc and a wall, which may come."""
-    network = _network(model)
-    fixed = None if _implicit(model) else _extremes(model, network, 0.0)
+    contacts = _contacts(model)
+    fixed = None if _implicit(model) else _extremes(model, contacts, 0.0)
 
     def holds(dt: float) -> bool:
-        extremes = fixed or _extremes(model, network, dt)
+        extremes = fixed or _extremes(model, contacts, dt)
         return all(_bounded(model.integrator, *corner, dt) for corner in extremes.corners)
 
-    short, long = 0.0, 4.0 / np.sqrt((fixed or _extremes(model, network, 0.0)).stiffness)
+    short, long = 0.0, 4.0 / np.sqrt((fixed or _extremes(model, contacts, 0.0)).stiffness)
     while holds(long):
         short, long = long, 2.0 * long
     for _ in range(HALVINGS):
@@ -72,7 +72,7 @@ def longest_step(model: Model) -> float:
 
 
 def chosen_step(model: Model) -> float:
-    """Time step (s) for a scene that gives none: safe for the network at the start, and for the densest that may come.
+    """Time step (s) for a scene that gives none: safe for the contacts at the start, and for the densest that may come.
 
     Rounded down to two digits: the last bits of an eigenvalue differ between machines and must not reach the run.
     """
@@ -88,7 +88,7 @@ def packed_bound(model: Model) -> float:
 
 def standing(model: Model, bound: float) -> float:
     """The bound (s); BadInput where an integrator that feeds energy into undamped springs leaves next to nothing of it."""
-    plain = 2.0 / sqrt(_extremes(model, _network(model), bound).stiffness)
+    plain = 2.0 / sqrt(_extremes(model, _contacts(model), bound).stiffness)
     if bound > HOPELESS * plain:
         return bound
     springs = ", ".join(_undamped(model)) or "the least damped contact"
@@ -116,7 +116,7 @@ def check_step(model: Model) -> float:
     """The bound (s); raises BadInput where the model's step is beyond it."""
     bound = longest_step(model)
     if model.dt > bound:
-        raise BadInput("dt", model.dt, f"beyond the stability bound {bound:.4g} s of this contact network")
+        raise BadInput("dt", model.dt, f"beyond the stability bound {bound:.4g} s of these contacts")
     return bound
 
 
@@ -141,7 +141,7 @@ def _bounded(integrator: str, total: float, incremental: float, damping: float, 
     return bool(np.abs(np.linalg.eigvals(matrix * scale[:, None])).max() <= 1.0 + 1e-9)
 
 
-def _network(model: Model) -> list[tuple]:
+def _contacts(model: Model) -> list[tuple]:
     """Contacts that are or will be at once: (contact, first, second, normals); second is None for walls."""
     place = model.place
     i, j = cKDTree(place).query_pairs((2.0 + NEAR) * model.radius.max(), output_type="ndarray").reshape(-1, 2).T
@@ -185,33 +185,33 @@ def _lone(model: Model) -> list[tuple]:
     return contacts
 
 
-def _extremes(model: Model, network: list[tuple], dt: float) -> Extremes:
-    """Extremes of the network and of lone contacts of the lightest bodies, at this step."""
+def _extremes(model: Model, contacts: list[tuple], dt: float) -> Extremes:
+    """Extremes of all contacts together and of lone contacts of the lightest bodies, at this step."""
     stiff, damp, lone = partial(stiffness_of, dt=dt), partial(damping_of, dt=dt), _lone(model)
     ratios = [
         d.min() / k.min()
-        for contact, i, j, *_ in (*network, *lone)
+        for contact, i, j, *_ in (*contacts, *lone)
         for k, d in zip(stiff(contact, model, i, j), damp(contact, model, i, j), strict=True)
         if k.any()
     ]
     return Extremes(
-        stiffness=_largest(model, network, lone, stiff) + _on_lid(model, stiff),
-        incremental=_largest(model, network, lone, lambda *which: [0.0 * (k := stiff(*which))[0], *k[1:]]),
-        damping=_largest(model, network, lone, damp) + _on_lid(model, damp),
+        stiffness=_largest(model, contacts, lone, stiff) + _on_lid(model, stiff),
+        incremental=_largest(model, contacts, lone, lambda *which: [0.0 * (k := stiff(*which))[0], *k[1:]]),
+        damping=_largest(model, contacts, lone, damp) + _on_lid(model, damp),
         least_damped=float(min(ratios)),
     )
 
 
 def _on_lid(model: Model, strengths) -> float:
-    """What a lid of a mass adds at most (1/s2 or 1/s) when it touches as many bodies as it can: rows of one more motion."""
+    """Most (1/s2 or 1/s) that a lid of a mass adds when it touches as many bodies as it can: rows of one more motion."""
     if model.lid is None:
         return 0.0
     strongest = max(strengths(contact, model, body, None)[0][0] for contact, body, other in _lone(model) if other is None)
     return float(model.lid.touching * strongest / model.lid.mass)
 
 
-def _largest(model: Model, network: list[tuple], lone: list[tuple], strengths) -> float:
-    """Largest eigenvalue (1/s2 or 1/s) of the mass-scaled network, or of a lone contact."""
+def _largest(model: Model, contacts: list[tuple], lone: list[tuple], strengths) -> float:
+    """Largest eigenvalue (1/s2 or 1/s) of the mass-scaled contacts, or of a lone one."""
     n, mass, radius, space = len(model.x), model.mass, model.radius, model.space
     light = space.inverse_inertia
     root = np.sqrt(np.r_[np.tile(mass, space.ways), np.tile(mass * radius**2 / light, len(space.spin))])
@@ -221,7 +221,7 @@ def _largest(model: Model, network: list[tuple], lone: list[tuple], strengths) -
         turn = light / radius[bodies] ** 2
         ways = (np.array([1.0 + 0.0 * turn, 1.0 + light + 0.0 * turn, turn, turn]) / mass[bodies]).sum(axis=1)
         highest = max(highest, *(ways * np.ravel(strengths(contact, model, i, j))))
-    for contact, i, j, normals in network:
+    for contact, i, j, normals in contacts:
         normal, tangential, rolling, twisting = np.sqrt(strengths(contact, model, i, j))
         still, spins = np.zeros_like(normals), np.zeros((len(i), len(space.spin)))
         stretches = [(normal, normals, spins, spins)]

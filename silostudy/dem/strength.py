@@ -1,4 +1,4 @@
-"""How stiff and how damped contacts are, as the stability bound takes them."""
+"""Stiffness and damping of contacts, as the stability bound takes them."""
 
 from collections.abc import Sequence
 
@@ -11,7 +11,7 @@ DEEP = 0.02  # of a radius: the overlap at which a curved law's slope is taken
 
 
 def springs(of_rows: Sequence) -> Sequence:
-    """Those of the rows of a contact's laws, or of their coefficients, that may hold springs: all but cohesion."""
+    """The rows of a contact's laws, or of their coefficients, that may hold springs: all but cohesion."""
     normal, tangential, rolling, _, twisting = of_rows
     return normal, tangential, rolling, twisting
 

@@ -70,7 +70,7 @@ class Varied:
         return Varied(tuple(contact.scaled(stiffness=stiffness, damping=damping) for contact in self.sets))
 
     def changed(self, values: Mapping[str, float], which: Iterable[int] | None = None) -> "Varied":
-        """With other values of coefficients, in all sets or in some."""
+        """A copy with other values of coefficients, in all sets or in some."""
         numbers = set(range(len(self.sets)) if which is None else which)
         return replace(
             self,

@@ -13,8 +13,11 @@ from numba.extending import intrinsic, overload, register_jitable
 from silostudy.dem.cache import named
 
 WIDTH = 8  # contacts taken at a time
-REAL, INDEX, LANE = ir.DoubleType(), ir.IntType(64), ir.IntType(32)
-EIGHT, FOUR = ir.VectorType(REAL, 8), ir.VectorType(REAL, 4)
+REAL = ir.DoubleType()
+INDEX = ir.IntType(64)
+LANE = ir.IntType(32)
+EIGHT = ir.VectorType(REAL, 8)  # a whole cache line
+FOUR = ir.VectorType(REAL, 4)
 
 
 def _pointer(builder, base, index, vector):
@@ -49,12 +52,12 @@ def plus(builder, value, constant):
 
 
 def lane_of(builder, lane, component, stretch):
-    """Where eight numbers of a component start among the lanes of a scratch, each of which holds a stretch."""
+    """Index where eight numbers of a component start among the lanes of a scratch, each of which holds a stretch."""
     return plus(builder, lane, component * stretch)
 
 
 def row_of(builder, indices, start, lane, shift):
-    """Where the row of 2**shift numbers of a body of the list starts."""
+    """Index where the row of 2**shift numbers of a body of the list starts."""
     position = plus(builder, start, lane)
     return builder.shl(builder.sext(builder.load(builder.gep(indices, [position])), INDEX), ir.Constant(INDEX, shift))
 

@@ -34,11 +34,16 @@ from silostudy.dem.lanes import (
     Y,
 )
 
-OUT_OF_REACH = 1e30
-LOW, LENGTH = 1, 4  # columns of a shape: height of its start, length
-# where an outlet is shut a wall reaches beyond its own end: its own start and length, how far it reaches beyond either end, how
-# fast that is drawn back, and the kind of the end once it is
-OWN_START, OWN_LENGTH, LEAVES, GROWTH, OPENED = 12, 13, 14, 16, 18
+OUT_OF_REACH = 1e30  # m: component of a vector to what does not push
+# columns of a shape
+LOW = 1  # height of its start (m)
+LENGTH = 4  # m
+# columns of a wall that reaches beyond its own ends where outlets are shut
+OWN_START = 12  # where it starts itself (m)
+OWN_LENGTH = 13  # its own length (m)
+LEAVES = 14  # how far it reaches beyond either end (m)
+GROWTH = 16  # how fast that is drawn back (m/s)
+OPENED = 18  # kinds of the ends once it is
 
 
 @register_jitable
@@ -119,7 +124,7 @@ def height_of(shape, wall):
 
 
 def motion_of(shape: np.ndarray) -> np.ndarray:
-    """Of every wall (n, 2): height (m) of its start, speed upward (m/s)."""
+    """Motion of every wall (n, 2): height (m) of its start, speed upward (m/s)."""
     return shape[:, [LOW, RISE]].copy()
 
 
@@ -233,7 +238,7 @@ def faces(walls) -> list[tuple[str, Any]]:
 
 
 def cell_count(walls) -> int:
-    """How many cells the walls have."""
+    """Number of cells of the walls."""
     return sum(wall.faces * (wall.cells + 2) for wall in walls)
 
 
@@ -243,7 +248,7 @@ def extents(walls) -> list[np.ndarray]:
 
 
 def beside(walls, places: np.ndarray) -> np.ndarray:
-    """Which places (n, 2; m) are left of all walls, or right of them; none without walls."""
+    """Mask of places (n, 2; m) that are left of all walls, or right of them; none without walls."""
     ends = np.array([end[0] for wall in walls for end in (wall.start, wall.end)])
     return (
         (places[:, 0] < ends.min(initial=np.inf)) | (places[:, 0] > ends.max(initial=-np.inf))

@@ -1,18 +1,18 @@
-"""What walls feel over a window of steps: least, largest and sum of every step's force, cell by cell and wall by wall."""
+"""Forces on walls over a window of steps: least, largest and sum of every step's force, by cell and by wall."""
 
 import numpy as np
 from numba import njit
 from numba.extending import register_jitable
 
-from silostudy.dem.arrays import Record
+from silostudy.dem.arrays import WallRecord
 from silostudy.dem.cache import OPTIONS
 
 NOTHING = 0.0, np.inf, -np.inf  # sum, least, largest of no step
 
 
-def record_of(owner: np.ndarray, walls: int, felt: int, threads: int, room: int) -> Record:
+def record_of(owner: np.ndarray, walls: int, felt: int, threads: int, room: int) -> WallRecord:
     """An empty record of cells that belong to these walls, with room for so many contacts a thread."""
-    return Record(
+    return WallRecord(
         force=np.zeros((threads, room, felt)),
         cell=np.zeros((threads, room), np.int32),
         counts=np.zeros(threads, np.int64),

@@ -13,9 +13,11 @@ from silostudy.dem.cells import bin_bodies, cell_of
 
 SHIFT = 32  # key = first << SHIFT | second
 LOOK_AHEAD = 16.0  # steps that a list of near contacts should last at the speed of its bodies
-MOST, LEAST = 0.4, 0.004  # of the smallest radius: limits of a body's allowance
+MOST = 0.4  # of the smallest radius: largest way that a body may travel before the next list
+LEAST = 0.004  # of the smallest radius: the smallest
 LOOK_FAR = 300.0  # steps that a wide list should last
-WIDE_MOST, WIDE_LEAST = 0.5, 0.04  # of the smallest radius: limits of what the wide list allows
+WIDE_MOST = 0.5  # of the smallest radius: largest way before the next wide list
+WIDE_LEAST = 0.04  # of the smallest radius: the smallest
 GHOSTS, KEPT_PAIRS, KEPT_WALLS, PRESSED, WIDE_WALLS = range(5)  # places in Scratch.counts
 
 

@@ -11,13 +11,13 @@ from bokeh.models import ColumnDataSource, HoverTool
 from bokeh.plotting import figure
 
 from silostudy.explore.picture import png
-from silostudy.explore.shown import Choice, downward, labels, numbers, overlays, quantities, said, usual_axis, usual_place
+from silostudy.explore.shown import Selection, downward, labels, numbers, overlays, quantities, said, usual_axis, usual_place
 
 MARKERS = ("circle", "square", "triangle", "diamond", "inverted_triangle", "star")
 DASHES = ("solid", "dashed", "dotdash", "dotted")
 COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#56B4E9", "#E69F00", "#000000")  # told apart by the colour-blind
 MARKS = 14  # on a curve
-FIRST_CURVES = 6
+FIRST_CURVES = 6  # shown before the user chooses
 FILES = "files"  # address under which the folder of the cube's study is served
 KINDS = {
     "figures/*.png": "picture",
@@ -76,10 +76,10 @@ class Explorer:
         return widget
 
     @property
-    def choice(self) -> Choice:
-        """What is chosen."""
+    def choice(self) -> Selection:
+        """The current selection."""
         places = {dim: widget.value for dim, widget in self.places.items()}
-        return Choice(self.quantity.value, self.along.value, self.overlay.value, tuple(self.curves.value), places)
+        return Selection(self.quantity.value, self.along.value, self.overlay.value, tuple(self.curves.value), places)
 
     def show(self) -> None:
         """Draws the choice anew."""
@@ -97,7 +97,7 @@ class Explorer:
         drawn = pn.pane.Bokeh(drawing(self.cube, choice, table, self.title(choice)), sizing_mode="stretch_width")
         self.shown.objects = [drawn, save, pn.pane.HTML(scopes(table, choice), sizing_mode="stretch_width")]
 
-    def title(self, choice: Choice) -> str:
+    def title(self, choice: Selection) -> str:
         """Title of what is shown: the study's, and the places on the axes that are cut."""
         cut = [f"{dim} {labels(self.cube, dim)[place]}" for dim, place in choice.places.items() if self.cube.sizes[dim] > 1]
         return ", ".join([self.cube.attrs["title"], *cut])
@@ -113,7 +113,7 @@ def _csv(table: pd.DataFrame) -> io.StringIO:
     return io.StringIO(table.to_csv(index=False, float_format="%.7g"))
 
 
-def drawing(cube: xr.Dataset, choice: Choice, table: pd.DataFrame, title: str):
+def drawing(cube: xr.Dataset, choice: Selection, table: pd.DataFrame, title: str):
     """The curves; whoever points at one reads its value, scope and source.  Depth runs downward."""
     deep = downward(cube, choice.along)
     across, up = (choice.quantity, choice.along) if deep else (choice.along, choice.quantity)
@@ -141,7 +141,7 @@ def drawing(cube: xr.Dataset, choice: Choice, table: pd.DataFrame, title: str):
     return axes
 
 
-def scopes(table: pd.DataFrame, choice: Choice) -> str:
+def scopes(table: pd.DataFrame, choice: Selection) -> str:
     """A table of the curves: how many points are in scope, why the others are not, and the source."""
     rows = []
     for curve, points in table.groupby("curve", sort=False):
@@ -165,7 +165,7 @@ def links(path: Path) -> pn.pane.HTML:
 
 
 def about(cube: xr.Dataset) -> pn.pane.HTML:
-    """Where the cube comes from."""
+    """Provenance of the cube."""
     rows = {"computed by": "source", "hash of the study": "study_hash", "references": "references"}
     said_of = "".join(f"<p>{name}: {html.escape(str(cube.attrs[key]))}</p>" for name, key in rows.items())
     return pn.pane.HTML(f"<h3>About this cube</h3>{said_of}", sizing_mode="stretch_width")

@@ -1,4 +1,4 @@
-"""What of a cube is shown: a quantity along one axis, a curve for each label of another, at one place of all the others."""
+"""Part of a cube that is shown: a quantity along one axis, a curve for each label of another, at a place on all others."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -16,12 +16,12 @@ from silostudy.tables.references import cite
 
 # families of keys by the dimension that holds them
 FAMILIES: Mapping[str, tuple[Family, ...]] = {"pressure_method": (PRESSURE,), "rule": (BUCKLING, RIVALS), "check": (CHECKS,)}
-MOST_CURVES = 60
+MOST_CURVES = 60  # longest axis whose labels can be curves
 ELSEWHERE = "see the cube's references"
 
 
 @dataclass(frozen=True)
-class Choice:
+class Selection:
     """A quantity along an axis; overlay: the axis whose labels are curves, empty for none; places: position on the others."""
 
     quantity: str
@@ -49,7 +49,7 @@ def said(variable: xr.DataArray) -> str:
 
 
 def labels(cube: xr.Dataset, axis: str) -> list[str]:
-    """What the places on an axis are called."""
+    """Names of the places on an axis."""
     values = cube[axis].values  # places without labels of their own are numbered
     return [f"{value:.6g}" if values.dtype.kind == "f" else str(value) for value in values]
 
@@ -77,7 +77,7 @@ def usual_place(cube: xr.Dataset, quantity: str, axis: str) -> int:
     return int(np.argmax(held.sum([dim for dim in held.dims if dim != axis]).values))
 
 
-def numbers(cube: xr.Dataset, choice: Choice) -> pd.DataFrame:
+def numbers(cube: xr.Dataset, choice: Selection) -> pd.DataFrame:
     """The numbers shown, a row a point of a curve: curve, place on the axis, value, scope and source."""
     variable = cube[choice.quantity]
     places = {dim: place for dim, place in choice.places.items() if dim in variable.dims}
@@ -86,7 +86,7 @@ def numbers(cube: xr.Dataset, choice: Choice) -> pd.DataFrame:
     return pd.concat(tables, ignore_index=True) if tables else pd.DataFrame(columns=columns)
 
 
-def _curve(cube: xr.Dataset, choice: Choice, places: Mapping[str, int], label: str) -> pd.DataFrame:
+def _curve(cube: xr.Dataset, choice: Selection, places: Mapping[str, int], label: str) -> pd.DataFrame:
     position = dict(places)
     if choice.overlay:
         position[choice.overlay] = labels(cube, choice.overlay).index(label)
@@ -97,8 +97,8 @@ def _curve(cube: xr.Dataset, choice: Choice, places: Mapping[str, int], label: s
     return pd.DataFrame(table | {"scope": _scope(part, choice), "source": "; ".join(sources(keys)) or ELSEWHERE})
 
 
-def _scope(part: xr.Dataset, choice: Choice) -> np.ndarray | str:
-    """Why a value is there or not, in the words of the cube."""
+def _scope(part: xr.Dataset, choice: Selection) -> np.ndarray | str:
+    """Reason why a value is there or not, in the words of the cube."""
     flags = part.get(choice.quantity + SCOPE)
     if flags is None:
         return np.where(part[choice.quantity].isnull(), "no value", "in scope")

@@ -23,9 +23,9 @@ def _strakes(cube: xr.Dataset, axes: list[str]) -> Iterator[dict]:
     """A row for each strake: as built, needed, utilised, each with its governing check and combination."""
     names = ("design_strake_thickness", "design_strake_utilisation")
     for keys in _places(cube[names[0]], ("rule", "pressure_method", "strake", *axes)):
-        one = cube.sel(keys)
-        needed, used = (_governed(one, name) for name in names)
-        here = one["place_thickness"].values[one["place_strake"].values == int(keys["strake"])]
+        wall = cube.sel(keys)
+        needed, used = (_governed(wall, name) for name in names)
+        here = wall["place_thickness"].values[wall["place_strake"].values == int(keys["strake"])]
         yield {
             "part": "strake",
             **keys,
@@ -39,10 +39,10 @@ def _strakes(cube: xr.Dataset, axes: list[str]) -> Iterator[dict]:
         }
 
 
-def _governed(one: xr.Dataset, name: str) -> tuple[float, str, str]:
-    value = float(one[name])
+def _governed(wall: xr.Dataset, name: str) -> tuple[float, str, str]:
+    value = float(wall[name])
     words = [
-        one[f"{name}_{what}"].attrs["flag_meanings"].split()[int(one[f"{name}_{what}"])] for what in ("check", "combination")
+        wall[f"{name}_{what}"].attrs["flag_meanings"].split()[int(wall[f"{name}_{what}"])] for what in ("check", "combination")
     ]
     return (value, words[0], words[1]) if np.isfinite(value) else (value, "masked", "")
 
@@ -53,11 +53,11 @@ def _parts(cube: xr.Dataset, axes: list[str]) -> Iterator[dict]:
         if axis not in cube.dims or axis == "steel_check":
             continue
         for keys in _places(cube[name], (axis, "pressure_method", *axes)):
-            one, part = cube.sel(keys), axis.removesuffix("_check")
-            used, where = worst_combination(one[name], one[name + SCOPE])
+            wall, part = cube.sel(keys), axis.removesuffix("_check")
+            used, where = worst_combination(wall[name], wall[name + SCOPE])
             if where:
                 row = {"part": part, **keys, "governed_by": keys[axis], "utilisation": used}
-                needed = one.get(f"{part}_required_thickness")
+                needed = wall.get(f"{part}_required_thickness")
                 row |= {} if needed is None else {"needed_mm": float(needed.max()) * 1e3}
                 row |= {"remark": where} if np.isnan(used) else {"in": where}
                 yield {key: value for key, value in row.items() if key != axis}

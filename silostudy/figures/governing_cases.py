@@ -56,7 +56,7 @@ def _message(cube: xr.Dataset, shown: pd.DataFrame) -> str:
     words = str(cube["combination_title"].sel(combination=worst.combination).values)
     check = worst.governed_by.replace("_", " ")
     check = "" if check == worst["part"] else f", by {check}"
-    return f"Used most is the {worst['part']}: {worst.utilisation:.2f}{check}, under {worst.combination} ({words})"
+    return f"Used most: {worst['part']}, to {worst.utilisation:.2f}{check}, under {worst.combination} ({words})"
 
 
 def _made(table: pd.DataFrame) -> pd.DataFrame:

@@ -5,10 +5,10 @@ from pathlib import Path
 import pandas as pd
 import xarray as xr
 
-from silostudy.cube.laboratory import Solid
+from silostudy.cube.laboratory import TestedSolid
 from silostudy.figures.style import save_table
 
 
 def draw(cube: xr.Dataset, stem: Path) -> None:
     """Writes the row."""
-    save_table(pd.DataFrame([Solid.of(cube).row(cube)]), stem.with_suffix(".csv"))
+    save_table(pd.DataFrame([TestedSolid.of(cube).row(cube)]), stem.with_suffix(".csv"))

@@ -95,7 +95,7 @@ def _shear(panel: Axes, wide: xr.Dataset) -> list[pd.DataFrame]:
     return [table.assign(panel="shear") for table in tables]
 
 
-def _locus(panel: Axes, wide: xr.Dataset, solid: Solid) -> list[pd.DataFrame]:
+def _locus(panel: Axes, wide: xr.Dataset, solid: TestedSolid) -> list[pd.DataFrame]:
     """Shear over normal stress: peak and steady inside the solid, steady on the wall, with the row's lines."""
     stress, tables = wide["normal_stress"].values / KPA, []
     for name, (marker, colour, told) in LOCI.items():

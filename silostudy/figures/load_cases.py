@@ -18,24 +18,24 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     save_table(pd.DataFrame(rows), stem.with_suffix(".csv"))
 
 
-def _rows(one: xr.Dataset, silo: str | None) -> list[dict]:
-    given, meanings = given_cases(one), one["load_case_state"].attrs["flag_meanings"].split()
-    found = []
-    for key in map(str, one["load_case"].values):
-        here = one.sel(load_case=key)
+def _rows(loads: xr.Dataset, silo: str | None) -> list[dict]:
+    given, meanings = given_cases(loads), loads["load_case_state"].attrs["flag_meanings"].split()
+    rows = []
+    for key in map(str, loads["load_case"].values):
+        here = loads.sel(load_case=key)
         about = {"case": silo or "", "load_case": key, "title": str(here["load_case_title"].values)}
         about |= {
             "state": meanings[int(here["load_case_state"])].replace("_", " "),
             "why": str(here["load_case_reason"].values),
         }
-        found += [about | _forces(here, values) for values in given.get(key, [])] or [about]
-    return found
+        rows += [about | _forces(here, values) for values in given.get(key, [])] or [about]
+    return rows
 
 
 def _forces(here: xr.Dataset, values: str) -> dict:
     """What a field sums to (kN, kN m), and what it is beyond the weight (1)."""
     field = here.sel(value_set=values)
-    found = {"values": values, "weight_kN": float(here["load_weight"]) / 1e3}
-    found |= {f"{name}_kN": float(field[f"load_{name}"]) / 1e3 for name in FORCES}
+    row = {"values": values, "weight_kN": float(here["load_weight"]) / 1e3}
+    row |= {f"{name}_kN": float(field[f"load_{name}"]) / 1e3 for name in FORCES}
     moment = float(field["load_overturning_moment"]) / 1e3
-    return found | {"overturning_moment_kNm": moment, "imbalance": float(field["load_imbalance"])}
+    return row | {"overturning_moment_kNm": moment, "imbalance": float(field["load_imbalance"])}

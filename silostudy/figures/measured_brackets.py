@@ -17,7 +17,7 @@ from matplotlib.axes import Axes
 from silostudy.cube.measured import cases_of, deviations, neighbour
 from silostudy.figures import measured_swelling
 from silostudy.figures.style import WIDTH, foot, headline, look, save
-from silostudy.tables.measured import SWELLING_OVER_FILLING, Measured, measurements
+from silostudy.tables.measured import SWELLING_OVER_FILLING, Measurement, measurements
 from silostudy.tables.outputs import output_of
 
 STATIC, FILLED, SWOLLEN = output_of(__name__).methods
@@ -57,7 +57,7 @@ def _message(tables: list[pd.DataFrame]) -> str:
     )
 
 
-def _finding(point: Measured, verdict: str) -> dict:
+def _finding(point: Measurement, verdict: str) -> dict:
     return {
         "shown": "finding", "measurement": point.measurement, "title": point.title, "kind": point.kind, "scale": point.scale,
         "solid": point.solid, "taken_solid": point.taken_solid, "taken_wall": point.taken_wall, "quantity": point.quantity,
@@ -70,7 +70,7 @@ def _name(cube: xr.Dataset, method: str) -> str:
 
 
 # ---- values beside a measurement ----
-def _compared(cube: xr.Dataset, point: Measured) -> pd.DataFrame:
+def _compared(cube: xr.Dataset, point: Measurement) -> pd.DataFrame:
     """Every method's value in the measured phase; the swelling solid is another state."""
     place, *_ = cases_of(cube, point)
     methods = [method for method in map(str, cube["pressure_method"].values) if method != SWOLLEN]
@@ -78,7 +78,7 @@ def _compared(cube: xr.Dataset, point: Measured) -> pd.DataFrame:
     return table[table.phase == point.phase].assign(shown="method", ratio=lambda rows: rows.off + 1)
 
 
-def _bracketed(cube: xr.Dataset, point: Measured, table: pd.DataFrame) -> dict:
+def _bracketed(cube: xr.Dataset, point: Measurement, table: pd.DataFrame) -> dict:
     finding = _finding(point, _words(cube, table))
     for where in ("below", "above"):
         methods, off = neighbour(table, where)
@@ -95,7 +95,7 @@ def _words(cube: xr.Dataset, table: pd.DataFrame) -> str:
     return "; ".join(told)
 
 
-def _strip(panel: Axes, cube: xr.Dataset, plain: list[Measured], tables: list[pd.DataFrame]) -> None:
+def _strip(panel: Axes, cube: xr.Dataset, plain: list[Measurement], tables: list[pd.DataFrame]) -> None:
     """Computed over measured, a row for each measurement and a lane for each method."""
     methods = [
         method
@@ -119,14 +119,14 @@ def _strip(panel: Axes, cube: xr.Dataset, plain: list[Measured], tables: list[pd
     panel.set_title("Values: every method that\ntreats the measured phase, filling")
 
 
-def _label(point: Measured, table: pd.DataFrame) -> str:
+def _label(point: Measurement, table: pd.DataFrame) -> str:
     place = "" if np.isnan(point.depth) else f" at {point.depth:g} m"
     value = f" = {table.measured.iloc[0]:.2f}" if point.formula else ""
     return f"{fill(point.title, 24)}\n{fill(point.quantity, 24)}\n{point.told}{value}{place}"
 
 
 # ---- what none answers ----
-def _unanswered(silent: list[Measured]) -> list[str]:
+def _unanswered(silent: list[Measurement]) -> list[str]:
     """Lines that name the measurements without an answer, by reason."""
     lines = []
     for why, group in groupby(silent, key=lambda point: point.why_none):

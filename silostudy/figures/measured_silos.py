@@ -14,7 +14,7 @@ from silostudy.cube.silence import silences
 from silostudy.errors import BadInput
 from silostudy.figures.steps import over_depth
 from silostudy.figures.style import BLUE, REST, WIDTH, foot, headline, look, save, title
-from silostudy.tables.measured import Measured
+from silostudy.tables.measured import Measurement
 
 READ = "grey: methods in the other phases; right: those of the measured phase, dark the next to what was measured"
 
@@ -49,13 +49,13 @@ def _message(compared: pd.DataFrame) -> str:
     )
 
 
-def _points(here: xr.Dataset) -> list[Measured]:
+def _points(here: xr.Dataset) -> list[Measurement]:
     """The measured pressures of a silo at depths that the cube reaches."""
     least, most = float(here["depth"].min()), float(here["depth"].max())
     return [point for point in pressures_measured_in(here) if least <= point.depth <= most]
 
 
-def _deviations(here: xr.Dataset, point: Measured) -> pd.DataFrame:
+def _deviations(here: xr.Dataset, point: Measurement) -> pd.DataFrame:
     """Each method's pressure at the measured depth, by how much it is off, and which methods bracket the measurement."""
     table = deviations(here, point, list(map(str, here["pressure_method"].values)))
     table = table.assign(shown="at the measured depth", depth_m=point.depth, source=f"{point.source}, {point.locator}")
@@ -64,7 +64,7 @@ def _deviations(here: xr.Dataset, point: Measured) -> pd.DataFrame:
     return table.assign(measured_phase=point.phase)
 
 
-def _curves(panel: Axes, here: xr.Dataset, points: list[Measured]) -> pd.DataFrame:
+def _curves(panel: Axes, here: xr.Dataset, points: list[Measurement]) -> pd.DataFrame:
     """Draws every method's pressure over depth, of other phases than the measured in grey; the curves as a table."""
     tables = []
     for method in map(str, here["pressure_method"].values):
@@ -84,7 +84,7 @@ def _curves(panel: Axes, here: xr.Dataset, points: list[Measured]) -> pd.DataFra
     return pd.concat(tables)
 
 
-def _bars(panel: Axes, table: pd.DataFrame, point: Measured) -> None:
+def _bars(panel: Axes, table: pd.DataFrame, point: Measurement) -> None:
     """A bar a method: by how much it is off; dark those next to the measurement."""
     colours = np.where(table.bracket != "", BLUE, REST["color"])
     panel.barh(np.arange(len(table)), 100 * table.off, color=colours, edgecolor="0.4", linewidth=0.5)

@@ -11,12 +11,12 @@ from matplotlib.axes import Axes
 
 from silostudy.cube.measured import cases_of, crossing, swelling_over_filling
 from silostudy.figures.style import LINES, series
-from silostudy.tables.measured import Measured
+from silostudy.tables.measured import Measurement
 
 DEEPEST = 0.9  # z/z_o down to which the quotient is drawn
 
 
-def curves(cube: xr.Dataset, swollen: Sequence[Measured], swelling: str, filled: tuple[str, str]) -> pd.DataFrame:
+def curves(cube: xr.Dataset, swollen: Sequence[Measurement], swelling: str, filled: tuple[str, str]) -> pd.DataFrame:
     """Pressure of the swelling solid over that of filling by its own code (the first of `filled`) and by Janssen.
 
     With a lateral pressure ratio that no wall changes, as Janssen's, the quotient is the same on every wall of a solid: the
@@ -37,7 +37,7 @@ def curves(cube: xr.Dataset, swollen: Sequence[Measured], swelling: str, filled:
     return pd.concat(tables, ignore_index=True)
 
 
-def crossings(drawn: pd.DataFrame, swollen: Sequence[Measured]) -> pd.DataFrame:
+def crossings(drawn: pd.DataFrame, swollen: Sequence[Measurement]) -> pd.DataFrame:
     """Where the curves of a measurement's solid come to its value; NaN, and the least value, where they do not."""
     rows = []
     for point in swollen:
@@ -50,7 +50,7 @@ def crossings(drawn: pd.DataFrame, swollen: Sequence[Measured]) -> pd.DataFrame:
     return pd.DataFrame(rows)
 
 
-def words(met: pd.DataFrame, point: Measured) -> str:
+def words(met: pd.DataFrame, point: Measurement) -> str:
     """Where the curves come to the measured value, in words."""
     told = []
     for row in met[met.measurement == point.measurement].itertuples():
@@ -60,7 +60,7 @@ def words(met: pd.DataFrame, point: Measured) -> str:
     return "; ".join(told)
 
 
-def draw_on(panel: Axes, drawn: pd.DataFrame, met: pd.DataFrame, swollen: Sequence[Measured]) -> None:
+def draw_on(panel: Axes, drawn: pd.DataFrame, met: pd.DataFrame, swollen: Sequence[Measurement]) -> None:
     """Draws the curves, the measured ratios and where they meet."""
     solids, walls = list(dict.fromkeys(drawn.taken_solid)), list(dict.fromkeys(drawn.taken_wall))
     walls = [*(wall for wall in walls if wall != "any"), "any"]
@@ -83,7 +83,7 @@ def _plain(solid: str) -> str:
     return solid.partition("_")[0]
 
 
-def _ratios(panel: Axes, rising: Sequence[Measured]) -> None:
+def _ratios(panel: Axes, rising: Sequence[Measurement]) -> None:
     """A line for each measured ratio, its name on the side where no other stands close."""
     for place, point in enumerate(rising):
         panel.axvline(point.value, color="0.35", linewidth=0.9, zorder=1)

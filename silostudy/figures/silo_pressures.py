@@ -68,8 +68,7 @@ def _message(cube: xr.Dataset, numbers: pd.DataFrame) -> str:
     told = []
     for method, table in normal.groupby("pressure_method", sort=False):
         top = table.loc[table.pressure_kPa.idxmax()]
-        where = "hopper" if top.depth_m > float(cube["cylinder_depth"]) else "cylinder"
-        told.append(f"{name(cube, str(method))} {top.pressure_kPa:.0f} kPa ({top.phase}, {where})")
+        told.append(f"{name(cube, str(method))} {top.pressure_kPa:.0f} kPa ({top.phase}, {top['part']})")
     return f"The largest pressures normal to the wall: {'; '.join(told)}"
 
 

@@ -41,7 +41,7 @@ def remark(printed: Printed, label: str) -> str:
     """The errors of the source that touch a printed value."""
     if label.endswith(AS_PRINTED):
         return "computed with the source's misprints left in"
-    found = [
+    remarks = [
         f"{erratum.place}: printed {erratum.printed}, right {erratum.right}"
         for erratum in errata()
         if erratum.method == printed.method
@@ -49,4 +49,4 @@ def remark(printed: Printed, label: str) -> str:
         and erratum.place.startswith("Table 4.2.5")
         and erratum.depth in (None, printed.depth)
     ]
-    return "; ".join(found)
+    return "; ".join(remarks)

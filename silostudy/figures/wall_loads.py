@@ -71,6 +71,8 @@ def _title(loads: xr.Dataset, key: str) -> str:
 def _message(loads: xr.Dataset, peaks: dict[str, float]) -> str:
     """What the maps say, in numbers: the load case with the largest normal pressure (kPa), over the least of their peaks."""
     most, least = max(peaks, key=peaks.__getitem__), min(peaks, key=peaks.__getitem__)
+    if peaks[most] < 1.005 * peaks[least]:
+        return f"The largest normal pressure is {peaks[most]:.0f} kPa in every load case"
     return (
         f"The largest normal pressure is {peaks[most]:.0f} kPa in {_title(loads, most)}:"
         f" {peaks[most] / peaks[least]:.1f} times the largest in {_title(loads, least)}"

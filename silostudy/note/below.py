@@ -38,7 +38,7 @@ def part_in_full(cube: xr.Dataset, pressure: xr.Dataset, scope: Scope, part: str
 
 
 def leading(uses: list[Use]) -> list[Use]:
-    """Of the checks that share lines, so of one part, the one by which it is used most."""
+    """The checks by which a part is used most, of those that share lines."""
     first_uses: list[Use] = []
     for use in sorted(uses, key=lambda use: -use.utilisation):
         if not any(_share(use.key, other.key) for other in first_uses):

@@ -10,13 +10,16 @@ import xarray as xr
 
 from silostudy.note.mathml import rounded
 
-TOP, DOWN = 34.0, 370.0  # of the picture's height: margin above, what the silo takes
-PHASES = {"filling": ("#2166AC", "0"), "discharge": ("#B2182B", "6 3")}  # colour, dashes
+# of the picture's height
+TOP = 40.0  # margin above
+DOWN = 370.0  # what the silo takes
+SIZE = 14  # of words: 12 px on the page, which shows the picture somewhat smaller
+PHASES = {"filling": ("#0072B2", "0"), "discharge": ("#D55E00", "6 3")}  # colour, dashes
 
 
 @dataclass(frozen=True)
 class Scale:
-    """From metres below the equivalent surface to places in the picture."""
+    """Scale from metres below the equivalent surface to places in the picture."""
 
     highest: float
     lowest: float
@@ -53,8 +56,8 @@ def _look(look: dict[str, str]) -> str:
     return " ".join(f'{key.replace("_", "-")}="{value}"' for key, value in given.items())
 
 
-def _word(x: float, y: float, content: str, anchor: str = "middle", size: int = 11) -> str:
-    return text(x, y, content, anchor, font_size=str(size), fill="#222")
+def _word(x: float, y: float, content: str, anchor: str = "middle") -> str:
+    return text(x, y, content, anchor, font_size=str(SIZE), fill="#222")
 
 
 def picture(cube: xr.Dataset, checks: xr.Dataset | None) -> str:
@@ -101,7 +104,7 @@ def _silo(first: xr.Dataset, checks: xr.Dataset | None, scale: Scale, middle: fl
     parts = [line(x, top - 12, x, foot, stroke_width="2") for x in (left, right)]
     parts.append(line(middle, TOP - 8, middle, scale.y(scale.lowest) + 14, stroke="#888", stroke_dasharray="8 3 2 3"))
     parts.append(line(left, scale.y(0), right, scale.y(0), stroke="#2166AC", stroke_dasharray="4 3"))
-    parts.append(_word(right + 4, scale.y(0) + 4, "z = 0", "start", 10))
+    parts.append(_word(right + 4, scale.y(0) + 4, "z = 0", "start"))
     if heap := _value(first, "given_heap_height"):
         parts.append(path([(left, top), (middle, scale.y(contact - heap)), (right, top)], stroke="#A6611A"))
     parts += _below(first, scale, left, right, middle)
@@ -124,8 +127,8 @@ def _below(first: xr.Dataset, scale: Scale, left: float, right: float, middle: f
     return [
         *(path(side, stroke_width="2") for side in sides),
         line(left, foot, right, foot, stroke="#555", stroke_width="0.7"),
-        _word(middle + 26, foot + 18, angle, size=10),
-        _word(middle, scale.y(end) + 14, f"b_o {rounded(float(first['outlet_width']))} m", size=10),
+        _word(middle + 26, foot + 18, angle),
+        _word(middle, scale.y(end) + 14, f"b_o {rounded(float(first['outlet_width']))} m"),
         *_dimension(left - 18, foot, scale.y(end), f"{rounded(end - depth)} m"),
     ]
 
@@ -145,7 +148,7 @@ def _strakes(checks: xr.Dataset, scale: Scale, left: float, right: float) -> lis
         upper, lower = float(depth[here].min()), float(depth[here].max())
         parts.append(line(right - 5, scale.y(upper), right + 5, scale.y(upper), stroke="#555"))
         label = f"{strake}: t {rounded(float(thickness[here][0]) * 1e3)} mm"
-        parts.append(_word(right + 8, scale.y((upper + lower) / 2) + 4, label, "start", 10))
+        parts.append(_word(right + 8, scale.y((upper + lower) / 2) + 4, label, "start"))
     return parts
 
 
@@ -154,12 +157,12 @@ def _panel(cube: xr.Dataset, name: str, label: str, scale: Scale, left: float, w
     if not np.isfinite(most) or most <= 0:
         return [_word(left + width / 2, TOP + 20, f"{label}: masked")]
     top, foot = scale.y(0), scale.y(float(cube["cylinder_depth"]))
-    parts = [line(left, top, left, foot), line(left, top, left + width, top), _word(left + width / 2, top - 18, label)]
+    parts = [line(left, top, left, foot), line(left, top, left + width, top), _word(left + width / 2, top - 24, label)]
     for share in (0.5, 1.0):
         x = left + width * share
         parts += [
             line(x, top - 3, x, foot, stroke="#ccc", stroke_width="0.6"),
-            _word(x, top - 5, rounded(float(f"{most * share:.2g}")), size=9),
+            _word(x, top - 5, rounded(float(f"{most * share:.2g}"))),
         ]
     for key, (colour, dashes) in PHASES.items():
         if key in cube["phase"].values:
@@ -206,11 +209,11 @@ def hopper(cube: xr.Dataset) -> str:
     for number, (name, label) in enumerate(
         (("hopper_normal_pressure", "p_n (kPa)"), ("hopper_friction_traction", "p_t (kPa)"))
     ):
-        parts += _beside(cube, name, label, -height, scale, 90.0 + 260 * number)
+        parts += _beside(cube, name, label, -height, scale, 90.0 + 280 * number)
     legend = [
         _legend(key, 90.0 + 120 * k, TOP + DOWN * 0.5 + 30) for k, key in enumerate(PHASES) if key in cube["phase"].values
     ]
-    return _svg(620, TOP + DOWN * 0.5 + 42, [*parts, *legend])
+    return _svg(640, TOP + DOWN * 0.5 + 42, [*parts, *legend])
 
 
 def _beside(
@@ -224,16 +227,16 @@ def _beside(
         return TOP + (scale.y(depth) - TOP) * 0.5
 
     top, foot = y(z.min()), y(z.max())
-    parts = [line(left, top, left, foot), line(left, top, left + width, top), _word(left + width / 2, top - 20, label)]
+    parts = [line(left, top, left, foot), line(left, top, left + width, top), _word(left + width / 2, top - 24, label)]
     parts += [
-        _word(left - 5, top + 4, f"x {rounded(-z.min())} m", "end", 9),
-        _word(left - 5, foot, f"x {rounded(-z.max())} m", "end", 9),
+        _word(left - 5, top + 4, f"x {rounded(-z.min())} m", "end"),
+        _word(left - 5, foot, f"x {rounded(-z.max())} m", "end"),
     ]
     for share in (0.5, 1.0):
         x = left + width * share
         parts += [
             line(x, top - 3, x, foot, stroke="#ccc", stroke_width="0.6"),
-            _word(x, top - 6, rounded(most * share), size=9),
+            _word(x, top - 6, rounded(most * share)),
         ]
     for key, (colour, dashes) in PHASES.items():
         if key in cube["phase"].values:

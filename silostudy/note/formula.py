@@ -84,7 +84,7 @@ def mathml(text: str, written: Written) -> str:
 
 
 def _written(node: ast.expr, name_of: Written, linear: bool = False) -> tuple[str, int]:
-    """(MathML, how tightly it holds together); linear: fractions with a stroke, as in an exponent."""
+    """MathML of a formula, and how tightly it holds together; linear: fractions with a stroke, as in an exponent."""
     match node:
         case ast.Constant(value=int() | float() as value):
             return tag("mn", f"{float(value):g}"), WHOLE

@@ -9,7 +9,7 @@ from silostudy.tables.clauses import clauses
 
 
 def chapter(method: str, checks: xr.Dataset | None) -> Chapter:
-    """What this silo's cubes leave out, then what the code's clauses and the checks of the steel leave out at all."""
+    """Chapter on what a silo's cubes leave out, then on the code's clauses and the checks of the steel that are not built."""
     blocks = []
     if checks is None:
         told = "The study asks for no checks of the steel (section `checks` of a study of kind shell): this is a note of loads."

@@ -14,7 +14,9 @@ from silostudy.note import formula
 from silostudy.note.mathml import UNITS, math, mo, number, row, shown, symbol, tag, width
 from silostudy.tables.read import rows
 
-LONG, LONGER = 36, 51  # width of a formula that fills its column in the usual and in the smaller size
+# width of a formula (signs) that fills its column
+LONG = 36  # in the usual size
+LONGER = 51  # in the smaller one
 AGREES = 1e-6  # relative: how far the value of a formula may lie from what the cube holds
 TEXT = ("section", "owner", "name", "what", "unit", "read", "formula", "when", "words", "source", "locator", "remark")
 
@@ -40,7 +42,7 @@ class Line:
 
 @dataclass(frozen=True)
 class Scope:
-    """Where a section reads: parts of the cubes, and the names that are known so far with their value (SI) and unit shown."""
+    """Parts of the cubes that a section reads, and the names that are known so far with their value (SI) and unit shown."""
 
     cubes: tuple[xr.Dataset, ...]
     known: dict[str, tuple[float, str]] = field(default_factory=dict)
@@ -75,7 +77,7 @@ class Written:
 
     @property
     def size(self) -> str:
-        """How small the formula has to be set to stand beside its name: `long`, `longer` (its source below it), or as it is."""
+        """Size in which a formula stands beside its name: `long`, `longer` (its source below it), or as it is."""
         widest = max(width(text) for text in (self.symbols, self.numbers))
         return "longer" if widest > LONGER else "long" if widest > LONG else ""
 

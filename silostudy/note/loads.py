@@ -80,7 +80,7 @@ def flags(cube: xr.Dataset) -> dict[str, float]:
 
 
 def chapters(cube: xr.Dataset, method: str, checks: xr.Dataset | None) -> tuple[list[Chapter], Scope]:
-    """(chapters on silo, solid and pressures, the scope that knows all their names); one: a silo by a method, all phases."""
+    """Chapters on silo, solid and pressures, and the scope that knows all their names; cube: a silo by a method, all phases."""
     first = cube.isel(phase=0)
     scope = Scope(()).reading(foot(first), **flags(cube))
     sizes = tuple(write("silo", scope, method))
@@ -103,7 +103,7 @@ def _solid(first: xr.Dataset, scope: Scope, method: str) -> list[Block]:
 
 
 def _origin(first: xr.Dataset, name: str) -> str:
-    """Where a property comes from, in words, with the source of its row."""
+    """Origin of a property, in words, with the source of its row."""
     if name not in first["solid_property"].values:
         return ""
     flags = first["property_origin"].sel(solid_property=name)

@@ -28,7 +28,7 @@ UNITS = {
     "kN/m³": ("N m-3", 1e3),
     "t": ("kg", 1e3),
 }
-DIGITS = 4
+DIGITS = 4  # that a number in a formula shows
 SCRIPTS = ("msub", "msup", "msubsup")
 SCRIPT = 0.7  # size of an index or exponent
 

@@ -60,7 +60,7 @@ def chapters(silo_cube: xr.Dataset, checks: xr.Dataset | None, method: str) -> l
 
 
 def recomputed(lines: Sequence[Written]) -> str:
-    """How many formulas were evaluated again with the numbers shown before them, and how well they agree with the cube."""
+    """Number of formulas that were evaluated again with the numbers shown, and how well they agree with the cube."""
     again = [line for line in lines if line.value == line.value]
     off = [line.line.name for line in again if not line.agrees]
     told = (

@@ -29,14 +29,14 @@ def chapters(cube: xr.Dataset, pressure: xr.Dataset, scope: Scope) -> list[Chapt
 
 
 def given(cube: xr.Dataset, scope: Scope) -> tuple[list[Written], Scope]:
-    """(lines of what the study gives of the steel, the scope that knows them, and whether there are wind and a patch load)."""
+    """Lines of what the study gives of the steel, and the scope that knows them, wind and patch load among them."""
     local = knowing(scope, at_end(cube, 0))
     lines = write("steel", local)
     return lines, local.reading(windless="q_w" not in local.known, patched="z_p" in local.known)
 
 
 def results(cube: xr.Dataset) -> list[tuple[str, str, str, str]]:
-    """What governs each part: part, check, combination, utilisation."""
+    """Check that governs each part: part, check, combination, utilisation."""
     rows = []
     for strake in map(int, cube["strake"].values if "followed_check" in cube.dims else ()):
         most = governing(cube, uses_of_strake(cube, strake))

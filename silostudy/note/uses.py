@@ -1,4 +1,4 @@
-"""How far each check uses a part of a silo, where, and in which combination, as the cube of the checks has it."""
+"""Utilisation of each part of a silo by each check, where, and in which combination, as the cube of the checks has it."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -17,7 +17,7 @@ from silostudy.note.mathml import rounded
 
 @dataclass(frozen=True)
 class Use:
-    """How far a check uses a part: utilisation, combination, and where in the cube that stands."""
+    """Utilisation (1) of a part by a check, the combination, and where in the cube that stands."""
 
     key: str
     utilisation: float
@@ -44,7 +44,7 @@ def uses_of_strake(cube: xr.Dataset, strake: int) -> list[Use]:
 
 
 def worst(values: xr.DataArray) -> tuple[int, float]:
-    """(number of the end of the wall friction with the largest value, that value); 0 and NaN where all are masked."""
+    """Number of the end of the wall friction with the largest value, and that value; 0 and NaN where all are masked."""
     ends = np.atleast_1d(values.values)
     end = int(np.argmax(np.where(np.isnan(ends), -np.inf, ends)))
     return end, float(ends[end])
@@ -70,7 +70,7 @@ def _used(cube: xr.Dataset, name: str, dim: str, key: str) -> Use:
 
 
 def why_of_part(cube: xr.Dataset, part: str, key: str) -> str:
-    """Why a check of hopper or support is nowhere made, in words: the reason that stands most often."""
+    """Reason, in words, why a check of hopper or support is nowhere made: the one that stands most often."""
     return _commonest(cube[f"{part}_check_utilisation{SCOPE}"].sel({f"{part}_check": key}))
 
 
@@ -79,7 +79,7 @@ def _commonest(flags: xr.DataArray) -> str:
 
 
 def why(cube: xr.Dataset, key: str, rules: list[str], strake: int) -> str:
-    """Why a check is nowhere made in a strake, in words: the reason that stands most often."""
+    """Reason, in words, why a check is nowhere made in a strake: the one that stands most often."""
     name, dim = ("design_buckling_utilisation", "rule") if key in rules else ("design_check_utilisation", "steel_check")
     return _commonest(cube[name + SCOPE].sel({dim: key}).isel(place=at_end(cube, 0)["place_strake"].values == strake))
 
@@ -100,7 +100,7 @@ def titled(cube: xr.Dataset, key: str) -> str:
 
 
 def told_of(key: str) -> tuple[str, ...]:
-    """What else there is to say of a check or a rule: its formula as `silostudy explain` has it, and its range."""
+    """Formula of a check or a rule, as `silostudy explain` has it, and its range."""
     row = CHECKS[key] if key in CHECKS else BUCKLING.get(key)
     if row is None:
         return ()

@@ -1,4 +1,4 @@
-"""What a packing is: one row with a function that lays the discs, and what its section in a scene asks of the user."""
+"""The row of a packing: a function that lays the discs, and the fields that its section in a scene takes."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
@@ -9,7 +9,7 @@ from silostudy.catalogue import Row
 
 @dataclass(frozen=True, kw_only=True)
 class PackingField:
-    """What a packing asks its user for: the field in a scene file, and the argument of `place` that it becomes.
+    """Field of a packing's section in a scene file, and the argument of `place` that it becomes.
 
     bounds: ge, gt, le, lt; without a default the field must be given.
     """
@@ -25,7 +25,7 @@ class PackingField:
 
 @dataclass(frozen=True, kw_only=True)
 class Packing(Row):
-    """place(**needs) -> x, y (m) and radius (m) of the discs.
+    """Arrangement of discs. place(**needs) -> x, y (m) and radius (m).
 
     asks: fields of a scene's section `packing`; the other needs come from the scene (width, radius and seed).
     count: about how many discs there will be, from the radius (m) and the arguments; spread: argument above 0 of which the

@@ -15,7 +15,7 @@ ROOM = 2.1  # of the largest radius: pitch of the lattice
 
 @dataclass(frozen=True, kw_only=True)
 class Filling(Entry):
-    """place(silo, radii, random) -> places (n, 3; m); None where spheres rain in, or a file says where they are.
+    """Start of spheres. place(silo, radii, random) -> places (n, 3; m); None where they rain in, or a file says where they are.
 
     asks: fields of a scene's section `filling`.
     """
@@ -26,7 +26,7 @@ class Filling(Entry):
     from_file: bool = False
 
     def arguments(self, section: Any) -> Mapping[str, Any]:
-        """What a section gives, by the names of its arguments."""
+        """Values that a section gives, by the names of its arguments."""
         return {field.argument: getattr(section, field.name) for field in self.asks}
 
 

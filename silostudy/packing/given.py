@@ -7,7 +7,7 @@ from silostudy.packing.family import Packing, PackingField
 
 
 def place(*, x, y, radius):
-    """x, y and radius (m) as given, a radius for each disc or one for all.  Raises BadInput where the lengths differ."""
+    """Places x, y and radius (m) as given, a radius for each disc or one for all.  Raises BadInput where the lengths differ."""
     x, y = np.asarray(x, float), np.asarray(y, float)
     if x.shape != y.shape or x.ndim != 1:
         raise BadInput("x", x.shape, f"x and y must be two rows of equal length, y has {y.shape}")

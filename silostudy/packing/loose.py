@@ -9,7 +9,7 @@ ROOM = 2.3  # of the largest radius: side of the square that each disc has for i
 
 
 def place(*, width, count, radius, spread=0.0, seed=0):
-    """x, y and radius (m) of `count` discs without contact, radii even between radius (1 - spread) and radius (1 + spread).
+    """Places x, y and radius (m) of `count` discs without contact, radii even from radius (1 - spread) to radius (1 + spread).
 
     Raises BadInput where not one disc fits the width, or the spread is not in 0 ... 1.
     """

@@ -9,7 +9,7 @@ from silostudy.packing.family import Packing, PackingField
 
 
 def place(*, width, height, radius, across, gap, offset=0.0, seed=0):
-    """x, y and radius (m) of the discs that start within the height, x from the left wall and y from the floor.
+    """Places x, y and radius (m) of the discs that start within the height, x from the left wall and y from the floor.
 
     Kiyama & Fujimura (1983), section 5 (1): s = `across` discs span the width. Neighbours along a slope and discs at
     the walls and floor keep a gap (m). Every disc is moved at random by up to `offset` (m) each way.

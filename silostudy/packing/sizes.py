@@ -16,7 +16,7 @@ DRAWS = 1000  # rounds of draws after which a cut-off counts as leaving nothing
 
 @dataclass(frozen=True, kw_only=True)
 class Sizes(Entry):
-    """draw(random, count, **arguments) -> diameters (mm); asks: fields of a scene's section `sizes`."""
+    """Distribution of sizes. draw(random, count, **arguments) -> diameters (mm); asks: fields of a scene's section `sizes`."""
 
     draw: Callable[..., np.ndarray]
     asks: tuple[PackingField, ...]
@@ -70,7 +70,7 @@ def _ordered(least: float, largest: float) -> None:
 
 
 def _cut(draw: Callable[[int], np.ndarray], count: int, least: float, largest: float) -> np.ndarray:
-    """So many of the draws that lie between two ends."""
+    """Draws that lie between two ends, as many as asked for."""
     _ordered(least, largest)
     radii = np.empty(0)
     for _ in range(DRAWS):

@@ -19,7 +19,7 @@ def asking(function: Callable, names: Iterable[str], doc: str, place: str | None
 
 
 def first_line(function: Callable) -> str:
-    """What a function gives: the first line of its docstring."""
+    """First line of a function's docstring: what it gives."""
     return (function.__doc__ or "").splitlines()[0]
 
 

@@ -12,7 +12,7 @@ from silostudy.pressure.family import CIRCULAR, PressureMethod
 
 
 def principal_ratio(internal_friction_angle, wall_friction):
-    """i (1), the smaller over the larger stress: (1 - sin phi_i sqrt(1 - m^2)) / (1 + ...), m = tan phi_o / tan phi_i.
+    """Ratio i (1) of the smaller to the larger stress: (1 - sin phi_i sqrt(1 - m^2)) / (1 + ...), m = tan phi_o / tan phi_i.
 
     Source: silo_handbook, section 4.2.2 (c); its j is 1/i.
     """
@@ -51,7 +51,7 @@ DISCHARGE = {name: _state(discharge_ratio, function) for name, function in janss
 
 
 def _depth_constant(hydraulic_radius, wall_friction, stress_ratio):
-    """b (m): (D/2) times j or i over sin(2 phi_o)."""
+    """Depth constant b (m): (D/2) times j or i over sin(2 phi_o)."""
     return 2 * hydraulic_radius * stress_ratio / np.sin(2 * np.arctan(wall_friction))
 
 

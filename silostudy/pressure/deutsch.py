@@ -7,7 +7,8 @@ from silostudy.pressure.family import CIRCULAR, PressureMethod
 from silostudy.pressure.one_silo import FRICTION, PROPORTIONS
 from silostudy.tables.charts import chart
 
-DEPTHS, RATIOS = chart("deutsch")  # p / (gamma D) over z / D
+# z / D, and p / (gamma D) there
+DEPTHS, RATIOS = chart("deutsch")
 
 
 def design_pressure(z, *, unit_weight, diameter):

@@ -82,7 +82,7 @@ def _own(function, phase):
 USED = {
     phase: janssen.for_state(
         {
-            "lateral_pressure_ratio": _own(lambda phi, powder, depth: lateral_pressure_ratio(powder, depth), phase),
+            "lateral_pressure_ratio": _own(lambda phi, powder, state: lateral_pressure_ratio(powder, state), phase),
             "wall_friction": _own(wall_friction, phase),
             "wall_friction_uncapped": _own(wall_friction, phase),
         },

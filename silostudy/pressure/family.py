@@ -1,4 +1,4 @@
-"""What a pressure method is: one row that says which quantity it gives in which phase, from which parameters."""
+"""The row of a pressure method: which quantity it gives in which phase, from which parameters."""
 
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
@@ -210,7 +210,7 @@ class PressureMethod(Row):
         return plans & WITH_HOPPER if quantity in HOPPER_QUANTITIES or quantity in OF_HOPPER else plans
 
     def bounded(self, phase: str) -> Quantities:
-        """quantity -> function in a phase, NaN beyond the method's limits."""
+        """Functions by quantity in a phase, NaN beyond the method's limits."""
         return {name: self._bounded(name, phase, function) for name, function in self.phases.get(phase, {}).items()}
 
     def _bounded(self, name: str, phase: str, function: Callable) -> Callable:
@@ -222,7 +222,7 @@ class PressureMethod(Row):
         return asking(within, (*parameters_of(function), *limiting), first_line(function))
 
     def faults(self) -> Iterator[str]:
-        """What is wrong with the row, in words."""
+        """Faults of the row, in words."""
         yield from super().faults()
         yield from faults_of_look(self)
         for name in ("drawn", "drawn_as_printed"):
@@ -269,7 +269,7 @@ def _faults_of_names(row: PressureMethod) -> Iterator[str]:
 
 
 def _functions(row: PressureMethod) -> Iterator[tuple[str, Callable, str, str | None]]:
-    """(name, function, unit, name of its place or none) of every function of a row."""
+    """Name, function, unit and name of its place (or none) of every function of a row."""
     yield "static", row.static, "Pa", "z"
     for tables, units, place in (
         (row.phases, QUANTITIES, "z"),

@@ -14,7 +14,9 @@ from silostudy.pressure.family import CIRCULAR, PressureMethod
 from silostudy.pressure.jenike_mass_flow import envelope_pressure
 from silostudy.pressure.limits import SLENDERNESS, Limit, Measure
 
-SHALLOW, TALL = 2.0, 5.0  # H / D
+# H / D
+SHALLOW = 2.0  # up to which a bin is shallow
+TALL = 5.0  # from which on it is tall
 
 
 def effective_transition(*, diameter, outlet_depth, channel_half_angle):
@@ -31,7 +33,7 @@ def _pressure(z, **given):
 
 
 def _below_transition(z, *, cylinder_depth, diameter, outlet_depth, channel_half_angle):
-    """How far below the effective transition (m); 0 in shallow bins, whose channel never reaches the wall."""
+    """Depth (m) below the effective transition; 0 in shallow bins, whose channel never reaches the wall."""
     below = z - effective_transition(diameter=diameter, outlet_depth=outlet_depth, channel_half_angle=channel_half_angle)
     return np.where(cylinder_depth / diameter <= SHALLOW, 0.0, below)
 

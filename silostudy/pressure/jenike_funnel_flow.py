@@ -12,6 +12,7 @@ from silostudy.pressure.limits import RELATIVE_DEPTH, Limit
 from silostudy.pressure.one_silo import FRICTION, PROPORTIONS
 from silostudy.tables.charts import chart
 
+# z / D, and factor there
 DEPTHS, FACTORS = chart("jenike_funnel_flow")
 STRAIGHT_FROM = DEPTHS[-2]
 

@@ -1,9 +1,9 @@
-"""When a conical hopper flows as a whole: Jenike's limit of the half angle."""
+"""Mass-flow limit: Jenike's half angle up to which a conical hopper flows as a whole."""
 
 import numpy as np
 
 MARGIN = np.radians(3.0)  # designers stay three to four degrees below the limit
-LEAST_FRICTION = np.radians(20.0)
+LEAST_FRICTION = np.radians(20.0)  # rad: effective friction below which the limit is not given
 PATTERNS = ("unknown", "mass_flow", "within_the_margin", "funnel_flow")  # position = flag value in the cube
 
 

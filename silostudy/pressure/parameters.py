@@ -1,4 +1,4 @@
-"""What a pressure method may ask for; the scene room provides it by these names."""
+"""Parameters that a pressure method may ask for; the scene room provides them by these names."""
 
 # name -> (unit, symbol, a usual value)
 PARAMETERS = {

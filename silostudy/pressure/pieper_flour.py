@@ -32,7 +32,7 @@ def unit_weight_small(*, unit_weight_lower, unit_weight):
 
 
 def lateral_ratio(phase, *, internal_friction_angle, powder):
-    """lambda (1) of a phase. Source: silo_handbook, section 4.5.1 (3)."""
+    """Lateral pressure ratio lambda (1) of a phase. Source: silo_handbook, section 4.5.1 (3)."""
     return np.where(powder == 1, FLOUR_RATIO[phase], GENERAL_RATIO[phase] * (1 - np.sin(internal_friction_angle)))
 
 
@@ -46,7 +46,7 @@ def wall_friction_of(phase, extra, *, wall_friction, internal_friction_angle):
 
 
 def model_law(pressure, depth, *, hydraulic_radius, other_hydraulic_radius):
-    """(pressure (Pa), depth (m)) in a similar prismatic cell of another hydraulic radius.
+    """Pressure (Pa) and depth (m) in a similar prismatic cell of another hydraulic radius.
 
     Source: silo_handbook, section 4.5.1 (5).
     """
@@ -74,7 +74,7 @@ def _state(quantity, phase, weight, extra):
 
 
 def _used(phase, weight, extra):
-    """What a phase reckons with in place of the values handed over."""
+    """Values that a phase reckons with in place of those handed over."""
 
     def friction(*, wall_friction, internal_friction_angle):
         return wall_friction_of(phase, extra, wall_friction=wall_friction, internal_friction_angle=internal_friction_angle)

@@ -7,7 +7,9 @@ import numpy as np
 from silostudy.pressure import hopper_shape
 from silostudy.pressure.calls import parameters_of
 
-NODES, REACH = 81, 3.3  # of the double-exponential rule: points, and where its variable ends
+# of the double-exponential rule
+NODES = 81  # points
+REACH = 3.3  # where its variable ends
 
 
 def from_surface(traction: np.ndarray, z: np.ndarray) -> np.ndarray:
@@ -18,7 +20,7 @@ def from_surface(traction: np.ndarray, z: np.ndarray) -> np.ndarray:
 
 
 def double_exponential(count: int = NODES) -> tuple[np.ndarray, np.ndarray]:
-    """(places within 0 ... 1, weights) of the double-exponential rule, which takes powers at either end in its stride."""
+    """Places within 0 ... 1 and weights of the double-exponential rule, which integrates powers at either end well."""
     nodes = np.linspace(-REACH, REACH, count)
     places = (1 + np.tanh(np.pi / 2 * np.sinh(nodes))) / 2
     return places, np.pi / 4 * np.cosh(nodes) / np.cosh(np.pi / 2 * np.sinh(nodes)) ** 2 * (nodes[1] - nodes[0])

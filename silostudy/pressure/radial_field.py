@@ -25,10 +25,12 @@ from functools import lru_cache
 
 import numpy as np
 
-STEPS = 60
-HALVINGS = 12
-SECANTS = 6
-SMALLEST, LARGEST = 1e-4, 1e4  # stress on the axis over gamma r, between which the field is looked for
+STEPS = 60  # of the integration from the axis to the wall
+HALVINGS = 12  # of the bracket of the stress on the axis, before secants take over
+SECANTS = 6  # from there to the solution
+# stress on the axis over gamma r, between which the field is looked for
+SMALLEST = 1e-4
+LARGEST = 1e4
 
 
 def flow_slope(half_angle, wall_friction, effective_friction_angle, slot, steps=STEPS):
@@ -51,7 +53,7 @@ def initial_slope(half_angle, wall_friction, stress_ratio, slot, steps=STEPS):
 
 
 def _solved(solve, steps, *parameters):
-    """solve over the distinct sets of parameters only, spread back over their common shape."""
+    """Solves over the distinct sets of parameters only, and spreads the solution back over their common shape."""
     arrays = np.broadcast_arrays(*(np.asarray(parameter, dtype=float) for parameter in parameters))
     distinct, place = np.unique(np.stack([array.ravel() for array in arrays]), axis=1, return_inverse=True)
     return remembered(solve, steps, distinct.tobytes(), distinct.shape)[place.ravel()].reshape(arrays[0].shape)
@@ -81,7 +83,7 @@ def _initial(steps, half_angle, wall_friction, stress_ratio, slot):
     spread = (2 + m) / stress_ratio - 1 - m
 
     def field(on_axis, weight):
-        """(b, t) at the wall for the stress b on the axis; the equations are linear in both."""
+        """Values b, t at the wall for the stress b on the axis; the equations are linear in both."""
 
         def derivative(angle, state):
             b, t = state
@@ -119,7 +121,7 @@ def _flow(steps, half_angle, wall_friction, effective_friction_angle, slot):
 
 
 def _refined(steps, first, second, half_angle, m, k, at_wall):
-    """(s, w) at the wall by secants from two starts close to the solution."""
+    """Values s, w at the wall by secants from two starts close to the solution."""
     miss = _turned(steps, first, half_angle, m, k)[1] - at_wall
     for _ in range(SECANTS):
         s, w = _turned(steps, second, half_angle, m, k)
@@ -130,7 +132,7 @@ def _refined(steps, first, second, half_angle, m, k, at_wall):
 
 
 def _turned(steps, log_on_axis, half_angle, m, k):
-    """(s, w) at the wall for the logarithm of s on the axis; a field that turns past its limit stays there."""
+    """Values s, w at the wall for the logarithm of s on the axis; a field that turns past its limit stays there."""
     on_axis = np.exp(log_on_axis)
     limit = np.arccos(-k) - 1e-9  # beyond it the yield condition lets no stress state go on
 

@@ -19,13 +19,13 @@ def active_ratio(internal_friction_angle):
 
 
 def relative_depth(y, *, hydraulic_radius, wall_friction, internal_friction_angle, top_cone_height):
-    """y / c (1) with c = D / (4 mu k) - h/3."""
+    """Relative depth y / c (1) with c = D / (4 mu k) - h/3."""
     friction = wall_friction * active_ratio(internal_friction_angle)
     return friction * y / (hydraulic_radius - friction * top_cone_height / 3)
 
 
 def _cone_over_constant(*, hydraulic_radius, wall_friction, internal_friction_angle, top_cone_height):
-    """(h/3) / (R / (mu k)) (1)."""
+    """Ratio (h/3) / (R / (mu k)) (1)."""
     return wall_friction * active_ratio(internal_friction_angle) * top_cone_height / 3 / hydraulic_radius
 
 

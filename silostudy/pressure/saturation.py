@@ -5,12 +5,12 @@ from scipy.special import exprel
 
 
 def saturation(x):
-    """(1 - exp(-x)) / x for x >= 0: 1 at x = 0, 1/x for large x."""
+    """Function (1 - exp(-x)) / x for x >= 0: 1 at x = 0, 1/x for large x."""
     return exprel(-np.asarray(x, dtype=float))
 
 
 def saturation_deficit(x):
-    """(1 - saturation(x)) / x = (exp(-x) - 1 + x) / x**2 for x >= 0: 1/2 at x = 0.
+    """Function (1 - saturation(x)) / x = (exp(-x) - 1 + x) / x**2 for x >= 0: 1/2 at x = 0.
 
     The difference loses digits for small x, so below 1 its Taylor series serves (16 terms: remainder under 1e-16).
     """
@@ -24,12 +24,12 @@ def saturation_deficit(x):
 
 
 def growth(x):
-    """(exp(x) - 1) / x for x >= 0: 1 at x = 0."""
+    """Function (exp(x) - 1) / x for x >= 0: 1 at x = 0."""
     return exprel(np.asarray(x, dtype=float))
 
 
 def growth_excess(x):
-    """(growth(x) - 1) / x = (exp(x) - 1 - x) / x**2 for x >= 0: 1/2 at x = 0; below 1 its Taylor series serves."""
+    """Function (growth(x) - 1) / x = (exp(x) - 1 - x) / x**2 for x >= 0: 1/2 at x = 0; below 1 by its Taylor series."""
     x = np.asarray(x, dtype=float)
     small = np.minimum(x, 1.0)
     series = np.zeros_like(small)

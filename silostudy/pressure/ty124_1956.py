@@ -5,7 +5,7 @@ import numpy as np
 from silostudy.pressure import janssen
 from silostudy.pressure.family import CELLS, PressureMethod
 
-OVERLOAD = 1.3
+OVERLOAD = 1.3  # factor n
 
 
 def overpressure_factor(z, *, outlet_depth):

@@ -1,1 +1,1 @@
-"""What is simulated: frozen scenes in SI units, and the cases of a study."""
+"""Scenes: what is simulated, frozen and in SI units, and the cases of a study."""

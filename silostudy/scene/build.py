@@ -1,4 +1,4 @@
-"""From the user's units to a frozen scene in SI, with the checks that need a table or two values at once."""
+"""Builds a frozen scene in SI from the user's units, with the checks that need a table or two values at once."""
 
 import json
 from collections.abc import Callable

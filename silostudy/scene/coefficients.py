@@ -1,4 +1,4 @@
-"""What is told of a scene's contacts: the laws and their coefficients, of contacts that differ each its own."""
+"""Lines that tell a scene's contacts: the laws and their coefficients, those of contacts that differ one by one."""
 
 from collections.abc import Iterator, Sequence
 

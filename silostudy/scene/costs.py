@@ -29,7 +29,7 @@ DRAWN = 200  # sizes that the ends of a distribution are guessed from
 
 @dataclass(frozen=True)
 class Costs:
-    """count(scene, folder) -> bodies; step(scene) -> s that the engine takes about; body, look: s of CPU time.
+    """Costs of a run. count(scene, folder) -> bodies; step(scene) -> usual time step (s); body, look: CPU time (s).
 
     body: of each in a step, look: of a step besides, most of it looks at rest and at what has left.
     """
@@ -77,7 +77,7 @@ def _spheres(scene: SphereScene, folder: Path) -> float:
 
 
 def _sphere_step(scene: SphereScene) -> float:
-    """From the smallest sphere's mass and the stiffness of two of them at the overlap at which the engine takes it."""
+    """Time step (s) from the smallest sphere's mass and the stiffness of two of them at the engine's overlap."""
     between, _ = contacts_of(scene)
     kinds = zip(scene.grain_kinds, (scene.sizes, *(kind.sizes for kind in scene.other_grains.values())), strict=True)
     return min(_step_of_kind(scene, name, sizes, between.numbered(set_of_pair(k, k))) for k, (name, sizes) in enumerate(kinds))

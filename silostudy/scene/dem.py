@@ -1,4 +1,4 @@
-"""From the user's units to a discrete-element scene in SI: walls, discs, contacts, events, and which effects it calls for."""
+"""Builds a scene of discs in SI from the user's units: walls, discs, contacts, events, and the effects it calls for."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -234,7 +234,7 @@ def surfaces_effect(scene: AnyScene) -> Effect:
 
 
 def reading_effects(scene: AnyScene) -> tuple[Effect, ...]:
-    """What is read between steps, and what rest is waited for."""
+    """Effects that are read between steps, and the measure of rest that is waited for."""
     record, rests = scene.record, any(event.when == "rest" for event in scene.events)
     every = f"every {record.snapshots_every_s:g} s" if record.snapshots_every_s else f"{len(record.snapshots_s)} times"
     cells = " x ".join(map(str, record.fields.cells)) if record.fields else "none"
@@ -261,7 +261,7 @@ def effects(scene: DemScene) -> tuple[Effect, ...]:
         Effect("discs of several sizes", bool(sizes), f"packing.kind: {scene.packing.kind}; {kinds}"),
         Effect("shaking", scene.quake is not None, "quake"),
         Effect("wall forces every step", record.wall_force_window_s is not None, "record.wall_force_window_s"),
-        Effect("energy ledger", record.energy, f"record.energy: {record.energy}"),
+        Effect("energy balance", record.energy, f"record.energy: {record.energy}"),
         Effect("slit", scene.silo.slit_width_m > 0, f"silo.slit_width_m: {scene.silo.slit_width_m:g}"),
         Effect(
             "outlets by names", bool(scene.outlets), f"outlets: {', '.join(outlet.name for outlet in scene.outlets) or 'none'}"

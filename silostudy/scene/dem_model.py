@@ -1,4 +1,4 @@
-"""From a discrete-element scene to the engine's model: where the discs start, what pushes them, and the time step."""
+"""Builds the engine's model from a scene of discs: where they start, what pushes them, and the time step."""
 
 from dataclasses import replace
 
@@ -16,7 +16,7 @@ from silostudy.scene.lid import check_lid, lid_of, moves
 
 
 def placed(scene: DemScene):
-    """x, y, radius (m) and kind of the discs of a packing that no file gives; y from the lowest point of the silo.
+    """Places x, y, radius (m) and kind of the discs of a packing that no file gives; y from the lowest point of the silo.
 
     Each kind takes places that are laid for the largest.
     """
@@ -32,7 +32,7 @@ def placed(scene: DemScene):
 
 
 def clear_of(inserts: tuple[Wall, ...], x, y, radius) -> np.ndarray:
-    """Which discs cut no insert; BadInput where none is left."""
+    """Mask of the discs that cut no insert; BadInput where none is left."""
     clear = np.all([room(insert, x, y) >= radius for insert in inserts], axis=0) & np.ones(len(x), bool)
     if not clear.any():
         raise BadInput("inserts", inserts[0].name, "leave no room for a disc of the packing")

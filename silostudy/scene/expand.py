@@ -68,7 +68,7 @@ def as_asked(content: dict[str, Any], name: str, where: str, folder: Path, posit
 
 
 def _settings_at(axes: list[list[dict[str, Any]]], position: int, where: str) -> dict[str, Any]:
-    """What the axes set at a position, counted with the last axis fastest."""
+    """Settings of the axes at a position, counted with the last axis fastest."""
     parts: list[dict[str, Any]] = []
     left = position
     for axis in reversed(axes):
@@ -102,7 +102,7 @@ def _applied(scene: dict[str, Any], settings: dict[str, Any], where: str) -> dic
 
 
 def _within(node: dict | list, key: str) -> Any:
-    """What a group of keys holds by a key, made where there is none, or a list by a number; None where it has no such entry."""
+    """Entry of a group of keys, made where there is none, or of a list by its number; None where there is no such entry."""
     if isinstance(node, dict):
         return node.setdefault(key, {})
     return node[int(key)] if key.isdecimal() and int(key) < len(node) else None

@@ -19,7 +19,8 @@ from silostudy.tables.constants import ROUNDED_GRAVITY
 
 ROOM = 1.8  # height of the cell over that of the filling: what rains in needs room
 RESTS = ({"when": "rest", "do": "lower_lid"},)
-STREAM, POURED = 5.0, 0.3  # width of the stream onto a heap in grains, its speed (m/s)
+STREAM = 5.0  # width of the stream onto a heap, in grains
+POURED = 0.3  # its speed (m/s)
 FLUX = 0.15  # solid fraction of the rain
 SETTLES = 10.0  # s: a filling comes to rest by then, or the run ends
 LATE = 5.0  # times that a test may take over what it should at most
@@ -29,7 +30,8 @@ FINE = 0.002  # strain in a window of wall forces while a cell is pressed
 YIELDS = 20.0  # speed of a lid that nothing resists over that of the shear: it gives way to grains at its load
 SHEAR_WINDOWS = 60  # windows of wall forces in the shear
 STIFF = 0.1  # rotational stiffness at walls over E r^3: of a spring as Mindlin's on the radius as its arm, about
-ROUGH, SMOOTH = 5.0, 0.0  # sliding and rolling friction of what holds grains fast, and of what lets them slide
+ROUGH = 5.0  # sliding and rolling friction of what holds grains fast
+SMOOTH = 0.0  # of what lets them slide
 
 
 def _like(friction: float) -> dict[str, float]:
@@ -105,7 +107,7 @@ def cell(case: LaboratoryCase) -> dict[str, Any]:
 
 
 def cell_rain(case: LaboratoryCase) -> dict[str, Any]:
-    """How grains rain into the cell: as fast as if they fell through its height."""
+    """Rain of grains into the cell, as fast as if they fell through its height."""
     fall = sqrt(2.0 * ROUNDED_GRAVITY * case.height)
     rate = case.count * FLUX * fall / (LOOSE * case.height)
     return {"kind": "rain", "count": case.count, "speed_m_s": fall, "rate_1_s": rate}

@@ -1,4 +1,4 @@
-"""From the user's words to the engine's: how the lid of a scene of any grains is put down, pressed and moved."""
+"""Translates the user's words on a lid of any scene of grains: how it is put down, pressed and moved."""
 
 from collections.abc import Sequence
 from math import inf
@@ -36,7 +36,7 @@ def lid_of(events: Sequence[MovingEvent], area: float, touching: float, mass: fl
 
 
 def lid_action(event: MovingEvent, area: float, mass: float, low: float, high: float) -> tuple[str, tuple]:
-    """What the engine does to the lid.
+    """Action of the engine on the lid.
 
     area: of the lid (m2, in the plane m); mass: of all grains (kg); low, high: where the vertical walls begin and end (m).
     """

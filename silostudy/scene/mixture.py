@@ -28,7 +28,7 @@ def drawn(scene: SphereScene, random: np.random.Generator) -> tuple[np.ndarray, 
 
 
 def numbers_of(scene: SphereScene, radii: list[np.ndarray]) -> np.ndarray:
-    """How many spheres there are of each kind, of the first of these radii (m); BadInput where there would be none of one."""
+    """Number of spheres of each kind, of the first of these radii (m); BadInput where a kind would have none."""
     others, count = scene.other_grains.values(), len(radii[0])
     by_mass = all(kind.mass_share is not None for kind in others)
     shares = np.array([kind.mass_share if by_mass else kind.number_share for kind in others], float)

@@ -1,4 +1,4 @@
-"""Where a property that a method is handed comes from: the order of precedence of `scene.solid_parameters` in words."""
+"""Origin of a property that a method is handed: the order of precedence of `scene.solid_parameters` in words."""
 
 from math import isnan, nan
 

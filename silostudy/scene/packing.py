@@ -62,7 +62,7 @@ def rows_of(config: PackingScene) -> int:
 
 
 def discs_of(study: PackingStudy, config: PackingScene, run: int):
-    """x, y and radius (m) of the discs: run 0 starts from the ideal packing, others from offsets with the run as seed."""
+    """Places x, y and radius (m) of the discs: run 0 starts from the ideal packing, others from offsets, the run as seed."""
     gap = (ideal_gap(config.across) if config.gap_m is None else config.gap_m) if run == 0 else study.offset_gap_m
     radius, width, across = config.discs.radius_m, config.silo.width_m, config.across
     pitch = (width - 2.0 * (radius + gap)) / max(1, across - 1)

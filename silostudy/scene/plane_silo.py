@@ -12,7 +12,9 @@ import numpy as np
 from silostudy.dem.model import Model, Wall
 from silostudy.scene.plane_checks import require_lines, require_slits
 
-FLOOR, LID = "floor", "lid"
+# names of walls
+FLOOR = "floor"
+LID = "lid"
 SIDES = ("left", "right")
 HALVES = ("floor_left", "floor_right")  # of a flat floor beside its slit: they wait for it to open
 HOPPER = ("hopper_left", "hopper_right")
@@ -27,7 +29,7 @@ class Slit(NamedTuple):
 
     @property
     def edges(self) -> tuple[float, float]:
-        """x (m) of its edges."""
+        """Places x (m) of both edges."""
         return self.middle - self.width / 2.0, self.middle + self.width / 2.0
 
 
@@ -59,7 +61,7 @@ class PlaneSilo:
         return 0.5 * (self.width - self.slit) / tan(self.hopper_half_angle)
 
     def walls(self, cells: int = 1, half_cells: int | None = None) -> tuple[Wall, ...]:
-        """Its walls with the solid on their left: the bottom, closed, then the sides, the lid and the inserts.
+        """Walls of the silo with the solid on their left: the bottom, closed, then the sides, the lid and the inserts.
 
         cells: equal parts of each whose force is recorded; half_cells: those of the floor's halves, None: as many.
         """
@@ -110,11 +112,11 @@ class PlaneSilo:
 
     @property
     def openings(self) -> tuple[Slit, ...]:
-        """Its slits, the one in the middle among them."""
+        """Slits of the silo, the one in the middle among them."""
         return self.slits or ((Slit("slit", self.width / 2.0, self.slit),) if self.slit else ())
 
     def over_slit(self, places: np.ndarray) -> np.ndarray:
-        """Which places (n, 2; m) stand over a slit."""
+        """Mask of places (n, 2; m) that stand over a slit."""
         return np.any([np.abs(places[:, 0] - slit.middle) < slit.width / 2.0 for slit in self.openings], axis=0)
 
     def slit_at(self, places: np.ndarray) -> np.ndarray:
@@ -123,7 +125,7 @@ class PlaneSilo:
 
     @property
     def _edges(self) -> tuple[float, float]:
-        """x (m) of the slit's edges."""
+        """Places x (m) of the slit's edges."""
         return self.width / 2.0 - self.slit / 2.0, self.width / 2.0 + self.slit / 2.0
 
 

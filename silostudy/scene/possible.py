@@ -1,4 +1,4 @@
-"""What cannot be is refused while a scene is built, what hardly is is told, also where it takes two values to see it."""
+"""Limits of what can be: the impossible is refused while a scene is built, the unusual told, also where it takes two values."""
 
 from math import atan, degrees, isnan, nan, pi, radians, tan
 
@@ -35,7 +35,7 @@ def require_possible(scene: Scene, where: str) -> None:
 
 
 def unusual(scene: Scene) -> list[str]:
-    """What of a scene is possible but hardly is: quantity, value, and what is usual."""
+    """Unusual values of a scene: quantity, value, and what is usual."""
     silo = scene.silo
     sizes = {"diameter": silo.diameter, "cylinder_depth": silo.cylinder_depth, "slenderness": silo.wall_depth / silo.diameter}
     sizes["half_angle"] = silo.hopper.half_angle if silo.hopper else nan

@@ -21,7 +21,7 @@ K_RULES = {
 
 @dataclass(frozen=True, kw_only=True)
 class Scene:
-    """What is loaded, by what: SI units; `own` holds the user's values in place of the table's."""
+    """A silo, its contents and what loads it, in SI units; `own` holds the user's values in place of the table's."""
 
     silo: Silo
     solid: SolidRow

@@ -1,4 +1,4 @@
-"""From a seismic study's units to a frozen scene in SI: the tube, its base motion and its measured answer."""
+"""Builds a frozen seismic scene in SI from a study's units: the tube, its base motion and its measured answer."""
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
@@ -6,8 +6,7 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
-from silostudy.config.seismic import Imitation, Motion, SeismicScene, SeismicStudy, Series
-from silostudy.config.seismic import Tube as TubeConfig
+from silostudy.config.seismic import Imitation, Motion, SeismicScene, SeismicStudy, Series, TubeConfig
 from silostudy.errors import BadInput
 from silostudy.seismic.beam import Tube
 from silostudy.seismic.identify import emptied

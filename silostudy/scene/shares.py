@@ -4,7 +4,7 @@ import numpy as np
 
 
 def whole(weights: np.ndarray, count: int) -> np.ndarray:
-    """So many shared out by weights as whole numbers, those with the largest remainders rounded up."""
+    """Whole numbers that sum to a count, shared out by weights; those with the largest remainders are rounded up."""
     exact = weights / weights.sum() * count
     low = np.floor(exact).astype(int)
     low[np.argsort(low - exact, kind="stable")[: count - low.sum()]] += 1

@@ -97,7 +97,7 @@ def cylinder(config: Cylinder) -> Shell:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Wall:
+class SteelWall:
     """The steel wall of a silo's cylinder.
 
     steel: parameters of the buckling rules and the checks by name; edges: depth of each strake's lower edge over the
@@ -130,7 +130,7 @@ class ShellScene(Scene):
     edges: how the upper and the lower edge of the wall are held, where wind is given.
     """
 
-    shell: Wall
+    shell: SteelWall
     steelwork: dict[str, float]
     edges: tuple[str, str] | None = None
     earthquake: Expansion | None = None
@@ -174,9 +174,9 @@ def _require_wall(config: SteelSilo, height: float, where: str) -> None:
         raise BadInput("scene.shell.rings.spacing_m", rings.spacing_m, allowed, where)
 
 
-def wall(config: SiloWall, inner_radius: float) -> Wall:
+def wall(config: SiloWall, inner_radius: float) -> SteelWall:
     """The wall that a configuration describes, of a cylinder of this radius (m); roof and snow rest on its top all round."""
-    return Wall(
+    return SteelWall(
         steel={**steel(config), "joint_efficiency": config.joint_efficiency},
         edges=tuple(strake.down_to for strake in config.strakes),
         thicknesses=tuple(strake.thickness_mm / 1e3 for strake in config.strakes),

@@ -1,4 +1,4 @@
-"""From the user's units to the silo in SI, the same for the codes, the shell and the grains."""
+"""Builds the silo in SI from the user's units, the same for the codes, the shell and the grains."""
 
 from math import isnan, nan, radians, tan
 
@@ -8,7 +8,7 @@ from silostudy.scene.silo import Hopper, Silo
 
 
 def _flexibility(wall: FlexibleWall | None) -> dict[str, float]:
-    """How a silo's wall gives way; nothing of a rigid one."""
+    """Flexibility of a silo's wall; none of a rigid one."""
     if wall is None:
         return {}
     stiffness = wall.youngs_modulus_GPa * 1e9 * wall.thickness_mm / 1e3

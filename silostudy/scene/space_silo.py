@@ -16,8 +16,12 @@ from silostudy.dem.space.walls import FlatPiece, Surface, TurnedLine, walls_of
 from silostudy.scene.silo import Silo
 from silostudy.scene.space_checks import require_surfaces
 
-FLOOR, LID = "floor", "lid"  # the floor is the whole of a flat one, or the plug in a hopper's outlet
-WALL, HOPPER, OUTLET = "wall", "hopper", "outlet"
+# names of surfaces
+FLOOR = "floor"  # the whole of a flat one, or the plug in a hopper's outlet
+LID = "lid"
+WALL = "wall"
+HOPPER = "hopper"
+OUTLET = "outlet"
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -33,7 +37,7 @@ class Outlet:
     name: str = OUTLET
 
     def outline(self, aside: float) -> Outline:
-        """Its outline; aside: x (m) of an outlet that does not say where it is."""
+        """Outline of the outlet; aside: x (m) of one that does not say where it is."""
         halves = (self.width / 2, (self.width if self.length is None else self.length) / 2)
         sides = int(CIRCLE if self.length is None else RECTANGLE)
         return Outline(sides=sides, half=halves, middle=self.middle or (aside, 0.0))
@@ -99,7 +103,7 @@ class SpaceSilo:
                    for z0, z1 in parts)  # fmt: skip
 
     def room_at(self, places: np.ndarray, radius: np.ndarray | float) -> np.ndarray:
-        """Which places (n, 3; m) are inside and at least a radius (m; one, or each its own) from every surface that stands."""
+        """Mask of places (n, 3; m) inside and at least a radius (m; one, or one a place) from every surface that stands."""
         radius = np.broadcast_to(radius, len(places))
         inside = np.array([self.outline(z).inset(x, y) > 0.0 for x, y, z in places], bool)
         inside &= (places[:, 2] > 0.0) & (places[:, 2] < self.top)
@@ -130,11 +134,11 @@ class SpaceSilo:
         return np.argmax([opening.inset(*places.T[:2]) for opening in self.openings.values()], axis=0)
 
     def over_outlets(self, places: np.ndarray) -> np.ndarray:
-        """Which places (n, 3; m) stand over an outlet."""
+        """Mask of places (n, 3; m) that stand over an outlet."""
         return np.max([opening.inset(*places.T[:2]) for opening in self.openings.values()], axis=0) > 0.0
 
     def walls(self, cells: tuple[int, int] = (1, 1)) -> tuple[Surface, ...]:
-        """Its surfaces: the bottom, closed, then the walls, the lid and the inserts.
+        """Surfaces of the silo: the bottom, closed, then the walls, the lid and the inserts.
 
         cells: equal parts along and around of each whose force is recorded; a facet of a curved sheet is one.
         """

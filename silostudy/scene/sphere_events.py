@@ -1,4 +1,4 @@
-"""From the user's words to the engine's: what happens in a scene of spheres."""
+"""Translates the user's words on what happens in a scene of spheres into the engine's events."""
 
 from silostudy.config.moves import OF_LID
 from silostudy.config.sphere_events import SphereEventConfig

@@ -1,4 +1,4 @@
-"""From the user's units to a scene of spheres in SI: silo, materials, contacts, rain, and events."""
+"""Builds a scene of spheres in SI from the user's units: silo, materials, contacts, rain, and events."""
 
 from dataclasses import replace
 from math import isnan, nan
@@ -80,7 +80,7 @@ def contacts_of(scene: SphereScene, where: str = "") -> tuple[Contact | Varied, 
 
     Kinds of spheres have contacts of their own by pairs, and walls each where the scene tells a surface from the others.
     """
-    bodies = {kind: Body(grain_of(scene, where, kind), config.material) for kind, config in scene.grain_kinds.items()}
+    bodies = {kind: ElasticBody(grain_of(scene, where, kind), config.material) for kind, config in scene.grain_kinds.items()}
     kinds = list(bodies)
     between = [
         _contact(*scene.between(kind, other), bodies[kind], bodies[other], where, wall=False)
@@ -95,14 +95,14 @@ def contacts_of(scene: SphereScene, where: str = "") -> tuple[Contact | Varied, 
     return Varied(tuple(between)), Varied(sets)
 
 
-def _at_walls(scene: SphereScene, kind: str, body: "Body", names: list[str], where: str) -> dict[str, Contact]:
+def _at_walls(scene: SphereScene, kind: str, body: "ElasticBody", names: list[str], where: str) -> dict[str, Contact]:
     """Contacts of a kind of spheres at surfaces that differ, by their names in the scene; "": at the others."""
     known = {*scene.grain_kinds, *scene.surfaces, WALLS}
     for number, pair in enumerate(scene.pairs):
         for name in set(pair.between) - known:
             parts_of(name, names, f"pairs.{number}.between", where)
     return {
-        name: _contact(section, touch, body, Body(material_of(wall), wall.material), where, wall=True)
+        name: _contact(section, touch, body, ElasticBody(material_of(wall), wall.material), where, wall=True)
         for name, (section, wall, touch) in scene.at_surfaces(kind).items()
     }
 
@@ -112,14 +112,14 @@ def wall_names(scene: SphereScene, where: str = "") -> list[str]:
     return [surface.name for surface in space_silo_of(scene, where).walls()]
 
 
-class Body(NamedTuple):
+class ElasticBody(NamedTuple):
     """An elastic body of a contact: its material, and the key of that in the table of pairs."""
 
     material: Material
     key: str | None
 
 
-def _contact(section: str, config: TouchConfig, body: Body, other: Body, where: str, *, wall: bool) -> Contact:
+def _contact(section: str, config: TouchConfig, body: ElasticBody, other: ElasticBody, where: str, *, wall: bool) -> Contact:
     laws, fields, known = config.laws, config.model_dump(), PAIRS.get(frozenset((body.key, other.key)))
     for name in ("restitution", "sliding_friction"):
         if fields[name] is None:
@@ -144,7 +144,7 @@ def plane_of_rain(scene: SphereScene, space: SpaceSilo, largest: float) -> float
 
 
 def rain_of(scene: SphereScene, space: SpaceSilo, radii: np.ndarray) -> Rain:
-    """How spheres of these radii (m) rain in: spots even over the plane, or over a round stream."""
+    """Rain of spheres of these radii (m): spots even over the plane, or over a round stream."""
     filling, height = scene.filling, plane_of_rain(scene, space, float(radii.max()))
     outline, aside, half = space.outline(height), scene.silo.filling_eccentricity_m, (filling.width_m or 0.0) / 2
     low, high = outline.box

@@ -1,4 +1,4 @@
-"""What is told of a scene of spheres before it runs: materials, coefficients, softening, times, effects, warnings."""
+"""Lines that tell a scene of spheres before it runs: materials, coefficients, softening, times, effects, warnings."""
 
 from math import pi, sqrt
 
@@ -49,7 +49,7 @@ def overlap_of_fall(scene: SphereScene, model: SphereModel, kind: int = 0) -> fl
 
 
 def of_kind(model: SphereModel, kind: int) -> np.ndarray:
-    """Which spheres are of a kind."""
+    """Mask of the spheres of a kind."""
     return np.ones(len(model.radius), bool) if model.kind is None else model.kind == kind
 
 
@@ -140,7 +140,7 @@ def shares(scene: SphereScene, model: SphereModel) -> list[str]:
 
 
 def warnings(scene: SphereScene, model: SphereModel) -> list[str]:
-    """What is likely to be a mistake, a line each."""
+    """Likely mistakes, a line each."""
     return narrow(space_silo_of(scene), model.radius)
 
 
@@ -160,7 +160,7 @@ def sphere_effects(scene: SphereScene) -> tuple[Effect, ...]:
         Effect("spheres of several sizes", uneven, f"sizes: {sizes}"),
         Effect("rain", FILLINGS[scene.filling.kind].rains, f"filling.kind: {scene.filling.kind}"),
         Effect("wall pressures every step", record.wall_force_window_s is not None, "record.wall_force_window_s"),
-        Effect("energy ledger", record.energy, f"record.energy: {record.energy}"),
+        Effect("energy balance", record.energy, f"record.energy: {record.energy}"),
         Effect("several outlets", len(scene.outlets) > 1, f"outlets: {len(scene.outlets)}"),
         Effect("inserts", bool(scene.inserts), f"inserts: {len(scene.inserts)}"),
         Effect("hopper", scene.silo.hopper is not None, "silo.hopper"),

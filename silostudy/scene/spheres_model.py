@@ -1,4 +1,4 @@
-"""From a scene of spheres to the engine's model: where the spheres start, what pushes them, and the time step."""
+"""Builds the engine's model from a scene of spheres: where they start, what pushes them, and the time step."""
 
 from dataclasses import replace
 from math import sqrt
@@ -73,7 +73,7 @@ def coated(walls: tuple[Surface, ...], contact: Contact | Varied) -> tuple[Surfa
 
 
 def _started(scene: SphereScene, space: SpaceSilo, random: np.random.Generator) -> Start:
-    """How spheres start that no file gives; those that will rain wait one above the other."""
+    """Start of spheres that no file gives; those that will rain wait one above the other."""
     row = FILLINGS[scene.filling.kind]
     radii, kind = drawn(scene, random)
     if row.place is not None:

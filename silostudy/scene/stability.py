@@ -17,7 +17,8 @@ from silostudy.scene.plane_silo import PlaneSilo
 from silostudy.tables.constants import ROUNDED_GRAVITY
 from silostudy.tables.kiyama_1983 import ACTIVE, pitch
 
-TALL, ACROSS = 10, 6  # discs of a column; of the lowest row
+TALL = 10  # discs of a column
+ACROSS = 6  # discs of the lowest row
 PITCH = pitch(ACTIVE)  # of a radius, between discs of a row: a steep packing, far from neighbours in touch
 CALMING = 0.7  # of the critical damping
 TIGHT = 1e-4  # of a diameter: overlap of neighbours in a hexagonal row, so that they stay in touch
@@ -68,7 +69,7 @@ def resting_discs_model(config: StabilityScene) -> Model:
 
 
 def network(arrangement: str, radius: float) -> tuple[np.ndarray, np.ndarray, float]:
-    """x, y (m) of the discs where they nearly rest, and the width (m) between the side walls."""
+    """Places x, y (m) of the discs where they nearly rest, and the width (m) between the side walls."""
     if arrangement in ("disc", "column"):
         number = np.arange(TALL if arrangement == "column" else 1)
         return np.full(len(number), 2.0 * radius), radius * (1.0 + 2.0 * number), 4.0 * radius

@@ -1,4 +1,4 @@
-"""What the checks of the steel know of a silo beside its wall, in SI units, and the combinations that a study asks for."""
+"""Numbers of a silo for the checks of its steel beside its wall, in SI units, and the combinations that a study asks for."""
 
 from math import nan
 from typing import Any

@@ -16,7 +16,7 @@ def known_names(names: Sequence[str]) -> list[str]:
 
 
 def parts_of(given: str, names: Sequence[str], field: str, where: str = "") -> tuple[str, ...]:
-    """Those surfaces that a name given in a scene stands for; BadInput where it stands for none."""
+    """Names of the surfaces that a name given in a scene stands for; BadInput where it stands for none."""
     parts = tuple(name for name in names if name == given or name.startswith(given + PART))
     if not parts:
         raise unknown(field, given, known_names(names), where)
@@ -24,7 +24,7 @@ def parts_of(given: str, names: Sequence[str], field: str, where: str = "") -> t
 
 
 def by_surface(given: Mapping[str, T], names: Sequence[str], others: T, where: str = "") -> list[T]:
-    """What is given for each surface: under its own name, else under that of the whole that it is a part of, else as others."""
+    """Values for each surface: under its own name, else under that of the whole that it is a part of, else the others'."""
     values = dict.fromkeys(names, others)
     for name in sorted(given, key=len):
         values |= dict.fromkeys(parts_of(name, names, "surfaces", where), given[name])

@@ -1,4 +1,4 @@
-"""What an earthquake asks of the wall: internal forces of the beam and the contents' additional pressure, over height."""
+"""Seismic demand on the wall: internal forces of the beam and the contents' additional pressure, over height."""
 
 from dataclasses import dataclass
 from math import pi

@@ -1,4 +1,4 @@
-"""What an effective mass rule is: one row with a function and what it needs."""
+"""The row of an effective mass rule: a function and what it needs."""
 
 from collections.abc import Callable
 from dataclasses import dataclass

@@ -4,7 +4,7 @@ import numpy as np
 
 from silostudy.seismic.family import MassRule
 
-LEAST_SHARE = 0.5
+LEAST_SHARE = 0.5  # of the contents that must move with the box to count as added mass
 
 
 def carried_share(force, acceleration, *, mass):

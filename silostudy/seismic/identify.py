@@ -18,7 +18,7 @@ CONTRIBUTIONS = ("noise", "damping", "stiffness", "band", "step")
 
 @dataclass(frozen=True, kw_only=True)
 class Question:
-    """What is known when a response is judged: the tube, its stiffness and damping, the base motion, band and candidates."""
+    """Given of an identification: the tube, its stiffness and damping, the base motion, band and candidates."""
 
     tube: Tube
     stiffness_reduction: float
@@ -95,7 +95,7 @@ def least(values: np.ndarray, coefficients: np.ndarray) -> float:
 
 
 def vertex(values: np.ndarray, coefficients: np.ndarray) -> float:
-    """Where the least error lies between equally spaced candidates: the indices are sums of moduli, so their valley is a V.
+    """Place of the least error between equally spaced candidates: the indices are sums of moduli, so their valley is a V.
 
     The V has equal slopes through the least value and its neighbours; at either end of the candidates it is the end.
     """
@@ -109,7 +109,7 @@ def vertex(values: np.ndarray, coefficients: np.ndarray) -> float:
 
 
 def end_of(answer: float, coefficients: np.ndarray) -> int:
-    """-1 or 1 (1) for an answer that is the lowest or the highest of the candidates, beyond which the truth may lie; else 0."""
+    """Sign -1 or 1 of an answer that is the lowest or the highest of the candidates, beyond which the truth may lie; else 0."""
     return int(answer >= coefficients[-1]) - int(answer <= coefficients[0])
 
 
@@ -168,7 +168,7 @@ def imitation(question: Question, coefficient: float, noise_ratio: float, random
 
 
 def recovery(bank: Bank, trials: int, noise_ratio: float, random: np.random.Generator) -> np.ndarray:
-    """(truth, answer, its uncertainty) of trials whose truth and noise are thrown anew: shape (3, trials).
+    """Truth, answer and its uncertainty (1) of trials whose truth and noise are thrown anew: shape (3, trials).
 
     Truth evenly over the candidates, damping and empty frequency evenly within the mismatch the question admits.
     """

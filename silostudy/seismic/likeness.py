@@ -1,4 +1,4 @@
-"""How alike two responses are: weighted relative errors of Fourier amplitudes and phases, in a stated band."""
+"""Likeness of two responses: weighted relative errors of Fourier amplitudes and phases, in a stated band."""
 
 import numpy as np
 
@@ -6,14 +6,14 @@ from silostudy.seismic.family import MassRule
 
 
 def spectrum(acceleration, dt: float, band: tuple[float, float]) -> tuple[np.ndarray, np.ndarray]:
-    """(frequency (Hz), Fourier transform (m s-1, complex)) of histories along the last axis, inside a band (Hz)."""
+    """Frequency (Hz) and Fourier transform (m s-1, complex) of histories along the last axis, inside a band (Hz)."""
     frequency = np.fft.rfftfreq(np.shape(acceleration)[-1], dt)
     inside = (frequency >= band[0]) & (frequency <= band[1])
     return frequency[inside], np.fft.rfft(acceleration, axis=-1)[..., inside] * dt
 
 
 def amplitude_error(computed, measured):
-    """E_A (1): mean relative error of Fourier amplitudes, weighted with the measured amplitudes; spectra along the last axis.
+    """Amplitude error E_A (1): mean relative error of Fourier amplitudes along the last axis, weighted with the measured ones.
 
     Source: sasaki_yoshimura_effective_mass, equations (3) and (5); the weight cancels the quotient, so that a measured
     amplitude of 0 does no harm.
@@ -23,7 +23,7 @@ def amplitude_error(computed, measured):
 
 
 def phase_error(computed, measured):
-    """E_P (1): mean wrapped phase difference over pi, weighted with the measured amplitudes; spectra along the last axis.
+    """Phase error E_P (1): mean wrapped phase difference over pi along the last axis, weighted with the measured amplitudes.
 
     Source: sasaki_yoshimura_effective_mass, equations (4) and (5), but for the divisor: the source divides by the
     measured phase, which depends on where time begins.  The difference is wrapped to at most pi.
@@ -34,7 +34,7 @@ def phase_error(computed, measured):
 
 
 def phase_error_as_printed(computed, measured):
-    """E_P (1) with the source's own divisor, the measured phase; it changes when the origin of time is moved.
+    """Phase error E_P (1) with the source's own divisor, the measured phase; it changes when the origin of time is moved.
 
     Source: sasaki_yoshimura_effective_mass, equations (4) and (5), phases between -pi and pi.
     """

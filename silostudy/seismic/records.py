@@ -11,7 +11,9 @@ BASELINES = ("none", "mean", "linear")
 NOTHING = 1e-10  # share of a record's peak below which what is left of it is rounding
 STEPS = (1e-7, 1e3)  # s: beyond, no record
 LIMIT = 1e6  # m s-2: beyond, no acceleration
-LIKELY_STEP, LIKELY_PEAK = 0.1, 100.0  # s, m s-2: above, a record is likely to be in other units than said
+# above, a record is likely to be in other units than said
+LIKELY_STEP = 0.1  # s
+LIKELY_PEAK = 100.0  # m s-2
 
 
 @dataclass(frozen=True)

@@ -44,7 +44,7 @@ def oscillators(acceleration, dt: float, frequency, damping_ratio: float) -> tup
 
 
 def _weights(z: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """(e^z - 1)/z and (e^z - 1 - z)/z^2; the second by its series where the difference would cancel."""
+    """Weights (e^z - 1)/z and (e^z - 1 - z)/z^2; the second by its series where the difference would cancel."""
     series = sum(z**k * (1 / np.prod(np.arange(1.0, k + 3))) for k in range(10))
     return np.expm1(z) / z, np.where(np.abs(z) < 0.3, series, (np.expm1(z) - z) / z**2)
 

@@ -35,7 +35,7 @@ def of_obspy(path: Path, unit: str | None, channel: str | None = None) -> tuple[
 
 
 def _traces(content: bytes, path: Path) -> Any:
-    """obspy's stream of a file's content, from a copy whose name has no meaning to obspy."""
+    """Stream (obspy) of a file's content, from a copy whose name has no meaning to obspy."""
     import obspy
 
     with NamedTemporaryFile() as copy, warnings.catch_warnings():

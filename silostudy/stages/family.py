@@ -1,4 +1,4 @@
-"""What a kind of study and a stage declare of themselves; functions are named `module:name` and loaded when asked for."""
+"""Declarations of kinds of study and of stages; functions are named `module:name` and loaded when asked for."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
@@ -12,7 +12,7 @@ from silostudy.stamp import stamp
 
 @dataclass(frozen=True, kw_only=True)
 class Parts:
-    """What a stage of costly cases gives in place of one function: its cases are computed in parts and merged.
+    """Functions of a stage whose costly cases are computed in parts and merged.
 
     measure(study, scene) -> numbers by variable; coordinates(study) -> the dimensions of their own; sources(study) ->
     references; cost(scene) -> seconds.
@@ -24,7 +24,7 @@ class Parts:
     cost: str
 
     def call(self, name: str, *arguments: Any) -> Any:
-        """What one of the four functions gives."""
+        """Result of one of the four functions."""
         return resolve_name(getattr(self, name))(*arguments)
 
     @property
@@ -89,7 +89,7 @@ class Kind(Entry):
 
     @cached_property
     def parts(self) -> Parts | None:
-        """What a kind whose cases are computed in parts gives for it."""
+        """Functions of a kind whose cases are computed in parts."""
         return next((stage.parts for stage in self.stages if stage.parts), None)
 
     @cached_property

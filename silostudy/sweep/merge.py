@@ -37,7 +37,7 @@ class Records:
         self.part = np.array([number for _, _, number in rows], np.int32)
 
     def of_cases(self, first: int, last: int) -> Iterator[tuple[int, dict[str, Any]]]:
-        """(place, record) of the cases first ... last - 1, one by one; BadInput in the end where one is missing or damaged."""
+        """Place and record of the cases first ... last - 1, one by one; BadInput in the end where one is missing or damaged."""
         places = {key: k for k, key in enumerate(self.keys[first:last])}
         there = np.zeros(last - first, bool)
         for number in np.unique(self.part[first:last]):
@@ -87,7 +87,7 @@ def merge(path: Path, folder: Path, output: Path, memory: float = MEMORY) -> tup
 
 
 def _promise(path: Path, count: int) -> dict[str, str]:
-    """What was asked, chosen and expected of a sweep whose scenes ask for an accuracy; read in bounded pieces."""
+    """Accuracies asked for, settings and expected errors of a sweep whose scenes ask for one; read in bounded pieces."""
     pieces = (range(first, min(first + PIECE, count)) for first in range(0, count, PIECE))
     return promises(choice for piece in pieces for choice in expand_file(path, piece).choices)
 

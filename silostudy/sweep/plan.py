@@ -1,4 +1,4 @@
-"""Which job computes which case of a sweep: parts of about half a minute's work, kept when the sweep grows.
+"""Plan of a sweep's jobs: parts of about half a minute's work, kept when the sweep grows.
 
 The plan is a file beside the journals.  A case stays where its record is, or where it was planned; the others make new parts.
 """
@@ -17,12 +17,13 @@ from silostudy.stages import KINDS
 from silostudy.stages.family import Parts
 from silostudy.sweep.journal import ENDING, sound
 
-PLAN, DONE = "plan.csv", ".done"
+PLAN = "plan.csv"  # name of the plan's file
+DONE = ".done"  # ending of the file that stands when a part is done
 Plan = dict[str, list[tuple[int, str]]]  # part -> positions and keys of its cases
 
 
 def parts_of(study) -> Parts:
-    """What the kind of a study gives for computing its cases in parts."""
+    """Functions of a kind of study that compute its cases in parts."""
     parts = KINDS[study.kind].parts
     assert parts is not None, study.kind
     return parts
@@ -88,7 +89,7 @@ def _rows(folder: Path) -> Iterator[list[str]]:
 
 
 def sizes(folder: Path) -> Counter[str]:
-    """How many cases each part of the plan has."""
+    """Number of cases of each part of the plan."""
     return Counter(part for part, _, _ in _rows(folder))
 
 

@@ -74,7 +74,7 @@ def _add(file: netCDF4.Dataset, name: str, slab: Slab, dims: tuple[str, ...], ch
 
 
 def extents(shape: Sequence[int], count: int) -> tuple[int, ...]:
-    """How far a piece of at most `count` cases reaches along each axis: whole trailing axes, then a part of the one before."""
+    """Lengths along each axis of a piece of at most `count` cases: whole trailing axes, then a part of the one before."""
     sizes: list[int] = []
     for size in reversed(shape):
         sizes.append(max(1, min(size, count)))
@@ -83,7 +83,7 @@ def extents(shape: Sequence[int], count: int) -> tuple[int, ...]:
 
 
 def blocks(shape: Sequence[int], chunk: Sequence[int], count: int) -> Iterator[tuple[int, int, tuple[slice, ...]]]:
-    """(first case, one past the last, slices) of blocks of about `count` cases, each of whole chunks."""
+    """First case, the one past the last, and slices of blocks of about `count` cases, each of whole chunks."""
     if not shape:
         yield 0, 1, ()
         return

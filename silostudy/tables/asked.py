@@ -1,4 +1,4 @@
-"""What may be asked for in place of settings: of which kind of study or scene, and which settings it decides."""
+"""Accuracies that may be asked for in place of settings: of which kind of study or scene, and which settings they decide."""
 
 from collections.abc import Iterable
 from dataclasses import dataclass

@@ -1,4 +1,4 @@
-"""What a source says of its runs, each claim as a quantity and its range."""
+"""Claims of a source on its runs, each as a quantity and its range."""
 
 from dataclasses import dataclass
 

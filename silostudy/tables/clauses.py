@@ -11,7 +11,7 @@ TEXT = ("method", "clause", "what", "state", "evidence", "names", "remark", "sou
 
 @dataclass(frozen=True)
 class Clause:
-    """What a code asks for, how far it is computed, on what evidence, and which variables, methods and keys carry it.
+    """Clause of a code: how far it is computed, on what evidence, and which variables, methods and keys carry it.
 
     clause: its number as accounts give it; empty where they give none.
     """

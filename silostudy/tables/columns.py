@@ -30,7 +30,7 @@ class Columns:
         return np.array([number(cells[place], name, self.place_of(row)) for row, cells in enumerate(self.cells)])
 
     def place_of(self, row: int) -> str:
-        """Where a row stands, for messages."""
+        """File and line of a row, for messages."""
         return f"{self.path} line {self.lines[row]}"
 
 

@@ -1,4 +1,4 @@
-"""Which actions on a silo come together, and with which partial factors: the package's table, which a study may replace."""
+"""Combinations of actions on a silo with their partial factors: the package's table, which a study may replace."""
 
 from dataclasses import dataclass, fields
 

@@ -18,16 +18,24 @@ def _printed() -> dict[tuple[str, int | None], float]:
 _PRINTED = _printed()
 _ALWAYS = {quantity: value for (quantity, across), value in _PRINTED.items() if across is None}
 
-PASSIVE, ACTIVE = 12, 18  # s of 11/12 and 17/18, whose states at rest the source's conclusion 1 calls so
-SILO_WIDTH, SILO_HEIGHT, SLIT_WIDTH = _ALWAYS["silo_width"], _ALWAYS["silo_height"], _ALWAYS["slit_width"]  # m
+# s of the packings 11/12 and 17/18, whose states at rest the source's conclusion 1 calls so
+PASSIVE = 12
+ACTIVE = 18
+SILO_WIDTH = _ALWAYS["silo_width"]  # m
+SILO_HEIGHT = _ALWAYS["silo_height"]  # m
+SLIT_WIDTH = _ALWAYS["slit_width"]  # m
 DISC_COUNT = int(_ALWAYS["disc_count"])
-RADIUS, DENSITY = _ALWAYS["radius"], _ALWAYS["density"]  # m, kg m-3
-YOUNGS_MODULUS, POISSONS_RATIO = _ALWAYS["youngs_modulus"], _ALWAYS["poissons_ratio"]  # Pa, 1
+RADIUS = _ALWAYS["radius"]  # m
+DENSITY = _ALWAYS["density"]  # kg m-3
+YOUNGS_MODULUS = _ALWAYS["youngs_modulus"]  # Pa
+POISSONS_RATIO = _ALWAYS["poissons_ratio"]  # 1
 CONTACT_LOAD = _ALWAYS["contact_load"]  # N m-1
 NORMAL_STIFFNESS = _ALWAYS["normal_stiffness_over_weight"] * (DENSITY * ROUNDED_GRAVITY)  # N m-2
 NORMAL_DAMPING = _ALWAYS["normal_damping_over_weight"] * (DENSITY * ROUNDED_GRAVITY)  # N s m-2
-DAMPING_RATIO, STIFFNESS_RATIO = _ALWAYS["damping_ratio"], _ALWAYS["stiffness_ratio"]
-DISC_FRICTION, WALL_FRICTION = _ALWAYS["disc_friction"], _ALWAYS["wall_friction"]
+DAMPING_RATIO = _ALWAYS["damping_ratio"]  # dashpots over 2 sqrt(m K)
+STIFFNESS_RATIO = _ALWAYS["stiffness_ratio"]  # tangential over normal
+DISC_FRICTION = _ALWAYS["disc_friction"]  # 1
+WALL_FRICTION = _ALWAYS["wall_friction"]  # 1
 WALL_STIFFNESS_RATIO = _ALWAYS["wall_stiffness_ratio"]
 GAPS = {across: value for (quantity, across), value in _PRINTED.items() if quantity == "gap" and across}  # m, by s
 

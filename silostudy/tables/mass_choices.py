@@ -1,4 +1,4 @@
-"""How much of the contents a seismic study lets move with the wall: its choices, the share of each, and its short name."""
+"""Shares of the contents that a seismic study lets move with the wall: its choices, and their short names."""
 
 # choice -> (share of the contents' mass (1), or None where it is identified; name for legends); codes accept 80 % where
 # nothing better is known: sasaki_yoshimura_effective_mass, section 1

@@ -18,7 +18,7 @@ class Material(Row):
 
 @dataclass(frozen=True, kw_only=True)
 class MaterialPair(Row):
-    """Of two materials: restitution, sliding and rolling friction (1)."""
+    """Restitution, sliding and rolling friction (1) of two materials."""
 
     restitution: float
     sliding_friction: float

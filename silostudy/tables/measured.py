@@ -1,4 +1,4 @@
-"""What was measured of silos and their solids, each with the source it was read in."""
+"""Measurements of silos and their solids, each with the source it was read in."""
 
 from dataclasses import dataclass, field
 from functools import cache
@@ -16,7 +16,7 @@ SWELLING_OVER_FILLING = "swelling_over_filling"  # an answer that is no variable
 
 
 @dataclass(frozen=True, kw_only=True)
-class Measured:
+class Measurement:
     """One measurement: value and spread in SI, `shown` and `unit` as the source has them; NaN or empty where it says nothing.
 
     taken_solid, taken_wall: what the methods are handed for it; answer: the variable of a cube that answers it, or empty,
@@ -66,16 +66,16 @@ def _factor(unit: str) -> float:
 
 
 @cache
-def measurements() -> tuple[Measured, ...]:
+def measurements() -> tuple[Measurement, ...]:
     """Every measurement, in the order of the table."""
     return tuple(_measured(row) for row in rows(HERE / "measured_silos.csv", text=TEXT))
 
 
-def _measured(row: dict) -> Measured:
+def _measured(row: dict) -> Measurement:
     inside = {name: row[name] * _factor(row["unit"]) for name in ("value", "spread") if name in row}
-    return Measured(**row | inside | {"shown": row.get("value", nan)})
+    return Measurement(**row | inside | {"shown": row.get("value", nan)})
 
 
-def measured_pressures() -> list[Measured]:
+def measured_pressures() -> list[Measurement]:
     """The measured wall pressures of known depth in silos of known size."""
     return [measurement for measurement in measurements() if measurement.answer == "wall_normal_pressure"]

@@ -77,6 +77,6 @@ def files_of(key: str, folder: str, silos: Iterable[str] = ()) -> list[str]:
 
 
 def caption(key: str) -> str:
-    """What the report says of an output (reStructuredText)."""
+    """Caption of an output in the report (reStructuredText)."""
     row = OUTPUTS[key]
     return f"{row.title}.\n\nSource: {cite(row.source)} {row.locator}.\n\nDrawn from the cube {row.stage}.nc.\n"

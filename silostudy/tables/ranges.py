@@ -1,4 +1,4 @@
-"""What a quantity of a silo or its contents can be, and what it usually is: refused beyond the one, told beyond the other.
+"""Ranges of the quantities of a silo and its contents: beyond the possible they are refused, beyond the usual told.
 
 The usual ends lie well outside Table E.1 of EN 1991-4 and the handbook's tables; they are this package's own.
 """

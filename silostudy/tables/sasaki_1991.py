@@ -1,4 +1,4 @@
-"""What Sasaki and Yoshimura print of their tests, and what their numbers say about each other."""
+"""Tests that Sasaki and Yoshimura print, and what their numbers say about each other."""
 
 from dataclasses import dataclass
 from math import nan

@@ -30,7 +30,7 @@ SUFFIXES: dict[str, tuple[str, float]] = {
 
 
 def split_unit(name: str) -> tuple[str, str, float]:
-    """(quantity, SI unit, factor) of a name that may end in a unit; '1' and 1.0 where it carries none."""
+    """Quantity, SI unit and factor of a name that may end in a unit; '1' and 1.0 where it carries none."""
     for suffix, (unit, factor) in SUFFIXES.items():
         if name.endswith(suffix):
             return name.removesuffix(suffix), unit, factor

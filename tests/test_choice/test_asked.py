@@ -9,7 +9,7 @@ import pytest
 
 from silostudy.choice.choose import choose
 from silostudy.choice.dem import load, scene_traits
-from silostudy.choice.fronts import FRONTS, Measured
+from silostudy.choice.fronts import FRONTS, FrontPoint
 from silostudy.choice.pressure import pressure_traits
 from silostudy.compute.dem import scene_model
 from silostudy.compute.pressure import pressure_cube
@@ -31,7 +31,7 @@ def asking(study):
 
 
 def row(quantity, settings, error, cost, scaled_by="", **within):
-    return Measured("silo", quantity, json.dumps(settings), error, scaled_by, within, cost, "a machine", "today")
+    return FrontPoint("silo", quantity, json.dumps(settings), error, scaled_by, within, cost, "a machine", "today")
 
 
 @pytest.fixture

@@ -1,4 +1,4 @@
-"""The energy ledger closes, and what the finite step creates shrinks with it."""
+"""The energy balance closes, and what the finite step creates shrinks with it."""
 
 import numpy as np
 import pytest

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from silostudy.explore.picture import png
-from silostudy.explore.shown import Choice, labels, numbers, overlays, quantities, usual_axis, usual_place
+from silostudy.explore.shown import Selection, labels, numbers, overlays, quantities, usual_axis, usual_place
 
 METHODS = ("janssen", "deutsch")
 
@@ -12,7 +12,7 @@ METHODS = ("janssen", "deutsch")
 @pytest.fixture(scope="module")
 def choice(wheat):
     place = labels(wheat, "phase").index("filling")
-    return Choice("wall_normal_pressure", "depth", "pressure_method", METHODS, {"phase": place})
+    return Selection("wall_normal_pressure", "depth", "pressure_method", METHODS, {"phase": place})
 
 
 def test_depth_and_methods_come_first(wheat):

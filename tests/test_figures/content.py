@@ -273,7 +273,7 @@ def _looks(axes: Axes) -> Iterator[tuple[str, str, tuple]]:
     for line in axes.lines:
         if _shows(line, axes) and line.get_gid() != NAMED and line not in _caps(axes) and not _is_grey(line.get_color()):
             drawn = line.get_linestyle() not in ("None", "none", "", " ")
-            shape = str(line._dash_pattern) if drawn else "points", str(line.get_marker()), is_hollow(line)
+            shape = str(line._unscaled_dash_pattern) if drawn else "points", str(line.get_marker()), is_hollow(line)
             yield f"line {line.get_label()!r}", to_hex(line.get_color()), shape
     for points in axes.collections:
         if isinstance(points, PathCollection) and points.get_array() is None and points.get_gid() != AID:

@@ -144,9 +144,9 @@ def _empty(output):
 
 
 def _same_line(output):
-    first, second = (output.figure.axes[0].lines[number] for number in (0, 2))
-    second.set(linestyle=first.get_linestyle(), marker=first.get_marker(), markerfacecolor=second.get_color())
-    first.set(markerfacecolor=first.get_color())
+    for number in (0, 2):
+        line = output.figure.axes[0].lines[number]
+        line.set(linestyle="-", marker="o", markerfacecolor=line.get_color())
 
 
 MUTATIONS = {

@@ -1,4 +1,4 @@
-"""The energy ledger of spheres under every effect of a contact: each loss stands under its own name, of the right size."""
+"""The energy balance of spheres under every effect of a contact: each loss stands under its own name, of the right size."""
 
 from math import pi, sqrt
 

@@ -10,7 +10,7 @@ from silostudy.dem import coarse
 from silostudy.dem.coarse import Instant, fields, sample
 from silostudy.dem.contact_statistics import coordination, fabric_of
 from silostudy.dem.grid import Grid
-from silostudy.dem.snapshot import Contacts
+from silostudy.dem.snapshot import ContactForces
 from silostudy.errors import BadInput
 from tests.test_spheres.small import scene_of
 
@@ -157,8 +157,8 @@ def test_a_cubic_lattice_has_an_isotropic_fabric():
 
 def test_a_grain_of_one_contact_is_a_rattler():
     """Three in a ring on the floor, a fourth that only leans on the first, and a fifth that touches nothing."""
-    pairs = Contacts(np.array([0, 1, 2, 3]), np.array([1, 2, 0, 0]), np.zeros((4, 3)), np.ones((4, 3)))
-    walls = Contacts(np.array([0, 1, 2]), np.zeros(3, int), np.zeros((3, 3)), np.ones((3, 3)))
+    pairs = ContactForces(np.array([0, 1, 2, 3]), np.array([1, 2, 0, 0]), np.zeros((4, 3)), np.ones((4, 3)))
+    walls = ContactForces(np.array([0, 1, 2]), np.zeros(3, int), np.zeros((3, 3)), np.ones((3, 3)))
     mean, held, rattlers = coordination(SimpleNamespace(n=5, most=5), pairs, walls)
     assert (mean, held, rattlers) == pytest.approx((11 / 5, 3.0, 0.4))
 

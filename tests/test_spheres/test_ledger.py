@@ -1,4 +1,4 @@
-"""The energy ledger of spheres closes, and what the finite step creates shrinks with it."""
+"""The energy balance of spheres closes, and what the finite step creates shrinks with it."""
 
 import numpy as np
 import pytest

@@ -28,7 +28,7 @@ def compliance(given: Given) -> float:
 
 
 def bracket(given: Given) -> float:
-    """B (1) of the curve, the load in N/m."""
+    """Bracket B (1) of the curve, the load in N/m."""
     return coefficients_of(given)[1]
 
 

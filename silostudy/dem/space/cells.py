@@ -142,7 +142,7 @@ def _parts(count: int) -> np.ndarray:
 
 
 def _plane(surface: FlatPiece | LevelPiece) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Of a flat surface: unit vector, least coordinate and length (m) upward and across, and its point nearest the origin."""
+    """Unit vector, least coordinate and length (m) of a flat surface upward and across, and its point nearest the origin."""
     row = surface.shape
     up, across = row[UPWARD : UPWARD + 5], row[ACROSS : ACROSS + 5]
     corner = np.array(surface.corners)[0]
@@ -161,7 +161,7 @@ def _in_cells(corners: np.ndarray, high: float, wide: float, cells: tuple[int, i
 
 
 def _clipped(corners: np.ndarray, way: int, line: float, sign: float) -> np.ndarray:
-    """What of a polygon lies beyond a line across one of its coordinates: sign 1 above it, -1 below it."""
+    """Part of a polygon beyond a line across one of its coordinates: sign 1 above it, -1 below it."""
     clipped = []
     inside = sign * (corners[:, way] - line) if len(corners) else corners
     for k in range(len(corners)):

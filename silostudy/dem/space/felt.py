@@ -1,4 +1,4 @@
-"""What surfaces feel: the motion of spheres beside them, their forces on the spheres, and where on the surface those act."""
+"""Contacts of spheres with surfaces: the spheres' motion beside them, the forces on the spheres, and where those act."""
 
 from math import atan2, pi, sqrt
 
@@ -97,7 +97,7 @@ def scatter_walls(rows, sphere, start, count, force):
 
 @njit(**OPTIONS)
 def turned_frame(shape, wall, x, y, z):
-    """On a turned line: share of its length, share of a turn from the x axis, and the unit vector along it, upward.
+    """Place on a turned line: share of its length, share of a turn from the x axis, and the unit vector along it, upward.
 
     On a level one the vector points outward.
     """
@@ -114,7 +114,7 @@ def turned_frame(shape, wall, x, y, z):
 
 @njit(**OPTIONS)
 def flat_frame(shape, wall, x, y, z):
-    """On a flat piece: shares of its two extents, upward and across, and the unit vector upward in it."""
+    """Place on a flat piece: shares of its two extents, upward and across, and the unit vector upward in it."""
     up = shape[wall, UPWARD], shape[wall, UPWARD + 1], shape[wall, UPWARD + 2]
     height = x * up[0] + y * up[1] + z * up[2] - shape[wall, UPWARD + 3]
     across = x * shape[wall, ACROSS] + y * shape[wall, ACROSS + 1] + z * shape[wall, ACROSS + 2] - shape[wall, ACROSS + 3]

@@ -7,7 +7,8 @@ from silostudy.dem.inserts import NAME, Insert, Pair
 from silostudy.dem.space.walls import FlatPiece, TurnedLine
 from silostudy.packing.family import PackingField
 
-BOTH, FRONT = "both", "front"
+BOTH = "both"  # sides of an insert that push
+FRONT = "front"
 
 
 def polygon(name: str, corners: tuple, side: str, sheet: str = "") -> FlatPiece:

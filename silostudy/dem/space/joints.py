@@ -30,7 +30,7 @@ ENDS = ((START_END, START_WAY), (END_END, END_WAY))
 
 
 class Joint(NamedTuple):
-    """Where two surfaces meet: their numbers, and the numbers of their sides or ends."""
+    """Joint of two surfaces: their numbers, and the numbers of their sides or ends."""
 
     surface: int
     other: int
@@ -84,7 +84,7 @@ def inward(piece: Any, side: int) -> np.ndarray:
 
 
 def flat_joints(surfaces) -> list[Joint]:
-    """Where two standing flat pieces share a side."""
+    """Joints of standing flat pieces that share a side."""
     meeting: dict[frozenset, list[tuple[int, int]]] = {}
     for number in standing(surfaces, FLAT):
         for k, side in enumerate(surfaces[number].sides):
@@ -94,7 +94,7 @@ def flat_joints(surfaces) -> list[Joint]:
 
 
 def turned_joints(surfaces) -> list[Joint]:
-    """Where two standing turned lines about one axis share an end."""
+    """Joints of standing turned lines about one axis that share an end."""
     joints = []
     for surface, other in combinations(standing(surfaces, TURNED), 2):
         if surfaces[surface].axis == surfaces[other].axis:

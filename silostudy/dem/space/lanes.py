@@ -13,13 +13,19 @@ from silostudy.dem.vectors import EIGHT, LANE, WIDTH, base_of, in_eights, lane_o
 
 # numbers of a sphere's row, the last one for how many steps it has been below the outlet
 X, Y, Z, U, V, W, P, Q, R, FX, FY, FZ, TX, TY, TZ, PASSED = range(16)
-PLACE, VELOCITY, SPIN, FORCE, TORQUE = (X, Y, Z), (U, V, W), (P, Q, R), (FX, FY, FZ), (TX, TY, TZ)
+PLACE = (X, Y, Z)  # m
+VELOCITY = (U, V, W)  # m/s
+SPIN = (P, Q, R)  # rad/s
+FORCE = (FX, FY, FZ)  # N
+TORQUE = (TX, TY, TZ)  # N m
 # lanes of relative motion, first less second: place, velocity, sum and difference of spins; curvature of a wall (1/m)
 DX, DY, DZ, DU, DV, DW, SUM_P, SUM_Q, SUM_R, APART_P, APART_Q, APART_R, CURVED = range(13)
 # lanes of force and of the torques on both
 FORCE_X, FORCE_Y, FORCE_Z, FIRST_X, FIRST_Y, FIRST_Z, SECOND_X, SECOND_Y, SECOND_Z = range(9)
-# histories stand among the lanes while forces are computed, before and after: of sliding, rolling, twisting, being in touch
-OLD, NEW, HISTORIES = 13, 9, 8
+# histories (of sliding, rolling, twisting, being in touch) stand among the lanes while forces are computed
+OLD = 13  # first of them before the step, after the lanes of motion
+NEW = 9  # first of them after the step, after the lanes of force
+HISTORIES = 8  # how many they are
 
 # contacts whose forces are computed together, in the first-level cache
 STRETCH = 120
@@ -88,7 +94,7 @@ def _copy(typing, source, spot, target, to):
 
 
 def _both(builder, args, bodies, firsts, seconds, lane):
-    """Of one pair: the first lines of both rows, and the last spins, which stand on the second lines."""
+    """First lines of both rows of a pair, and their last spins, which stand on the second lines."""
     i, j = (row_of(builder, listed, args[3], lane, ROW) for listed in (firsts, seconds))
     lines = (load(builder, bodies, row, EIGHT) for row in (i, j))
     return *lines, *(builder.load(builder.gep(bodies, [plus(builder, row, R)])) for row in (i, j))

@@ -47,7 +47,7 @@ class Outline:
 
     @property
     def row(self) -> tuple[float, ...]:
-        """Its five numbers in a surface's row."""
+        """The five numbers of it in a surface's row."""
         return (self.sides, *self.middle, *self.half)
 
     @property
@@ -74,7 +74,7 @@ class Outline:
         return self.sides * self.half[0] ** 2 * tan(pi / self.sides)
 
     def inset(self, x, y):
-        """How far (m) inside it (x, y) stands, the least over its sides; negative outside."""
+        """Distance (m) of (x, y) inside it, the least over its sides; negative outside."""
         x, y = x - self.middle[0], y - self.middle[1]
         if self.sides == CIRCLE:
             return self.half[0] - np.hypot(x, y)
@@ -111,7 +111,7 @@ class Outline:
 
     @property
     def chord(self) -> tuple[float, float]:
-        """Where the x axis cuts a circle or a rectangle (m); nan where it does not."""
+        """Ends (m) of the cut of a circle or a rectangle along the x axis; NaN where it does not reach that."""
         (x, y), (a, b) = self.middle, self.half
         inside = a * a - y * y if self.sides == CIRCLE else (a * a if abs(y) < b else -1.0)
         half = sqrt(inside) if inside > 0.0 else nan
@@ -135,7 +135,7 @@ class Hole:
 
 @dataclass(frozen=True, kw_only=True)
 class LevelPiece(Surface):
-    """What lies in a level plane inside an outline, all of it joined to other surfaces, and outside its open holes.
+    """Level surface inside an outline, all of which is joined to other surfaces, and outside its open holes.
 
     A hole as long or as wide as the outline runs from wall to wall: it has no ends there.  Cells along run with y, cells around
     with x.
@@ -147,7 +147,7 @@ class LevelPiece(Surface):
 
     @property
     def shape(self) -> np.ndarray:
-        """Its row."""
+        """The row of numbers that kernels read."""
         row, ((x, y), (right, back)) = np.zeros(MORE + PER_HOLE * len(self.holes)), self.outline.box
         row[0], row[HEIGHT], row[OUTLINE : OUTLINE + 5], row[HOLES] = LEVEL, self.height, self.outline.row, len(self.holes)
         holes = row[MORE:].reshape(-1, PER_HOLE)

@@ -1,4 +1,4 @@
-"""What the engine is asked to step in space: spheres, surfaces, laws, and the march."""
+"""Model that the engine steps in space: spheres, surfaces, laws, time stepping."""
 
 from dataclasses import dataclass
 from math import pi

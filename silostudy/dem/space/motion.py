@@ -82,7 +82,7 @@ def cross(a, b):
 
 @register_jitable(forceinline=True)
 def across(vector, normal):
-    """What of a vector lies in the plane across a unit normal."""
+    """Component of a vector in the plane across a unit normal."""
     along = dot(vector, normal)
     return vector[0] - along * normal[0], vector[1] - along * normal[1], vector[2] - along * normal[2]
 

@@ -1,4 +1,4 @@
-"""What the stability bound needs of space: densest packing, directions across a contact, ways from surfaces to spheres."""
+"""Geometry of space for the stability bound: densest packing, directions across a contact, ways from surfaces to spheres."""
 
 from math import sqrt
 from typing import SupportsIndex
@@ -17,7 +17,7 @@ def densest() -> np.ndarray:
 
 
 def tangents(normals: np.ndarray) -> list[tuple[np.ndarray, np.ndarray]]:
-    """Two directions across each normal (n, 3), each with the turn (n, 3) of a spin that moves the contact along it."""
+    """Pair of directions across each normal (n, 3), each with the turn (n, 3) of a spin that moves the contact along it."""
     least = np.eye(3)[np.argmin(np.abs(normals), axis=1)]
     first = np.cross(normals, least)
     first /= np.linalg.norm(first, axis=1, keepdims=True)

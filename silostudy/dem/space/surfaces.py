@@ -19,18 +19,46 @@ from numba.extending import register_jitable
 
 from silostudy.dem.cache import OPTIONS
 
-TURNED, FLAT, LEVEL = 0.0, 1.0, 2.0  # kinds of surface, in the first column of their shapes
-JOINED, MEETS, OUT_OF_REACH = 1.0, 2.0, 1e30  # an edge where two meet at an angle is one of theirs, for what is over neither
+# kinds of surface, in the first column of their shapes
+TURNED = 0.0
+FLAT = 1.0
+LEVEL = 2.0
+# kinds of sides and ends besides free ones, 0
+JOINED = 1.0  # it does not push
+MEETS = 2.0  # an edge of two that meet at an angle: it pushes what is over neither
+OUT_OF_REACH = 1e30  # m: component of a vector to what does not push
 AXIS_X, AXIS_Y, START_R, START_Z, ALONG_R, ALONG_Z, LENGTH, START_END, END_END = range(1, 10)  # columns of a turned line
-START_WAY, END_WAY = 10, 12  # of a turned line: unit vector (r, z) into what its end meets
-COUNT, NORMAL, NEXT, FRONT = 1, 2, 5, 6  # of a flat piece: corners, unit normal, next of its sheet (0: none), one side alone
-HEIGHT, OUTLINE, HOLES = 1, 4, 9  # of a level piece: its height, an outline of five numbers, how many holes it has
-ACROSS, UPWARD = 10, 15  # of both: unit vectors in the plane, each followed by its least coordinate and its length
-RISE, TURN = 20, 21  # of any surface: its speed upward (m/s), and its spin about the upright axis x = y = 0 (rad/s)
+START_WAY = 10  # unit vector (r, z) into what its start meets
+END_WAY = 12  # the same at its end
+# columns of a flat piece
+COUNT = 1  # corners
+NORMAL = 2  # unit normal
+NEXT = 5  # next piece of its sheet; 0: none
+FRONT = 6  # 1: its front alone pushes
+# columns of a level piece
+HEIGHT = 1  # m
+OUTLINE = 4  # five numbers
+HOLES = 9  # how many it has
+# columns of both: unit vectors in the plane, each followed by its least coordinate and its length
+ACROSS = 10
+UPWARD = 15
+# columns of any surface
+RISE = 20  # speed upward (m/s)
+TURN = 21  # spin about the upright axis x = y = 0 (rad/s)
 MORE = 22  # first column of what a flat piece says of each side, and a level piece of each hole
-SIDE, SIDE_WAY, PER_SIDE = 3, 4, 7  # of a side: where it starts, its kind, unit vector into what it meets
-OPEN, RIM, GROWTH, FULL, PER_HOLE = 0, 1, 6, 7, 8  # of a hole: whether it is open, its outline; half width to come (m/s, m)
-CIRCLE, RECTANGLE = 0.0, 4.0  # numbers of sides of an outline; others are regular polygons, one side facing x
+# columns of a side, from its first: three numbers of where it starts, then
+SIDE = 3  # its kind
+SIDE_WAY = 4  # unit vector into what it meets
+PER_SIDE = 7  # how many they are
+# columns of a hole, from its first
+OPEN = 0  # 1: open
+RIM = 1  # its outline, five numbers
+GROWTH = 6  # speed of its half width (m/s)
+FULL = 7  # half width to come (m)
+PER_HOLE = 8  # how many they are
+# numbers of sides of an outline; others are regular polygons, one side facing x
+CIRCLE = 0.0
+RECTANGLE = 4.0
 
 
 @njit(**OPTIONS)
@@ -78,7 +106,7 @@ def apart_from_turned(shape, wall, x, y, z):
 
 @njit(**OPTIONS)
 def nearest_turned(shape, wall, x, y, z):
-    """Of a turned line: the plane through the axis and the point holds the nearest point."""
+    """Vector (m) from a turned line's nearest point, in the plane through its axis and the point, and curvature there (1/m)."""
     ax, ay = x - shape[wall, AXIS_X], y - shape[wall, AXIS_Y]
     off = sqrt(ax * ax + ay * ay)
     dr, dz = off - shape[wall, START_R], z - shape[wall, START_Z]
@@ -101,7 +129,7 @@ def nearest_turned(shape, wall, x, y, z):
 
 @njit(**OPTIONS)
 def piece_of(shape, wall, x, y, z):
-    """Which piece of a sheet, that begins with this one, is nearest to a point."""
+    """Number of the piece nearest to a point, in a sheet that begins with this piece."""
     if shape[wall, NEXT] == 0.0:
         return wall
     nearer, piece = wall, wall
@@ -133,7 +161,7 @@ def passes_on(shape, wall, side, dx, dy, dz):
 
 @njit(**OPTIONS)
 def nearest_flat(shape, wall, x, y, z):
-    """Of a convex polygon: its plane where the point stands over it, else the nearest of its sides."""
+    """Vector (m) from a convex polygon's nearest point: in its plane where the point stands over it, else on a side."""
     side, dx, dy, dz = side_of(shape, wall, x, y, z)
     behind = shape[wall, FRONT] == 1.0 and facing(shape, wall, dx, dy, dz) < 0.0
     if behind or passes_on(shape, wall, side, dx, dy, dz):
@@ -176,7 +204,7 @@ def side_of(shape, wall, x, y, z):
 
 @njit(**OPTIONS)
 def margin(shape, wall, outline, x, y):
-    """How far (m) inside an outline (x, y) stands; negative outside of it, where it is no distance for polygons."""
+    """Distance (m) of (x, y) inside an outline; negative outside of it, where it is no true distance for polygons."""
     sides, half = shape[wall, outline], shape[wall, outline + 3]
     x, y = x - shape[wall, outline + 1], y - shape[wall, outline + 2]
     if sides == CIRCLE:
@@ -196,7 +224,7 @@ def facing(shape, wall, dx, dy, dz):
 
 @njit(**OPTIONS)
 def nearest_level(shape, wall, x, y, z):
-    """Of a level piece, whose outline is joined: its plane, or the rim of an open hole that the point stands over."""
+    """Vector (m) from a level piece's nearest point: on its plane, or on the rim of an open hole that the point stands over."""
     height = z - shape[wall, HEIGHT]
     if margin(shape, wall, OUTLINE, x, y) < 0.0:
         return OUT_OF_REACH, OUT_OF_REACH, OUT_OF_REACH
@@ -256,5 +284,5 @@ def widen(shape, wall, dt):
 
 
 def motion_of(shape: np.ndarray) -> np.ndarray:
-    """Of every surface (n, 3): height (m) where it is level, speed upward (m/s), spin about the upright axis (rad/s)."""
+    """Motion of every surface (n, 3): height (m) where it is level, speed upward (m/s), spin about the upright axis (rad/s)."""
     return np.array([(height_of(shape, wall), *shape[wall, [RISE, TURN]]) for wall in range(len(shape))])

@@ -31,7 +31,7 @@ STRAIGHT = 1e-12  # of its square: how much a corner may turn inward
 
 @dataclass(frozen=True, kw_only=True)
 class Surface:
-    """What every surface has: a name, equal cells along and around that have their force recorded, whether it stands.
+    """Surface with a name, equal cells along and around that have their force recorded, and whether it stands.
 
     faces: 2 where its back has cells of its own; coat: number of its coefficients, that pieces of one sheet share; sheet: name
     of the curved sheet that it is a facet of, "": of none.
@@ -49,7 +49,7 @@ class Surface:
             raise BadInput(f"{self.name}.cells", self.cells, "must be 1 or more each way")
 
     def covers(self, places: np.ndarray) -> np.ndarray:
-        """Which places (n, 3) stand over or under the box around it."""
+        """Mask of places (n, 3) that stand over or under the box around it."""
         ends = np.array(self.corners)[:, :2]  # type: ignore[attr-defined]
         return ((places[:, :2] >= ends.min(axis=0)) & (places[:, :2] <= ends.max(axis=0))).all(axis=1)
 
@@ -78,7 +78,7 @@ class TurnedLine(Surface):
 
     @property
     def shape(self) -> np.ndarray:
-        """Its row."""
+        """The row of numbers that kernels read."""
         (r0, z0), (r1, z1) = self.start, self.end
         length = hypot(r1 - r0, z1 - z0)
         ends = [JOINED if joined else 0.0 for joined in self.joined]
@@ -87,7 +87,7 @@ class TurnedLine(Surface):
         return row
 
     def covers(self, places: np.ndarray) -> np.ndarray:
-        """Which places (n, 3) stand over or under its widest circle."""
+        """Mask of places (n, 3) that stand over or under its widest circle."""
         return np.hypot(*(places[:, :2] - self.axis).T) <= max(self.start[0], self.end[0])
 
     @property
@@ -137,12 +137,12 @@ class FlatPiece(Surface):
 
     @property
     def sides(self) -> list[tuple[tuple[float, ...], tuple[float, ...]]]:
-        """Its sides: from each corner to the next."""
+        """Pairs of corners: from each corner to the next."""
         return list(zip(self.corners, (*self.corners[1:], self.corners[0]), strict=True))
 
     @property
     def shape(self) -> np.ndarray:
-        """Its row."""
+        """The row of numbers that kernels read."""
         corners, normal = np.array(self.corners), self.normal
         row = np.zeros(MORE + PER_SIDE * len(corners))
         row[0], row[COUNT], row[NORMAL : NORMAL + 3], row[FRONT] = FLAT, len(corners), normal, self.front_only
@@ -182,7 +182,7 @@ def extents(surfaces) -> list[np.ndarray]:
 
 
 def beside(surfaces, places: np.ndarray) -> np.ndarray:
-    """Which places (n, 3; m) have no surface above, below or at them."""
+    """Mask of places (n, 3; m) that have no surface above, below or at them."""
     covered = np.zeros(len(places), bool)
     for surface in surfaces:
         covered |= surface.covers(places)
@@ -190,5 +190,5 @@ def beside(surfaces, places: np.ndarray) -> np.ndarray:
 
 
 def cell_count(surfaces) -> int:
-    """How many cells the surfaces have."""
+    """Number of cells of the surfaces."""
     return sum(surface.cells[0] * surface.cells[1] * surface.faces for surface in surfaces)

@@ -10,7 +10,7 @@ from silostudy.pressure.as3774_1996 import wall
 from silostudy.pressure.calls import asking, call, parameters_of
 
 NOT_COUNTED = 0.1  # of the diameter: how far off the axis an outlet still counts as central
-RELIEF = 1.5
+RELIEF = 1.5  # decrease on the near side over the increase on the far side
 SIZES = ("diameter", "outlet_eccentricity")
 FRICTION = ("internal_friction_angle", "outlet_depth")
 

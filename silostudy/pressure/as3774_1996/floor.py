@@ -3,7 +3,10 @@
 from silostudy.pressure.as3774_1996 import wall
 from silostudy.pressure.calls import asking
 
-MIDDLE, FALL, SHEAR = 1.25, 1.6, 0.3
+# factors of the formulas below
+MIDDLE = 1.25  # pressure in the middle over the mean
+FALL = 1.6  # how it falls with the square of the distance
+SHEAR = 0.3  # of the shear
 SEEN = "Source: as3774_1996, second-hand (one account)"
 
 

@@ -14,7 +14,7 @@ SEEN = "Source: as3774_1996, second-hand (one account), and the equilibrium of s
 
 
 def filling_ratio(*, hopper_half_angle, hopper_wall_friction):
-    """k_h (1), normal over vertical pressure after filling: tan a/(tan a + mu_h).
+    """Ratio k_h (1) of normal to vertical pressure after filling: tan a/(tan a + mu_h).
 
     Source: as3774_1996, second-hand (one account), and equilibrium: with it every slice carries its own weight.
     """
@@ -23,7 +23,7 @@ def filling_ratio(*, hopper_half_angle, hopper_wall_friction):
 
 
 def pressure_ratio(phase, given):
-    """k_h or k_hf (1): in flow the ratio of EN 1991-4, whose eps is twice this code's eta."""
+    """Ratio k_h or k_hf (1) of normal to vertical pressure: in flow that of EN 1991-4, whose eps is twice this code's eta."""
     angle, mu = given["hopper_half_angle"], given["hopper_wall_friction"]
     if phase == "filling":
         return filling_ratio(hopper_half_angle=angle, hopper_wall_friction=mu)
@@ -31,7 +31,7 @@ def pressure_ratio(phase, given):
 
 
 def exponent(phase, given):
-    """j (1): c_h [k (mu_h cot a + 1) - 1], c_h 2 for a cone, 1 for a wedge; 0 after filling."""
+    """Exponent j (1): c_h [k (mu_h cot a + 1) - 1], c_h 2 for a cone, 1 for a wedge; 0 after filling."""
     angle, mu = given["hopper_half_angle"], given["hopper_wall_friction"]
     return (2 - given["slot"]) * slices.exponent(pressure_ratio(phase, given), angle, mu)
 

@@ -16,12 +16,12 @@ SEEN = "Source: as3774_1996, second-hand (one account), and vertical equilibrium
 
 
 def _depth(z, given):
-    """z/z_o (1), z_o = r_c/(mu k_sw)."""
+    """Relative depth z/z_o (1), z_o = r_c/(mu k_sw)."""
     return z * given["wall_friction"] * RATIO / given["hydraulic_radius"]
 
 
 def swelling_pressure(z, given):
-    """p_sw (Pa) at depth z (m): (gamma r_c/mu)(exp(z/z_o) - 1), z_o = r_c/(mu k_sw)."""
+    """Swelling pressure p_sw (Pa) at depth z (m): (gamma r_c/mu)(exp(z/z_o) - 1), z_o = r_c/(mu k_sw)."""
     return RATIO * given["unit_weight"] * z * growth(_depth(z, given))
 
 

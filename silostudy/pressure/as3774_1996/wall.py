@@ -9,7 +9,7 @@ import numpy as np
 from silostudy.pressure import janssen
 from silostudy.pressure.calls import asking, call, first_line, parameters_of
 
-LEAST_RATIO = 0.35
+LEAST_RATIO = 0.35  # lower end of the lateral pressure ratio k
 SQUAT = 1.0  # h_b / d_c below which a container is squat
 RAMP = 0.5  # of the contact's depth, over which the pressure rises
 SOFTEST = 0.85  # least share of the pressure that stays on a flexible wall
@@ -20,7 +20,10 @@ SEEN = "Source: as3774_1996, second-hand."
 
 
 def lateral_ratio(wall_friction, internal_friction_angle):
-    """k (1). Source: as3774_1996, second-hand: [1 + sin^2 f - 2 sqrt(sin^2 f - mu^2 cos^2 f)]/(4 mu^2 + cos^2 f) >= 0.35."""
+    """Lateral pressure ratio k (1): [1 + sin^2 f - 2 sqrt(sin^2 f - mu^2 cos^2 f)]/(4 mu^2 + cos^2 f), at least 0.35.
+
+    Source: as3774_1996, second-hand.
+    """
     sine, cosine = np.sin(internal_friction_angle), np.cos(internal_friction_angle)
     root = np.sqrt(np.maximum(sine**2 - (wall_friction * cosine) ** 2, 0.0))
     return np.maximum((1 + sine**2 - 2 * root) / (4 * wall_friction**2 + cosine**2), LEAST_RATIO)
@@ -45,7 +48,7 @@ def _squat_share(z, given):
 
 
 def wall_pressure(z, given):
-    """p_ni (Pa) on a rigid wall at depth z (m): Janssen's, and in a squat container the ramp up to it.
+    """Wall pressure p_ni (Pa) on a rigid wall at depth z (m): Janssen's, and in a squat container the ramp up to it.
 
     Source: as3774_1996, second-hand (two accounts of the ramp): 0 at h_o, straight to Janssen's value at 1.5 h_o.
     """
@@ -60,7 +63,7 @@ def traction(z, given):
 
 
 def axial_force(z, given):
-    """What hangs on the wall per metre of perimeter (N/m) above depth z (m): the friction integrated.
+    """Axial wall force (N/m) above depth z (m): the friction integrated.
 
     Source: as3774_1996, second-hand: Janssen's; in a squat container the ramp's triangle, then Janssen's growth below it.
     """
@@ -91,7 +94,7 @@ def load(given):
 
 
 def flexibility_factor(z, given):
-    """psi (1), what stays of the pressure on the flexible wall of a squat circular container at depth z (m).
+    """Factor psi (1) on the pressure for the flexible wall of a squat circular container at depth z (m).
 
     Source: as3774_1996, second-hand (two accounts): 1 - E_s (d_c/2)/(E_w t) >= 0.85, E_s = chi p_vi (one account); 1 where the
     wall is said to be rigid.
@@ -102,7 +105,7 @@ def flexibility_factor(z, given):
 
 
 def normal_pressure(z, given):
-    """p_ni (Pa) on the wall as stiff as it is at depth z (m). Source: as3774_1996, second-hand."""
+    """Wall pressure p_ni (Pa) on the wall as stiff as it is at depth z (m). Source: as3774_1996, second-hand."""
     return flexibility_factor(z, given) * wall_pressure(z, given)
 
 
@@ -123,7 +126,7 @@ INITIAL = {quantity: _initial(quantity) for quantity in STATE}
 
 
 def flow_factor(*, cylinder_depth, diameter, slot):
-    """c_nf (1), flow over initial pressure.
+    """Factor c_nf (1) of flow over initial pressure.
 
     Source: as3774_1996, second-hand: max((7.6 (h_b/d_c)^0.06 - 6.4) c_c, 1.2 c_c), c_c 1 axisymmetric, 1.2 planar.
     """

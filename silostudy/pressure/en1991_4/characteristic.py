@@ -43,7 +43,7 @@ def characteristic(
     sets_capped=1.0,
     contact_share=1.0,
 ):
-    """(mu (1), K (1), phi (rad)) of a set; mu at most tan(phi) of the set, unless the sets are asked for uncapped.
+    """Values mu (1), K (1), phi (rad) of a set; mu at most tan(phi) of the set, unless the sets are asked for uncapped.
 
     Source: en1991_4_2006 (printed standard not seen; agrees in two or more public programs, but for the cap: one of four
     programs has it).  On a corrugated wall mu is made of like values, all upper or all lower: a reading.

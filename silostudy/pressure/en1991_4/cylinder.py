@@ -9,22 +9,24 @@ from scipy.special import exprel
 
 from silostudy.pressure import janssen
 
-SLENDER, SQUAT = 2.0, 1.0  # h_c / d_c
+# h_c / d_c
+SLENDER = 2.0  # from which on a silo is slender
+SQUAT = 1.0  # up to which it is squat
 CLASSES = ("squat", "intermediate", "slender")
 
 
 def _over(y):
-    """log(1 + y) / y (1), 1 at y = 0."""
+    """Quotient log(1 + y) / y (1), 1 at y = 0."""
     return np.where(y == 0, 1.0, np.log1p(y) / np.where(y == 0, 1.0, y))
 
 
 def power_exponent(*, hydraulic_radius, mu, k, contact, repose_angle):
-    """n (1) of the power law: -(1 + tan phi_r)(1 - h_o/z_o), z_o = R/(K mu). Source: en1991_4_2006."""
+    """Exponent n (1) of the power law: -(1 + tan phi_r)(1 - h_o/z_o), z_o = R/(K mu). Source: en1991_4_2006."""
     return -(1 + np.tan(repose_angle)) * (hydraulic_radius - k * mu * contact) / hydraulic_radius
 
 
 def power_law(z, *, unit_weight, hydraulic_radius, mu, k, contact, repose_angle):
-    """(p_h, p_v) (Pa) of intermediate and squat silos at depth z (m); NaN above the wall contact.
+    """Pressures p_h, p_v (Pa) of intermediate and squat silos at depth z (m); NaN above the wall contact.
 
     Source: en1991_4_2006: Y = 1 - [(z - h_o)/(z_o - h_o) + 1]^n, n = -(1 + tan phi_r)(1 - h_o/z_o), p_v = gamma z_V.
     Written so that nothing cancels at n = -1 nor as mu goes to 0: y = (z - h_o)/(z_o - h_o), z_o = R/(K mu).
@@ -48,7 +50,7 @@ def slenderness_class(*, cylinder_depth, diameter):
 
 
 def pressures(z, *, unit_weight, hydraulic_radius, mu, k, diameter, cylinder_depth, repose_angle, contact_depth):
-    """(p_hf, p_vf) (Pa) after filling at depth z (m), by slenderness class.
+    """Pressures p_hf, p_vf (Pa) after filling at depth z (m), by slenderness class.
 
     Source: en1991_4_2006: p_hf = p_ho (1 - exp(-z/z_o)) and p_vf = p_hf/K for slender silos, power_law for the others.
     """

@@ -12,7 +12,7 @@ from silostudy.pressure import janssen
 
 
 def channel(radius, size, mu, phi):
-    """(theta, psi (rad), e_c (m)): wall contact angle, contact angle seen from the channel, eccentricity.
+    """Wall contact angle theta, contact angle psi seen from the channel (rad), and eccentricity e_c (m) of the flow channel.
 
     Source: en1991_4_2006: eta = mu/tan(phi), e_c/r = eta (1 - k_c) + (1 - eta) sqrt(1 - k_c),
     cos theta = (r^2 + e_c^2 - r_c^2)/(2 r e_c), sin psi = (r/r_c) sin theta.
@@ -29,7 +29,7 @@ def channel(radius, size, mu, phi):
 
 
 def section(radius, size, mu, phi):
-    """(A_c (m2), U_wc (m), U_sc (m)): area of the channel, its contact with the wall and with the solid at rest.
+    """Area A_c (m2) of the channel, and its contact with the wall U_wc and with the solid at rest U_sc (m).
 
     Source: en1991_4_2006: A_c = (pi - psi) r_c^2 + theta r^2 - r r_c sin(psi - theta), U_wc = 2 theta r,
     U_sc = 2 r_c (pi - psi).
@@ -41,7 +41,7 @@ def section(radius, size, mu, phi):
 
 
 def channel_pressure(z, *, unit_weight, radius, size, mu, k, phi):
-    """p_hce (Pa) on the wall of the flow channel at depth z (m).
+    """Pressure p_hce (Pa) on the wall of the flow channel at depth z (m).
 
     Source: en1991_4_2006: Janssen in the channel, rubbing on the wall over U_wc with mu and on the resting solid over U_sc
     with tan(phi).
@@ -62,7 +62,7 @@ def resultant(*, radius, half_width, static, moving):
 
 
 def adjacent_pressure(*, static, moving):
-    """p_hae (Pa) beside the channel, from theta_c to 2 theta_c: 2 p_hse - p_hce. Source: en1991_4_2006.
+    """Pressure p_hae (Pa) beside the channel, from theta_c to 2 theta_c: 2 p_hse - p_hce. Source: en1991_4_2006.
 
     With it the mean round the ring is the static pressure.
     """

@@ -20,7 +20,7 @@ STATICS = "Source: equilibrium, from the zones' pressures."
 
 
 def zones(z, static_set, given):
-    """(p_hce, p_hse, p_hae) (Pa) at depth z (m) for one size of channel; static_set: of the solid at rest."""
+    """Pressures p_hce, p_hse, p_hae (Pa) at depth z (m) for one size of channel; static_set: of the solid at rest."""
     mu, k, phi = characteristic(MOVING, **take(given, PROPERTIES))
     moving = eccentric.channel_pressure(
         z, unit_weight=given["unit_weight"], radius=given["diameter"] / 2, size=given["channel_size"], mu=mu, k=k, phi=phi
@@ -42,7 +42,7 @@ def _in_zone(static_set, number, friction):
 
 
 def _shape(given):
-    """(theta_c, psi (rad), e_c (m)) of the channel."""
+    """Angles theta_c, psi (rad) and eccentricity e_c (m) of the channel."""
     mu, _, phi = characteristic(MOVING, **take(given, PROPERTIES))
     return eccentric.channel(given["diameter"] / 2, given["channel_size"], mu, phi)
 

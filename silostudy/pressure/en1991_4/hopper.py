@@ -12,12 +12,12 @@ from scipy.special import exprel
 
 from silostudy.pressure.hopper_shape import steepness
 
-PRESSURE_LOSS = 0.2
+PRESSURE_LOSS = 0.2  # 1 - F_f on a wall so rough that tan(beta)/mu vanishes
 QUANTITIES = ("normal_pressure", "friction_traction", "vertical_pressure")
 
 
 def effective_friction(half_angle, mu, k):
-    """mu_heff (1): mu where the hopper is steep, else (1 - K)/(2 tan beta). Source: en1991_4_2006."""
+    """Effective hopper friction mu_heff (1): mu where the hopper is steep, else (1 - K)/(2 tan beta). Source: en1991_4_2006."""
     return np.where(is_steep(half_angle, mu, k), mu, (1 - k) / (2 * np.tan(half_angle)))
 
 
@@ -30,18 +30,18 @@ def is_steep(half_angle, mu, k):
 
 
 def filling_ratio(half_angle, mu):
-    """F_f (1), normal over vertical pressure: 1 - 0.2/(1 + tan(beta)/mu). Source: en1991_4_2006."""
+    """Ratio F_f (1) of normal to vertical pressure: 1 - 0.2/(1 + tan(beta)/mu). Source: en1991_4_2006."""
     return 1 - PRESSURE_LOSS * mu / (mu + np.tan(half_angle))
 
 
 def flow_angle(mu, phi):
-    """eps (rad), turn of the stresses at the wall in flow: phi_wh + asin(sin phi_wh/sin phi). Source: en1991_4_2006."""
+    """Angle eps (rad) of the stresses' turn at the wall in flow: phi_wh + asin(sin phi_wh/sin phi). Source: en1991_4_2006."""
     wall = np.arctan(mu)
     return wall + np.arcsin(np.minimum(np.sin(wall) / np.sin(phi), 1.0))
 
 
 def discharge_ratio(half_angle, mu, phi):
-    """F_e (1): (1 + sin phi cos eps)/(1 - sin phi cos(2 beta + eps)), eps = phi_wh + asin(sin phi_wh/sin phi).
+    """Ratio F_e (1): (1 + sin phi cos eps)/(1 - sin phi cos(2 beta + eps)), eps = phi_wh + asin(sin phi_wh/sin phi).
 
     Source: en1991_4_2006 (a public program has beta + eps in place of 2 beta + eps and is wrong).
     """
@@ -50,7 +50,7 @@ def discharge_ratio(half_angle, mu, phi):
 
 
 def vertical_pressure(share, *, weight, exponent, top):
-    """p_v (Pa) at a share x/h_h of the height: weight = gamma h_h and top = p_vft (Pa), exponent n.
+    """Vertical pressure p_v (Pa) at a share x/h_h of the height: weight = gamma h_h and top = p_vft (Pa), exponent n.
 
     Source: en1991_4_2006: gamma h_h/(n - 1) [x/h_h - (x/h_h)^n] + p_vft (x/h_h)^n.
     (x - x^n)/(n - 1) = -x log(x) (e^u - 1)/u with u = (n - 1) log(x): nothing cancels at n = 1.

@@ -22,7 +22,7 @@ NUMBERS = {
 
 
 def wall_state(phase, half_angle, given):
-    """(steep, mu_heff, F) (1) of the hopper's walls of one half angle, each pair judged steep or shallow by itself.
+    """State (steep, mu_heff, F) (1) of the hopper's walls of one half angle, each pair judged steep or shallow by itself.
 
     Discharge in a shallow hopper is taken as filling: as two public programs of three have it.
     """
@@ -43,14 +43,14 @@ def half_angles(given):
 
 
 def exponent(phase, given):
-    """n (1): the sum over both pairs of walls; a wedge has one."""
+    """Exponent n (1): the sum over both pairs of walls; a wedge has one pair."""
     (_, mu, ratio), (_, end_mu, end_ratio) = (wall_state(phase, angle, given) for angle in half_angles(given))
     long, ends = half_angles(given)
     return hopper.exponent(ratio, long, mu) + (1 - given["slot"]) * hopper.exponent(end_ratio, ends, end_mu)
 
 
 def flow_angle(**given):
-    """eps (rad) of the steep hopper in discharge."""
+    """Angle eps (rad) of the steep hopper in discharge."""
     properties = take(given, PROPERTIES) | {"wall_friction": given["hopper_wall_friction"], "contact_share": 1.0}
     mu, _, phi = characteristic("hopper_discharge", **properties)
     return hopper.flow_angle(mu, phi)

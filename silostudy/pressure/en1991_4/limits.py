@@ -1,4 +1,4 @@
-"""Where EN 1991-4:2006 holds, as far as its limits are known second-hand."""
+"""Limits of EN 1991-4:2006, as far as they are known second-hand."""
 
 import numpy as np
 
@@ -9,7 +9,9 @@ from silostudy.pressure.en1991_4.cylinder import SLENDER, SQUAT
 from silostudy.pressure.limits import DIAMETER, SLENDERNESS, Limit, Measure
 
 RETAINING = 0.4  # h_c / d_c
-SIMPLIFIED, EVERY_CASE = 1.0, 3.0  # action assessment classes
+# action assessment classes
+SIMPLIFIED = 1.0  # whose methods may be simplified
+EVERY_CASE = 3.0  # that calls for every load case
 LARGE_ECCENTRICITY = 0.25  # of the outlet, over d_c
 OF_BOTTOM = (
     "hopper_normal_pressure",
@@ -42,7 +44,7 @@ def _heap_share(*, top_cone_height, diameter, repose_angle):
 
 
 def _contact_share(*, contact_depth, cylinder_depth, diameter, hydraulic_radius, **solid):
-    """h_o over the least z_o of any set (1), where the power law stands."""
+    """Ratio of h_o to the least z_o of any set (1), where the power law stands."""
     friction = np.prod([solid[name] for name in FRICTION], axis=0)
     return np.where(cylinder_depth / diameter >= SLENDER, 0.0, contact_depth * friction / hydraulic_radius)
 
@@ -58,7 +60,7 @@ def _heap_on_floor(*, top_cone_height, cylinder_depth, diameter, hopper_half_ang
 
 
 def _slenderness_unasked(*, cylinder_depth, diameter, low_patch):
-    """h_c/d_c (1); none, which breaks no limit, where the one source's patch is asked for."""
+    """Slenderness h_c/d_c (1); NaN, which breaks no limit, where the patch of the one source is asked for."""
     return np.where(low_patch == 1, np.nan, cylinder_depth / diameter)
 
 

@@ -38,7 +38,7 @@ def take(given, names):
 
 
 def filled(z, set_name, given):
-    """(p_h, p_v, mu) after filling with a set's characteristic values."""
+    """Pressures p_h, p_v (Pa) and mu (1) after filling with a set's characteristic values."""
     mu, k, _ = characteristic(set_name, **take(given, PROPERTIES))
     return *cylinder.pressures(z, mu=mu, k=k, **take(given, STATE)), mu
 
@@ -68,7 +68,7 @@ def on_cylinder(quantity, set_name, phase, increases=factors.USUAL):
 
 
 def phases(sets, increases=factors.USUAL):
-    """phase -> quantity -> function, with the set of each quantity."""
+    """Functions by phase and quantity, with the set of each quantity."""
     in_discharge = (*INCREASED_BY, "accompanying_wall_pressure")
     return {
         "filling": {quantity: on_cylinder(quantity, name, "filling") for quantity, name in sets.items()},
@@ -77,7 +77,7 @@ def phases(sets, increases=factors.USUAL):
 
 
 def used_by(sets):
-    """phase -> quantity -> parameter -> function: the characteristic values of each quantity's set."""
+    """Functions by phase, quantity and parameter: the characteristic values of each quantity's set."""
     functions = {quantity: used(name) | {"power_law_exponent": power_exponent(name)} for quantity, name in sets.items()}
     return {"filling": functions, "discharge": functions}
 

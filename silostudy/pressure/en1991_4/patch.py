@@ -9,13 +9,13 @@ BAND = 0.36  # of the patch pressure
 
 
 def patch_factor_filling(*, patch_factor, eccentricity, diameter, cylinder_depth):
-    """C_pf (1). Source: en1991_4_2006: 0.21 C_op (1 + 2 E^2)(1 - exp(-1.5 (h_c/d_c - 1))) >= 0, E = 2 e/d_c."""
+    """Patch factor C_pf (1): 0.21 C_op (1 + 2 E^2)(1 - exp(-1.5 (h_c/d_c - 1))) >= 0, E = 2 e/d_c. Source: en1991_4_2006."""
     e, excess = 2 * eccentricity / diameter, cylinder_depth / diameter - 1
     return np.maximum(0.21 * patch_factor * (1 + 2 * e**2) * -np.expm1(-1.5 * excess), 0.0)
 
 
 def patch_factor_discharge(*, patch_factor, eccentricity, diameter, cylinder_depth):
-    """C_pe (1): twice the filling's above h_c/d_c = 1.2, below it 0.272 C_op (h_c/d_c - 1 + E), at least 0.
+    """Patch factor C_pe (1): twice the filling's above h_c/d_c = 1.2, below 0.272 C_op (h_c/d_c - 1 + E), at least 0.
 
     Source: en1991_4_2006; the second form from one public program only.
     """
