@@ -7,11 +7,13 @@ import pandas as pd
 import xarray as xr
 from matplotlib.axes import Axes
 
-from silostudy.cube.laboratory import CELL, FILLING, Found, Solid, checks
+from silostudy.cube.laboratory import CELL, FILLING, Scatter, TestedSolid, checks
 from silostudy.figures.style import BLUE, GREEN, MARKERS, VERMILION, WIDTH, foot, headline, plt, save
 
 KPA = 1e3  # Pa
-INSIDE, WALL, STEADY = BLUE, VERMILION, GREEN
+INSIDE = BLUE  # shear in the solid
+WALL = VERMILION  # shear on the wall
+STEADY = GREEN  # steady shear in the solid
 PALE = 0.35  # opacity of the least stress
 # what the width of the cell is looked at by: variable, and the stress at which it enters the row
 QUANTITIES = {
@@ -30,7 +32,7 @@ LOCI = {
 
 def draw(cube: xr.Dataset, stem: Path) -> None:
     """Writes the figure and its numbers: of the widest cell, and what the width does."""
-    solid, wide = Solid.of(cube), cube.isel({CELL: -1})
+    solid, wide = TestedSolid.of(cube), cube.isel({CELL: -1})
     figure, ((path, shear), (locus, width)) = plt.subplots(2, 2, figsize=(WIDTH, 9.4))
     numbers = [*_path(path, wide, solid), *_shear(shear, wide), *_locus(locus, wide, solid), *_width(width, cube)]
     looked_at = list(checks(cube))
@@ -42,14 +44,14 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     save(figure, pd.concat(numbers, ignore_index=True), stem)
 
 
-def _message(solid: Solid, failed: int, looked_at: int) -> str:
+def _message(solid: TestedSolid, failed: int, looked_at: int) -> str:
     """The row of the solid that the tests give, and how many checks it fails."""
     row = f"K = {solid.lateral_pressure_ratio.mean:.2f}, phi = {np.degrees(solid.friction_angle.mean):.1f}°"
     checked = f"{looked_at - failed} of {looked_at} checks hold"
     return f"The tests give {row}, wall friction {solid.wall_friction.mean:.2f}; {checked}"
 
 
-def _path(panel: Axes, wide: xr.Dataset, solid: Solid) -> list[pd.DataFrame]:
+def _path(panel: Axes, wide: xr.Dataset, solid: TestedSolid) -> list[pd.DataFrame]:
     """Horizontal over vertical stress at first loading."""
     vertical, horizontal = (
         wide["path_stress"].values / KPA,
@@ -124,7 +126,7 @@ def _width(panel: Axes, cube: xr.Dataset) -> list[pd.DataFrame]:
     rows, cells = [], cube[CELL].values
     for place, (name, (variable, stress)) in enumerate(QUANTITIES.items()):
         tests = cube[variable].sel(normal_stress=float(cube[stress])).transpose(CELL, FILLING)
-        results = [Found.of(fillings) for fillings in tests]
+        results = [Scatter.of(fillings) for fillings in tests]
         for number, (cell, result) in enumerate(zip(cells, results, strict=True)):
             value, spread = result.mean / results[-1].mean, result.deviation / results[-1].mean
             rows.append({"curve": f"{cell:g} grains wide", "quantity": name, "over_widest": value, "low": value - spread,
