@@ -36,10 +36,10 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     axis.set(xscale="log", xlabel="CPU time of the cheapest setting (s)")
     handles = [plt.Line2D([], [], color=c, marker=m, linestyle="", label=text) for text, c, m in ASKED.values()]
     headline(figure, _message(cheapest))
-    about = (
+    told = (
         "Cheapest setting that reaches a relative error and whose finer ones do too; its ladder and setting stand on the right."
     )
-    foot(figure, f"{cube.attrs['title']}: {cube.attrs['machine']}, {cube.attrs['measured_on']}.", about, handles=handles)
+    foot(figure, f"{cube.attrs['title']}: {cube.attrs['machine']}, {cube.attrs['measured_on']}.", told, handles=handles)
     save(figure, cheapest.rename(columns={"cost": "cost_s"}), stem)
 
 

@@ -28,8 +28,8 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     solids = list(map(str, cube["solid"].values)) if "solid" in cube.dims else [""]
     columns = min(4, len(solids))
     rows = -(-len(solids) // columns)
-    size = {"figsize": (WIDTH, 2.7 * rows + 1.8)}
-    figure, axes = plt.subplots(rows, columns, **size, squeeze=False, sharex=True, sharey=True)
+    size = (WIDTH, 2.7 * rows + 1.8)
+    figure, axes = plt.subplots(rows, columns, figsize=size, squeeze=False, sharex=True, sharey=True)
     methods = list(map(str, cube["pressure_method"].values))
     colours = ListedColormap([str(c) for c in cube["pressure_method_colour"].values])
     norm = BoundaryNorm(np.arange(len(methods) + 1) - 0.5, len(methods))

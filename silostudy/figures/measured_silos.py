@@ -25,8 +25,8 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     if not measured:
         told = "no silo of the study has the size of a measured one, and depths to the measured one (see `silostudy list`)"
         raise BadInput("cube", cube.attrs["title"], told)
-    size = {"figsize": (WIDTH, 3.3 * len(measured) + 1.6)}
-    figure, axes = plt.subplots(len(measured), 2, **size, squeeze=False, width_ratios=(1.1, 1))
+    size = (WIDTH, 3.3 * len(measured) + 1.6)
+    figure, axes = plt.subplots(len(measured), 2, figsize=size, squeeze=False, width_ratios=(1.1, 1))
     curves, compared = [], []
     for (walls, bars), (place, points) in zip(axes, measured.items(), strict=True):
         here = cube.isel(silo=place)

@@ -116,6 +116,7 @@ def named(line: Line2D, words: str, offset: tuple[float, float] = (4, 0), **opti
     placed = {"textcoords": "offset points", "fontsize": "small", "va": "center", "color": line.get_color()}
     point = tuple(np.asarray(line.get_xydata())[-1])
     line.set_gid(NAMED)
+    assert isinstance(line.axes, Axes)  # a curve that was drawn
     text = line.axes.annotate(words, point, offset, **placed | options)
     text.set_path_effects([withStroke(linewidth=2.5, foreground="white")])
 

@@ -31,8 +31,8 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     methods = distinct_methods(cube)
     columns = _columns(len(methods))
     rows = -(-len(methods) // columns)
-    size = {"figsize": (WIDTH, 2.1 * rows + 1.6)}
-    figure, axes = plt.subplots(rows, columns, **size, squeeze=False, sharex=True, sharey=True)
+    size = (WIDTH, 2.1 * rows + 1.6)
+    figure, axes = plt.subplots(rows, columns, figsize=size, squeeze=False, sharex=True, sharey=True)
     tables = []
     for panel, method in zip(axes.flat, methods, strict=False):
         for phase in map(str, cube["phase"].values):
