@@ -106,7 +106,7 @@ def _sides(step: xr.DataArray, plan: Plan, around: int) -> xr.DataArray:
 
 
 def said(codes: xr.Dataset, felt_arrays: dict[str, xr.DataArray]) -> dict[str, xr.DataArray]:
-    """What theories and codes say at the levels, whose depth is the mean over the fillings, and at depths of their own."""
+    """Pressures (Pa) by theories and codes at the levels, at their mean depth over the fillings, and at depths of their own."""
     depth = felt_arrays["level_depth"].mean("filling")
     at_levels = {"code_wall_pressure": at_depths(codes, "wall_normal_pressure", depth)}
     return at_levels | profiles(codes, depth.isel(wall_level=0, drop=True))

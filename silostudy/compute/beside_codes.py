@@ -60,7 +60,7 @@ def depths_of(codes: xr.Dataset) -> xr.DataArray:
 
 
 def profiles(codes: xr.Dataset, settings: xr.DataArray) -> dict[str, xr.DataArray]:
-    """What theories and codes say at their own depths (m) and places on the hopper, where no level of cells blurs a jump."""
+    """Pressures (Pa) by theories and codes at their own depths (m) and places on the hopper: no level of cells blurs a jump."""
     along = "relative_depth" if "relative_depth" in codes.dims else "depth"
     own = {"code_profile_depth": depths_of(codes), "code_wall_profile": codes["wall_normal_pressure"]}
     data = {name: values.drop_vars(along).rename({along: "code_level"}) for name, values in own.items()}

@@ -1,4 +1,4 @@
-"""What 10 %, 1 % and 0.1 % cost: the cheapest setting that reaches each, problem by problem."""
+"""Cost of 10 %, 1 % and 0.1 %: the cheapest setting that reaches each, problem by problem."""
 
 from pathlib import Path
 from textwrap import fill
@@ -28,8 +28,8 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
             axis.scatter(point.cost, row, color=colour, marker=marker, s=130 * point.asked**0.15, zorder=2)
         words = "\n".join(map(_words, part.itertuples()))
         axis.text(1.01, row, words, transform=axis.get_yaxis_transform(), fontsize="small", va="center")
-        about = problems.sel(problem=problem)
-        title, setting = (about[f"problem_{name}"].item() for name in ("title", "setting"))
+        here = problems.sel(problem=problem)
+        title, setting = (here[f"problem_{name}"].item() for name in ("title", "setting"))
         labels.append(f"{problem}: {quantity}".replace("_", " ") + "\n" + fill(f"{title}; by {setting}", WRAP))
     axis.set_yticks(range(len(labels)), labels)
     axis.set_ylim(len(labels) - 0.4, -0.6)
@@ -44,7 +44,7 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
 
 
 def _message(cheapest: pd.DataFrame) -> str:
-    """How many times as long the finest error takes as the coarsest, in the median over what comes to both."""
+    """Message: how many times as long the finest error takes as the coarsest, in the median over what comes to both."""
     cost = cheapest.pivot(index=["problem", "quantity"], columns="asked", values="cost")
     (coarse, (coarse_words, *_)), *_, (fine, (fine_words, *_)) = ASKED.items()
     dearer = (cost[fine] / cost[coarse]).dropna()
@@ -55,7 +55,7 @@ def _message(cheapest: pd.DataFrame) -> str:
 
 
 def _words(point) -> str:
-    """What reaches an error, or why nothing does."""
+    """Setting that reaches an error, or why nothing does."""
     text = ASKED[point.asked][0]
     if point.ladder:
         return f"{text}: {point.ladder}, {point.setting:.6g}"

@@ -1,4 +1,4 @@
-"""What figures of grains beside codes share: the settings of a cube, means over fillings with their interval."""
+"""Parts that figures of grains beside codes share: the settings of a cube, means over fillings with their interval."""
 
 from collections.abc import Iterator
 from itertools import product
@@ -13,7 +13,7 @@ SURE = 0.95  # share of the intervals that hold the mean of all fillings
 
 
 def settings(cube: xr.Dataset) -> Iterator[tuple[dict[str, Any], xr.Dataset]]:
-    """What the axes set, by the title of the scene where they set one, and the cube there, setting by setting."""
+    """Settings of the axes, by the title of the scene where they set one, each with the cube there."""
     axes = cube.attrs["sweep_axes"].split()
     for place in product(*(range(cube.sizes[axis]) for axis in axes)):
         silo = cube.isel(dict(zip(axes, place, strict=True)))
@@ -21,7 +21,7 @@ def settings(cube: xr.Dataset) -> Iterator[tuple[dict[str, Any], xr.Dataset]]:
 
 
 def told(setting: dict[str, Any]) -> str:
-    """What the axes set, in words."""
+    """Settings of the axes, in words."""
     return ", ".join(_worded(name, value) for name, value in setting.items()) or "the silo"
 
 

@@ -13,8 +13,10 @@ from silostudy.errors import BadInput
 from silostudy.figures import bin as bins
 from silostudy.figures.style import AID, WIDTH, foot, headline, plt, save
 
-CM, KPA = 100.0, 1e3
-THIN, FILLED = 0.1, 0.5  # of the largest solid fraction: cells with less are empty, or have no ratio of stresses
+CM = 100.0  # of a metre
+KPA = 1e3  # Pa
+THIN = 0.1  # of the largest solid fraction: cells with less are empty
+FILLED = 0.5  # of the same: cells with less have no ratio of stresses
 SHOWN = {
     "solid_fraction": ("solid over whole volume", "viridis"),
     "speed_m_s": ("speed (m/s)", "YlOrRd"),
@@ -103,7 +105,7 @@ def _edges(middles: np.ndarray) -> np.ndarray:
 
 
 def _message(cube: xr.Dataset, cells: pd.DataFrame) -> str:
-    """What the figure shows, in a sentence: means over the bulk between the upright walls, away from them."""
+    """Message: means over the bulk between the upright walls, away from them."""
     low, half = (float(cube.attrs[name]) * CM for name in ("transition_height_m", "half_width_m"))
     inner = (cells["height_cm"] > low) & (cells["distance_cm"] < max(half - _reach(cube), 0.5 * half))
     parts = [part for _, part in cells[inner & cells["stress_ratio"].notna()].groupby("phase", sort=False)]
@@ -117,7 +119,7 @@ def _message(cube: xr.Dataset, cells: pd.DataFrame) -> str:
 
 
 def _went(values: list) -> str:
-    """How a number changed, in words."""
+    """Change of a number, in words."""
     before, after = (f"{value:.2f}" for value in values)
     if before == after:
         return f"stays at {before}"
@@ -125,5 +127,5 @@ def _went(values: list) -> str:
 
 
 def _reach(cube: xr.Dataset) -> float:
-    """How far (cm) the kernel spreads what a grain has."""
+    """Distance (cm) over which the kernel spreads what a grain has."""
     return 2.0 * float(cube.attrs["field_width_m"]) * CM

@@ -51,7 +51,7 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
 
 
 def _message(cube: xr.Dataset) -> str:
-    """How much passes the outlet by the end of the film, and in which time."""
+    """Message: how much passes the outlet by the end of the film, and in which time."""
     if "outflow_mass" not in cube:
         return "No sphere passes the outlet"
     passed, filled = float(cube["outflow_mass"][-1]), float(cube["grain_mass"].sum())

@@ -1,4 +1,4 @@
-"""What each effect of the engine and each optional part of a stage costs: share of time, instructions and memory."""
+"""Price of each effect of the engine and each optional part of a stage: share of time, instructions and memory."""
 
 from pathlib import Path
 from textwrap import fill

@@ -9,7 +9,8 @@ from scipy.stats import binomtest
 
 from silostudy.figures.style import BLUE, VERMILION
 
-LOW, HIGH = 0.1, 0.9  # quantiles of a band
+LOW = 0.1  # lower quantile of a band
+HIGH = 0.9  # upper quantile of it
 COLOURS = {False: BLUE, True: VERMILION}
 
 

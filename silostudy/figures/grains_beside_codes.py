@@ -116,7 +116,7 @@ def _draw_ranks(panel: Axes, silo: xr.Dataset, ranks: pd.DataFrame) -> None:
 
 
 def _message(ranked: list[pd.DataFrame]) -> str:
-    """How many methods cover the grains, as a range over the settings that are shown."""
+    """Message: how many methods cover the grains, as a range over the settings that are shown."""
     known = [ranks for ranks in ranked if ranks["over_ring_peak"].notna().any()]
     if not known:
         return "No silo is deep enough for ratios of codes to grains"

@@ -56,7 +56,7 @@ def _lost(values: xr.DataArray | xr.Dataset) -> int:
 
 
 def _message(cube: xr.Dataset) -> str:
-    """Which share of the contents the walls carry, beside what EN 1998-4's pressure and the usual codes say."""
+    """Message: the share of the contents that the walls carry, beside what EN 1998-4's pressure and the usual codes say."""
     carried = cube["carried_in_phase"].sel(carrier="walls").mean("filling")
     code = cube["grains_code_share"].mean("filling")
     low, high = (100 * float(value) for value in (carried.min(), carried.max()))

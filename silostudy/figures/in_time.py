@@ -28,7 +28,7 @@ class Flow:
     unit: str
 
     def told(self) -> str:
-        """How much left, and how fast between the first grain and the last."""
+        """Mass that left, and how fast it did between the first grain and the last."""
         if self.table.empty:
             return "nothing leaves"
         through = self.table.groupby("time_s")[self.mass].sum()
@@ -98,7 +98,7 @@ def mark_events(panels: Sequence[Axes], cube: xr.Dataset) -> None:
 
 
 def message(cube: xr.Dataset, table: pd.DataFrame, column: str, flow: Flow) -> str:
-    """What the scene did: what leaves, and the surface whose force rises most over that at rest once the outlet opens."""
+    """Message: what leaves, and the surface whose force rises most over that at rest once the outlet opens."""
     opened = opened_at(cube)
     surface, rise = pushed(table, column, opened)
     if not np.isfinite(opened):

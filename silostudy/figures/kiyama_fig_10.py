@@ -54,7 +54,7 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
 
 
 def _message(table: pd.DataFrame) -> str:
-    """How high the normal force of single runs peaks, in the packing where it does most and where it does least, and when."""
+    """Message: how high single runs peak in normal force, in the packings where they do most and least, and when."""
     normal = table[table["quantity"] == "side_normal_force"].set_index(["packing", "time_s"]).filter(like="run_")
     peaks, times = normal.groupby("packing").max(), normal.groupby("packing").idxmax().map(lambda place: place[1])
     most, least = peaks.max(axis=1).idxmax(), peaks.max(axis=1).idxmin()

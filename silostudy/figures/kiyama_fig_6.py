@@ -39,7 +39,7 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
 
 
 def _message(rows: pd.DataFrame) -> str:
-    """How the largest contact force and the inclination of contact forces differ from packing to packing."""
+    """Message: how the largest contact force and the inclination of contact forces differ from packing to packing."""
     strong, weak = (rows.loc[rows["largest_disc_weights"].agg(which)] for which in ("idxmax", "idxmin"))
     steep = rows["mean_inclination_deg"]
     forces = f"a contact carries at most {strong.largest_disc_weights:.0f} disc weights in {strong.packing} but "

@@ -40,7 +40,7 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
 
 
 def _message(numbers: pd.DataFrame) -> str:
-    """How the largest force on a side wall differs from packing to packing, and between which ends its shear lies."""
+    """Message: how the largest force on a side wall differs from packing to packing, and between which ends its shear lies."""
     push = numbers.groupby(["packing", "level"], sort=False)["normal_disc_weights"].mean().groupby("packing").max()
     shear = numbers.groupby(["packing", "level"])["shear_disc_weights"].mean()
     largest = f"{push.max():.0f} disc weights in {push.idxmax()}, {push.min():.0f} in {push.idxmin()}"

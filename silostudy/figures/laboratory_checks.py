@@ -1,4 +1,4 @@
-"""What must hold of a laboratory's tests, and whether it does: said too while it is written."""
+"""Checks of a laboratory's tests, and whether they hold: said too while it is written."""
 
 from pathlib import Path
 

@@ -11,7 +11,9 @@ from silostudy.cube.laboratory import CELL, FILLING, Scatter, TestedSolid, check
 from silostudy.figures.style import BLUE, GREEN, MARKERS, VERMILION, WIDTH, foot, headline, plt, save
 
 KPA = 1e3  # Pa
-INSIDE, WALL, STEADY = BLUE, VERMILION, GREEN
+INSIDE = BLUE  # shear in the solid
+WALL = VERMILION  # shear on the wall
+STEADY = GREEN  # steady shear in the solid
 PALE = 0.35  # opacity of the least stress
 # what the width of the cell is looked at by: variable, and the stress at which it enters the row
 QUANTITIES = {

@@ -63,7 +63,7 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
 
 
 def _message(peaks: pd.DataFrame, codes: pd.DataFrame) -> str:
-    """How large a peak is by what is averaged, and what the codes ask for."""
+    """Message: how large a peak is by what is averaged, and what the codes ask for."""
     ends = [peaks[peaks["quantity"] == name.replace("\n", " ")]["median"] for name in (NAMES["step"], NAMES["panel_mean"])]
     contact, wall = (span(values.min(), values.max()) for values in ends)
     asked = span(codes["median"].min(), codes["median"].max())

@@ -50,7 +50,7 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
 
 
 def _message(cube: xr.Dataset, chances: np.ndarray) -> str:
-    """How many of all runs an arch stops, in how many packings, and how many discs come out with the remedy."""
+    """Message: how many of all runs an arch stops, in how many packings, and how many discs come out with the remedy."""
     share = chances[:, 0]
     if not share.max() > 0.0:
         return "No arch stops the flow in any packing"

@@ -11,7 +11,8 @@ from scipy.stats import binomtest
 from silostudy.figures.style import save_table
 from silostudy.tables.claims import Claim, kiyama_1983
 
-MOST, FEW = 0.8, 0.2  # share of the runs from which on a claim counts as reproduced, and below which as not
+MOST = 0.8  # share of the runs from which on a claim counts as reproduced
+FEW = 0.2  # share below which it counts as not reproduced
 
 
 def draw(cube: xr.Dataset, stem: Path) -> None:
@@ -38,7 +39,7 @@ def findings(cube: xr.Dataset) -> pd.DataFrame:
 
 
 def _settings(variant: xr.Dataset, axes: list[str]) -> dict:
-    """What the axes set: their own values, or those of the keys that change together on them."""
+    """Settings of the axes: their own values, or those of the keys that change together on them."""
     beside = {axis: [str(name) for name in variant.coords if str(name).startswith(f"{axis}_")] or [axis] for axis in axes}
     return {name: variant[name].item() for names in beside.values() for name in names}
 

@@ -74,7 +74,7 @@ class Film:
         panel.text(self.width, 36.0, f"{self.force.max():.0f} N/m", fontsize="small", color=BLUE)
 
     def told(self) -> str:
-        """How often the largest force of the film is that of its first frame, and when."""
+        """Message on the film: its largest force over that of the first frame, and when."""
         most = self.force.max(axis=(1, 2))
         time = float(self.cube["snapshot_time"][self.shots[most.argmax()]])
         return f"{self.name.split(',')[0]} comes to {most.max() / most[0]:.1f} times rest at {time:.2g} s"

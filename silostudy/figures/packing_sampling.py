@@ -1,4 +1,4 @@
-"""How large a peak seems by how often one looks: single contacts of side walls and floor, every step against instants apart."""
+"""Size that a peak seems to have by how often one looks: single contacts of walls and floor, every step against instants."""
 
 from pathlib import Path
 
@@ -46,7 +46,7 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
 
 
 def _message(table: pd.DataFrame) -> str:
-    """How large the peaks of the last packing seem to who looks at every step, and to who looks seldom."""
+    """Message: how large the peaks of the last packing seem to who looks at every step, and to who looks seldom."""
     packing = table["packing"].iloc[-1]
     told = []
     for place, group in table[table["packing"] == packing].groupby("quantity", sort=False):

@@ -144,7 +144,7 @@ def _line(panels, silo: xr.Dataset, name: str, look: dict, number: int) -> pd.Da
 
 
 def fit(slit, median, known, *, density: float, diameter: float) -> tuple[float, float]:
-    """(C, k) of Beverloo's law through the medians of the slits where enough runs flowed; NaN where there are too few slits."""
+    """Constants (C, k) of Beverloo's law through the medians of the slits where enough runs flowed; NaN of too few slits."""
     use = (known >= min(ENOUGH, known.max())) & np.isfinite(median)
     if use.sum() < 3:
         return np.nan, np.nan

@@ -1,4 +1,4 @@
-"""How far the wall forces of a silo at rest move with the time step: every integrator and dashpot, and LAMMPS."""
+"""Drift of the wall forces of a silo at rest with the time step: every integrator and dashpot, and LAMMPS."""
 
 from pathlib import Path
 

@@ -1,4 +1,4 @@
-"""What the earthquake asks of the wall over depth: shear, moment, axial wall force, and EN 1998-4's additional pressure."""
+"""Demand of the earthquake on the wall over depth: shear, moment, axial wall force, and EN 1998-4's additional pressure."""
 
 from pathlib import Path
 
@@ -79,7 +79,7 @@ def _draw_base(panel, case: xr.Dataset, look: tuple[str, str]) -> pd.DataFrame:
 
 
 def _message(columns: list[xr.Dataset]) -> str:
-    """What all of the contents would ask of the base more than the least share does."""
+    """Message: what all of the contents would ask of the base more than the least share does."""
     ratios, least = [], []
     for case in columns:
         moments, shares = case["base_moment"].values, case["mass_choice_coefficient"].values

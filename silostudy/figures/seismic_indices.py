@@ -43,7 +43,7 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
 
 
 def _message(columns: list[xr.Dataset]) -> str:
-    """Where the amplitudes of each case are most alike, and how far from that its phases are."""
+    """Message: where the amplitudes of each case are most alike, and how far from that its phases are."""
     answers = " and ".join(answer(case, "amplitude_error", "uncertainty") for case in columns)
     return f"Amplitudes are most alike at C_eff = {answers}; phases agree within {max(map(_apart, columns)):.3f}"
 
@@ -70,7 +70,7 @@ def _frequencies(panel, case: xr.Dataset) -> None:
 
 
 def _mark(panel, case: xr.Dataset, source) -> None:
-    """Where the amplitudes' index is least, and the source's own answer."""
+    """Marks where the amplitudes' index is least, and the source's own answer."""
     least = float(case["effective_mass_coefficient"].sel(identification="amplitude_error"))
     if source:
         panel.axvline(source.effective_mass_coefficient, color="black", linewidth=0.9, linestyle=":")
@@ -79,7 +79,7 @@ def _mark(panel, case: xr.Dataset, source) -> None:
 
 
 def _answers(case: xr.Dataset, source) -> str:
-    """What the indices of a case answer, and the source's own answer, in a sentence."""
+    """Answer of the indices of a case, and the source's own answer, in a sentence."""
     coarse = answer(case, "amplitude_error_coarse", "coarse_uncertainty", 2)
     phases = f"{answer(case, 'phase_error')} (coarse {answer(case, 'phase_error_coarse', places=2)})"
     known = np.isfinite(float(case["uncertainty"]))  # an open interval judges nothing

@@ -48,7 +48,7 @@ def _numbers(case: xr.Dataset) -> pd.DataFrame:
 
 
 def _message(table: pd.DataFrame) -> str:
-    """How many truths lie within the uncertainty, and which part of that is the largest."""
+    """Message: how many truths lie within the uncertainty, and which part of that is the largest."""
     within = table["within"].dropna()
     parts = table[table["contribution"].isin(NAMES.values())].groupby("contribution")["half_width"].mean()
     told = f"{int(within.sum())} of {len(within)} known coefficients lie within the stated uncertainty"

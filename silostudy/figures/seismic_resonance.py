@@ -58,7 +58,7 @@ def _printed(axes) -> None:
 
 
 def _message(case: xr.Dataset) -> str:
-    """What the shift of the resonance means."""
+    """Message: what the shift of the resonance means."""
     low, high = (float(case["sine_coefficient_bound"].sel(bound=end)) for end in ("lower", "upper"))
     empty, full = (float(case["sine_frequency"].sel(curve=curve)) for curve in ("empty", "full"))
     coefficient = float(case["sine_coefficient"].sel(curve="full"))

@@ -1,4 +1,4 @@
-"""What the seismic figures share: one panel a case, looks of coefficients, the source's rows, the note on assumptions."""
+"""Parts that the seismic figures share: one panel a case, looks of coefficients, the source's rows, the note on assumptions."""
 
 from collections.abc import Iterable
 

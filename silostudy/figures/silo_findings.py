@@ -1,4 +1,4 @@
-"""What silos of grains did beside every theory and code, as numbers with an interval and a verdict."""
+"""Findings of silos of grains beside every theory and code, as numbers with an interval and a verdict."""
 
 from pathlib import Path
 from typing import Any

@@ -16,7 +16,8 @@ from silostudy.figures.style import AID, WIDTH, foot, headline, save
 
 CM = 100.0
 LONGEST = 3.0  # diameters: the line of the largest contact force
-FORCE, MASS = "force_kN_m", "mass_kg_m"
+FORCE = "force_kN_m"  # column of the forces
+MASS = "mass_kg_m"  # column of the mass
 
 
 def draw(cube: xr.Dataset, stem: Path) -> None:

@@ -28,7 +28,7 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
 
 
 def _message(table: pd.DataFrame) -> str:
-    """How the largest stable step compares with the engine's bound, and with the peer's where there is one."""
+    """Message: how the largest stable step compares with the engine's bound, and with the peer's where there is one."""
     ratio = table["found_over_bound"].dropna()
     ends = f"{ratio.min():.2f} to {ratio.max():.2f}"
     told = f"The largest stable step is {ends} times the engine's bound, {ratio.median():.2f} in the median"

@@ -47,7 +47,7 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
 
 
 def _message(cube: xr.Dataset) -> str:
-    """How far the pressure around the hopper rises over rest at most, and how high above the outlet."""
+    """Message: how far the pressure around the hopper rises over rest at most, and how high above the outlet."""
     rises = cube["hopper_switch_factor"].mean("filling")
     if not rises.notnull().any():
         return "The grains were not felt on the hopper"

@@ -1,4 +1,4 @@
-"""What the figures of accuracy share: one panel a problem and quantity, error over CPU time, Pareto front, slope and floor."""
+"""Parts that the figures of accuracy share: a panel a quantity of a problem, error over CPU time, Pareto front, floor."""
 
 import textwrap
 from pathlib import Path
@@ -52,7 +52,7 @@ def draw_group(cube: xr.Dataset, group: str, stem: Path) -> None:
 
 
 def _message(points: pd.DataFrame) -> str:
-    """How many of the quantities come to the error asked for, and what the cheapest settings that do so cost at most."""
+    """Message: how many quantities come to the error asked for, and what the cheapest settings that do so cost at most."""
     quantities = points.groupby(["problem", "quantity"]).ngroups
     reached = points[points["error_kept"] <= ASKED].groupby(["problem", "quantity"])["cost"].min()
     if reached.empty:
