@@ -28,7 +28,7 @@ class Dimension:
     felt: tuple[int, int]  # components of what a wall feels, and where walls move
     gather: Callable  # apart -> lanes of the relative motion of pairs, with the difference of their spins or without
     gather_walls: Callable  # moving -> the same of bodies near walls
-    scatter: Callable
+    scatter: Callable  # apart -> adds forces to pairs, with a torque for each body or the same for both
     scatter_walls: Callable
     note_walls: Callable  # what walls feel
     wall_power: Callable  # (rows, shape, i, wall, force, moment) -> power of a wall that moves
@@ -51,14 +51,15 @@ class Dimension:
     nearest: Callable  # (walls, wall, *place) -> vector (m) from a wall's nearest point to a place, then what else it finds
     bent: Callable  # (walls, wall, *place) -> curvature (1/m) of a wall at its point nearest to a place
     force_of: Callable  # (lanes of force, k) -> force on the first body
-    facing: Callable  # (lanes, k) -> normal, distance (m)
+    facing: Callable  # (lanes, k) -> normal, distance (m), from differences of places
+    faced: Callable  # the same from lanes that `walk` has been through
     reduced: Callable  # flat -> (lanes, k, a, b) -> reduced radius (m)
     rates: Callable  # unequal -> (lanes, k, normal, a, b, depth, flat) -> closing, sliding (m/s), difference of spins (1/s)
     carry: Callable  # (history, normal) -> the history as the contact stands now
     twisting: Callable  # (lanes, k, normal) -> difference of spins about the normal (1/s)
     about: Callable  # (moment, twist, normal) -> the moment with another about the normal
     whole: Callable  # (push, drag, normal) -> force on the first body
-    put: Callable  # drags, brakes -> (out, k, normal, push, drag, moment, a, b, depth, flat): lanes of force
+    put: Callable  # drags, brakes, apart -> (out, k, normal, push, drag, moment, a, b, depth, flat): lanes of force
     where: Callable  # (touching, drag or moment) -> it, or nothing
     walk: Callable  # gathered, contact, unequal, laws, key -> function of a stretch of a list
     move: Callable  # advance, holds, turns -> function that moves one body and gives the square of its way (m2)

@@ -116,7 +116,7 @@ def whole(push, drag, normal):
     return push * normal[0] - drag * normal[1], push * normal[1] + drag * normal[0]
 
 
-def put(drags: bool, brakes: bool):
+def put(drags: bool, brakes: bool, apart: bool):
     """Function that writes a contact's force (N/m) and its moments (N m/m) on both bodies into lanes."""
 
     @piece("plane", drags)
@@ -220,7 +220,7 @@ PLANE = Dimension(
     felt=(2, 2),
     gather=lambda apart: gather,
     gather_walls=lambda moving: gather_moving_walls if moving else gather_walls,
-    scatter=scatter,
+    scatter=lambda apart: scatter,
     scatter_walls=scatter_walls,
     note_walls=note_walls,
     wall_power=wall_power,
@@ -242,6 +242,7 @@ PLANE = Dimension(
     bent=bent,
     force_of=force_of,
     facing=facing,
+    faced=facing,
     reduced=reduced,
     rates=rates,
     carry=carry,

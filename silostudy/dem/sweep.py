@@ -21,7 +21,8 @@ def contact_pass(
 ):
     """Function that adds the forces of a stretch of a list to its discs, and notes what walls feel where they are watched."""
     forces = force_pass(space, laws, unequal=unequal, flat=flat, varied=varied, moving=moving)
-    note_walls, scatter, scatter_walls, stretch = space.note_walls, space.scatter, space.scatter_walls, space.stretch
+    note_walls, scatter_walls, stretch = space.note_walls, space.scatter_walls, space.stretch
+    scatter = space.scatter(unequal or laws.brakes)
 
     @piece(space, laws, unequal, flat, varied, watched, moving)
     def contacts_between(shared, contacts, begin, end, scratch, dt, c, number):

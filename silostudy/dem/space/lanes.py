@@ -18,12 +18,13 @@ VELOCITY = (U, V, W)  # m/s
 SPIN = (P, Q, R)  # rad/s
 FORCE = (FX, FY, FZ)  # N
 TORQUE = (TX, TY, TZ)  # N m
-# lanes of relative motion, first less second: place, velocity, sum and difference of spins; curvature of a wall (1/m)
-DX, DY, DZ, DU, DV, DW, SUM_P, SUM_Q, SUM_R, APART_P, APART_Q, APART_R, CURVED = range(13)
+# lanes of relative motion, first less second: place (later the normal), velocity, sum and difference of spins;
+# curvature of a wall (1/m), distance of the centres (m)
+DX, DY, DZ, DU, DV, DW, SUM_P, SUM_Q, SUM_R, APART_P, APART_Q, APART_R, CURVED, DISTANCE = range(14)
 # lanes of force and of the torques on both
 FORCE_X, FORCE_Y, FORCE_Z, FIRST_X, FIRST_Y, FIRST_Z, SECOND_X, SECOND_Y, SECOND_Z = range(9)
 # histories (of sliding, rolling, twisting, being in touch) stand among the lanes while forces are computed
-OLD = 13  # first of them before the step, after the lanes of motion
+OLD = 14  # first of them before the step, after the lanes of motion
 NEW = 9  # first of them after the step, after the lanes of force
 HISTORIES = 8  # how many they are
 
@@ -31,6 +32,7 @@ HISTORIES = 8  # how many they are
 STRETCH = 120
 ROW = 4  # a sphere's row has two to this power of numbers
 _SECOND_LINE = [-0.0] * 8  # the one number that changes nothing where it is added
+_BACK = [1.0, -1.0, -1.0, -1.0, 1.0, 1.0, 1.0, 1.0]  # of a second line: forces act back, torques do not
 
 
 def gather(rows, first, second, start, count, lanes):
@@ -67,6 +69,18 @@ def scatter(rows, first, second, start, count, force):
             b[FORCE[n]] -= flat[(FORCE_X + n) * STRETCH + k]
             a[TORQUE[n]] += flat[(FIRST_X + n) * STRETCH + k]
             b[TORQUE[n]] += flat[(SECOND_X + n) * STRETCH + k]
+
+
+def scatter_rolling(rows, first, second, start, count, force):
+    """As `scatter`, where both torques are the same: of equal spheres that roll freely."""
+    flat = force.reshape(-1)
+    for k in range(count):
+        a, b = rows[first[start + k]], rows[second[start + k]]
+        for n in range(3):
+            a[FORCE[n]] += flat[(FORCE_X + n) * STRETCH + k]
+            b[FORCE[n]] -= flat[(FORCE_X + n) * STRETCH + k]
+            a[TORQUE[n]] += flat[(FIRST_X + n) * STRETCH + k]
+            b[TORQUE[n]] += flat[(FIRST_X + n) * STRETCH + k]
 
 
 def bring(history, start, count, lanes, place):
@@ -153,9 +167,25 @@ def _scatter(typing, rows, first, second, start, force, offset):
     return types.void(rows, first, second, start, force, offset), generate
 
 
+@intrinsic
+def _scatter_rolling(typing, rows, first, second, start, force, offset):
+    def generate(context, builder, signature, args):
+        bodies, one, two, lanes = (base_of(context, builder, signature, args, k) for k in (0, 1, 2, 4))
+        pushes = [load(builder, lanes, lane_of(builder, args[5], lane, STRETCH), EIGHT) for lane in range(6)]
+        nothing, back = ir.Constant(EIGHT, _SECOND_LINE), ir.Constant(EIGHT, _BACK)
+        for lane, push in enumerate(transpose(builder, [nothing, *pushes, nothing])):
+            for listed, share in ((one, push), (two, builder.fmul(push, back))):
+                at = plus(builder, row_of(builder, listed, args[3], lane, ROW), R)
+                store(builder, builder.fadd(load(builder, bodies, at, EIGHT), share), bodies, at, EIGHT)
+        return context.get_dummy_value()
+
+    return types.void(rows, first, second, start, force, offset), generate
+
+
 in_eights(gather_rolling, _gather_rolling)
 in_eights(gather, _gather)
 in_eights(scatter, _scatter)
+in_eights(scatter_rolling, _scatter_rolling)
 
 
 @overload(bring)

@@ -11,6 +11,7 @@ from silostudy.dem.pieces import Laws
 from silostudy.dem.space.lanes import (
     APART_P,
     CURVED,
+    DISTANCE,
     DU,
     DX,
     FIRST_X,
@@ -65,6 +66,7 @@ def three(lane: int) -> Callable:
 
 
 away_of, velocity_of, summed_of, apart_of, held_of, turned_of = map(three, (DX, DU, SUM_P, APART_P, OLD, OLD + 3))
+TO_X, TO_Y, TO_Z, BETWEEN = (lane * STRETCH for lane in (DX, DX + 1, DX + 2, DISTANCE))
 TWISTED, TOUCHED, NEW_TWISTED, NEW_TOUCHED = ((lane + n) * STRETCH for lane in (OLD, NEW) for n in (6, 7))
 
 
@@ -94,6 +96,22 @@ def facing(lanes, k):
     distance = sqrt(dot(d, d))
     inverse = 1.0 / distance
     return (d[0] * inverse, d[1] * inverse, d[2] * inverse), distance
+
+
+@register_jitable(forceinline=True)
+def face(lanes, count):
+    """Put normals in the place of differences of places, and distances beside them.
+
+    A loop of its own: what waits for these roots is then short enough for the processor to work at several contacts at once.
+    """
+    for k in range(count):
+        (lanes[0, TO_X + k], lanes[0, TO_Y + k], lanes[0, TO_Z + k]), lanes[0, BETWEEN + k] = facing(lanes, k)
+
+
+@register_jitable(forceinline=True)
+def faced(lanes, k):
+    """Normal (unit vector from the second body to the first) and distance (m) of the centres, as `face` has put them."""
+    return away_of(lanes, k), lanes[0, BETWEEN + k]
 
 
 def reduced(flat: bool):
@@ -167,10 +185,13 @@ def whole(push, drag, normal):
     return push * normal[0] + drag[0], push * normal[1] + drag[1], push * normal[2] + drag[2]
 
 
-def put(drags: bool, brakes: bool):
-    """Function that writes a contact's force (N) and its moments (N m) on both bodies into lanes."""
+def put(drags: bool, brakes: bool, apart: bool):
+    """Function that writes a contact's force (N) and its moments (N m) on both bodies into lanes.
 
-    @piece("space", drags, brakes)
+    Unless apart, both moments are the same and stand there once.
+    """
+
+    @piece("space", drags, brakes, apart)
     def force(out, k, normal, push, drag, moment, a, b, depth, flat):
         fx, fy, fz = push * normal[0], push * normal[1], push * normal[2]
         own = others = 0.0, 0.0, 0.0
@@ -185,7 +206,8 @@ def put(drags: bool, brakes: bool):
             others = others[0] - moment[0], others[1] - moment[1], others[2] - moment[2]
         out[0, FORCE_X * STRETCH + k], out[0, FORCE_Y * STRETCH + k], out[0, FORCE_Z * STRETCH + k] = fx, fy, fz
         out[0, FIRST_X * STRETCH + k], out[0, FIRST_Y * STRETCH + k], out[0, FIRST_Z * STRETCH + k] = own
-        out[0, SECOND_X * STRETCH + k], out[0, SECOND_Y * STRETCH + k], out[0, SECOND_Z * STRETCH + k] = others
+        if apart:
+            out[0, SECOND_X * STRETCH + k], out[0, SECOND_Y * STRETCH + k], out[0, SECOND_Z * STRETCH + k] = others
 
     return force
 
@@ -207,6 +229,7 @@ def walk(gathered: Callable, contact: Callable, unequal: bool, laws: Laws, key: 
     @piece("space", unequal, *key)
     def forces(rows, contacts, shape, start, count, lanes, out, stored, rolled, dt, c):
         gathered(rows, contacts, shape, start, count, lanes)
+        face(lanes, count)
         if slides:
             bring(stored, start, count, lanes, slid)
         if rolls:
