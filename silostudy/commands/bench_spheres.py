@@ -1,9 +1,8 @@
 """Command `silostudy bench spheres`: the engine and LAMMPS in turn, on the same bin of spheres, law and step."""
 
-import time
-
 from silostudy.accuracy.bin_of_spheres import Bin, bin_of_spheres
 from silostudy.commands.bench_dem import has_peer, in_turn, show
+from silostudy.commands.own_process import OwnProcess
 from silostudy.scene.space_silo import FLOOR
 
 # spheres, radius of the bin (m), steps that settle, steps a turn
@@ -43,50 +42,63 @@ class OwnSpheres:
         return self.engine.places
 
     @property
+    def nbytes(self) -> int:
+        """Bytes of all arrays."""
+        return self.engine.nbytes
+
+    @property
     def contacts(self) -> float:
         """Listed pairs a sphere."""
         return sum(part.pairs.begin[self.engine.blocks_of(part)] for part in self.engine.parts) / self.engine.n
 
 
+def ours_of(of: Bin) -> OwnSpheres:
+    """The engine with a bin."""
+    return OwnSpheres(bin_of_spheres(of))
+
+
+def peer_of(of: Bin, *args):
+    """LAMMPS with a bin."""
+    from silostudy.accuracy.peer_of_spheres import LammpsSpheres
+
+    return LammpsSpheres(of, bin_of_spheres(of), *args)
+
+
 def compare(size: tuple, with_peer: bool) -> list[dict]:
-    """Both codes, settled and discharging, in turn, by CPU time."""
+    """Both codes, settled and discharging, in turn, by CPU time, each in a process of its own."""
     count, wide, settle, steps = size
     of = Bin(count=count, wide=wide)
-    model = bin_of_spheres(of)
-    ours = OwnSpheres(model)
+    ours = OwnProcess(ours_of, of)
     ours.step(settle)
-    codes = {"silostudy": ours} | (peers_of(of, model, ours.engine.places, steps) if with_peer else {})
+    codes = {"silostudy": ours} | (peers_of(of, ours.get("places"), steps) if with_peer else {})
     rows = []
     for phase in ("settled", "discharging"):
         if phase == "discharging":
             for code in codes.values():
-                code.open_outlet()
+                code.call("open_outlet")
                 code.step(FLOWING * steps)
-        rows += beside(in_turn(codes, phase, steps, time.process_time), ours)
+        rows += beside(in_turn(codes, phase, steps, OwnProcess.step), ours)
     for code in codes.values():
-        if code is not ours:
-            code.close()
+        code.close()
     return rows
 
 
-def peers_of(of: Bin, model, places, steps: int) -> dict:
+def peers_of(of: Bin, places, steps: int) -> dict:
     """LAMMPS with the same law at each skin, and with a cheaper one."""
-    from silostudy.accuracy.peer_of_spheres import LammpsSpheres
-
-    codes = {f"LAMMPS, skin {skin:g} d": LammpsSpheres(of, model, places, "granular", skin * of.diameter) for skin in SKINS}
-    codes["LAMMPS, a cheaper law"] = LammpsSpheres(of, model, places, CHEAPER, SKINS[-1] * of.diameter)
+    laws = {f"LAMMPS, skin {skin:g} d": ("granular", skin) for skin in SKINS} | {"LAMMPS, a cheaper law": (CHEAPER, SKINS[-1])}
+    codes = {name: OwnProcess(peer_of, of, places, law, skin * of.diameter) for name, (law, skin) in laws.items()}
     for code in codes.values():
         code.step(steps)
     return codes
 
 
-def beside(rows: list[dict], ours: OwnSpheres) -> list[dict]:
+def beside(rows: list[dict], ours: OwnProcess) -> list[dict]:
     """Rows with the rate of the engine over each code's, and what a sphere costs."""
     for row in rows:
         row["ratio"] = rows[0]["particle_steps_per_s"] / row["particle_steps_per_s"]
         row["ns_per_particle_step"] = 1e9 / row["particle_steps_per_s"]
-    rows[0]["listed_pairs_per_sphere"] = ours.contacts
-    rows[0]["bytes_per_sphere"] = ours.engine.nbytes / ours.grains
+    rows[0]["listed_pairs_per_sphere"] = ours.get("contacts")
+    rows[0]["bytes_per_sphere"] = ours.get("nbytes") / ours.grains
     return rows
 
 

@@ -32,7 +32,7 @@ def arrays(seed=0):
     return rows, first, second, lanes, force, history
 
 
-@pytest.mark.parametrize("name", ["gather", "gather_rolling", "scatter"])
+@pytest.mark.parametrize("name", ["gather", "gather_rolling", "scatter", "scatter_rolling"])
 def test_indexed_passes_are_what_they_say(name):
     function = getattr(of_lanes, name)
 
@@ -42,7 +42,7 @@ def test_indexed_passes_are_what_they_say(name):
 
     plain, fast = arrays(), arrays()
     for (rows, first, second, lanes, force, _), call in ((plain, function), (fast, compiled)):
-        call(rows, first, second, 8, COUNT, force if name == "scatter" else lanes)
+        call(rows, first, second, 8, COUNT, force if name.startswith("scatter") else lanes)
     assert plain[0].any()
     assert np.array_equal(plain[3], fast[3])
     assert np.allclose(plain[0], fast[0], rtol=1e-15, atol=0.0)

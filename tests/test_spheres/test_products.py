@@ -15,6 +15,7 @@ from silostudy.dem.model import Contact
 from silostudy.dem.pieces import Laws
 from silostudy.dem.space.dimension import SPACE
 from silostudy.dem.space.lanes import PLACE, SPIN, VELOCITY, gather, scatter
+from silostudy.dem.space.motion import face
 from tests.test_spheres import two_bodies
 from tests.test_spheres.scenes import rows, spheres
 from tests.test_spheres.two_bodies import END, MASSES, RADII, C, M, apart
@@ -46,6 +47,7 @@ def met(laws, c, integrator, dt):
     histories = (0.0, 0.0, 0.0), (0.0, 0.0, 0.0), 0.0, 0.0
     for step in range(round(END / dt)):
         gather(bodies, *pair, 0, 1, lanes)
+        face(lanes, 1)
         histories = contact(lanes, out, 0, *RADII, M, *histories, dt, c)
         scatter(bodies, *pair, 0, 1, out)
         for i in range(2):
