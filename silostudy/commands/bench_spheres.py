@@ -7,6 +7,8 @@ from silostudy.scene.space_silo import FLOOR
 
 # spheres, radius of the bin (m), steps that settle, steps a turn
 SIZES = {"5 thousand": (5_000, 0.05, 30_000, 1_000), "50 thousand": (50_000, 0.108, 30_000, 100)}
+# spheres and radius of the bin (m) that fill it equally deep; steps before, steps a turn
+DEEP, DEEP_STEPS = ((1_000_000, 0.33), (10_000, 0.033)), (1_000, 20)
 MOST = {"500 thousand": (500_000, 0.233, 3_000, 10)}  # still falling together: it would take hours to settle
 FLOWING = 3  # turns between the opening of the outlet and the first reading
 SKINS = (0.1, 0.2)  # of a diameter: of the peer's lists; the best of them counts
@@ -15,7 +17,8 @@ CHEAPER = "gran/hertz/history"  # a law of the peer without a restitution
 
 def run(chosen) -> None:
     with_peer, sizes = has_peer(), SIZES | (MOST if chosen.most else {})
-    show([line for size in sizes.values() for line in compare(size, with_peer)] + threads(), chosen.output)
+    rows = [line for size in sizes.values() for line in compare(size, with_peer)] + threads()
+    show(rows + (million() if chosen.most else []), chosen.output)
 
 
 class OwnSpheres:
@@ -99,6 +102,19 @@ def beside(rows: list[dict], ours: OwnProcess) -> list[dict]:
         row["ns_per_particle_step"] = 1e9 / row["particle_steps_per_s"]
     rows[0]["listed_pairs_per_sphere"] = ours.get("contacts")
     rows[0]["bytes_per_sphere"] = ours.get("nbytes") / ours.grains
+    return rows
+
+
+def million() -> list[dict]:
+    """A million spheres beside ten thousand, in turn, in bins equally deep; the ratio is of their costs a particle-step."""
+    codes = {f"silostudy, {count} spheres": OwnProcess(ours_of, Bin(count=count, wide=wide)) for count, wide in DEEP}
+    for code in codes.values():
+        code.step(DEEP_STEPS[0])
+    rows = in_turn(codes, "falling", DEEP_STEPS[1], OwnProcess.step)
+    for line, code in zip(rows, codes.values(), strict=True):
+        line["ratio"] = rows[-1]["particle_steps_per_s"] / line["particle_steps_per_s"]
+        line["listed_pairs_per_sphere"], line["bytes_per_sphere"] = code.get("contacts"), code.get("nbytes") / code.grains
+        code.close()
     return rows
 
 
