@@ -8,12 +8,14 @@ import xarray as xr
 from matplotlib.axes import Axes
 
 from silostudy.cube.laboratory import CELL, FILLING, Scatter, TestedSolid, checks
+from silostudy.figures.apart import apart
 from silostudy.figures.style import BLUE, GREEN, MARKERS, VERMILION, WIDTH, foot, headline, plt, save
 
 KPA = 1e3  # Pa
 INSIDE = BLUE  # shear in the solid
 WALL = VERMILION  # shear on the wall
 STEADY = GREEN  # steady shear in the solid
+CLOSEST = 0.045  # of the height of the panel, between the stresses at the ends of curves
 PALE = 0.35  # opacity of the least stress
 # what the width of the cell is looked at by: variable, and the stress at which it enters the row
 QUANTITIES = {
@@ -83,7 +85,7 @@ def _path(panel: Axes, wide: xr.Dataset, solid: TestedSolid) -> list[pd.DataFram
 
 def _shear(panel: Axes, wide: xr.Dataset) -> list[pd.DataFrame]:
     """Shear stress over the way, inside the solid and on the wall's plate, for each normal stress."""
-    tables, stresses, way = [], wide["normal_stress"].values, wide["shear_strain"].values
+    tables, ends, stresses, way = [], [], wide["normal_stress"].values, wide["shear_strain"].values
     for name, colour, told, dashes in (("internal", INSIDE, "in the solid", "-"), ("wall", WALL, "on the wall", (0, (4, 2)))):
         for stress, opacity in zip(stresses, np.linspace(PALE if len(stresses) > 1 else 1.0, 1.0, len(stresses)), strict=True):
             shear = wide[f"{name}_shear_ratio"].sel(normal_stress=stress) * stress / KPA
@@ -91,14 +93,16 @@ def _shear(panel: Axes, wide: xr.Dataset) -> list[pd.DataFrame]:
             panel.fill_between(way, mean - spread, mean + spread, color=colour, alpha=0.15, linewidth=0)
             label = told if stress == stresses[-1] else None
             panel.plot(way, mean, color=colour, linestyle=dashes, alpha=opacity, label=label)
-            panel.annotate(f"{stress / KPA:g} kPa", (way[-1], mean[-1]), xytext=(4, -3), textcoords="offset points",
-                           fontsize="small", color=colour)  # fmt: skip
+            ends.append((mean[-1], f"{stress / KPA:g} kPa", colour))
             columns = {"shear_strain": way, "shear_stress_kPa": mean, "low_kPa": mean - spread, "high_kPa": mean + spread}
             tables.append(pd.DataFrame(columns).assign(curve=told, normal_stress_kPa=stress / KPA))
     panel.set(xlabel="way of the lid over the height", ylabel="shear stress (kPa)")
     high = 1.25 * panel.get_ylim()[1]  # room for the legend above the curves
     panel.set(title="shear: mean and deviation of fillings", xlim=(0.0, 1.2 * way[-1]), ylim=(0.0, high))
     panel.legend(loc="upper left", ncols=2)
+    ends.sort()
+    for place, (_, words, colour) in zip(apart([end for end, *_ in ends], CLOSEST * high), ends, strict=True):
+        panel.text(1.02 * way[-1], place, words, fontsize="small", va="center", color=colour)
     return [table.assign(panel="shear") for table in tables]
 
 
