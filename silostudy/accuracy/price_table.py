@@ -46,12 +46,12 @@ def _pulling(contact: Contact) -> Contact:
 
 def counted_work() -> dict[str, Callable[[], None]]:
     """Steps with each effect and without it, for the counter of instructions."""
-    found: dict[str, Callable[[], None]] = {}
+    measured: dict[str, Callable[[], None]] = {}
     for note, model in full_scenes():
         for name, pair in without(still(model)).items():
-            for end, one in zip(("with", "without"), pair, strict=True):
-                found.setdefault(f"{end} {_label(name, note)}", _steps(Engine(one)))
-    return found
+            for end, priced in zip(("with", "without"), pair, strict=True):
+                measured.setdefault(f"{end} {_label(name, note)}", _steps(Engine(priced)))
+    return measured
 
 
 def _steps(engine: Engine) -> Callable[[], None]:
@@ -78,22 +78,22 @@ def price_variables(repeats: int, tell: Callable[[str], None]) -> dict[str, np.n
     """Columns of the cube's price list by the names of the contract."""
     rows: dict[str, tuple[str, Price]] = {}
     for note, model in full_scenes():
-        for name, found in prices(model)[1].items():
-            rows.setdefault(_label(name, note), (DISCS, found))
+        for name, measured in prices(model)[1].items():
+            rows.setdefault(_label(name, note), (DISCS, measured))
         tell(f"prices: {', '.join(rows)}")
     shares, uncounted = instruction_shares()
     tell(f"instructions: {uncounted or 'counted'}")
     for part in PARTS:
         rows[part.name] = (part.room, part_price(part, repeats))
         tell(f"price of {part.name}: {rows[part.name][1].time:.0%}")
-    each = [price for _, price in rows.values()]
+    listed = [price for _, price in rows.values()]
     return {
         "effect": np.array(list(rows)),
         "effect_room": np.array([room for room, _ in rows.values()]),
-        "effect_time_share": np.array([price.time for price in each]),
-        "effect_time_share_low": np.array([price.low for price in each]),
-        "effect_time_share_high": np.array([price.high for price in each]),
+        "effect_time_share": np.array([price.time for price in listed]),
+        "effect_time_share_low": np.array([price.low for price in listed]),
+        "effect_time_share_high": np.array([price.high for price in listed]),
         "effect_instruction_share": np.array([shares.get(name, nan) for name in rows]),
         "effect_uncounted": np.array([uncounted if room == DISCS else OTHERS for room, _ in rows.values()]),
-        "effect_memory_share": np.array([price.memory if price.memory is not None else nan for price in each]),
+        "effect_memory_share": np.array([price.memory if price.memory is not None else nan for price in listed]),
     }

@@ -58,11 +58,11 @@ def kept(rows: list[dict]) -> list[dict]:
 
 def cpu_seconds(run: Callable[[], Any], readings: int = 3) -> float:
     """CPU time of a run: median of readings, each of as many runs as make one."""
-    found = []
+    readings_s = []
     for _ in range(readings):
         runs, start = 0, time.process_time()
         while (spent := time.process_time() - start) < LEAST or not runs:
             run()
             runs += 1
-        found.append(spent / runs)
-    return float(np.median(found))
+        readings_s.append(spent / runs)
+    return float(np.median(readings_s))
