@@ -7,18 +7,21 @@ from math import nan
 import numpy as np
 
 from silostudy.accuracy import optional_discs, optional_formulas
+from silostudy.accuracy.bin_of_spheres import Bin, bin_of_spheres
 from silostudy.accuracy.instructions import count, missing
 from silostudy.accuracy.optional_parts import part_price
 from silostudy.accuracy.prices import Price, prices, still, without
 from silostudy.accuracy.silo import LEVELS, silo_of_rows
-from silostudy.contact.cohesion import constant_pull
-from silostudy.contact.rolling import spring_slider
+from silostudy.contact.cohesion import constant_pull, jkr
+from silostudy.contact.rolling import constant_torque, spring_slider
+from silostudy.contact.twisting import marshall
 from silostudy.dem.engine import Engine
 from silostudy.dem.model import Contact, Model
 from silostudy.tables.kiyama_1983 import ACTIVE
 
 PARTS = (*optional_discs.PARTS, *optional_formulas.PARTS)
 STEPS = 2000  # whose instructions are counted
+SPHERES = ", of spheres"
 DISCS, OTHERS = "discrete elements", "only effects of discrete elements are counted"
 
 
@@ -32,7 +35,25 @@ def full_scenes() -> list[tuple[str, Model]]:
     recording = replace(model, watched=True)
     booked = replace(model, booked=True)
     names = ("", "", "", "", "", " (wall forces recorded)", "")
-    return list(zip(names, (model, rolling, pulling, sizes, shaken, recording, booked), strict=True))
+    discs = zip(names, (model, rolling, pulling, sizes, shaken, recording, booked), strict=True)
+    return [*discs, *((SPHERES, model) for model in scenes_of_spheres())]
+
+
+def scenes_of_spheres() -> list[Model]:
+    """A bin of spheres with friction, and with each family of laws that may act besides."""
+    model = bin_of_spheres(Bin(count=2000, wide=0.03))
+    more = {"rolling": constant_torque.ROW, "cohesion": jkr.ROW, "twisting": marshall.ROW}
+    values = {"rolling_friction": 0.05, "work_of_adhesion": 1e-3}
+    bare = [model, replace(model, watched=True)]
+    return [*bare, *(_with_law(model, family, law, values) for family, law in more.items())]
+
+
+def _with_law(model: Model, family: str, law, values: dict[str, float]) -> Model:
+    pair, wall = (
+        Contact.taking(replace(contact.laws, **{family: law}), contact.coefficients | values)
+        for contact in (model.between(0, 0), model.at_wall(0, 0))
+    )
+    return replace(model, pair_contact=pair, wall_contact=wall)
 
 
 def _rolling(contact: Contact) -> Contact:
@@ -59,7 +80,7 @@ def _steps(engine: Engine) -> Callable[[], None]:
 
 
 def _label(name: str, note: str) -> str:
-    return name + (note if name.startswith("friction") else "")
+    return name + (note if note == SPHERES or name.startswith("friction") else "")
 
 
 def instruction_shares() -> tuple[dict[str, float], str]:

@@ -40,7 +40,7 @@ def without(model: Model) -> dict[str, tuple[Model, Model]]:
             model,
             replace(model, pair_contact=_bare(pair), wall_contact=_bare(wall)),
         )
-    for family, name in (("rolling", "rolling resistance"), ("cohesion", "cohesion")):
+    for family, name in (("rolling", "rolling resistance"), ("cohesion", "cohesion"), ("twisting", "twisting resistance")):
         if getattr(model.pair_contact.laws, family).acts:
             measured[name] = (model, replace(model, pair_contact=_less(pair, family), wall_contact=_less(wall, family)))
     if isinstance(model.wall_contact, Varied):
@@ -64,7 +64,7 @@ def _less(contact: Contact, *families: str) -> Contact:
 
 
 def _bare(contact: Contact) -> Contact:
-    return _less(contact, "tangential", "rolling")
+    return _less(contact, "tangential", "rolling", "twisting")
 
 
 def still(model: Model, settling: float = SETTLING) -> Model:

@@ -135,10 +135,11 @@ def test_instructions_are_counted_of_steps_with_every_effect_and_without(monkeyp
     monkeypatch.setattr(prices, "LEVELS", 4)
     monkeypatch.setattr(prices, "still", lambda model: model)
     work = prices.counted_work()
-    for _, model in prices.full_scenes():
+    for note, model in prices.full_scenes():
         for name in prices.without(model):
-            assert {f"with {name}", f"without {name}"} <= work.keys()
-    assert len(work) == 2 * 8
+            label = prices._label(name, note)
+            assert {f"with {label}", f"without {label}"} <= work.keys()
+    assert len(work) == 2 * (8 + 5)  # of discs and of spheres
 
 
 @pytest.mark.parametrize("part", prices.PARTS, ids=lambda part: part.name)
