@@ -8,7 +8,9 @@ from pydantic import Discriminator, Tag, model_validator
 
 from silostudy.config.fields import Strict, described
 from silostudy.config.grain_scenes import SCENES, AnyScene, scene_class
+from silostudy.config.run import MEANS
 from silostudy.config.study import SweepStudy
+from silostudy.tables.asked import quantities
 from silostudy.tables.outputs import OUTPUTS
 
 
@@ -53,6 +55,8 @@ class ScenesStudy(SweepStudy):
         for key in self.outputs:
             if "only_spheres" in OUTPUTS[key].demands and self.scene.grains != "spheres":
                 raise ValueError(f"output {key} needs scene.grains: spheres")
+            if "means" in OUTPUTS[key].demands and not self.of_fillings:
+                raise ValueError(f"output {key} needs scene.accuracy of {' or '.join(quantities((MEANS,)))}")
         return self
 
     @model_validator(mode="after")
@@ -84,6 +88,13 @@ class ScenesStudy(SweepStudy):
         """Name of the axis of fillings: the one that sets nothing but the seed; None where there is none of two or more."""
         named = [axis.axis for axis in self.sweep if [*axis.settings()[0]] == ["seed"] and len(axis.settings()) > 1]
         return named[0] if named else None
+
+    @property
+    def of_fillings(self) -> tuple[str, ...]:
+        """Quantities whose means over fillings an accuracy is asked of, by the scene or by an axis."""
+        swept = [key.removeprefix("accuracy.") for axis in self.sweep for key in axis.settings()[0]]
+        known = quantities((MEANS,))
+        return tuple(dict.fromkeys(name for name in (*(self.scene.accuracy or ()), *swept) if name in known))
 
     @property
     def settings(self) -> str:
