@@ -1,6 +1,6 @@
 """`silostudy bench certificate`: three ways to an accuracy asked for, on scenes that no front was measured on."""
 
-SILOS, FILLINGS = 6, 4  # of discs whose step is asked for; a silo takes some 10 s of CPU time
+SILOS, FILLINGS = 12, 6  # of discs whose step is asked for; a silo takes half a minute of CPU time
 PACKINGS, RUNS = 4, 120  # of discs whose mean is asked for
 
 
