@@ -73,6 +73,10 @@ def _normal(random: np.random.Generator, scatter: float, count: int) -> np.ndarr
     return 1.0 + scatter * random.normal(size=count)
 
 
+def _picked(random: np.random.Generator, values: np.ndarray, count: int) -> np.ndarray:
+    return np.asarray(random.choice(values, count))
+
+
 def packings(tell: Callable[[str], None], silos: int, runs: int) -> Iterator[tuple[Scattered, float]]:
     """Silos of discs that the front was not measured on, with runs of theirs to draw from; several errors asked of each."""
     random = np.random.default_rng(2)
@@ -83,7 +87,7 @@ def packings(tell: Callable[[str], None], silos: int, runs: int) -> Iterator[tup
         scatter = float(shares.std(ddof=1) / shares.mean())
         tell(f"packing: {runs} runs scatter by {scatter:.1%}, expected {expected:.1%}")
         for asked in np.exp(random.uniform(*np.log(ASKED), size=DRAWS)).tolist():
-            yield Scattered("packing", partial(random.choice, shares), float(shares.mean()), expected, scatter), asked
+            yield Scattered("packing", partial(_picked, random, shares), float(shares.mean()), expected, scatter), asked
 
 
 def runs_of_front() -> int:

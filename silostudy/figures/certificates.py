@@ -6,28 +6,31 @@ import numpy as np
 import pandas as pd
 import xarray as xr
 
-from silostudy.figures.style import plt, save
+from silostudy.figures.style import BLACK, BLUE, TALLEST, VERMILION, WIDTH, foot, headline, plt, save
 
-ROW = 0.28  # inches of a case
-MET, MISSED, ASKED = "#0072b2", "#d55e00", "black"
+ROW = 0.3  # inches of a case
+LOOKS = {1.0: (BLUE, "o", "found, met"), 0.0: (VERMILION, "X", "found, not met")}
 
 
 def draw(cube: xr.Dataset, stem: Path) -> None:
     """Writes the figure and its numbers: a row for each case and quantity."""
     table = certificates(cube)
-    figure, panel = plt.subplots(figsize=(11.0, 1.7 + ROW * len(table)))
+    figure, panel = plt.subplots(figsize=(WIDTH, min(TALLEST, 2.0 + ROW * len(table))))
     rows = np.arange(len(table))
-    panel.plot(100.0 * table["error_asked"], rows, "|", color=ASKED, markersize=13, markeredgewidth=2, label="asked")
-    for met, colour, label in ((1.0, MET, "found, met"), (0.0, MISSED, "found, not met")):
+    marks = panel.plot(100.0 * table["error_asked"], rows, "|", color=BLACK, markersize=13, markeredgewidth=2, label="asked")
+    for met, (colour, marker, label) in LOOKS.items():
         part = table["error_met"] == met
         if part.any():
-            panel.plot(100.0 * table["error_bound"][part], rows[part], "o", color=colour, label=label)
+            marks += panel.plot(100.0 * table["error_bound"][part], rows[part], marker, color=colour, label=label)
     panel.set_yticks(rows, [f"{quantity}, {case}" for quantity, case in zip(table["quantity"], table["case"], strict=True)])
     panel.set(xlabel="error of the mean that 95 % of such means keep (%)", xlim=(0.0, None), ylim=(len(table) - 0.5, -0.5))
     for row, told in zip(rows.tolist(), map(_told, table.itertuples()), strict=True):
-        panel.text(1.02, row, told, transform=panel.get_yaxis_transform(), va="center", fontsize=8)
-    panel.legend(loc="lower left", bbox_to_anchor=(0.0, 1.0), ncols=3)
-    figure.suptitle(cube.attrs["title"], fontsize=11)
+        panel.text(1.02, row, told, transform=panel.get_yaxis_transform(), va="center", fontsize="small")
+    cases = table.drop_duplicates("case")
+    spent, on_step = cases["cpu_time"].sum(), cases["cpu_time_on_step"].sum()
+    taken = f"{cases['fillings_computed'].sum():.0f} fillings, {spent:.3g} CPU s, {on_step:.2g} of them on the step"
+    headline(figure, f"{int(table['error_met'].sum())} of {len(table)} means are as accurate as asked: {taken}")
+    foot(figure, str(cube.attrs["title"]), handles=marks)
     save(figure, table, stem)
 
 
@@ -52,6 +55,6 @@ def _told(row) -> str:
     step = (
         ""
         if np.isnan(row.step_change)
-        else f"; half the step: {100 * row.step_change:+.1f} ± {100 * row.step_change_deviation:.1f} %"
+        else f"; half the step {100 * row.step_change:+.1f} ± {100 * row.step_change_deviation:.1f} %"
     )
-    return f"{row.fillings_computed:.0f} fillings, {row.cpu_time:.3g} CPU s ({row.cpu_time_on_step:.2g} on the step){step}"
+    return f"{row.fillings_computed:.0f} fillings, {row.cpu_time:.3g} CPU s{step}"

@@ -11,53 +11,61 @@ import xarray as xr
 from scipy.stats import t as student
 
 from silostudy.errors import BadInput
-from silostudy.figures.style import plt, save
+from silostudy.figures.style import BLUE, TALLEST, VERMILION, WIDTH, foot, headline, plt, save
 
 AXES = ("setting", "filling")
 TITLE = "setting_title"
 SURE = 0.95
 QUANTITIES = {
-    "body_normal_force_at_rest": "normal force on the walls at rest",
+    "body_normal_force_at_rest": "wall force at rest",
     "unit_weight_at_rest": "unit weight at rest",
     "mean_mass_flow": "mass flow",
 }
-NUMERICAL, MODEL = "#0072b2", "#d55e00"
-ROW = 0.24  # inches
+LOOKS = {False: (BLUE, "o", "numerical setting"), True: (VERMILION, "s", "contact law")}
+ROW = 0.26  # inches
 
 
 def draw(cube: xr.Dataset, stem: Path) -> None:
     """Writes the figure and its numbers: a row for each setting, a panel for each quantity."""
     table = ladders(cube)
     names, shown = list(dict.fromkeys(table["setting"])), list(dict.fromkeys(table["quantity"]))
-    figure, panels = plt.subplots(
-        1, len(shown), sharey=True, squeeze=False, figsize=(3.2 + 3.0 * len(shown), 1.9 + ROW * len(names))
-    )
+    size = WIDTH, min(TALLEST, 2.2 + ROW * len(names))
+    figure, panels = plt.subplots(1, len(shown), sharey=True, squeeze=False, figsize=size)
     for panel, quantity in zip(panels[0], shown, strict=True):
-        part = table[table["quantity"] == quantity]
-        _draw_panel(panel, part, names)
-        panel.set(xlabel=f"{QUANTITIES[quantity]},\nchange (%)")
+        handles = _draw_panel(panel, table[table["quantity"] == quantity], names)
+        panel.set(xlabel=f"{QUANTITIES[quantity]}:\nchange (%)")
     panels[0, 0].set_yticks(range(len(names)), names)
     panels[0, 0].set_ylim(len(names) - 0.5, -0.5)
-    figure.suptitle(
-        f"{cube.attrs['title']}\nbars: 95 % of means of so many fillings; band: spread of the contact laws", fontsize=10
-    )
-    handles, labels = panels[0, 0].get_legend_handles_labels()
-    figure.legend(handles, labels, loc="outside lower center", ncols=3)
+    headline(figure, _message(table))
+    told = f"Bars: 95 % intervals of means of {cube.sizes['filling']} fillings. Band: how far contact laws are apart."
+    foot(figure, str(cube.attrs["title"]), told, handles=handles)
     save(figure, table, stem)
 
 
-def _draw_panel(panel, part: pd.DataFrame, names: list[str]) -> None:
-    laws = part[part["model"]]
+def _message(table: pd.DataFrame) -> str:
+    """How much settings and laws change each quantity at most."""
+    most = 100.0 * table["change"].abs().groupby([table["model"], table["quantity"]], sort=False).max()
+    told = [
+        ", ".join(f"{QUANTITIES[name]} {value:.2g} %" for name, value in most[model].items()) for model in most.index.unique(0)
+    ]
+    return "; ".join(f"{what} change at most: {text}" for what, text in zip(("Settings", "contact laws"), told, strict=False))
+
+
+def _draw_panel(panel, part: pd.DataFrame, names: list[str]) -> list:
+    """Draws one quantity; what the legend shows."""
+    laws, handles = part[part["model"]], []
     if len(laws):
         low, high = 100.0 * laws["change"].min(), 100.0 * laws["change"].max()
-        panel.axvspan(min(0.0, low), max(0.0, high), color=MODEL, alpha=0.12, label="spread of the contact laws")
-    for model, colour, label in ((False, NUMERICAL, "numerical setting"), (True, MODEL, "contact law")):
+        band = panel.axvspan(min(0.0, low), max(0.0, high), color="0.92", zorder=0, label="spread of the contact laws")
+        handles.append(band)
+    for model, (colour, marker, label) in LOOKS.items():
         rows = part[part["model"] == model]
         if len(rows):
             places = [names.index(name) for name in rows["setting"]]
             panel.hlines(places, 100.0 * rows["low"], 100.0 * rows["high"], color=colour, linewidth=1.5)
-            panel.plot(100.0 * rows["change"], places, "o", markersize=4, color=colour, label=label)
+            handles += panel.plot(100.0 * rows["change"], places, marker, markersize=4, color=colour, label=label)
     panel.axvline(0.0, color="black", linewidth=0.8)
+    return handles
 
 
 def ladders(cube: xr.Dataset) -> pd.DataFrame:
