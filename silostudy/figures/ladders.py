@@ -46,9 +46,10 @@ def _message(table: pd.DataFrame) -> str:
     """How much settings and laws change each quantity at most."""
     most = 100.0 * table["change"].abs().groupby([table["model"], table["quantity"]], sort=False).max()
     told = [
-        ", ".join(f"{QUANTITIES[name]} {value:.2g} %" for name, value in most[model].items()) for model in most.index.unique(0)
+        ", ".join(f"the {QUANTITIES[name]} by {value:.2g} %" for name, value in most[model].items())
+        for model in most.index.unique(0)
     ]
-    return "; ".join(f"{what} change at most: {text}" for what, text in zip(("Settings", "contact laws"), told, strict=False))
+    return "; ".join(f"{what} at most {text}" for what, text in zip(("Settings change", "contact laws"), told, strict=False))
 
 
 def _draw_panel(panel, part: pd.DataFrame, names: list[str]) -> list:
