@@ -5,7 +5,7 @@ from collections.abc import Callable
 import numpy as np
 import xarray as xr
 
-from silostudy.accuracy.front import kept, on_front
+from silostudy.accuracy.front import lasting_error, on_front
 from silostudy.accuracy.measure import Rung, machine, measure
 from silostudy.accuracy.price_table import price_variables
 from silostudy.cube.assemble import assemble
@@ -37,7 +37,7 @@ def points_of(rungs: list[Rung]) -> list[dict]:
     points = []
     for quantity in rungs[0].error:
         ladders = {rung.ladder: [other.high[quantity] for other in rungs if other.ladder == rung.ladder] for rung in rungs}
-        lasting = np.concatenate([kept(errors) for errors in ladders.values()])
+        lasting = np.concatenate([lasting_error(errors) for errors in ladders.values()])
         front = on_front([rung.cost for rung in rungs], lasting)
         for rung, lasts, chosen in zip(rungs, lasting, front, strict=True):
             points.append(

@@ -15,7 +15,7 @@ def on_front(cost, error) -> np.ndarray:
     return worth
 
 
-def kept(error) -> np.ndarray:
+def lasting_error(error) -> np.ndarray:
     """Largest error at each setting of a ladder and at all finer ones, from coarse to fine: a lucky setting does not count.
 
     NaN where the setting itself has none; errors of rounding size count at their own setting only.

@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 
 from silostudy.accuracy.silo import wall_force
-from silostudy.accuracy.trial import Trial, front_row, kept
+from silostudy.accuracy.trial import Trial, front_row, worthwhile
 from silostudy.choice.choose import choose
 from silostudy.choice.dem import scene_traits
 from silostudy.config.dem import DemScene
@@ -46,7 +46,7 @@ class Found:
     error: dict[Setting, np.ndarray]
     cost: dict[Setting, float]
 
-    def kept(self, setting: Setting) -> float:
+    def error_kept(self, setting: Setting) -> float:
         """Error that 95 % of the fillings keep."""
         return float(np.quantile(self.error[setting], SHARE))
 
@@ -115,7 +115,7 @@ def measured_fronts(tell: Callable[[str], None]) -> list[dict]:
         row = front_row("dem", "wall_force", settings, float(np.quantile(over, SHARE)), cost, len(over), SOURCE,
                         scaled_by="fall", within=within)  # fmt: skip
         rows.append(row)
-    return kept(rows)
+    return worthwhile(rows)
 
 
 def trials(tell: Callable[[str], None], count: int = UNSEEN, fillings: int = UNSEEN_FILLINGS) -> list[Trial]:
@@ -127,7 +127,7 @@ def trials(tell: Callable[[str], None], count: int = UNSEEN, fillings: int = UNS
         integrator, factor = choose(["dem"], {"wall_force": asked}, [traits]).settings.values()
         measures = measured(content, COARSE, FINEST["coarse"], range(fillings))
         setting = min(measures.error, key=lambda rung: (rung[0] != integrator, abs(rung[1] - factor)))
-        cheapest = min((measures.cost[rung] for rung in measures.error if measures.kept(rung) <= asked), default=np.nan)
+        cheapest = min((measures.cost[rung] for rung in measures.error if measures.error_kept(rung) <= asked), default=np.nan)
         tried += [
             Trial("dem", "wall_force", asked, float(error), measures.cost[setting], cheapest)
             for error in measures.error[setting]

@@ -50,7 +50,7 @@ def front_row(
     }
 
 
-def kept(rows: list[dict]) -> list[dict]:
+def worthwhile(rows: list[dict]) -> list[dict]:
     """The rows on the front."""
     worth = on_front([row["cost_s"] for row in rows], [row["error"] for row in rows])
     return [row for row, on in zip(rows, worth, strict=True) if on]

@@ -33,7 +33,7 @@ class FrontPoint:
 
     @property
     def given(self) -> dict[str, Any]:
-        """Its settings by dotted key."""
+        """Settings by dotted key."""
         return json.loads(self.settings)
 
     @property

@@ -1,4 +1,4 @@
-"""How many fillings a mean needs: by the scatter that they show, and the one that was expected where they are few."""
+"""Number of fillings that a mean needs: by the scatter that they show, and the one that was expected where they are few."""
 
 from math import ceil
 

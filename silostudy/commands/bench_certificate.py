@@ -1,7 +1,9 @@
-"""`silostudy bench certificate`: three ways to an accuracy asked for, on scenes that no front was measured on."""
+"""Sets three ways to an accuracy asked for beside each other, on scenes that no front was measured on: `bench certificate`."""
 
-SILOS, FILLINGS = 12, 6  # of discs whose step is asked for; a silo takes half a minute of CPU time
-PACKINGS, RUNS = 4, 120  # of discs whose mean is asked for
+SILOS = 12  # of discs whose step is asked for; each takes half a minute of CPU time
+FILLINGS = 6  # of each
+PACKINGS = 4  # of discs whose mean is asked for
+RUNS = 120  # of each
 
 
 def run(chosen) -> None:
@@ -27,7 +29,7 @@ def run(chosen) -> None:
 
 
 def _by_way(trials):
-    """Of each way: share that keeps what was asked, share within 1.5 times the cheapest cost, and quantiles of that ratio."""
+    """Yields each way with the share that keeps what was asked, and how its cost compares with the cheapest."""
     import numpy as np
 
     for way in dict.fromkeys(way for way, _ in trials):

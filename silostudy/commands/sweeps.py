@@ -46,7 +46,7 @@ def run_merge(chosen) -> None:
 
 
 def _certificates(cube: Path):
-    """Of each quantity whose accuracy was asked for: how many cases met it, the worst error that 95 % keep, what it took."""
+    """Says of each quantity whose accuracy was asked for how many cases met it, the worst error kept, and what it took."""
     import xarray as xr
 
     with xr.open_dataset(cube) as held:

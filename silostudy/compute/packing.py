@@ -49,7 +49,7 @@ def _add_runs(expansion: Resolved, runs: list[list[dict]], count: int, tell: Cal
 
 
 def _asked(expansion: Resolved, runs: list[list[dict]]) -> list[tuple[np.ndarray, float, float]]:
-    """Of every case: the asked share's values of its runs, the error asked for, and the scatter that the front expects."""
+    """Values of the asked share of every case's runs, with the error asked for and the scatter that the front expects."""
     (choice,) = expansion.choices
     scatter = choice.expected[SHARE] * expansion.study.runs**0.5 / NORMAL
     return [(np.array([run[SHARE] for run in of_case[1:]]), choice.asked[SHARE], scatter) for of_case in runs]
@@ -74,7 +74,7 @@ def _groups(expansion: Resolved) -> list[list[int]]:
 
 
 def _of_one_filling(expansion: Resolved, task: tuple[list[int], int]) -> dict[tuple[int, int], dict]:
-    """What a run of the cases that share a filling comes to, by numbers of case and run."""
+    """Numbers of a run of the cases that share a filling, by numbers of case and run."""
     study, (members, run) = expansion.study, task
     rested = settle(study, expansion.cases[members[0]].scene.config, run)
     configs = {number: expansion.cases[number].scene.config for number in members}
