@@ -12,7 +12,7 @@ VAGUE = {"one", "at", "found", "each", "kept"}
 VAGUE_STARTS = re.compile(
     "(What|Those|With|Of|How|Itself|By|On|In|At|From|Which|Where|Who|When|That|For|Its|Not|Without|Beside|Why|While|Until|It)\\b"
 )
-NOT_YET = {"accuracy", "figures"}  # rooms whose names are being mended
+NOT_YET = {"accuracy", "figures"}  # rooms whose names are being mended; those of variables are in the first
 TREES = {path.relative_to(PACKAGE): ast.parse(path.read_text()) for path in sorted(PACKAGE.rglob("*.py"))}
 MENDED = {path: tree for path, tree in TREES.items() if path.parts[0] not in NOT_YET}
 
@@ -52,7 +52,8 @@ def packed_constants(tree: ast.Module) -> Iterator[tuple[int, str]]:
 
 
 def test_no_name_is_vague():
-    places = [f"{path}:{line} {name}" for path, tree in MENDED.items() for line, name in names_given(tree) if name in VAGUE]
+    trees = {path: tree for path, tree in TREES.items() if path.parts[0] != "figures"}
+    places = [f"{path}:{line} {name}" for path, tree in trees.items() for line, name in names_given(tree) if name in VAGUE]
     assert places == []
 
 

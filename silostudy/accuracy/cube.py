@@ -5,7 +5,7 @@ from collections.abc import Callable
 import numpy as np
 import xarray as xr
 
-from silostudy.accuracy.front import kept, on_front
+from silostudy.accuracy.front import lasting_error, on_front
 from silostudy.accuracy.measure import Rung, machine, measure
 from silostudy.accuracy.price_table import price_variables
 from silostudy.cube.assemble import assemble
@@ -17,8 +17,8 @@ def accuracy_cube(expansion: Expansion, tell: Callable[[str], None] = lambda tex
     """Errors and costs (point) of every problem; attributes say what machine measured them and when."""
     study, asked = expansion.study, expansion.study.scene
     options = {"repeats": asked.repeats, "members": asked.members, "rungs": asked.rungs, "ladders": asked.ladders}
-    found = {key: measure(key, tell=tell, **options) for key in study.problem_keys}
-    points = [point for rungs in found.values() for point in points_of(rungs)]
+    rungs = {key: measure(key, tell=tell, **options) for key in study.problem_keys}
+    points = [point for ladder in rungs.values() for point in points_of(ladder)]
     data: dict = {f"point_{name}": np.array([point[name] for point in points]) for name in points[0]}
     rows = [PROBLEMS[key] for key in study.problem_keys]
     for name in ("title", "group", "setting"):
@@ -34,13 +34,13 @@ def accuracy_cube(expansion: Expansion, tell: Callable[[str], None] = lambda tex
 
 def points_of(rungs: list[Rung]) -> list[dict]:
     """One point a rung and quantity, with the front of each quantity marked: by the error that finer settings keep."""
-    found = []
+    points = []
     for quantity in rungs[0].error:
-        ladders = {rung.ladder: [one.high[quantity] for one in rungs if one.ladder == rung.ladder] for rung in rungs}
-        lasting = np.concatenate([kept(errors) for errors in ladders.values()])
+        ladders = {rung.ladder: [other.high[quantity] for other in rungs if other.ladder == rung.ladder] for rung in rungs}
+        lasting = np.concatenate([lasting_error(errors) for errors in ladders.values()])
         front = on_front([rung.cost for rung in rungs], lasting)
         for rung, lasts, chosen in zip(rungs, lasting, front, strict=True):
-            found.append(
+            points.append(
                 {
                     "problem": rung.problem,
                     "quantity": quantity,
@@ -58,4 +58,4 @@ def points_of(rungs: list[Rung]) -> list[dict]:
                     "on_front": float(chosen),
                 }
             )
-    return found
+    return points

@@ -8,14 +8,14 @@ ROUNDING = 1e-12  # relative error below which finer settings only roll other di
 def on_front(cost, error) -> np.ndarray:
     """Whether no other rung is both cheaper and at least as accurate (or as cheap and more accurate); NaN never is."""
     cost, error = np.asarray(cost, float), np.asarray(error, float)
-    kept, best = np.zeros(len(cost), bool), np.inf
+    worth, best = np.zeros(len(cost), bool), np.inf
     for k in np.lexsort((error, cost)):
         if error[k] < best:
-            kept[k], best = True, error[k]
-    return kept
+            worth[k], best = True, error[k]
+    return worth
 
 
-def kept(error) -> np.ndarray:
+def lasting_error(error) -> np.ndarray:
     """Largest error at each setting of a ladder and at all finer ones, from coarse to fine: a lucky setting does not count.
 
     NaN where the setting itself has none; errors of rounding size count at their own setting only.

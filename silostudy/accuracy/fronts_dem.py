@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 
 from silostudy.accuracy.silo import wall_force
-from silostudy.accuracy.trial import Trial, front_row, kept
+from silostudy.accuracy.trial import Trial, front_row, worthwhile
 from silostudy.choice.choose import choose
 from silostudy.choice.dem import scene_traits
 from silostudy.config.dem import DemScene
@@ -46,7 +46,7 @@ class Found:
     error: dict[Setting, np.ndarray]
     cost: dict[Setting, float]
 
-    def kept(self, setting: Setting) -> float:
+    def error_kept(self, setting: Setting) -> float:
         """Error that 95 % of the fillings keep."""
         return float(np.quantile(self.error[setting], SHARE))
 
@@ -100,34 +100,37 @@ def forces(content: dict[str, Any], setting: Setting, seed: int) -> tuple[np.nda
 
 def measured_fronts(tell: Callable[[str], None]) -> list[dict]:
     """Rows of tables/fronts.csv: the error over the trait `fall` that 95 % of all fillings of all silos keep."""
-    found: list[tuple[float, Found]] = []
+    errors: list[tuple[float, Found]] = []
     for number, content in enumerate(silos(0, MEASURED), 1):
         fall = scene_traits(DemScene.model_validate(content))["fall"]
-        found += [(fall, measured(content, COARSE, FINEST["coarse"], range(FILLINGS)))]
-        found += [(fall, measured(content, FINE, FINEST["fine"], range(FINE_FILLINGS)))]
+        errors += [(fall, measured(content, COARSE, FINEST["coarse"], range(FILLINGS)))]
+        errors += [(fall, measured(content, FINE, FINEST["fine"], range(FINE_FILLINGS)))]
         tell(f"dem: silo {number} of {MEASURED}")
-    within = SPAN | {"fall": (0.0, float(f"{1.05 * max(fall for fall, _ in found):.2g}"))}
+    within = SPAN | {"fall": (0.0, float(f"{1.05 * max(fall for fall, _ in errors):.2g}"))}
     rows = []
-    for setting in dict.fromkeys(setting for _, one in found for setting in one.error):
-        over = np.concatenate([one.error[setting] / fall for fall, one in found if setting in one.error])
-        cost = float(np.median([one.cost[setting] for _, one in found if setting in one.cost]))
+    for setting in dict.fromkeys(setting for _, measures in errors for setting in measures.error):
+        over = np.concatenate([measures.error[setting] / fall for fall, measures in errors if setting in measures.error])
+        cost = float(np.median([measures.cost[setting] for _, measures in errors if setting in measures.cost]))
         settings = {"march.integrator": setting[0], "march.step_factor": float(f"{setting[1]:.4g}")}
         row = front_row("dem", "wall_force", settings, float(np.quantile(over, SHARE)), cost, len(over), SOURCE,
                         scaled_by="fall", within=within)  # fmt: skip
         rows.append(row)
-    return kept(rows)
+    return worthwhile(rows)
 
 
 def trials(tell: Callable[[str], None], count: int = UNSEEN, fillings: int = UNSEEN_FILLINGS) -> list[Trial]:
     """Fillings of silos that the front was not measured on; the cheapest is what 95 % of the fillings of a silo ask for."""
-    found, random = [], np.random.default_rng(2)
+    tried, random = [], np.random.default_rng(2)
     for number, content in enumerate(silos(1, count), 1):
         asked = float(np.exp(random.uniform(*np.log(ASKED))))
         traits = scene_traits(DemScene.model_validate(content))
         integrator, factor = choose(["dem"], {"wall_force": asked}, [traits]).settings.values()
-        one = measured(content, COARSE, FINEST["coarse"], range(fillings))
-        setting = min(one.error, key=lambda each: (each[0] != integrator, abs(each[1] - factor)))
-        cheapest = min((one.cost[each] for each in one.error if one.kept(each) <= asked), default=np.nan)
-        found += [Trial("dem", "wall_force", asked, float(error), one.cost[setting], cheapest) for error in one.error[setting]]
-        tell(f"dem: silo {number} of {count}, {sum(trial.met for trial in found)} of {len(found)} met")
-    return found
+        measures = measured(content, COARSE, FINEST["coarse"], range(fillings))
+        setting = min(measures.error, key=lambda rung: (rung[0] != integrator, abs(rung[1] - factor)))
+        cheapest = min((measures.cost[rung] for rung in measures.error if measures.error_kept(rung) <= asked), default=np.nan)
+        tried += [
+            Trial("dem", "wall_force", asked, float(error), measures.cost[setting], cheapest)
+            for error in measures.error[setting]
+        ]
+        tell(f"dem: silo {number} of {count}, {sum(trial.met for trial in tried)} of {len(tried)} met")
+    return tried

@@ -70,7 +70,7 @@ class Quantity:
     name: str
     curves: Callable[[Expansion], list[Any]]
     exact: Callable[[Any], float]
-    found: Callable[[Any, int], float]
+    taken: Callable[[Any, int], float]
     numbers: dict[str, Callable]  # trait -> the same of a curve; a scene's trait is the worst of its curves
     within: dict[str, tuple[float, float]] = field(default_factory=dict)
     asked: tuple[float, float] = (1e-5, 0.1)  # errors that trials ask for lie between
@@ -118,29 +118,29 @@ def spoken(expansion: Expansion) -> Iterator[tuple[Mapping[str, Callable], dict[
                 yield row.bounded(phase), parameters
 
 
-def errors(each: list, quantity: Quantity) -> np.ndarray:
+def errors(curves: list, quantity: Quantity) -> np.ndarray:
     """Relative error of every curve with every number of levels: (curve, count)."""
-    right = np.array([quantity.exact(curve) for curve in each])
-    return np.abs(np.array([[quantity.found(curve, count) for count in COUNTS] for curve in each]) / right[:, None] - 1.0)
+    right = np.array([quantity.exact(curve) for curve in curves])
+    return np.abs(np.array([[quantity.taken(curve, count) for count in COUNTS] for curve in curves]) / right[:, None] - 1.0)
 
 
-def costs(each: list, quantity: Quantity) -> np.ndarray:
+def costs(curves: list, quantity: Quantity) -> np.ndarray:
     """CPU seconds of all curves with every number of levels; more levels never cost less, what says otherwise is noise."""
-    return np.maximum.accumulate([cpu_seconds(partial(_all, each, quantity, count)) for count in COUNTS])
+    return np.maximum.accumulate([cpu_seconds(partial(_all, curves, quantity, count)) for count in COUNTS])
 
 
-def _all(each: list, quantity: Quantity, count: int) -> None:
-    for curve in each:
-        quantity.found(curve, count)
+def _all(curves: list, quantity: Quantity, count: int) -> None:
+    for curve in curves:
+        quantity.taken(curve, count)
 
 
 def rows_of(quantity: Quantity, expansions: Iterable[Expansion], tell: Callable[[str], None]) -> list[dict]:
     """Rows of tables/fronts.csv: error over each of the curve's numbers that it goes with, worst of all curves of all silos."""
     rows = []
     silos = [curves for expansion in expansions if (curves := quantity.curves(expansion))]
-    cost = np.median([costs(each, quantity) / len(each) for each in silos[:TIMED]], axis=0)
+    cost = np.median([costs(curves, quantity) / len(curves) for curves in silos[:TIMED]], axis=0)
     for trait, number_of in quantity.numbers.items():
-        of = {curve: float(number_of(curve.levels(LEVELS))) for each in silos for curve in each}
+        of = {curve: float(number_of(curve.levels(LEVELS))) for curves in silos for curve in curves}
         counted = [curve for curve, number in of.items() if number > 0]
         worst = (errors(counted, quantity) / np.array([[of[curve]] for curve in counted])).max(axis=0)
         tell(f"{quantity.kind}, {quantity.name}: {len(counted)} curves with a {trait}, of {len(silos)} silos")
@@ -155,19 +155,19 @@ def rows_of(quantity: Quantity, expansions: Iterable[Expansion], tell: Callable[
 
 def trials_of(quantity: Quantity, contents: Iterable[dict], tell: Callable[[str], None]) -> list[Trial]:
     """Studies of several methods at once that ask for errors at random: the worst of their curves counts."""
-    found, random = [], np.random.default_rng(2)
+    tried, random = [], np.random.default_rng(2)
     for content in contents:
         asked = float(np.exp(random.uniform(*np.log(quantity.asked))))
         if quantity.curves(expansion_of(content, relative_depth=[0.0, 1.0])):
             expansion = expansion_of(content, accuracy={quantity.name: asked})
-            found.append(trial(quantity, asked, len(expansion.study.depths), quantity.curves(expansion)))
-    tell(f"{quantity.kind}, {quantity.name}: {sum(one.met for one in found)} of {len(found)} met")
-    return found
+            tried.append(trial(quantity, asked, len(expansion.study.depths), quantity.curves(expansion)))
+    tell(f"{quantity.kind}, {quantity.name}: {sum(result.met for result in tried)} of {len(tried)} met")
+    return tried
 
 
-def trial(quantity: Quantity, asked: float, chosen: int, each: list) -> Trial:
+def trial(quantity: Quantity, asked: float, chosen: int, curves: list) -> Trial:
     """What a number of levels gave, and the least that would have met what was asked."""
-    error, cost = errors(each, quantity).max(axis=0), costs(each, quantity)
+    error, cost = errors(curves, quantity).max(axis=0), costs(curves, quantity)
     enough = int(np.argmax(error <= asked)) if (error <= asked).any() else -1
     k = COUNTS.index(chosen)
     return Trial(quantity.kind, quantity.name, asked, error[k], cost[k], cost[enough], chosen, COUNTS[enough])

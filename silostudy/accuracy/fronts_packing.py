@@ -67,12 +67,12 @@ def silos(seed: int, count: int, across: tuple[int, int]) -> Iterator[Silo]:
 
 def shares(silo: Silo, seeds) -> tuple[np.ndarray, float]:
     """(mean normal force of a side wall over the weight (1) of every run at rest, CPU seconds of one)."""
-    found, start = [], time.process_time()
+    parts, start = [], time.process_time()
     for seed in seeds:
         engine = Engine(silo.model(seed))
         engine.step_to(round(REST / engine.model.dt))
-        found.append(0.5 * wall_force(engine, 1).sum() / (engine.mass.sum() * ROUNDED_GRAVITY))
-    return np.array(found), (time.process_time() - start) / len(found)
+        parts.append(0.5 * wall_force(engine, 1).sum() / (engine.mass.sum() * ROUNDED_GRAVITY))
+    return np.array(parts), (time.process_time() - start) / len(parts)
 
 
 def drawn(runs: np.ndarray, random: np.random.Generator) -> np.ndarray:
@@ -83,18 +83,18 @@ def drawn(runs: np.ndarray, random: np.random.Generator) -> np.ndarray:
 
 def measured_fronts(tell: Callable[[str], None]) -> list[dict]:
     """Rows of tables/fronts.csv: the error over the silo's number that 19 of 20 means keep, over all silos."""
-    random, errors, spent, each = np.random.default_rng(0), [], [], list(silos(0, MEASURED, (5, 19)))
-    for silo in each:
+    random, errors, spent, laid = np.random.default_rng(0), [], [], list(silos(0, MEASURED, (5, 19)))
+    for silo in laid:
         runs, cost = shares(silo, range(SPREAD))
         errors.append(drawn(runs, random) / silo.number)
         spent.append(cost)
         tell(f"rest_side_share: silo {len(spent)} of {MEASURED}, runs scatter by {runs.std(ddof=1) / runs.mean():.1%}")
-    kept, cost = np.quantile(np.hstack(errors), SHARE, axis=1), float(np.median(spent))
-    numbers = [silo.number for silo in each]
+    lasting, cost = np.quantile(np.hstack(errors), SHARE, axis=1), float(np.median(spent))
+    numbers = [silo.number for silo in laid]
     within = {"friction_scatter": (0.95 * min(numbers), 1.05 * max(numbers)), "offset": _about(OFFSET / RADIUS),
               "offset_gap": _about(GAP / RADIUS), "pitch": _about(PITCH)}  # fmt: skip
     return [
-        front_row("packing", "rest_side_share", {"runs": count}, float(kept[k]), count * cost, MEASURED * SPREAD, SOURCE,
+        front_row("packing", "rest_side_share", {"runs": count}, float(lasting[k]), count * cost, MEASURED * SPREAD, SOURCE,
                   scaled_by="friction_scatter", within={name: _rounded(span) for name, span in within.items()})
         for k, count in enumerate(RUNS)
     ]  # fmt: skip
@@ -110,7 +110,7 @@ def _rounded(span: tuple[float, float]) -> tuple[float, float]:
 
 def trials(tell: Callable[[str], None], count: int = UNSEEN) -> list[Trial]:
     """Means of runs of other silos; so many would have met it of which 19 in 20 means do."""
-    found, random = [], np.random.default_rng(2)
+    tried, random = [], np.random.default_rng(2)
     for silo in silos(1, count, (7, 13)):
         right, _ = shares(silo, range(10_000, 10_000 + AGAINST))
         runs, cost = shares(silo, range(TRIED))
@@ -120,7 +120,7 @@ def trials(tell: Callable[[str], None], count: int = UNSEEN) -> list[Trial]:
             enough = RUNS[int(np.argmax(least <= asked))]
             means = runs[: TRIED // chosen * chosen].reshape(-1, chosen).mean(axis=1)
             for wrong in np.abs(means / right.mean() - 1.0):
-                found.append(Trial("packing", "rest_side_share", asked, float(wrong), chosen * cost, enough * cost,
+                tried.append(Trial("packing", "rest_side_share", asked, float(wrong), chosen * cost, enough * cost,
                                    chosen, enough))  # fmt: skip
-        tell(f"rest_side_share: {sum(one.met for one in found)} of {len(found)} means met")
-    return found
+        tell(f"rest_side_share: {sum(result.met for result in tried)} of {len(tried)} means met")
+    return tried

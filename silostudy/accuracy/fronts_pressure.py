@@ -20,8 +20,8 @@ MEASURED, UNSEEN = 60, 100  # silos with every method; studies of up to four met
 def curves(expansion: Expansion, name: str) -> list[Curve]:
     """Curves of a quantity of the methods: those that are given throughout the depth."""
     depth = expansion.cases[0].scene.silo.cylinder_depth
-    found = [Curve(functions[name], parameters, depth) for functions, parameters in spoken(expansion) if name in functions]
-    return [curve for curve in found if curve.whole]
+    curves = [Curve(functions[name], parameters, depth) for functions, parameters in spoken(expansion) if name in functions]
+    return [curve for curve in curves if curve.whole]
 
 
 def trapezoids(curve: Curve, count: int) -> float:
@@ -34,7 +34,7 @@ def largest(curve: Curve) -> float:
     z = np.linspace(0.0, curve.depth, FINE)
     k = int(np.argmax(curve(z)))
     near = (z[max(k - 1, 0)], z[min(k + 1, FINE - 1)])
-    search = minimize_scalar(lambda at: -float(curve(at)), bounds=near, method="bounded", options={"xatol": 1e-12})
+    search = minimize_scalar(lambda z: -float(curve(z)), bounds=near, method="bounded", options={"xatol": 1e-12})
     return max(-search.fun, float(curve(z[k])))
 
 

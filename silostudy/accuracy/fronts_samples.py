@@ -92,8 +92,8 @@ def _quantile(heaviest: np.ndarray, lightest: float) -> float:
 def errors(solid: Solid, first: int) -> np.ndarray:
     """Largest relative error over the depths with every sample size and sequence: (power, sequence)."""
     right = exact(solid)
-    each = [[sampled(solid, power, first + seed) for seed in range(SEEDS)] for power in POWERS]
-    return np.abs(np.array(each) / right - 1.0).max(axis=-1)
+    quantiles = [[sampled(solid, power, first + seed) for seed in range(SEEDS)] for power in POWERS]
+    return np.abs(np.array(quantiles) / right - 1.0).max(axis=-1)
 
 
 def costs(solid: Solid) -> np.ndarray:
@@ -103,13 +103,13 @@ def costs(solid: Solid) -> np.ndarray:
 
 def measured_fronts(tell: Callable[[str], None]) -> list[dict]:
     """Rows of tables/fronts.csv: the error over the solid's scatter that all but a few sequences of all solids keep."""
-    each = list(solids(0, MEASURED, 1.5))
-    over = np.hstack([errors(solid, 1000) / solid.scatter for solid in each])
-    kept, cost = np.quantile(over, KEPT, axis=1), costs(each[0])
+    scattering = list(solids(0, MEASURED, 1.5))
+    over = np.hstack([errors(solid, 1000) / solid.scatter for solid in scattering])
+    lasting, cost = np.quantile(over, KEPT, axis=1), costs(scattering[0])
     tell(f"pressure_quantile: {MEASURED} solids, {SEEDS} sequences each")
-    within = {"scatter": (0.0, float(f"{1.05 * max(solid.scatter for solid in each):.2g}"))}
+    within = {"scatter": (0.0, float(f"{1.05 * max(solid.scatter for solid in scattering):.2g}"))}
     return [
-        front_row("pressure", "pressure_quantile", {"uncertainty.log2_samples": power}, kept[k], cost[k], MEASURED * SEEDS,
+        front_row("pressure", "pressure_quantile", {"uncertainty.log2_samples": power}, lasting[k], cost[k], MEASURED * SEEDS,
                   SOURCE, scaled_by="scatter", within=within)
         for k, power in enumerate(POWERS)
     ]  # fmt: skip
@@ -117,7 +117,7 @@ def measured_fronts(tell: Callable[[str], None]) -> list[dict]:
 
 def trials(tell: Callable[[str], None], count: int = UNSEEN) -> list[Trial]:
     """Other solids and sequences; the cheapest is the smallest sample with which 19 of 20 sequences meet it."""
-    found, random = [], np.random.default_rng(2)
+    tried, random = [], np.random.default_rng(2)
     spent = costs(next(iter(solids(0, 1, 1.5))))
     for solid in solids(1, count, 1.4):
         asked = float(np.exp(random.uniform(*np.log(ASKED))))
@@ -126,9 +126,9 @@ def trials(tell: Callable[[str], None], count: int = UNSEEN) -> list[Trial]:
         ]
         wrong = errors(solid, 2000)
         k, enough = POWERS.index(power), int(np.argmax(np.quantile(wrong, SHARE, axis=1) <= asked))
-        found += [
-            Trial("pressure", "pressure_quantile", asked, one, spent[k], spent[enough], 2.0**power, 2.0 ** POWERS[enough])
-            for one in wrong[k]
+        tried += [
+            Trial("pressure", "pressure_quantile", asked, result, spent[k], spent[enough], 2.0**power, 2.0 ** POWERS[enough])
+            for result in wrong[k]
         ]
-    tell(f"pressure_quantile: {sum(one.met for one in found)} of {len(found)} met")
-    return found
+    tell(f"pressure_quantile: {sum(result.met for result in tried)} of {len(tried)} met")
+    return tried

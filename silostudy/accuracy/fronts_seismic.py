@@ -100,12 +100,12 @@ def coefficient_errors(shaking: Shaking) -> np.ndarray:
     truths = start + step * (cell + np.arange(TRUTHS) * 0.618034 % 1.0)
     indices = [amplitude_error(known, wanted) for wanted in _spectra(question, truths)]
     steps = [finest // refinement for refinement in REFINEMENTS]
-    found = [[identify.vertex(index[::every], candidates[::every]) for index in indices] for every in steps]
-    return np.abs(np.array(found) / truths - 1.0)
+    vertices = [[identify.vertex(index[::every], candidates[::every]) for index in indices] for every in steps]
+    return np.abs(np.array(vertices) / truths - 1.0)
 
 
 def _spectra(question: identify.Question, coefficients) -> np.ndarray:
-    return np.array([identify.transform(question, identify.top_acceleration(question, one)) for one in coefficients])
+    return np.array([identify.transform(question, identify.top_acceleration(question, value)) for value in coefficients])
 
 
 def moment_errors(shaking: Shaking) -> np.ndarray:
@@ -125,8 +125,8 @@ def _moment(shaking: Shaking, depth: np.ndarray) -> np.ndarray:
 def coefficient_costs(shaking: Shaking) -> np.ndarray:
     """CPU seconds of every refinement: so many candidates."""
     few = shaking.question.coefficients[:2]
-    one = cpu_seconds(partial(_spectra, shaking.question, few)) / few.size
-    return one * ((COARSE - 1) * np.array(REFINEMENTS) + 1)
+    single = cpu_seconds(partial(_spectra, shaking.question, few)) / few.size
+    return single * ((COARSE - 1) * np.array(REFINEMENTS) + 1)
 
 
 def moment_costs(shaking: Shaking) -> np.ndarray:
@@ -136,19 +136,19 @@ def moment_costs(shaking: Shaking) -> np.ndarray:
 
 def measured_fronts(tell: Callable[[str], None]) -> list[dict]:
     """Rows of tables/fronts.csv: what all but a twentieth of the truths keep, and the worst of the moments."""
-    each = list(shakings(0, MEASURED, 0.4, 0.008))
-    over = np.quantile(np.hstack([coefficient_errors(one) / one.number for one in each]), SHARE, axis=1)
+    shaken = list(shakings(0, MEASURED, 0.4, 0.008))
+    over = np.quantile(np.hstack([coefficient_errors(shaking) / shaking.number for shaking in shaken]), SHARE, axis=1)
     tell(f"effective_mass_coefficient: {MEASURED} scenes, {TRUTHS} truths each")
-    spent = coefficient_costs(each[0])
-    within = {"valley_number": (0.0, float(f"{1.05 * max(one.number for one in each):.2g}"))}
+    spent = coefficient_costs(shaken[0])
+    within = {"valley_number": (0.0, float(f"{1.05 * max(shaking.number for shaking in shaken):.2g}"))}
     rows = [
         front_row("seismic", "effective_mass_coefficient", {"identification.refinement": refinement}, over[k], spent[k],
                   MEASURED * TRUTHS, SOURCE, scaled_by="valley_number", within=within)
         for k, refinement in enumerate(REFINEMENTS)
     ]  # fmt: skip
-    worst = np.max([moment_errors(one) for one in shakings(0, MOVED, 0.4, 0.008)], axis=0)
+    worst = np.max([moment_errors(shaking) for shaking in shakings(0, MOVED, 0.4, 0.008)], axis=0)
     tell(f"wall_bending_moment: {MOVED} scenes")
-    spent = moment_costs(each[0])
+    spent = moment_costs(shaken[0])
     return rows + [
         front_row("seismic", "wall_bending_moment", {"relative_depth": {"start": 0.0, "stop": 1.0, "count": count}},
                   worst[k], spent[k], MOVED, SOURCE)
@@ -158,11 +158,11 @@ def measured_fronts(tell: Callable[[str], None]) -> list[dict]:
 
 def trials(tell: Callable[[str], None], count: int = UNSEEN) -> list[Trial]:
     """Other tubes and motions; a refinement would have met it with which 19 of 20 truths do."""
-    each, random = list(shakings(1, count, 0.3, 0.015)), np.random.default_rng(2)
-    found = [trial for shaking in each for trial in coefficient_trials(shaking, random)]
-    found += [moment_trial(shaking, random) for shaking in each]
-    tell(f"seismic: {sum(one.met for one in found)} of {len(found)} met")
-    return found
+    shaken, random = list(shakings(1, count, 0.3, 0.015)), np.random.default_rng(2)
+    tried = [trial for shaking in shaken for trial in coefficient_trials(shaking, random)]
+    tried += [moment_trial(shaking, random) for shaking in shaken]
+    tell(f"seismic: {sum(trial.met for trial in tried)} of {len(tried)} met")
+    return tried
 
 
 def coefficient_trials(shaking: Shaking, random: np.random.Generator) -> list[Trial]:
@@ -172,7 +172,7 @@ def coefficient_trials(shaking: Shaking, random: np.random.Generator) -> list[Tr
     chosen = choose(["seismic"], {name: asked}, [{"valley_number": shaking.number}]).settings["identification.refinement"]
     wrong, spent = coefficient_errors(shaking), coefficient_costs(shaking)
     k, enough = REFINEMENTS.index(chosen), int(np.argmax(np.quantile(wrong, SHARE, axis=1) <= asked))
-    return [Trial("seismic", name, asked, one, spent[k], spent[enough], chosen, REFINEMENTS[enough]) for one in wrong[k]]
+    return [Trial("seismic", name, asked, error, spent[k], spent[enough], chosen, REFINEMENTS[enough]) for error in wrong[k]]
 
 
 def moment_trial(shaking: Shaking, random: np.random.Generator) -> Trial:

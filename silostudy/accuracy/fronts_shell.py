@@ -46,7 +46,7 @@ def curves(expansion: Expansion) -> list[Rubbed]:
     wall = {**scene.shell.steel, "inner_radius": scene.silo.diameter / 2, "ring_area": 0.0, "bay_length": scene.silo.wall_depth,
             "total_length": scene.silo.wall_depth,
             "safety_factor": scene.shell.safety_factor}  # fmt: skip
-    found = []
+    curves = []
     for functions, parameters in spoken(expansion):
         if "axial_wall_force" in functions or not np.isfinite(parameters["wall_friction"]):
             continue
@@ -54,8 +54,8 @@ def curves(expansion: Expansion) -> list[Rubbed]:
         function = functions["wall_friction_traction" if own else "wall_normal_pressure"]
         for rule in expansion.study.rule_keys:
             pressure = functions["wall_normal_pressure"]
-            found.append(Rubbed(function, parameters, scene.silo.cylinder_depth, pressure, own, rule, wall))
-    return [curve for curve in found if curve.whole]
+            curves.append(Rubbed(function, parameters, scene.silo.cylinder_depth, pressure, own, rule, wall))
+    return [curve for curve in curves if curve.whole]
 
 
 def thick(expansion: Expansion) -> list[Rubbed]:

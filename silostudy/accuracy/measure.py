@@ -86,16 +86,16 @@ def _timed(run: Callable) -> tuple[float, dict]:
     """CPU seconds of one run, averaged over as many as make a reading, and what it gave."""
     calls, start = 0, time.process_time()
     while True:
-        found = run()
+        values = run()
         calls += 1
         spent = time.process_time() - start
         if spent >= LEAST:
-            return spent / calls, found
+            return spent / calls, values
 
 
 def _rung(row: ProblemRow, rung: tuple[str, float], values: dict, expected: dict, seconds: Iterable[float]) -> Rung:
-    found = {name: COMPARE[row.compare](np.asarray(values[name]), np.asarray(expected[name])) for name in row.quantities}
-    error, low, high, floor = ({name: one[k] for name, one in found.items()} for k in range(4))
+    compared = {name: COMPARE[row.compare](np.asarray(values[name]), np.asarray(expected[name])) for name in row.quantities}
+    error, low, high, floor = ({name: ends[k] for name, ends in compared.items()} for k in range(4))
     return Rung(row.key, *rung, error=error, low=low, high=high, floor=floor, seconds=tuple(seconds))
 
 
@@ -115,8 +115,8 @@ def _means_apart(value: np.ndarray, expected: np.ndarray) -> tuple[float, float,
     """Distance of two means over the reference's, its confidence interval (Welch), and the interval's half-width."""
     if not np.isfinite(value).all():
         return np.nan, np.nan, np.nan, np.nan
-    parts = [one.var(ddof=1) / one.size for one in (value, expected)]
-    freedom = sum(parts) ** 2 / sum(part**2 / (one.size - 1) for part, one in zip(parts, (value, expected), strict=True))
+    parts = [values.var(ddof=1) / values.size for values in (value, expected)]
+    freedom = sum(parts) ** 2 / sum(part**2 / (values.size - 1) for part, values in zip(parts, (value, expected), strict=True))
     half = float(student.ppf(0.5 + CONFIDENCE / 2, freedom) * np.sqrt(sum(parts)) / abs(expected.mean()))
     error = float(abs(value.mean() - expected.mean()) / abs(expected.mean()))
     return error, max(0.0, error - half), error + half, half

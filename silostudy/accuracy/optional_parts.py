@@ -47,10 +47,10 @@ def part_price(part: Part, turns: int) -> Price:
     memory = 1.0 - _memory(less) / _memory(whole)
     readings: tuple[list[float], list[float]] = ([], [])
     for _ in range(turns):
-        for work, found in zip((whole, less), readings, strict=True):
+        for work, spent in zip((whole, less), readings, strict=True):
             start = time.process_time()
             work()
-            found.append(time.process_time() - start)
+            spent.append(time.process_time() - start)
     return price(*readings, memory)
 
 

@@ -34,28 +34,28 @@ class Price:
 
 def without(model: Model) -> dict[str, tuple[Model, Model]]:
     """Pairs of models with and without one effect, for the effects that a model has; both of the same places."""
-    found, (pair, wall) = {}, (model.between(0, 0), model.at_wall(0, 0))
+    measured, (pair, wall) = {}, (model.between(0, 0), model.at_wall(0, 0))
     if model.pieces.turns:
-        found["friction, rotation, history"] = (
+        measured["friction, rotation, history"] = (
             model,
             replace(model, pair_contact=_bare(pair), wall_contact=_bare(wall)),
         )
-    for family, name in (("rolling", "rolling resistance"), ("cohesion", "cohesion")):
+    for family, name in (("rolling", "rolling resistance"), ("cohesion", "cohesion"), ("twisting", "twisting resistance")):
         if getattr(model.pair_contact.laws, family).acts:
-            found[name] = (model, replace(model, pair_contact=_less(pair, family), wall_contact=_less(wall, family)))
+            measured[name] = (model, replace(model, pair_contact=_less(pair, family), wall_contact=_less(wall, family)))
     if isinstance(model.wall_contact, Varied):
-        found["walls of several coefficients"] = (model, replace(model, wall_contact=wall))
+        measured["walls of several coefficients"] = (model, replace(model, wall_contact=wall))
     if model.unequal:
         equal = np.full(len(model.x), model.radius.mean())
         hardly = equal * (1.0 + APART * (np.arange(len(equal)) % 2))
-        found["discs of several sizes"] = (replace(model, radius=hardly), replace(model, radius=equal))
+        measured["discs of several sizes"] = (replace(model, radius=hardly), replace(model, radius=equal))
     if model.quake is not None:
-        found["shaking"] = (model, replace(model, quake=None))
+        measured["shaking"] = (model, replace(model, quake=None))
     if model.watched:
-        found["wall forces every step"] = (model, replace(model, watched=False))
+        measured["wall forces every step"] = (model, replace(model, watched=False))
     if model.booked:
-        found["energy ledger"] = (model, replace(model, booked=False))
-    return found
+        measured["energy ledger"] = (model, replace(model, booked=False))
+    return measured
 
 
 def _less(contact: Contact, *families: str) -> Contact:
@@ -64,7 +64,7 @@ def _less(contact: Contact, *families: str) -> Contact:
 
 
 def _bare(contact: Contact) -> Contact:
-    return _less(contact, "tangential", "rolling")
+    return _less(contact, "tangential", "rolling", "twisting")
 
 
 def still(model: Model, settling: float = SETTLING) -> Model:
@@ -89,17 +89,17 @@ def prices(model: Model, turns: int = TURNS) -> tuple[float, dict[str, Price]]:
     """CPU seconds of a step of the whole model, and the price of each of its effects; readings of all variants in turn."""
     model = still(model)
     pairs = without(model)
-    engines = {id(one): Engine(one) for one in (model, *(one for pair in pairs.values() for one in pair))}
+    engines = {id(priced): Engine(priced) for priced in (model, *(priced for pair in pairs.values() for priced in pair))}
     steps = {key: _steps(engine) for key, engine in engines.items()}
     readings: dict[int, list[float]] = {key: [] for key in engines}
     for _ in range(turns):
         for key, engine in engines.items():
             readings[key].append(_seconds_a_step(engine, steps[key]))
-    found = {}
+    measured = {}
     for name, (whole, less) in pairs.items():
         memory = 1.0 - engines[id(less)].nbytes / engines[id(whole)].nbytes
-        found[name] = price(readings[id(whole)], readings[id(less)], memory)
-    return float(np.median(readings[id(model)])), found
+        measured[name] = price(readings[id(whole)], readings[id(less)], memory)
+    return float(np.median(readings[id(model)])), measured
 
 
 def price(whole: Iterable[float], less: Iterable[float], memory: float) -> Price:

@@ -27,22 +27,22 @@ def profile_cube(expansion: Expansion, tell: Callable[[str], None] = lambda text
     marches = {name(case.scene.config): _march(case.scene.config) for case in expansion.cases}
     marchers = [*marches, *([PEER] if study.peer and not available() else [])]
     steps, seeds = np.array(silo.steps_ms) * 1e-3, range(1, silo.fillings + 1)
-    references = {one: _reference(silo, one == PEER, seeds) for one in {"", PEER} & {"", *marchers}}
+    references = {key: _reference(silo, key == PEER, seeds) for key in {"", PEER} & {"", *marchers}}
     error, noise = (np.full((len(marchers), len(steps)), np.nan) for _ in "en")
     push = np.full((len(marchers), len(steps), silo.parts), np.nan)
     for i, marcher in enumerate(marchers):
         reference = references.get(marcher, references[""])
         for k, step in enumerate(steps):
-            found = _profiles(silo, marches.get(marcher), step, seeds)
-            if found is not None:
-                push[i, k] = found.mean(axis=0)
-                error[i, k], noise[i, k] = error_of(found, reference)
+            profiles = _profiles(silo, marches.get(marcher), step, seeds)
+            if profiles is not None:
+                push[i, k] = profiles.mean(axis=0)
+                error[i, k], noise[i, k] = error_of(profiles, reference)
             tell(f"{marcher}, {step * 1e3:g} ms: {error[i, k]:.3g} +- {noise[i, k]:.2g}")
     data = {
         "profile_error": error,
         "profile_noise": noise,
         "silo_push": push,
-        "reference_push": np.array([references.get(one, references[""]).mean(axis=0) for one in marchers]),
+        "reference_push": np.array([references.get(key, references[""]).mean(axis=0) for key in marchers]),
         "marcher": marchers,
         "march_step": steps,
         "wall_part": np.arange(silo.parts),
@@ -64,19 +64,19 @@ def _march(config) -> March:
 def _reference(silo, of_peer: bool, seeds) -> np.ndarray:
     """Profiles (filling, part) at the short step, each program by its own; BadInput where a filling does not come to rest."""
     march = None if of_peer else (REFERENCE_MARCH, spring_dashpot.ROW, spring_slider.ROW)
-    found = _profiles(silo, march, silo.reference_step_ms * 1e-3, seeds)
-    if found is None:
+    profiles = _profiles(silo, march, silo.reference_step_ms * 1e-3, seeds)
+    if profiles is None:
         raise BadInput("silo.rest_s", silo.rest_s, "is too short for a filling to come to rest")
-    return found
+    return profiles
 
 
 def _profiles(silo, march: March | None, step: float, seeds) -> np.ndarray | None:
     """Profiles (filling, part) at a step; None where a filling does not come to rest. Without a march: LAMMPS."""
-    found = []
+    profiles = []
     for seed in seeds:
         model = filled(seed, step, *(march or (REFERENCE_MARCH, spring_dashpot.ROW, PEER_SLIDER)))
         places = at_rest(model, silo.rest_s) if march else peer_at_rest(model, silo.rest_s)
         if places is None:
             return None
-        found.append(profile(places, model, silo.parts))
-    return np.array(found)
+        profiles.append(profile(places, model, silo.parts))
+    return np.array(profiles)

@@ -74,13 +74,17 @@ def silo_of_rows(
 
 def softened(model: Model, factor: float) -> Model:
     """The same discs with stiffness times `factor` and the damping ratio kept."""
-    pair, wall = (one.scaled(stiffness=factor, damping=sqrt(factor)) for one in (model.pair_contact, model.wall_contact))
+    pair, wall = (
+        contact.scaled(stiffness=factor, damping=sqrt(factor)) for contact in (model.pair_contact, model.wall_contact)
+    )
     return replace(model, pair_contact=pair, wall_contact=wall)
 
 
 def with_dashpot(model: Model, normal: NormalLaw) -> Model:
     """The same discs with another law of the normal force that takes the same coefficients."""
-    pair, wall = (replace(one, laws=replace(one.laws, normal=normal)) for one in (model.between(0, 0), model.at_wall(0, 0)))
+    pair, wall = (
+        replace(contact, laws=replace(contact.laws, normal=normal)) for contact in (model.between(0, 0), model.at_wall(0, 0))
+    )
     return replace(model, pair_contact=pair, wall_contact=wall)
 
 

@@ -26,8 +26,8 @@ def filled(seed: int, step: float, integrator: str, normal: NormalLaw, tangentia
     """Kiyama and Fujimura's critically damped discs on the closed floor, each moved at random by up to a third of the gap."""
     model, _ = silo_of_rows(ACTIVE, LEVELS, offset=GAPS[ACTIVE] / 3.0, seed=seed)
     pair, wall = (
-        replace(one, laws=replace(one.laws, normal=normal, tangential=tangential))
-        for one in (model.between(0, 0), model.at_wall(0, 0))
+        replace(contact, laws=replace(contact.laws, normal=normal, tangential=tangential))
+        for contact in (model.between(0, 0), model.at_wall(0, 0))
     )
     return replace(model, pair_contact=pair, wall_contact=wall, dt=step, integrator=integrator)
 
@@ -46,14 +46,14 @@ def peer_at_rest(model: Model, time: float) -> np.ndarray | None:
     """The same of LAMMPS; its law caps spring and dashpot together."""
     code = Lammps(model, np.c_[model.x, model.y], 0.0)
     code.step(round(time / model.dt))
-    found = None
+    rest = None
     if code.grains == len(model.x):
         extract = code.lammps.numpy.extract_atom
         order = np.argsort(extract("id")[: len(model.x)])
         places, speed = (np.array(extract(name))[order][:, :2] for name in ("x", "v"))
-        found = places if np.abs(speed).max() < CALM else None
+        rest = places if np.abs(speed).max() < CALM else None
     code.close()
-    return found
+    return rest
 
 
 def profile(places: np.ndarray, model: Model, parts: int) -> np.ndarray:

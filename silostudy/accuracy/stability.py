@@ -16,7 +16,7 @@ from silostudy.scene.stability import RestingDiscs
 
 def stability_cube(expansion: Expansion, tell: Callable[[str], None] = lambda text: None) -> xr.Dataset:
     """The cube of a stability study; `tell` hears of each case.  Equal discs come to rest once, LAMMPS tries them once."""
-    study, rests, peers, found = expansion.study, {}, {}, []
+    study, rests, peers, trials = expansion.study, {}, {}, []
     missing = available() if study.peer else "not asked for"
     if study.peer and missing:
         tell(f"{missing}: its steps are left out")
@@ -27,10 +27,10 @@ def stability_cube(expansion: Expansion, tell: Callable[[str], None] = lambda te
             rests[same] = settled(scene.calm)
         if at_rest not in peers:
             peers[at_rest] = np.nan if missing else _peer(study, scene, rests[same])
-        found.append(_found(study, scene, rests[same]) | {"peer_step": peers[at_rest]})
-        tell(f"case {number + 1} of {len(expansion.cases)}: {found[-1]['stable_step']:.3g} s")
+        trials.append(_found(study, scene, rests[same]) | {"peer_step": peers[at_rest]})
+        tell(f"case {number + 1} of {len(expansion.cases)}: {trials[-1]['stable_step']:.3g} s")
     notes = {"peer": "LAMMPS" if not missing else ""}
-    data = stacked(found, expansion.shape)
+    data = stacked(trials, expansion.shape)
     return assemble(study, "stability", data, sources=_sources(expansion), notes=notes, sweep=sweep_of(expansion))
 
 

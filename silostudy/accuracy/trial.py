@@ -50,7 +50,7 @@ def front_row(
     }
 
 
-def kept(rows: list[dict]) -> list[dict]:
+def worthwhile(rows: list[dict]) -> list[dict]:
     """The rows on the front."""
     worth = on_front([row["cost_s"] for row in rows], [row["error"] for row in rows])
     return [row for row, on in zip(rows, worth, strict=True) if on]
@@ -58,11 +58,11 @@ def kept(rows: list[dict]) -> list[dict]:
 
 def cpu_seconds(run: Callable[[], Any], readings: int = 3) -> float:
     """CPU time of a run: median of readings, each of as many runs as make one."""
-    found = []
+    readings_s = []
     for _ in range(readings):
         runs, start = 0, time.process_time()
         while (spent := time.process_time() - start) < LEAST or not runs:
             run()
             runs += 1
-        found.append(spent / runs)
-    return float(np.median(found))
+        readings_s.append(spent / runs)
+    return float(np.median(readings_s))

@@ -1,6 +1,5 @@
 """The cheapest measured settings that keep every error asked for in every scene."""
 
-import json
 from collections.abc import Collection, Mapping, Sequence
 from typing import Any
 
@@ -21,7 +20,7 @@ def choose(fronts: Sequence[str], asked: Mapping[str, float], scenes: Sequence[T
     told = set()
     for names in _together(fronts, asked):
         best, errors = cheapest(fronts, {name: asked[name] for name in names}, scenes)
-        settings |= json.loads(best.settings)
+        settings |= best.given
         expected |= errors
         told.add(f"{best.machine}, {best.measured_on}")
     return Choice(dict(asked), settings, expected, "; ".join(sorted(told)))

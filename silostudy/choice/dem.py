@@ -14,12 +14,17 @@ from silostudy.contact import MEASURED
 from silostudy.errors import BadInput
 from silostudy.packing import rows
 
+WALL_FORCE = "wall_force"  # the quantity of tables/asked.csv that the measured front is of
+
 
 def load(path: Path) -> tuple[AnyScene, Choice | None]:
     """The scene in a YAML file with the settings chosen for its accuracy, and the choice; BadInput lists every mistake."""
     content = read_yaml(path)
     scene = own_validated(scene_class(content, str(path)), content, str(path), path.parent)
-    return settled(scene, [scene], str(path)) if isinstance(scene, DemScene) and scene.accuracy else (scene, None)
+    if scene.of_fillings:
+        told = "is of many fillings: ask for it in a study of kind scenes, whose `scene:` holds what this file does"
+        raise BadInput("accuracy", ", ".join(scene.of_fillings), told, str(path))
+    return settled(scene, [scene], str(path)) if scene.accuracy else (scene, None)
 
 
 def dem_traits(asking: DemScene, scenes: Sequence[DemScene]) -> list[dict[str, float]]:

@@ -7,6 +7,7 @@ What an error depends on from scene to scene are the scene's traits, numbers by 
 import json
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass
+from typing import Any
 
 from silostudy.tables.read import HERE, rows
 
@@ -31,9 +32,14 @@ class FrontPoint:
     measured_on: str
 
     @property
+    def given(self) -> dict[str, Any]:
+        """Settings by dotted key."""
+        return json.loads(self.settings)
+
+    @property
     def keys(self) -> tuple[str, ...]:
         """Dotted keys that its settings set."""
-        return tuple(json.loads(self.settings))
+        return tuple(self.given)
 
     def holds(self, scene: Traits) -> bool:
         """Whether the scene's traits lie where the row was measured."""

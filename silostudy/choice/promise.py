@@ -27,7 +27,8 @@ def promises(choices: Iterable[Choice]) -> dict[str, str]:
         "accuracy_expected": [_listed(worst)] if made else [],
         "accuracy_measured": [choice.measured for choice in made],
     }
-    return {name: "; ".join(dict.fromkeys(texts)) for name, texts in texts_by_name.items() if texts}
+    told = {name: "; ".join(dict.fromkeys(filter(None, texts))) for name, texts in texts_by_name.items()}
+    return {name: text for name, text in told.items() if text}
 
 
 def _listed(errors: dict[str, float]) -> str:

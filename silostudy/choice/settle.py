@@ -13,6 +13,7 @@ from silostudy.config.own import OwnMethods
 from silostudy.errors import BadInput
 from silostudy.scene.expand import Case, Expansion, identity
 from silostudy.stages import FILE_KINDS
+from silostudy.tables.asked import quantities
 
 A = TypeVar("A", bound=Asked)
 
@@ -20,12 +21,16 @@ A = TypeVar("A", bound=Asked)
 def settled(asking: A, scenes: Sequence[Any], where: str) -> tuple[A, Choice]:
     """A study or scene with the settings chosen for it, and the choice; BadInput where scenes or errors were not measured."""
     assert asking.accuracy
+    known = quantities(asking.fronts)
+    by_front = {name: error for name, error in asking.accuracy.items() if known[name].decides}
+    if not by_front:
+        return asking, Choice(asking.accuracy, {}, {}, "by the runs themselves")
     traits = resolve_name(FILE_KINDS[asking.kind].traits)
     try:
-        choice = choose(asking.fronts, asking.accuracy, traits(asking, scenes))
+        choice = choose(asking.fronts, by_front, traits(asking, scenes))
     except BadInput as error:
         raise BadInput(error.field, error.value, error.allowed, where) from None
-    return with_settings(asking, choice.settings, where), choice
+    return with_settings(asking, choice.settings, where), replace(choice, asked=asking.accuracy)
 
 
 def with_settings(asking: A, settings: dict[str, Any], where: str) -> A:

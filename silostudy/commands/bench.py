@@ -37,6 +37,17 @@ def add(sub) -> None:
     )
     accuracy.add_argument("--output", type=Path, default=Path("results/bench/accuracy.csv"))
     accuracy.set_defaults(run=run_accuracy)
+    certificate = what.add_parser(
+        "certificate", help="the front alone, runs that find out their own error, or both: met and cost; some minutes"
+    )
+    certificate.add_argument("--output", type=Path, default=Path("results/bench/certificate.csv"))
+    certificate.set_defaults(run=run_certificate)
+
+
+def run_certificate(chosen) -> None:
+    from silostudy.commands.bench_certificate import run
+
+    run(chosen)
 
 
 def run_accuracy(chosen) -> None:

@@ -119,7 +119,7 @@ def _told(rows, asked: float) -> str:
     for mine in (True, False):
         part = rows[(rows["code"] != "LAMMPS") == mine].sort_values("step_s", ascending=False)
         best = front.cheapest(
-            part["cpu_s"], part.fillna({"error": np.inf}).groupby("code")["error"].transform(front.kept), asked
+            part["cpu_s"], part.fillna({"error": np.inf}).groupby("code")["error"].transform(front.lasting_error), asked
         )
         if best is None:
             words.append("not reached")

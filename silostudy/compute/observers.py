@@ -14,12 +14,14 @@ from silostudy.dem.grid import Grid
 from silostudy.dem.model import Model
 from silostudy.dem.observer import Observer
 from silostudy.dem.run import Run
+from silostudy.dem.stable_now import stable_now
 from silostudy.errors import BadInput
 from silostudy.scene.spheres import space_silo_of
 
 # keys of the section `record`
 FIELDS = "fields"
 STATISTICS = "contact_statistics"
+STABLE = "stable_step"  # read with the statistics
 SOURCES = ("goldhirsch_2010", "weinhart_2012")  # of the fields
 DEEP = 0.05  # of a radius: overlap beyond which the cube warns
 
@@ -37,7 +39,8 @@ def observers_of(scene: AnyScene, model: Model) -> tuple[Observer, ...]:
         read = partial(fields_now, grid=grid, width=width)
         observers.append(Observer(FIELDS, _steps(asked.every_s, model.dt), read))
     if scene.record.contact_statistics is not None:
-        observers.append(Observer(STATISTICS, _steps(scene.record.contact_statistics.every_s, model.dt), statistics))
+        every = _steps(scene.record.contact_statistics.every_s, model.dt)
+        observers += [Observer(STATISTICS, every, statistics), Observer(STABLE, every, lambda engine: (stable_now(engine),))]
     return tuple(observers)
 
 
@@ -71,6 +74,7 @@ def observed(run: Run, scene: AnyScene) -> dict[str, np.ndarray]:
         arrays |= _fields(*_columns(readings), grid_of(scene, asked, model), model)
     if readings := run.recording.readings.get(STATISTICS):
         arrays |= _statistics(*_columns(readings), run.engine.space.ways)
+        arrays["stable_step"] = _columns(run.recording.readings[STABLE])[1][0]
     return arrays
 
 

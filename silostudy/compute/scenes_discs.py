@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from silostudy.compute.scenes_windows import Numbers, Swept, at_rest_and_largest, by_body
+from silostudy.compute.scenes_windows import Numbers, OfFillings, Swept, at_rest_and_largest, by_body
 from silostudy.dem.leaving import SPILT
 from silostudy.dem.run import Run
 from silostudy.scene.plane_silo import FLOOR, HOPPER, SIDES
@@ -36,4 +36,12 @@ def forces(run: Run, opening: float) -> tuple[np.ndarray, np.ndarray]:
     return at_rest_and_largest(run, opening, by_body(run, np.array(run.recording.window)[:, :, 0, 0], BODIES))
 
 
-DISCS = Swept(BODIES, numbers)
+DISCS = Swept(
+    BODIES,
+    numbers,
+    grains="discs_at_start",
+    asked={
+        "mean_wall_force": OfFillings(lambda numbers: float(numbers["resting_normal_force"][0]), scatter=2.5),
+        "mean_outflow": OfFillings(lambda numbers: float(numbers["mean_discharge_rate"]), scatter=3.0),
+    },
+)

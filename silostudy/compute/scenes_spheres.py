@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from silostudy.compute.scenes_windows import Numbers, Swept, at_rest_and_largest, by_body
+from silostudy.compute.scenes_windows import Numbers, OfFillings, Swept, at_rest_and_largest, by_body
 from silostudy.compute.sphere_cube import mean_outflow, passages
 from silostudy.dem.leaving import SPILT
 from silostudy.dem.run import Run
@@ -56,4 +56,12 @@ def felt(run: Run) -> dict[str, np.ndarray]:
     }
 
 
-SPHERES = Swept(BODIES, numbers)
+SPHERES = Swept(
+    BODIES,
+    numbers,
+    grains="grains_at_start",
+    asked={
+        "mean_wall_force": OfFillings(lambda numbers: float(numbers["body_normal_force_at_rest"][0]), scatter=2.3),
+        "mean_outflow": OfFillings(lambda numbers: float(numbers["mean_mass_flow"]), scatter=0.57),
+    },
+)

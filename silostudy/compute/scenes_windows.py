@@ -13,15 +13,29 @@ Numbers = dict[str, np.ndarray]
 
 
 @dataclass(frozen=True)
+class OfFillings:
+    """A quantity whose mean over fillings an accuracy may be asked of: it in a case's numbers, and its expected scatter.
+
+    scatter: relative standard deviation (1) of a filling times the root of its grains, of small scenes of ours.
+    """
+
+    read: Callable[[Numbers], float]
+    scatter: float
+
+
+@dataclass(frozen=True)
 class Swept:
     """Numbers that sweeps take of scenes of one sort of grains.
 
     bodies: what bears on the grains -> the names that its walls have, or begin with; numbers(run, time of its first event) ->
-    those of a case.
+    those of a case; grains: name of the number of grains; asked: what an accuracy may be asked of, by the names in
+    tables/asked.csv.
     """
 
     bodies: Mapping[str, tuple[str, ...]]
     numbers: Callable[[Run, float], Numbers]
+    grains: str
+    asked: Mapping[str, OfFillings]
 
 
 @dataclass(frozen=True)

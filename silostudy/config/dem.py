@@ -12,7 +12,7 @@ from silostudy.config.disc_mixture import DiscPairConfig, OtherDiscConfig, check
 from silostudy.config.fields import Strict, described, one_of
 from silostudy.config.mixture import GRAIN, WALLS
 from silostudy.config.moves import MovingEvent, Takes
-from silostudy.config.run import GrainScene, Recorded
+from silostudy.config.run import MEANS, GrainScene, Recorded
 from silostudy.config.surfaces import apart_from, in_place
 from silostudy.contact import LAWS
 from silostudy.dem.inserts import LINES
@@ -122,7 +122,7 @@ DiscOutput: TypeAlias = Literal[DRAWN]  # type: ignore[valid-type]
 class DemScene(Asked, GrainScene):
     """A discrete-element scene of discs."""
 
-    fronts: ClassVar[tuple[str, ...]] = ("dem",)
+    fronts: ClassVar[tuple[str, ...]] = ("dem", MEANS)
     joins: ClassVar[tuple[Family, ...]] = tuple(LAWS.values())
 
     kind: Literal["dem"] = described("dem: discrete elements", "")
@@ -220,7 +220,7 @@ class DemScene(Asked, GrainScene):
 
     @model_validator(mode="after")
     def _one_step(self) -> Self:
-        if self.accuracy is not None and self.march.step_s is not None:
+        if self.decides("march.step_factor") and self.march.step_s is not None:
             raise ValueError("give either accuracy or march.step_s, and not both")
         return self
 

@@ -37,6 +37,6 @@ class FieldsConfig(Strict):
 
 
 class StatisticsConfig(Strict):
-    """Statistics of the contacts: coordination, fabric, share that slides, overlaps, at instants."""
+    """Statistics of the contacts at instants: coordination, fabric, share that slides, overlaps, the longest stable step."""
 
     every_s: float = described("time between readings", "s", gt=0)

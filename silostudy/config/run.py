@@ -13,10 +13,12 @@ from silostudy.dem.events import TRIGGERS
 from silostudy.dem.integrate import INTEGRATORS, PLAIN
 from silostudy.dem.outcomes import OUTCOMES
 from silostudy.dem.rest import REST
+from silostudy.tables.asked import quantities
 
 CriterionKey: TypeAlias = Literal[tuple(REST)]  # type: ignore[valid-type]
 TriggerKey: TypeAlias = Literal[tuple(TRIGGERS)]  # type: ignore[valid-type]
 IntegratorKey: TypeAlias = Literal[tuple(INTEGRATORS)]  # type: ignore[valid-type]
+MEANS = "fillings"  # what tables/asked.csv files quantities under that are means over fillings
 if TYPE_CHECKING:
     ExpectedConfig = Any
 else:
@@ -150,6 +152,18 @@ class GrainScene(OwnMethods):
         ]
         if unfelt:
             raise ValueError(f"expected: {', '.join(unfelt)} needs record.wall_force_window_s")
+        return self
+
+    @property
+    def of_fillings(self) -> dict[str, float]:
+        """Relative errors asked for of means over fillings, by quantity."""
+        asked = getattr(self, "accuracy", None) or {}
+        return {name: error for name, error in asked.items() if name in quantities((MEANS,))}
+
+    @model_validator(mode="after")
+    def _records_what_means_are_of(self) -> Self:
+        if self.of_fillings and not self.record.wall_force_window_s:
+            raise ValueError(f"accuracy: {', '.join(self.of_fillings)} needs record.wall_force_window_s")
         return self
 
     @model_validator(mode="after")

@@ -8,7 +8,9 @@ from pydantic import Discriminator, Tag, model_validator
 
 from silostudy.config.fields import Strict, described
 from silostudy.config.grain_scenes import SCENES, AnyScene, scene_class
+from silostudy.config.run import MEANS
 from silostudy.config.study import SweepStudy
+from silostudy.tables.asked import quantities
 from silostudy.tables.outputs import OUTPUTS
 
 
@@ -64,6 +66,8 @@ class ScenesStudy(SweepStudy):
             for grains in SCENES:
                 if f"only_{grains}" in OUTPUTS[key].demands and self.scene.grains != grains:
                     raise ValueError(f"output {key} needs scene.grains: {grains}")
+            if "means" in OUTPUTS[key].demands and not self.of_fillings:
+                raise ValueError(f"output {key} needs scene.accuracy of {' or '.join(quantities((MEANS,)))}")
         return self
 
     @model_validator(mode="after")
@@ -104,6 +108,13 @@ class ScenesStudy(SweepStudy):
         """Diameter of the scene's round silo, or width of its plane one (m)."""
         silo: Any = self.scene.silo
         return silo.width_m if self.scene.grains == "discs" else silo.diameter_m
+
+    @property
+    def of_fillings(self) -> tuple[str, ...]:
+        """Quantities whose means over fillings an accuracy is asked of, by the scene or by an axis."""
+        swept = [key.removeprefix("accuracy.") for axis in self.sweep for key in axis.settings()[0]]
+        known = quantities((MEANS,))
+        return tuple(dict.fromkeys(name for name in (*(self.scene.accuracy or ()), *swept) if name in known))
 
     @property
     def settings(self) -> str:

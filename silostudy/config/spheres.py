@@ -5,11 +5,12 @@ from typing import TYPE_CHECKING, Any, ClassVar, Literal, Self, TypeAlias
 from pydantic import model_validator
 
 from silostudy.catalogue import Family
+from silostudy.config.asked import Asked
 from silostudy.config.elastic import GrainConfig, MaterialConfig, TouchConfig
 from silostudy.config.fields import Strict, described, one_of
 from silostudy.config.mixture import GRAIN, WALLS, OtherGrainConfig, PairConfig, SizesConfig, SphereSurfaceConfig, check_kinds
 from silostudy.config.observers import Cells
-from silostudy.config.run import GrainScene, Recorded
+from silostudy.config.run import MEANS, GrainScene, Recorded
 from silostudy.config.scene import Silo
 from silostudy.config.sphere_events import SphereEventConfig
 from silostudy.config.surfaces import in_place
@@ -54,9 +55,10 @@ class SphereRecordConfig(Recorded):
     )
 
 
-class SphereScene(GrainScene):
+class SphereScene(Asked, GrainScene):
     """A discrete-element scene of spheres in a silo."""
 
+    fronts: ClassVar[tuple[str, ...]] = (MEANS,)
     joins: ClassVar[tuple[Family, ...]] = tuple(SPHERE_LAWS.values())
 
     kind: Literal["dem"] = described("dem: discrete elements", "")

@@ -9,6 +9,7 @@ least damped contact gives to their stiffness (eqs. 17, 19 need some).
 from dataclasses import dataclass
 from functools import partial
 from math import floor, log10, sqrt
+from typing import Any
 
 import numpy as np
 from scipy.sparse import csr_matrix, diags, vstack
@@ -19,7 +20,7 @@ from silostudy.dem.integrate import INTEGRATORS
 from silostudy.dem.model import Model
 from silostudy.dem.packed import differing, least_of_kind, packings
 from silostudy.dem.snapshot import length
-from silostudy.dem.strength import damping_of, springs, stiffness_of
+from silostudy.dem.strength import DEEP, damping_of, springs, stiffness_of
 from silostudy.dem.varied import set_of_pair
 from silostudy.errors import BadInput
 
@@ -52,17 +53,20 @@ class Extremes:
         return oscillators
 
 
-def longest_step(model: Model) -> float:
+def longest_step(model: Model, walls: Any = None, deep: float = DEEP) -> float:
     """Longest time step (s) that keeps every motion of the linear contacts bounded, and of a lone contact of two discs or a
-    disc and a wall, which may come."""
-    contacts = _contacts(model)
-    fixed = None if _implicit(model) else _extremes(model, contacts, 0.0)
+    disc and a wall, which may come.
+
+    walls: as they stand, None: as the model has them; deep: overlap over the largest radius at which curved laws' slopes are.
+    """
+    contacts = _contacts(model, model.space.walls_of(model.walls) if walls is None else walls)
+    fixed = None if _implicit(model) else _extremes(model, contacts, 0.0, deep)
 
     def holds(dt: float) -> bool:
-        extremes = fixed or _extremes(model, contacts, dt)
+        extremes = fixed or _extremes(model, contacts, dt, deep)
         return all(_bounded(model.integrator, *corner, dt) for corner in extremes.corners)
 
-    short, long = 0.0, 4.0 / np.sqrt((fixed or _extremes(model, contacts, 0.0)).stiffness)
+    short, long = 0.0, 4.0 / np.sqrt((fixed or _extremes(model, contacts, 0.0, deep)).stiffness)
     while holds(long):
         short, long = long, 2.0 * long
     for _ in range(HALVINGS):
@@ -88,7 +92,8 @@ def packed_bound(model: Model) -> float:
 
 def standing(model: Model, bound: float) -> float:
     """The bound (s); BadInput where an integrator that feeds energy into undamped springs leaves next to nothing of it."""
-    plain = 2.0 / sqrt(_extremes(model, _contacts(model), bound).stiffness)
+    contacts = _contacts(model, model.space.walls_of(model.walls))
+    plain = 2.0 / sqrt(_extremes(model, contacts, bound, DEEP).stiffness)
     if bound > HOPELESS * plain:
         return bound
     springs = ", ".join(_undamped(model)) or "the least damped contact"
@@ -141,7 +146,7 @@ def _bounded(integrator: str, total: float, incremental: float, damping: float, 
     return bool(np.abs(np.linalg.eigvals(matrix * scale[:, None])).max() <= 1.0 + 1e-9)
 
 
-def _contacts(model: Model) -> list[tuple]:
+def _contacts(model: Model, walls: Any) -> list[tuple]:
     """Contacts that are or will be at once: (contact, first, second, normals); second is None for walls."""
     place = model.place
     i, j = cKDTree(place).query_pairs((2.0 + NEAR) * model.radius.max(), output_type="ndarray").reshape(-1, 2).T
@@ -163,7 +168,6 @@ def _contacts(model: Model) -> list[tuple]:
         for first in range(second + 1)
         if (these := set_of_pair(kind[i], kind[j]) == set_of_pair(first, second)).any() or model.kinds == 1
     ]
-    walls = model.space.walls_of(model.walls)
     for q in np.flatnonzero(walls.live):
         away = model.space.all_from_wall(walls.shape, q, place)
         distance = length(away)
@@ -185,9 +189,9 @@ def _lone(model: Model) -> list[tuple]:
     return contacts
 
 
-def _extremes(model: Model, contacts: list[tuple], dt: float) -> Extremes:
+def _extremes(model: Model, contacts: list[tuple], dt: float, deep: float) -> Extremes:
     """Extremes of all contacts together and of lone contacts of the lightest bodies, at this step."""
-    stiff, damp, lone = partial(stiffness_of, dt=dt), partial(damping_of, dt=dt), _lone(model)
+    stiff, damp, lone = partial(stiffness_of, dt=dt, deep=deep), partial(damping_of, dt=dt, deep=deep), _lone(model)
     ratios = [
         d.min() / k.min()
         for contact, i, j, *_ in (*contacts, *lone)

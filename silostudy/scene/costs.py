@@ -24,6 +24,7 @@ from silostudy.scene.spheres import contacts_of, grain_of
 START = 0.02  # s: building a scene
 LINE = 100  # bytes of a body in a file
 UNKNOWN = np.array([1e-3])  # m: radius of spheres whose sizes stand in a file
+OF_MEAN = 32  # fillings of a case whose mean is asked for: as many as its scatter asks for, some tens
 DRAWN = 200  # sizes that the ends of a distribution are guessed from
 
 
@@ -45,7 +46,8 @@ def cost(case: SceneCase) -> float:
     scene, folder = case.config, case.folder
     costs = COSTS[scene.grains]
     step = scene.march.step_s or costs.step(scene)
-    return START + duration(scene) / step * (costs.look + costs.count(scene, folder) * costs.body)
+    once = START + duration(scene) / step * (costs.look + costs.count(scene, folder) * costs.body)
+    return OF_MEAN * once if scene.of_fillings else once
 
 
 def duration(scene: AnyScene) -> float:

@@ -13,7 +13,7 @@ class Quantity:
     front: str
     name: str
     title: str
-    decides: tuple[str, ...]
+    decides: tuple[str, ...]  # none: the runs themselves find out how many they must be
 
 
 def _quantity(raw: dict) -> Quantity:

@@ -40,7 +40,7 @@ def test_errors_come_from_fillings_and_fall_with_the_step(small):
     assert all(len(set(errors)) == 4 for errors in found.error.values())
     means = [found.error["17-18", factor].mean() for factor in (1.0, 0.25)]
     assert means[1] < 0.6 * means[0]
-    assert found.kept(("17-18", 1.0)) <= found.error["17-18", 1.0].max()
+    assert found.error_kept(("17-18", 1.0)) <= found.error["17-18", 1.0].max()
 
 
 @pytest.mark.long

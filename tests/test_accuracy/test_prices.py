@@ -6,10 +6,12 @@ import numpy as np
 import pytest
 
 from silostudy.accuracy.instructions import count, missing
+from silostudy.accuracy.price_table import scenes_of_spheres
 from silostudy.accuracy.prices import prices, still, without
 from silostudy.accuracy.silo import silo_of_rows
 from silostudy.dem.engine import Engine
 from tests.conftest import ROOT
+from tests.test_accuracy import by_hand_spheres
 from tests.test_accuracy.by_hand import engines, silos
 
 MOST = 0.02  # of the instructions by hand
@@ -68,6 +70,35 @@ def test_instructions_of_the_built_kernel_beside_the_one_by_hand():
     for name in SILOS:
         assert counted[f"{name}, by hand"] > 1e7
         assert counted[f"{name}, built"] / counted[f"{name}, by hand"] < 1.0 + MOST
+
+
+@pytest.mark.long
+def test_spheres_by_hand_give_the_same_bits():
+    pair = by_hand_spheres.engines(by_hand_spheres.smooth_spheres(500))
+    for engine in pair.values():
+        engine.step_to(3000)
+    built, by_hand = (engine.bodies.rows[: engine.n, :9] for engine in pair.values())
+    assert np.abs(built[:, 5]).max() > 0
+    assert np.array_equal(built, by_hand)
+
+
+@pytest.mark.long
+@pytest.mark.skipif(bool(missing()), reason=missing() or "counted")
+def test_instructions_of_spheres_beside_a_kernel_by_hand():
+    counted = count("tests.test_accuracy.by_hand_spheres:work", ROOT)
+    assert counted["spheres, by hand"] > 1e7
+    assert counted["spheres, built"] / counted["spheres, by hand"] < 1.0 + MOST
+
+
+def test_every_family_of_laws_of_spheres_has_a_price():
+    effects = set().union(*(without(model) for model in scenes_of_spheres()))
+    laws = {"rolling resistance", "cohesion", "twisting resistance"}
+    assert effects == {"friction, rotation, history", "wall forces every step", *laws}
+    for model in scenes_of_spheres():
+        for name, (whole, less) in without(model).items():
+            acting = [sum(row.acts for row in one.pair_contact.rows) for one in (whole, less)]
+            assert acting[1] < acting[0] or name == "wall forces every step"
+            assert np.array_equal(whole.place, less.place)
 
 
 def two_sums():

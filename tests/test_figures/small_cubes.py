@@ -13,7 +13,8 @@ from silostudy.compute.axes import sweep_of
 from silostudy.compute.dem_cube import cube_of as dem_cube
 from silostudy.compute.observers import grid_of
 from silostudy.compute.published import coordinates as published_coordinates
-from silostudy.compute.scenes import coordinates as scene_coordinates
+from silostudy.compute.scenes import SWEPT, coordinates
+from silostudy.compute.scenes_means import mean_numbers
 from silostudy.config.load import read_yaml
 from silostudy.cube.assemble import assemble
 from silostudy.scene.expand import Expansion
@@ -165,7 +166,7 @@ def jam_cube(study: str) -> xr.Dataset:
 def emptying_cube(study: str) -> xr.Dataset:
     """The cube of a sweep of silos of spheres that empty evenly in two seconds, each filling a little slower."""
     expansion = expansion_of(study)
-    share = scene_coordinates(expansion.study)["flow_share"]
+    share = coordinates(expansion.study)["flow_share"]
     slower = 1.0 + 0.1 * np.arange(expansion.shape[-1])
     left = np.broadcast_to(1.0 - share / slower[:, None], (*expansion.shape, len(share)))
     numbers = {"share_left": left, "flow_share": share, "first_event_time": np.full(expansion.shape, 0.5)}
@@ -180,6 +181,39 @@ def published_cube(study: str, off: tuple[float, ...] = (0.5, -0.8, 0.1)) -> xr.
     own = published_coordinates(expansion.study)
     values = np.broadcast_to(np.array(off)[:, None], (*expansion.shape, len(own["expectation"])))
     return assemble(expansion.study, "published", {"off_published": values} | own, sources=[], sweep=sweep_of(expansion))
+
+
+@cache
+def certified_cube(study: str) -> xr.Dataset:
+    """The cube of a sweep whose means are certified, of runs that are made up: no kernel is compiled."""
+    expansion = expansion_of(study)
+    shape = tuple(len(axis.settings()) for axis in expansion.study.sweep)
+
+    def run(scene) -> dict:
+        flow, push = 1.0 + 0.1 * np.random.default_rng([scene.seed, round(1e3 * scene.march.step_factor)]).normal(size=2)
+        found = {
+            "mean_mass_flow": flow,
+            "body_normal_force_at_rest": [push, 0.0, 0.0],
+            "grains_at_start": 400.0,
+            "time_step": 1e-5,
+        }
+        return {name: np.array(value) for name, value in found.items()}
+
+    cases = [mean_numbers(case.scene.config, run, SWEPT["spheres"]) for case in expansion.cases]
+    numbers = {name: np.array([case[name] for case in cases]) for name in cases[0]}
+    numbers = {name: values.reshape(*shape, *values.shape[1:]) for name, values in numbers.items()}
+    return assemble(expansion.study, "scenes", numbers | coordinates(expansion.study), sources=[], sweep=sweep_of(expansion))
+
+
+@cache
+def ladder_cube(study: str) -> xr.Dataset:
+    """The cube of a sweep over settings and fillings, each setting a little off the first: no kernel is compiled."""
+    expansion = expansion_of(study)
+    shape = tuple(len(axis.settings()) for axis in expansion.study.sweep)
+    off = 0.01 * np.arange(shape[0])[:, None] + 0.05 * np.random.default_rng(0).normal(size=shape)
+    numbers = {"mean_mass_flow": 0.2 * (1.0 + off), "unit_weight_at_rest": 8e3 * (1.0 + 0.1 * off),
+               "body_normal_force_at_rest": 3.0 * (1.0 - off)[..., None] * np.ones(3)}  # fmt: skip
+    return assemble(expansion.study, "scenes", numbers | coordinates(expansion.study), sources=[], sweep=sweep_of(expansion))
 
 
 def _nothing(*_: object) -> None:
@@ -263,7 +297,8 @@ def cubes_of(output: str) -> list[xr.Dataset]:
     if OUTPUTS[output].stage == "dem":
         return [bin_cube()]
     if OUTPUTS[output].stage == "scenes":
-        return [flow_cube(study_of(output))]
+        made = {"certificates": certified_cube, "ladders": ladder_cube}.get(output, flow_cube)
+        return [made(study_of(output))]
     if OUTPUTS[output].stage == "laboratory":
         return [made_up(expansion_of(study_of(output)))]
     row, study = OUTPUTS[output], study_of(output)

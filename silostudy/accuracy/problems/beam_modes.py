@@ -31,8 +31,8 @@ def prepare(ladder: str, setting: float):
         some = first(ends, int(setting))
         shear, moment = internal_forces(base, dt, some, 0.0)
         top = absolute_acceleration(base, dt, some, 0.0)[1]
-        found = {"top_acceleration": top, "base_shear": shear[0], "base_moment": moment[0]}
-        return {name: history[::every] for name, history in found.items()}
+        values = {"top_acceleration": top, "base_shear": shear[0], "base_moment": moment[0]}
+        return {name: history[::every] for name, history in values.items()}
 
     return run
 

@@ -43,8 +43,8 @@ def _run(integrator: str, dt: float, stiffness: float, members: int, first: int 
         models.append(replace(softened(model, stiffness), integrator=integrator, dt=dt, watched=True))
 
     def run():
-        each = [_discharge(model) for model in models]
-        return {name: np.array([one[name] for one in each]) for name in each[0]}
+        runs = [_discharge(model) for model in models]
+        return {name: np.array([numbers[name] for numbers in runs]) for name in runs[0]}
 
     return run
 
@@ -56,8 +56,8 @@ def _discharge(model) -> dict[str, float]:
     done = run.go()
     if done.explosion is not None:
         return {"discharge_rate": np.nan, "wall_peak": np.nan}
-    each = sums_by_wall(model, np.array(done.window)[:, :, 0, 0], axis=1)
-    left, right = (each[name] for name in SIDES)
+    pushes = sums_by_wall(model, np.array(done.window)[:, :, 0, 0], axis=1)
+    left, right = (pushes[name] for name in SIDES)
     force = left + right
     before = np.array(done.window_time) <= REST
     return {

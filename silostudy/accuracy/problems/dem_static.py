@@ -62,11 +62,11 @@ def _run(model, skin: float = 0.0, march=Engine.step_to):
 
 def _timed_in_double(model):
     """What the rounded run gives, found before the clock runs; the call that is timed makes the run in double."""
-    found, double = _run(model, march=step_rounded)(), _run(model)
+    forces, double = _run(model, march=step_rounded)(), _run(model)
 
     def run():
         double()
-        return found
+        return forces
 
     return run
 

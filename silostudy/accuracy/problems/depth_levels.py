@@ -33,7 +33,7 @@ def reference():
     """What the wall carries is the weight less what the vertical pressure passes on; the peak by a bounded search."""
     radius = SILO["hydraulic_radius"]
     carried = (SILO["unit_weight"] * DEPTH - call(janssen.vertical_pressure, DEPTH, SILO)) * radius
-    peaks = np.array([_peak({**SILO, "hydraulic_radius": one}) for one in radius[:, 0]])
+    peaks = np.array([_peak({**SILO, "hydraulic_radius": size}) for size in radius[:, 0]])
     return {"wall_force": carried[:, 0], "peak_pressure": peaks}
 
 
@@ -43,7 +43,7 @@ def _peak(silo) -> float:
     k = int(np.argmax(call(jenike_mass_flow.envelope_pressure, z, silo)))
     near = (z[max(k - 1, 0)], z[min(k + 1, z.size - 1)])
     inside = minimize_scalar(
-        lambda at: -float(call(jenike_mass_flow.envelope_pressure, at, silo)), bounds=near, method="bounded",
+        lambda z: -float(call(jenike_mass_flow.envelope_pressure, z, silo)), bounds=near, method="bounded",
         options={"xatol": 1e-12},
     )  # fmt: skip
     return max(-inside.fun, float(call(jenike_mass_flow.envelope_pressure, DEPTH, silo)))

@@ -22,10 +22,10 @@ def prepare(ladder: str, setting: float):
 
     def run():
         if ladder == "exact recursion":
-            found = oscillators(base, setting, [NATURAL], DAMPING)[0][0]
+            response = oscillators(base, setting, [NATURAL], DAMPING)[0][0]
         else:  # the mean-acceleration method is the trapezoidal rule, which is the bilinear transform of the oscillator
-            found = lfilter(*bilinear([-1.0], [1.0, 2 * DAMPING * omega, omega**2], 1 / setting), base)
-        return {"displacement": found[:: round(STEPS[0] / setting)], "peak": np.abs(found).max()}
+            response = lfilter(*bilinear([-1.0], [1.0, 2 * DAMPING * omega, omega**2], 1 / setting), base)
+        return {"displacement": response[:: round(STEPS[0] / setting)], "peak": np.abs(response).max()}
 
     return run
 

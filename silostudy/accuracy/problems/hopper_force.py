@@ -48,10 +48,10 @@ def reference():
     """What equilibrium leaves to the wall: weight and load from above, less what ring and outlet carry."""
     shape = {name: BIN[name] for name in parameters_of(hopper_shape.contents)}
     top, bottom = (hopper_shape.contents(x, **shape) for x in (TOP, BOTTOM))
-    found = {}
+    forces = {}
     for phase in PHASES:
         load, ring, outlet = (
             call(ROW.totals[phase][f"{name}_force"], None, BIN) for name in ("transition", "ring", "outlet")
         )  # fmt: skip
-        found[f"{phase}_force"] = (BIN["unit_weight"] * (top - bottom) + load - ring - outlet)[:, 0]
-    return found
+        forces[f"{phase}_force"] = (BIN["unit_weight"] * (top - bottom) + load - ring - outlet)[:, 0]
+    return forces

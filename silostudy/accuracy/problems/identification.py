@@ -34,7 +34,9 @@ def prepare(ladder: str, setting: float):
     def run():
         bank = identify.bank(question)
         random = np.random.default_rng(SEED)
-        return {"effective_mass_coefficient": np.array([identify.estimate(bank, one, random).coefficient for one in measured])}
+        return {
+            "effective_mass_coefficient": np.array([identify.estimate(bank, record, random).coefficient for record in measured])
+        }
 
     return run
 

@@ -54,9 +54,9 @@ def _utilisation(z, force, share, solid, wall):
 
 def reference():
     """The force by Gauss' rule; the largest utilisation by a bounded search in every strake."""
-    each = [({**SOLID, "hydraulic_radius": radius / 2}, {**WALL, "inner_radius": radius}) for radius in RADIUS[:, 0]]
-    force = [_force(DEPTH, solid) for solid, _ in each]
-    return {"axial_wall_force": np.array(force), "utilisation": np.array([_largest(*one) for one in each])}
+    shells = [({**SOLID, "hydraulic_radius": radius / 2}, {**WALL, "inner_radius": radius}) for radius in RADIUS[:, 0]]
+    force = [_force(DEPTH, solid) for solid, _ in shells]
+    return {"axial_wall_force": np.array(force), "utilisation": np.array([_largest(*shell) for shell in shells])}
 
 
 def _force(z: float, solid: dict) -> float:
@@ -65,7 +65,7 @@ def _force(z: float, solid: dict) -> float:
 
 
 def _largest(solid: dict, wall: dict) -> float:
-    found, top = [], 0.0
+    parts, top = [], 0.0
     for edge, share in STRAKES:
         ends = (top * DEPTH, edge * DEPTH)
 
@@ -73,6 +73,6 @@ def _largest(solid: dict, wall: dict) -> float:
             return float(_utilisation(z, _force(z, solid), share, solid, wall))
 
         inside = minimize_scalar(lambda z, used=used: -used(z), bounds=ends, method="bounded", options={"xatol": 1e-10})
-        found += [used(edge * DEPTH), -inside.fun]
+        parts += [used(edge * DEPTH), -inside.fun]
         top = edge
-    return max(found)
+    return max(parts)

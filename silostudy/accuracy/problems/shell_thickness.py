@@ -33,9 +33,9 @@ def prepare(ladder: str, setting: float):
     given, force = {name: np.tile(values, MANY) for name, values in given.items()}, np.tile(force, MANY)
 
     def run():
-        found = required_thickness(RULE, given | UNUSED, force, SAFETY, int(setting))[0]
-        strength = with_thickness(RULE, given | UNUSED, found)["buckling_stress"]
-        return {"required_thickness": found[:SHELLS], "strength": strength[:SHELLS]}
+        thickness = required_thickness(RULE, given | UNUSED, force, SAFETY, int(setting))[0]
+        strength = with_thickness(RULE, given | UNUSED, thickness)["buckling_stress"]
+        return {"required_thickness": thickness[:SHELLS], "strength": strength[:SHELLS]}
 
     return run
 
@@ -47,10 +47,10 @@ def reference():
     with localcontext() as context:
         context.prec = DIGITS
         for k in range(SHELLS):
-            one = {name: Decimal(float(values[k])) for name, values in given.items()}
+            numbers = {name: Decimal(float(values[k])) for name, values in given.items()}
             load = Decimal(float(force[k])) * Decimal(SAFETY)
-            found = _root(lambda t, one=one, load=load: _strength(t, one) * t / load - 1, one["inner_radius"])
-            thickness[k], strength[k] = found, _strength(found, one)
+            root = _root(lambda t, numbers=numbers, load=load: _strength(t, numbers) * t / load - 1, numbers["inner_radius"])
+            thickness[k], strength[k] = root, _strength(root, numbers)
     return {"required_thickness": thickness, "strength": strength}
 
 

@@ -1,0 +1,95 @@
+"""Three ways to keep an accuracy asked for, tried side by side on the same scenes: the front alone, a certificate, or both.
+
+Front alone: settings by what was measured on other scenes.  Certificate: the runs find out their own error, from scratch.
+Front then certificate: they begin with what the front expects.
+"""
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from functools import partial
+
+import numpy as np
+
+from silostudy.accuracy import fronts_packing
+from silostudy.accuracy.trial import Trial
+from silostudy.choice.fronts import rows_for
+from silostudy.choice.means import NORMAL, PRIOR, enough
+
+WAYS = ("front", "certificate", "front then certificate")
+START = 4  # fillings of a certificate that knows nothing beforehand
+DRAWS = 25  # of the runs of a silo
+ASKED = (0.012, 0.06)  # errors asked for lie between
+MADE, SPREAD = 400, 0.35  # scenes made up; standard deviation of the logarithm of their scatter over the expected one
+SCATTER, ASKED_OF_MADE = (0.03, 0.2), (0.01, 0.1)
+
+Draw = Callable[[int], np.ndarray]  # count -> so many values
+
+
+@dataclass(frozen=True)
+class Scattered:
+    """A mean that fillings scatter about: draws of them, its right value, the scatter expected and the one there is (1)."""
+
+    name: str
+    draw: Draw
+    right: float
+    expected: float
+    scatter: float
+
+
+def trials_of_means(scenes: Iterator[tuple[Scattered, float]]) -> list[tuple[str, Trial]]:
+    """What each way gives on scenes with the error asked of each; costs are numbers of fillings."""
+    tried = []
+    for scene, asked in scenes:
+        least = max(1.0, np.ceil((NORMAL * scene.scatter / asked) ** 2))
+        for way in WAYS:
+            values = means_by(way, scene, asked)
+            error = abs(values.mean() / scene.right - 1.0)
+            tried.append((way, Trial(scene.name, "mean", asked, error, len(values), least, len(values), least)))
+    return tried
+
+
+def means_by(way: str, scene: Scattered, asked: float) -> np.ndarray:
+    """The values that a way computes for an error asked for."""
+    if way == "front":  # the scatter that 95 % of scenes keep
+        widest = scene.expected * np.exp(1.645 * SPREAD)
+        return scene.draw(max(1, int(np.ceil((NORMAL * widest / asked) ** 2))))
+    start, prior = (START, 0) if way == "certificate" else (1, PRIOR)
+    values = scene.draw(start)
+    while (count := enough(values, asked, scene.expected, prior)) > len(values):
+        values = np.concatenate([values, scene.draw(count - len(values))])
+    return values
+
+
+def made_up(seed: int = 0) -> Iterator[tuple[Scattered, float]]:
+    """Scenes whose fillings are normal about 1, each with the error asked of it."""
+    random = np.random.default_rng(seed)
+    for _ in range(MADE):
+        scatter, asked = (float(np.exp(random.uniform(*np.log(ends)))) for ends in (SCATTER, ASKED_OF_MADE))
+        expected = scatter * float(np.exp(SPREAD * random.normal()))
+        yield Scattered("made up", partial(_normal, random, scatter), 1.0, expected, scatter), asked
+
+
+def _normal(random: np.random.Generator, scatter: float, count: int) -> np.ndarray:
+    return 1.0 + scatter * random.normal(size=count)
+
+
+def _picked(random: np.random.Generator, values: np.ndarray, count: int) -> np.ndarray:
+    return np.asarray(random.choice(values, count))
+
+
+def packings(tell: Callable[[str], None], silos: int, runs: int) -> Iterator[tuple[Scattered, float]]:
+    """Silos of discs that the front was not measured on, with runs of theirs to draw from; several errors asked of each."""
+    random = np.random.default_rng(2)
+    (row,) = (row for row in rows_for(["packing"], ["rest_side_share"]) if row.given["runs"] == runs_of_front())
+    for silo in fronts_packing.silos(1, silos, (7, 13)):
+        shares, _ = fronts_packing.shares(silo, range(runs))
+        expected = row.error * silo.number * row.given["runs"] ** 0.5 / NORMAL
+        scatter = float(shares.std(ddof=1) / shares.mean())
+        tell(f"packing: {runs} runs scatter by {scatter:.1%}, expected {expected:.1%}")
+        for asked in np.exp(random.uniform(*np.log(ASKED), size=DRAWS)).tolist():
+            yield Scattered("packing", partial(_picked, random, shares), float(shares.mean()), expected, scatter), asked
+
+
+def runs_of_front() -> int:
+    """The largest number of runs that the front of packings was measured for: means of so many are nearly normal."""
+    return max(row.given["runs"] for row in rows_for(["packing"], ["rest_side_share"]))
