@@ -10,7 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from silostudy.accuracy import fronts_dem
-from silostudy.accuracy.certificates import WAYS
+from silostudy.accuracy.certificates import WAYS, asked_at_random
 from silostudy.accuracy.trial import Trial
 from silostudy.choice.dem import scene_traits
 from silostudy.choice.fronts import rows_for
@@ -92,7 +92,7 @@ def trials_of_step(tell: Callable[[str], None], silos: int, fillings: int) -> li
         group = fillings_of(content, fillings)
         lasting = np.quantile([filling.error for filling in group], fronts_dem.SHARE, axis=0)
         for filling in group:
-            for asked in np.exp(random.uniform(*np.log(fronts_dem.ASKED), size=ASKED)).tolist():
+            for asked in asked_at_random(random, fronts_dem.ASKED, ASKED):
                 least = min(filling.cost[lasting <= asked], default=np.nan)
                 tried += [(way, Trial("dem", "wall_force", asked, *filling.by(way, asked), least)) for way in WAYS]
         tell(f"discs: silo {number} of {silos}")

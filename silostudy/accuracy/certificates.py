@@ -69,6 +69,12 @@ def made_up(seed: int = 0) -> Iterator[tuple[Scattered, float]]:
         yield Scattered("made up", partial(_normal, random, scatter), 1.0, expected, scatter), asked
 
 
+def asked_at_random(random: np.random.Generator, ends: tuple[float, float], count: int) -> list[float]:
+    """Errors to ask for between two ends, even in their logarithms."""
+    low, high = np.log(ends)
+    return np.exp(random.uniform(low, high, count)).tolist()
+
+
 def _normal(random: np.random.Generator, scatter: float, count: int) -> np.ndarray:
     return 1.0 + scatter * random.normal(size=count)
 
@@ -86,7 +92,7 @@ def packings(tell: Callable[[str], None], silos: int, runs: int) -> Iterator[tup
         expected = row.error * silo.number * row.given["runs"] ** 0.5 / NORMAL
         scatter = float(shares.std(ddof=1) / shares.mean())
         tell(f"packing: {runs} runs scatter by {scatter:.1%}, expected {expected:.1%}")
-        for asked in np.exp(random.uniform(*np.log(ASKED), size=DRAWS)).tolist():
+        for asked in asked_at_random(random, ASKED, DRAWS):
             yield Scattered("packing", partial(_picked, random, shares), float(shares.mean()), expected, scatter), asked
 
 
