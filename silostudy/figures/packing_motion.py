@@ -27,7 +27,7 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     films = [Film(cube, film) for film in discs.films(cube, moving=True)]
     columns = min(2, len(films))
     rows = -(-len(films) // columns)
-    figure, panels = plt.subplots(rows, columns, figsize=(WIDTH, 7.4 * rows / columns + 1.8), squeeze=False)
+    figure, panels = plt.subplots(rows, columns, figsize=(WIDTH, 6.2 * rows / columns + 1.8), squeeze=False)
     for panel in panels.flat[len(films) :]:
         panel.axis("off")
     for film, panel in zip(films, panels.flat, strict=False):
