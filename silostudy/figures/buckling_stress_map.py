@@ -51,7 +51,7 @@ def _point_out(panel: Axes, stress: xr.DataArray) -> None:
 
 
 def _message(cube: xr.Dataset) -> str:
-    """What the map says, in numbers: the least and the largest stress that rules give a wall that is not perfect."""
+    """Message of the map, in numbers: the least and the largest stress that rules give a wall that is not perfect."""
     wall = cube.sel(DOT, method="nearest")
     here = wall["buckling_stress"].where(wall["elastic_knockdown_factor"] < 1.0).dropna("rule")
     here = here.sortby(here)

@@ -52,7 +52,7 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
 
 
 def _message(wall: xr.Dataset, depth: np.ndarray) -> str:
-    """What the figure says, in numbers: the largest utilisation with the first rule, its check and depth."""
+    """Message of the figure, in numbers: the largest utilisation with the first rule, its check and depth."""
     used, check = _governing(wall, UTILISATION[2], wall[UTILISATION[2]])
     place = int(np.nanargmax(used))
     words = check[place].replace("_", " ")
@@ -61,7 +61,7 @@ def _message(wall: xr.Dataset, depth: np.ndarray) -> str:
 
 
 def _told(wall: xr.Dataset) -> list[str]:
-    """What the combinations are, and what the figure does not check and why."""
+    """Words on the combinations, and on what the figure does not check and why."""
     names = (f"{key} {wall['combination_title'].sel(combination=key).values}" for key in _made(wall))
     return ["; ".join(names), *unchecked(wall)]
 
@@ -112,7 +112,7 @@ def _first(wall: xr.Dataset) -> str:
 
 
 def _governing(wall: xr.Dataset, name: str, values: xr.DataArray) -> tuple[np.ndarray, list[str]]:
-    """(largest number at every place, the check behind it) with the first rule, over the ends of the wall friction."""
+    """Largest number at every place and the check behind it with the first rule, over the ends of the wall friction."""
     here = values.isel(rule=0)
     flags, meanings = wall[f"{name}_check"].isel(rule=0), wall[f"{name}_check"].attrs["flag_meanings"].split()
     end = here.fillna(-np.inf).argmax("wall_friction_end")

@@ -146,7 +146,7 @@ def _draw_ranks(panel: Axes, cube: xr.Dataset, ranks: pd.DataFrame) -> None:
 
 
 def _message(ranks: pd.DataFrame) -> str:
-    """What the figure says, in numbers."""
+    """Sentence on what the figure says, in numbers."""
     words = {"filling": "after filling", "switch": "at the switch to flow", "discharge": "in discharge"}
     spans = ranks.groupby("phase").largest_kPa.agg(["min", "max"])
     told = [

@@ -50,7 +50,7 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
 
 
 def _message(cube: xr.Dataset) -> str:
-    """What the figure says, in numbers: pressure beside the channel over that far from it, and the largest resultant."""
+    """Message of the figure, in numbers: pressure beside the channel over that far from it, and the largest resultant."""
     ratio = cube["adjacent_normal_pressure"] / cube["static_normal_pressure"]
     beside = ratio.isel({str(ratio.dims[-1]): -1})
     largest = float(cube["channel_resultant"].max()) / 1e3

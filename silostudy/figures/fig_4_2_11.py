@@ -43,7 +43,7 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
 
 
 def _message(curves: pd.DataFrame) -> str:
-    """What the figure says, in numbers: the span of the largest pressures in discharge, over Janssen's largest."""
+    """Message of the figure, in numbers: the span of the largest pressures in discharge, over Janssen's largest."""
     peaks = curves[curves.drawn != "misprint"].groupby(["phase", "pressure_method"]).wall_normal_pressure_t_m2.max()
     static = peaks.get(("filling", STATIC), np.nan)
     spans = peaks.groupby("phase").agg(["min", "max"]) / static

@@ -1,4 +1,4 @@
-"""Which load case governs which part of a silo's steel: parts against combinations, with utilisation and check."""
+"""Governing load case of each part of a silo's steel: parts against combinations, with utilisation and check."""
 
 from itertools import pairwise
 from pathlib import Path
@@ -51,7 +51,7 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
 
 
 def _message(cube: xr.Dataset, shown: pd.DataFrame) -> str:
-    """What the table says, in numbers: the part that is used most, with its check and combination."""
+    """Message of the table, in numbers: the part that is used most, with its check and combination."""
     worst = shown.loc[shown.utilisation.idxmax()]
     words = str(cube["combination_title"].sel(combination=worst.combination).values)
     check = worst.governed_by.replace("_", " ")

@@ -1,4 +1,4 @@
-"""Which load case gives the largest wall pressure in the hopper, over H/D and half angle, and the ring force's share."""
+"""Load case with the largest wall pressure in the hopper, over H/D and half angle, and the ring force's share."""
 
 from pathlib import Path
 
@@ -53,7 +53,7 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
 
 
 def _message(cube: xr.Dataset, numbers: pd.DataFrame) -> str:
-    """What the maps say, in numbers: the load case that governs most often, method by method."""
+    """Message of the maps, in numbers: the load case that governs most often, method by method."""
     told = []
     for method, cases in numbers.groupby("pressure_method", sort=False).case:
         shares = cases.value_counts(normalize=True)
@@ -62,7 +62,7 @@ def _message(cube: xr.Dataset, numbers: pd.DataFrame) -> str:
 
 
 def _blank(cube: xr.Dataset, methods: list[str]) -> str:
-    """What a blank place means, with the limits that the methods shown keep; and how ties are told."""
+    """Words on a blank place, with the limits that the methods shown keep; and how ties are told."""
     broken = np.unique(cube["limit_broken"].sel(pressure_method=methods))
     limits = [str(cube["limit"].values[number]).split(" (")[0] for number in broken if number > 0]
     outside = f", or outside the limit {' and '.join(limits)}" if limits else ""
@@ -70,7 +70,7 @@ def _blank(cube: xr.Dataset, methods: list[str]) -> str:
 
 
 def governing(here: xr.Dataset) -> tuple[xr.DataArray, xr.DataArray]:
-    """(number in CASES or NaN, largest pressure in Pa), (half_angle, slenderness); NaN where a phase is masked."""
+    """Number in CASES or NaN, and largest pressure (Pa), each (half_angle, slenderness); NaN where a phase is masked."""
     pressure = here["hopper_normal_pressure"].sel({"phase": ["filling", "discharge"]})
     pressure = pressure.transpose("half_angle", "slenderness", "phase", "hopper_position")
     whole = pressure.notnull().any("hopper_position").all("phase")

@@ -1,4 +1,4 @@
-"""Which method asks for the largest wall pressure, over depth and H/D, a panel for each solid."""
+"""Method with the largest wall pressure, over depth and H/D, a panel for each solid."""
 
 from pathlib import Path
 
@@ -52,7 +52,7 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
 
 
 def _governing(cube: xr.Dataset) -> tuple[xr.DataArray, xr.DataArray]:
-    """(place of the governing method on the method axis or -1, its pressure in Pa), over either phase."""
+    """Place of the governing method on the method axis or -1, and its pressure (Pa), over either phase."""
     pressure = cube["wall_normal_pressure"].max("phase")
     place = pressure.fillna(-np.inf).argmax("pressure_method")
     largest = pressure.max("pressure_method")
@@ -60,7 +60,7 @@ def _governing(cube: xr.Dataset) -> tuple[xr.DataArray, xr.DataArray]:
 
 
 def _message(cube: xr.Dataset, index: xr.DataArray) -> str:
-    """What the figure says, in numbers: the methods that ask for most over the largest shares of depths and silos."""
+    """Message of the figure, in numbers: the methods that ask for most over the largest shares of depths and silos."""
     places, counts = np.unique(index.values[index.values >= 0].astype(int), return_counts=True)
     shares = sorted(zip(counts / counts.sum(), places, strict=True), reverse=True)[:3]
     told = [f"{name(cube, str(cube['pressure_method'].values[place]))} on {100 * share:.0f} %" for share, place in shares]

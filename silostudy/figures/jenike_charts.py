@@ -52,7 +52,7 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
 
 
 def _message(numbers: pd.DataFrame) -> str:
-    """What the charts say, in numbers: the flattest cones in which the solid flows along the wall, by wall friction."""
+    """Message of the charts, in numbers: the flattest cones in which the solid flows along the wall, by wall friction."""
     ends = numbers[numbers.chart == "q_2"].groupby("wall_friction_angle_deg").half_angle_deg.max()
     told = (f"{ends.loc[angle]:.0f}° at a wall friction of {angle:.0f}°" for angle in (ends.index.min(), ends.index.max()))
     return f"The flow field reaches to half angles of {' and '.join(told)}"

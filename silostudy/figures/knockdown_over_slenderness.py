@@ -48,7 +48,7 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
 
 
 def _message(cube: xr.Dataset, table: pd.DataFrame) -> str:
-    """What the figure says, in numbers, at the slenderness of the grid that lies next to the thinnest test."""
+    """Message of the figure, in numbers, at the slenderness of the grid that lies next to the thinnest test."""
     tests = table[table.curve == "test"]
     slender = float(
         cube["radius_over_thickness"].sel(radius_over_thickness=tests.radius_over_thickness.max(), method="nearest")

@@ -33,7 +33,7 @@ def _rows(loads: xr.Dataset, silo: str | None) -> list[dict]:
 
 
 def _forces(here: xr.Dataset, values: str) -> dict:
-    """What a field sums to (kN, kN m), and what it is beyond the weight (1)."""
+    """Sums of a field (kN, kN m), and their quotient by the weight (1)."""
     field = here.sel(value_set=values)
     row = {"values": values, "weight_kN": float(here["load_weight"]) / 1e3}
     row |= {f"{name}_kN": float(field[f"load_{name}"]) / 1e3 for name in FORCES}

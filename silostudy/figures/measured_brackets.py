@@ -47,7 +47,7 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
 
 
 def _message(tables: list[pd.DataFrame]) -> str:
-    """What the figure says, in numbers: how many measurements lie between methods, and how near the nearest come."""
+    """Message of the figure, in numbers: how many measurements lie between methods, and how near the nearest come."""
     off = pd.concat([table.assign(row=row) for row, table in enumerate(tables)]).groupby("row").off
     between = int(((off.min() < 0) & (off.max() >= 0)).sum())
     nearest = 100 * off.agg(lambda values: np.abs(values).min())

@@ -41,7 +41,7 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
 
 
 def _message(compared: pd.DataFrame) -> str:
-    """What the figure says, in numbers: how far the methods of a measurement's phase are off, and how many lie below it."""
+    """Message of the figure, in numbers: how far the methods of a measurement's phase are off, and how many lie below it."""
     same = compared[compared.phase == compared.measured_phase]
     return (
         f"Wall pressures computed for the phase of the measurement are {100 * same.off.min():+.0f} to"

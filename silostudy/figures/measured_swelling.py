@@ -1,4 +1,4 @@
-"""What moisture does to the wall pressure, over depth: where a quotient of two methods comes to the measured ratio."""
+"""Effect of moisture on the wall pressure, over depth: where a quotient of two methods comes to the measured ratio."""
 
 from collections.abc import Sequence
 from textwrap import fill
@@ -38,7 +38,7 @@ def curves(cube: xr.Dataset, swollen: Sequence[Measurement], swelling: str, fill
 
 
 def crossings(drawn: pd.DataFrame, swollen: Sequence[Measurement]) -> pd.DataFrame:
-    """Where the curves of a measurement's solid come to its value; NaN, and the least value, where they do not."""
+    """Depths where the curves of a measurement's solid come to its value; NaN, and the least value, where they do not."""
     rows = []
     for point in swollen:
         own = drawn[drawn.taken_solid == point.taken_solid].groupby(["swelling", "pressure_method", "taken_wall"], sort=False)
@@ -51,7 +51,7 @@ def crossings(drawn: pd.DataFrame, swollen: Sequence[Measurement]) -> pd.DataFra
 
 
 def words(met: pd.DataFrame, point: Measurement) -> str:
-    """Where the curves come to the measured value, in words."""
+    """Depths where the curves come to the measured value, in words."""
     told = []
     for row in met[met.measurement == point.measurement].itertuples():
         meet = np.isfinite(row.relative_depth)

@@ -42,7 +42,7 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
 
 
 def _message(cube: xr.Dataset, tests: pd.DataFrame) -> str:
-    """What the figure says, in numbers: how many elastic tests reach the design curves at their own R/t and M."""
+    """Message of the figure, in numbers: how many elastic tests reach the design curves at their own R/t and M."""
     elastic = tests[tests.elastic]
     places = {"chart_slenderness": elastic.R_over_t, "chart_relative_length": elastic.M2**0.5}
     here = cube["chart_local_coefficient"].interp({dim: ("test", values) for dim, values in places.items()})

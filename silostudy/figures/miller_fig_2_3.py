@@ -45,7 +45,7 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
 
 
 def _message(cube: xr.Dataset, long: pd.DataFrame, short: pd.DataFrame) -> str:
-    """What the figure says, in numbers: how many elastic tests reach the bounds of manufactured shells."""
+    """Message of the figure, in numbers: how many elastic tests reach the bounds of manufactured shells."""
     told = []
     for tests, name, symbol in ((long, "chart_long_coefficient", "C"), (short, "chart_short_coefficient", "J")):
         elastic = tests[tests.elastic]

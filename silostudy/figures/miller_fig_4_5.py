@@ -26,7 +26,7 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
 
 
 def _message(ring: xr.DataArray, tests: pd.DataFrame) -> str:
-    """What the figure says, in numbers: how many general collapses reach the design coefficient at their own R/t and ring."""
+    """Message of the figure, in numbers: how many general collapses reach the design coefficient at their own R/t and ring."""
     general = tests[tests.collapse == "G"]
     largest = float(ring["chart_ring_area_ratio"].max())
     places = {"chart_slenderness": general.R_over_t, "chart_ring_area_ratio": general.ring_area_ratio.clip(upper=largest)}

@@ -40,7 +40,7 @@ def points(cube: xr.Dataset) -> pd.DataFrame:
 
 
 def reached(measured: Any, designed: Any) -> str:
-    """How many measured values come up to the designed ones, where there are both: "3 of 4"."""
+    """Number of measured values that come up to the designed ones, where there are both: "3 of 4"."""
     margin = np.asarray(measured) / np.asarray(designed)
     return f"{np.sum(margin >= 1.0)} of {np.isfinite(margin).sum()}"
 

@@ -48,7 +48,7 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
 
 
 def _message(cube: xr.Dataset, numbers: pd.DataFrame) -> str:
-    """What the figure says, in numbers: the methods with the least and the largest factor of the most slender silos."""
+    """Message of the figure, in numbers: the methods with the least and the largest factor of the most slender silos."""
     largest = numbers[numbers.quantity == LARGEST]
     slender = largest[largest.slenderness == largest.slenderness.max()].sort_values("median")
     least, most = (slender.iloc[place] for place in (0, -1))

@@ -60,14 +60,14 @@ def _matrix(panel: Axes, silo: xr.DataArray, change: xr.DataArray, cube: xr.Data
 
 
 def _beyond_weight(cube: xr.Dataset) -> list[bool]:
-    """For each method whether its axial force at the matrix's silo exceeds the weight of the contents."""
+    """Methods whose axial force at the matrix's silo exceeds the weight of the contents."""
     here = {"diameter": DIAMETER, "slenderness": SLENDERNESS}
     share = cube["carried_share"].sel(here, method="nearest").sel(wall_friction_end="upper").max("phase")
     return [bool(value > 1) for value in share.values]
 
 
 def _curves(row, needed: xr.DataArray, cube: xr.Dataset, axis: str, label: str) -> None:
-    """Left every method by one rule, right every rule by one method, over one axis."""
+    """Draws, left, every method by one rule and, right, every rule by one method, over one axis."""
     left, right = row
     right.sharey(left)
     for method in map(str, needed["pressure_method"].values):

@@ -1,4 +1,4 @@
-"""What rings buy: Miller's buckling stress over R/t and ring area, and where general buckling takes over."""
+"""Gain by rings: Miller's buckling stress over R/t and ring area, and where general buckling takes over."""
 
 from pathlib import Path
 
@@ -55,7 +55,7 @@ def _slender(cube: xr.Dataset) -> float:
 
 
 def _helpful(here: xr.Dataset, excess: xr.DataArray) -> str:
-    """Up to which ring area larger rings help a wall of the headline's R/t at one spacing, in words."""
+    """Ring area up to which larger rings help a wall of the headline's R/t at one spacing, in words."""
     spacing = f"where they stand {float(here['relative_bay_length']):g} √(R\u00a0t) apart"
     areas = excess["ring_area_ratio"].values[(excess.sel(radius_over_thickness=SLENDER, method="nearest") > 1).values]
     return f"up to {areas.max():.2f} of the bay's area {spacing}" if len(areas) else f"not at all {spacing}"

@@ -1,4 +1,4 @@
-"""How buckling rules and Miller's tests look in every figure."""
+"""Look of buckling rules and of Miller's tests in every figure."""
 
 import numpy as np
 import xarray as xr
@@ -42,7 +42,7 @@ def limits(cube: xr.Dataset, rule: str) -> list[str]:
 
 
 def unjudged(cube: xr.Dataset, name: str) -> xr.DataArray:
-    """Where a variable of the shell is masked though the wall there is loaded: the rest does not speak for it."""
+    """Mask of places where a variable of the shell is masked though the wall is loaded: the rest does not speak for it."""
     flags = cube[name + SCOPE]
     return cube[name].isnull() & (flags != 0) & (flags != loadless(flags))
 
@@ -82,7 +82,7 @@ def is_rival(cube: xr.Dataset, rule: str) -> bool:
 
 
 def group(cube: xr.Dataset) -> np.ndarray:
-    """For each test the group it belongs to: a key of GROUPS."""
+    """Group that each test belongs to: a key of GROUPS."""
     small = np.where(cube["ring_area"].values > 0, "ringed", "unstiffened")
     return np.where(cube["test_scale"].values == "large", "large", small)
 
@@ -95,7 +95,7 @@ def demand(cube: xr.Dataset, axis: str, values: tuple) -> None:
 
 
 def making(here: xr.Dataset) -> str:
-    """How the shells at one position of the making axis are made, in words."""
+    """Fabrication of the shells at one position of the making axis, in words."""
     told = (("making_manufacture", "{} (Miller)"), ("making_quality", "class {} (EN)"))
     words = [text.format(here[coord].values) for coord, text in told if coord in here.coords]
     return ", ".join(words).replace("_", " ") or f"making {here['making'].values}"

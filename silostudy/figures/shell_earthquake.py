@@ -49,7 +49,7 @@ def _forces(panel, cube: xr.Dataset) -> None:
 
 
 def _pressures(panel, shown: xr.Dataset) -> None:
-    """What steadies the wall (on the lifted side less) and what makes its foot yield (on the pressed side more)."""
+    """Draws the pressures that steady the wall (less if lifted) and that make its foot yield (more if pressed)."""
     z = shown["depth"].values
     for side, (name, text) in PRESSURES.items():
         dashes = {**WITHOUT, "linestyle": (0, (4, 4)) if side == "pressed" else (4, (1, 2, 1, 4))}  # the two may coincide
@@ -87,13 +87,13 @@ def _needed(cube: xr.Dataset) -> xr.Dataset:
 
 
 def _masked(shown: xr.Dataset) -> list[str]:
-    """At how many depths the shown curves and thicknesses are masked, and why."""
+    """Number of depths at which the shown curves and thicknesses are masked, and why."""
     names = ("required_thickness", "earthquake_required_thickness", "utilisation", "earthquake_utilisation")
     return rules.passed_over(shown, *names)
 
 
 def _message(shown: xr.Dataset) -> str:
-    """What the figure says, in numbers: the utilisation by the rule that the earthquake drives highest."""
+    """Message of the figure, in numbers: the utilisation by the rule that the earthquake drives highest."""
     shaken = rules.worst(shown, "earthquake_utilisation", ["phase", "side"]).max("depth")
     worst = str(shaken.idxmax("rule").values)
     static = float(rules.worst(shown, "utilisation", "phase").max("depth").sel(rule=worst))
@@ -102,7 +102,7 @@ def _message(shown: xr.Dataset) -> str:
 
 
 def _told(cube: xr.Dataset) -> list[str]:
-    """Which silo and which shaking, and how the lines are to be read."""
+    """Words on the silo and the shaking, and on how the lines are to be read."""
     told = cube.attrs
     end = {-1: " (lowest candidate)", 1: " (highest candidate)"}.get(told["earthquake_mass_coefficient_end"], "")
     shear, moment = told["earthquake_base_shear_N"] / 1e6, told["earthquake_base_moment_N_m"] / 1e6

@@ -44,7 +44,7 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
 
 
 def _message(cube: xr.Dataset, level: str) -> str:
-    """What the figure says, in numbers: the least and the largest utilisation that rules give by the first method."""
+    """Message of the figure, in numbers: the least and the largest utilisation that rules give by the first method."""
     used = rules.worst(cube.isel(pressure_method=0), "utilisation", ["phase", "wall_friction_end"])
     depth = float(cube["depth"].isel({level: int(used.max("rule").argmax(level))}))
     peaks = used.max(level).dropna("rule")

@@ -1,4 +1,4 @@
-"""Where a steel wall is used most: by rule, method, phase and wall friction, with what governs there."""
+"""Largest utilisation of a steel wall: by rule, method, phase and wall friction, with what governs there."""
 
 from pathlib import Path
 

@@ -63,7 +63,7 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
 
 
 def _message(cube: xr.Dataset, numbers: pd.DataFrame) -> str:
-    """What the figure says, in numbers: the largest normal pressure and its place, method by method."""
+    """Message of the figure, in numbers: the largest normal pressure and its place, method by method."""
     normal = numbers[numbers.side == "normal"]
     told = []
     for method, table in normal.groupby("pressure_method", sort=False):
@@ -86,7 +86,7 @@ def of_sets(cube: xr.Dataset, method: str) -> bool:
 
 
 def _why_not(cube: xr.Dataset, method: str, phase: str) -> str:
-    """What stands in a panel without pressures."""
+    """Words in a panel without pressures."""
     quantity = "switch_force" if phase == "switch" else "wall_normal_pressure"
     return "not given:\n" + fill(reason(cube, quantity, method, phase), 20)
 
@@ -97,7 +97,7 @@ def diameter(cube: xr.Dataset) -> float:
 
 
 def wall(cube: xr.Dataset) -> tuple[np.ndarray, np.ndarray]:
-    """(depth, radius) (m) of the places on the hopper wall."""
+    """Depth and radius (m) of the places on the hopper wall."""
     radius = diameter(cube) / 2
     outlet = float(cube["outlet_width"]) / 2
     inside = radius - cube["hopper_position"].values * (radius - outlet)

@@ -1,4 +1,4 @@
-"""Which property of the stored solid matters: first-order and total Sobol indices of the largest wall pressure."""
+"""Influence of the stored solid's properties: first-order and total Sobol indices of the largest wall pressure."""
 
 from pathlib import Path
 
@@ -44,7 +44,7 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
 
 
 def _message(numbers: pd.DataFrame) -> str:
-    """What the figure says, in numbers: the two properties that matter most, in the median of methods and phases."""
+    """Message of the figure, in numbers: the two properties that matter most, in the median of methods and phases."""
     shares = numbers.groupby("parameter").first_order.median().sort_values(ascending=False)[:2]
     told = (f"{str(parameter).replace('_', ' ')} {100 * share:.0f} %" for parameter, share in shares.items())
     return f"What scatters the largest wall pressure most, in the median of the methods: {', '.join(told)} of its variance"

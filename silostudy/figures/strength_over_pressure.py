@@ -46,7 +46,7 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
 
 
 def _message(numbers: pd.DataFrame) -> str:
-    """What the figure says, in numbers: by how much pressure lifts the strength of the stoutest and of the thinnest wall."""
+    """Message of the figure, in numbers: by how much pressure lifts the strength of the stoutest and of the thinnest wall."""
     strength = numbers.groupby(["R_over_t", "rule"]).strength_over_yield
     gain = (strength.max() / strength.first()).groupby("R_over_t").max()
     return (

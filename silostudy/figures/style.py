@@ -1,4 +1,4 @@
-"""How every figure looks and is saved: PNG, SVG that is the same each time, and the numbers shown as CSV.
+"""Style of every figure, and how it is saved: PNG, SVG that is the same each time, and the numbers shown as CSV.
 
 The page of the report shows a picture at least 1000 px wide in a window of 1400 px, and never larger than it is.  A figure is
 WIDTH wide, so that "small", the smallest words of it, have 12 px there: sizes are said by name ("small", "medium", "large"),
@@ -143,7 +143,7 @@ def name(cube: xr.Dataset, method: str) -> str:
 
 
 def drawn(cube: xr.Dataset, method: str) -> str:
-    """How a figure that compares many methods shows one, as its row says."""
+    """Look of a method in a figure that compares many, as its row says."""
     return str(cube["pressure_method_drawn"].sel(pressure_method=method).values)
 
 

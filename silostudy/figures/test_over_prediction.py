@@ -58,7 +58,7 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
 
 
 def _message(summary: pd.DataFrame) -> str:
-    """What the figure says, in numbers: the rule with the least scatter, and the range of the others' means."""
+    """Message of the figure, in numbers: the rule with the least scatter, and the range of the others' means."""
     rules = summary[(summary.group == "small, all") & ~summary.rival].sort_values("cov")
     best, others = rules.iloc[0], rules.iloc[1:]
     return (

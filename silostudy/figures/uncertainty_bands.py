@@ -59,7 +59,7 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
 
 
 def _message(cube: xr.Dataset, table: pd.DataFrame) -> str:
-    """What the figure says, in numbers: scatter of the largest median pressure, least and most of methods and phases."""
+    """Message of the figure, in numbers: scatter of the largest median pressure, least and most of methods and phases."""
     peaks = table.loc[table.groupby(["pressure_method", "phase"]).p50_kPa.idxmax()]
     spread = (50.0 * (peaks.p95_kPa - peaks.p05_kPa) / peaks.p50_kPa).to_numpy()
     ends = peaks.iloc[[spread.argmin(), spread.argmax()]]

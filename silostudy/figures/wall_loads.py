@@ -69,7 +69,7 @@ def _title(loads: xr.Dataset, key: str) -> str:
 
 
 def _message(loads: xr.Dataset, peaks: dict[str, float]) -> str:
-    """What the maps say, in numbers: the load case with the largest normal pressure (kPa), over the least of their peaks."""
+    """Message of the maps, in numbers: the load case with the largest normal pressure (kPa), over the least of their peaks."""
     most, least = max(peaks, key=peaks.__getitem__), min(peaks, key=peaks.__getitem__)
     if peaks[most] < 1.005 * peaks[least]:
         return f"The largest normal pressure is {peaks[most]:.0f} kPa in every load case"
@@ -85,6 +85,6 @@ def _said(given: dict[str, str], silo: str | None) -> str:
 
 
 def _field(load: Load, name: str) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """(angles (deg), depths (m), values) on the load's grid."""
+    """Angles (deg), depths (m) and values on the load's grid."""
     depths, angles = load.grid(levels=LEVELS, step=STEP)
     return np.degrees(angles), depths, _numbers(load)[name].reshape(depths.size, angles.size)
