@@ -14,8 +14,12 @@ from silostudy.figures.style import WIDTH, foot, headline, look, save, title
 from silostudy.tables.outputs import output_of
 
 STAR = "* the method's friction would carry more than the contents weigh (wall friction times a design pressure)"
-DIAMETER, SLENDERNESS = 10.0, 2.0  # the silo of the matrices; the nearest of the study is taken
-(RULE,), (METHOD,) = output_of(__name__).rules, output_of(__name__).methods  # what the curves hold fixed in turn
+# the silo of the matrices; the nearest of the study is taken
+DIAMETER = 10.0  # m
+SLENDERNESS = 2.0  # H/D
+# what the curves hold fixed in turn
+(RULE,) = output_of(__name__).rules
+(METHOD,) = output_of(__name__).methods
 
 
 def draw(cube: xr.Dataset, stem: Path) -> None:

@@ -25,7 +25,8 @@ SIDES = {
 HATCHES = {"normal": "////", "friction": "...."}
 COLOURS = {"normal": VERMILION, "friction": BLUE}
 SAVED = ("side", "depth_m", "wall_radius_m", "pressure_kPa", "from_axis_m", "tip_from_axis_m", "tip_depth_m")
-STAR, SETS = "*", "pressure, friction and load each by their own set of characteristic values: no single state of the silo"
+STAR = "*"  # marks what SETS says
+SETS = "pressure, friction and load each by their own set of characteristic values: no single state of the silo"
 WIDEST = 0.6  # diameters that the largest pressure reaches out
 WORDS = 0.6  # heights of the silo that are kept free beside it, for words
 

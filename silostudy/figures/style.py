@@ -27,12 +27,15 @@ from matplotlib.patheffects import withStroke
 
 from silostudy.files import replacing
 
-WIDTH, TALLEST = 10.0, 9.6  # inches
+# of a figure, inches
+WIDTH = 10.0
+TALLEST = 9.6
 DPI = 110
 # Okabe and Ito's colours, which the colour-blind tell apart; their yellow is left out, too pale for a line on white
-BLUE, VERMILION, GREEN, ORANGE, SKY, PURPLE, BLACK = COLOURS = (
+COLOURS = (
     "#0072B2", "#D55E00", "#009E73", "#E69F00", "#56B4E9", "#CC79A7", "#000000",
 )  # fmt: skip
+BLUE, VERMILION, GREEN, ORANGE, SKY, PURPLE, BLACK = COLOURS
 MARKERS = "os^Dv<>Ph*X"
 LINES: tuple = ("-", (0, (4, 2)), (0, (1, 1)), (0, (6, 2, 1, 2)), (0, (3, 1, 1, 1, 1, 1)))
 HATCHES = ("", "////", "....", "\\\\\\\\", "xxxx", "||||", "----")

@@ -11,7 +11,9 @@ import xarray as xr
 from silostudy.cube.load import Load, given_cases, load_case, of_case
 from silostudy.figures.style import WIDTH, foot, headline, save
 
-STEP, LEVELS = np.radians(10.0), 51  # of the table: where a load waves round the wall, and on wall and hopper
+# of the table
+STEP = np.radians(10.0)  # rad, where a load waves round the wall
+LEVELS = 51  # on wall and hopper
 SHOWN = {"normal_kPa": "normal pressure (kPa)", "friction_kPa": "friction (kPa)"}
 
 
