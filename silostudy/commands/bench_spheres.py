@@ -8,7 +8,8 @@ from silostudy.scene.space_silo import FLOOR
 # spheres, radius of the bin (m), steps that settle, steps a turn
 SIZES = {"5 thousand": (5_000, 0.05, 30_000, 1_000), "50 thousand": (50_000, 0.108, 30_000, 100)}
 # spheres and radius of the bin (m) that fill it equally deep; steps before, steps a turn
-DEEP, DEEP_STEPS = ((1_000_000, 0.33), (10_000, 0.033)), (1_000, 20)
+DEEP = ((1_000_000, 0.33), (10_000, 0.033))  # spheres, and radius (m) of the bin that they fill equally deep
+DEEP_STEPS = (1_000, 20)  # steps before the clock runs, steps a turn
 MOST = {"500 thousand": (500_000, 0.233, 3_000, 10)}  # still falling together: it would take hours to settle
 FLOWING = 3  # turns between the opening of the outlet and the first reading
 SKINS = (0.1, 0.2)  # of a diameter: of the peer's lists; the best of them counts

@@ -18,7 +18,7 @@ class OwnProcess:
         self._answer()
 
     def call(self, name: str, *args) -> tuple[Any, float]:
-        """What a method or property gives, and the CPU time (s) that it took."""
+        """Result of a method or property, and the CPU time (s) that it took."""
         self.pipe.send((name, args))
         return self._answer()
 

@@ -1,10 +1,12 @@
-"""How even silos of grains press around a round wall, beside patch loads and the zones of an eccentric flow channel."""
+"""Evenness of the pressure of grains around a round wall, beside patch loads and the zones of an eccentric flow channel."""
 
 import xarray as xr
 
 from silostudy.compute.beside_codes import at_depths, by_phase
 
-CHANNEL, PATCH = "channel_normal_pressure", "patch_load_factor"
+# variables of a pressure cube
+CHANNEL = "channel_normal_pressure"
+PATCH = "patch_load_factor"
 # what EN 1991-4, 5.2.4, says of the three zones of the wall: in the cube of pressures -> in this one
 ZONES = {CHANNEL: "code_channel_pressure", "adjacent_normal_pressure": "code_adjacent_pressure",
          "static_normal_pressure": "code_static_pressure"}  # fmt: skip
@@ -35,7 +37,7 @@ def _off_ring(cells: xr.DataArray) -> xr.DataArray:
 
 
 def zones(codes: xr.Dataset, depth: xr.DataArray, deep: xr.DataArray) -> dict[str, xr.DataArray]:
-    """What codes say of the wall around: patch pressure over wall pressure, and where a study has them, the pressures (Pa) of
+    """Loads around the wall by codes: patch pressure over wall pressure, and where a study has them, the pressures (Pa) of
     flow channel, zone beside it and the rest, mean of the deep levels, with the channel's half width (rad)."""
     factors = {"code_patch_factor": codes[PATCH]} if PATCH in codes else {}
     if CHANNEL not in codes:

@@ -50,7 +50,7 @@ def _as_full(codes: xr.Dataset, scenes: xr.Dataset) -> xr.Dataset:
 
 
 def by_phase(rest: xr.DataArray, flow: xr.DataArray) -> xr.DataArray:
-    """What holds at rest and in flow, as the phases that codes know."""
+    """Values at rest and in flow, as the phases that codes know."""
     return xr.concat([rest, flow], xr.IndexVariable("phase", list(PHASES)))
 
 

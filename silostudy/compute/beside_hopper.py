@@ -8,7 +8,7 @@ from silostudy.compute.beside_codes import by_phase
 
 
 def in_cone(grains: xr.Dataset) -> dict[str, xr.DataArray]:
-    """What the hopper felt: place on it, mean pressure around (Pa) at rest and in flow, the largest, its rise, and when.
+    """Loads on the hopper: place on it, mean pressure around (Pa) at rest and in flow, the largest, its rise, and when.
 
     The rise is over the mean of the fillings at rest: single levels of a filling may hang free.
     """

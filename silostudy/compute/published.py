@@ -1,4 +1,4 @@
-"""What a filling of a published case comes to, in tolerances off the published numbers."""
+"""Results of a filling of a published case, in tolerances off the published numbers."""
 
 from typing import Any
 
@@ -33,10 +33,10 @@ def measure(study: PublishedStudy, case: PublishedCase) -> Numbers:
     return misses(verdicts(run, scene)) | {"end_time": np.array(run.engine.time)}
 
 
-def misses(found: list[Verdict]) -> Numbers:
-    """How far each quantity came out off the published number, in tolerances; missing beyond the case's own."""
+def misses(verdicts: list[Verdict]) -> Numbers:
+    """Deviation of each quantity from the published number, in tolerances; missing beyond the case's own."""
     off = np.full(_most(), np.nan)
-    off[: len(found)] = [(verdict.computed - verdict.value) / verdict.tolerance for verdict in found]
+    off[: len(verdicts)] = [(verdict.computed - verdict.value) / verdict.tolerance for verdict in verdicts]
     return {"off_published": off}
 
 

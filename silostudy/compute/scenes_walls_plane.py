@@ -21,7 +21,7 @@ def keeps(scene: DemScene) -> bool:
 
 
 def cells(scene: DemScene) -> tuple[int, np.ndarray]:
-    """How many levels a wall has, and the angles (rad) of the cells of a level about the axis."""
+    """Number of levels of a wall, and the angles (rad) of the cells of a level about the axis."""
     return scene.silo.wall_cells, TURNS
 
 
@@ -34,7 +34,7 @@ def contents(run: Run, scene: DemScene) -> tuple[float, float]:
 
 
 def felt(run: Run, scene: DemScene) -> dict[str, Felt]:
-    """Of the walls and the wedge: pressure and shear (Pa) of their cells in every window, and the levels' heights (m)."""
+    """Pressure and shear (Pa) of the walls' and the wedge's cells in every window, and the levels' heights (m)."""
     force, model = np.array(run.recording.window), run.engine.model
     surfaces = {}
     for stem, names in SURFACES.items():
@@ -44,7 +44,7 @@ def felt(run: Run, scene: DemScene) -> dict[str, Felt]:
 
 
 def _of_wall(force: np.ndarray, model: Model, name: str) -> tuple[np.ndarray, np.ndarray]:
-    """(pressure and shear (Pa) of the parts of a wall, from below, in every window; heights (m) of their middles)."""
+    """Pressure and shear (Pa) of the parts of a wall, from below, in every window, and heights (m) of their middles."""
     wall = model.wall_named(name)
     (x0, y0), (x1, y1) = wall.start, wall.end
     upward = slice(None) if y1 > y0 else slice(None, None, -1)

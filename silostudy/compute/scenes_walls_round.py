@@ -19,7 +19,7 @@ def keeps(scene: SphereScene) -> bool:
 
 
 def cells(scene: SphereScene) -> tuple[int, np.ndarray]:
-    """How many levels a wall has, and the angles (rad) of the cells of a level about the axis."""
+    """Number of levels of a wall, and the angles (rad) of the cells of a level about the axis."""
     levels, turns = scene.record.pressure_cells
     return levels, 2.0 * np.pi * (np.arange(turns) + 0.5) / turns
 
@@ -33,7 +33,7 @@ def contents(run: Run, scene: SphereScene) -> tuple[float, float]:
 
 
 def felt(run: Run, scene: SphereScene) -> dict[str, Felt]:
-    """Of each surface that the silo has: pressure and shear (Pa) of its cells in every window, and the levels' heights (m)."""
+    """Pressure and shear (Pa) of each surface's cells in every window, and the levels' heights (m)."""
     seen, surfaces = faces(run.engine.model.walls, LID), {}
     starts = np.cumsum([0, *(face.count for face in seen)])
     for face, start in zip(seen, starts, strict=False):

@@ -40,7 +40,7 @@ class Swept:
 
 @dataclass(frozen=True)
 class Felt:
-    """What a surface felt: pressure and shear (Pa) of its cells (windows, levels, turns, two, mean and least and largest), and
+    """Loads on a surface: pressure and shear (Pa) of its cells (windows, levels, turns, two, mean and least and largest), and
     the height (m) of the middle of each level."""
 
     cells: np.ndarray
@@ -49,7 +49,7 @@ class Felt:
 
 @dataclass(frozen=True)
 class Walled:
-    """How the walls of silos of one sort of grains are looked at, level by level.
+    """Readings of the walls of silos of one sort of grains, level by level.
 
     keeps(scene): whether they are; cells(scene): how many levels, and the angles (rad) of a level's cells about the axis;
     contents(run, scene): height (m) of the level surface above the transition and unit weight (N/m3); felt(run, scene): what

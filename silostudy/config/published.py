@@ -1,4 +1,4 @@
-"""What a user writes to hold scenes of grains against published numbers, over several fillings."""
+"""Scenes of grains held against published numbers, over several fillings, as a user writes them."""
 
 from pathlib import Path
 from typing import Literal, Self
@@ -8,7 +8,9 @@ from pydantic import model_validator
 from silostudy.config.fields import Strict, described
 from silostudy.config.study import SweepStudy
 
-CASE, FILLING = "published_case", "filling"  # axes of every such study
+# axes of every such study
+CASE = "published_case"
+FILLING = "filling"
 
 
 class PublishedScene(Strict):
@@ -24,7 +26,7 @@ class PublishedScene(Strict):
 
 
 class PublishedStudy(SweepStudy):
-    """What published cases come to over several fillings, beside the published numbers and their tolerances."""
+    """Results of published cases over several fillings, beside the published numbers and their tolerances."""
 
     kind: Literal["published"] = described("published: scenes of grains held against published numbers", "")
     scene: PublishedScene = described("a case and a filling", "")

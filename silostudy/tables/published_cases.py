@@ -10,7 +10,7 @@ TEXT = ("case", "quantity", "unit")
 
 @dataclass(frozen=True, kw_only=True)
 class PublishedNumber:
-    """What a quantity of a case was published as, and how far a run may be off; both in the unit that the table names."""
+    """Published number of a quantity of a case, and how far a run may be off; both in the unit that the table names."""
 
     case: str
     title: str

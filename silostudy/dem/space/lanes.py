@@ -170,13 +170,13 @@ def _scatter(typing, rows, first, second, start, force, offset):
 @intrinsic
 def _scatter_rolling(typing, rows, first, second, start, force, offset):
     def generate(context, builder, signature, args):
-        bodies, one, two, lanes = (base_of(context, builder, signature, args, k) for k in (0, 1, 2, 4))
+        bodies, firsts, seconds, lanes = (base_of(context, builder, signature, args, k) for k in (0, 1, 2, 4))
         pushes = [load(builder, lanes, lane_of(builder, args[5], lane, STRETCH), EIGHT) for lane in range(6)]
         nothing, back = ir.Constant(EIGHT, _SECOND_LINE), ir.Constant(EIGHT, _BACK)
         for lane, push in enumerate(transpose(builder, [nothing, *pushes, nothing])):
-            for listed, share in ((one, push), (two, builder.fmul(push, back))):
-                at = plus(builder, row_of(builder, listed, args[3], lane, ROW), R)
-                store(builder, builder.fadd(load(builder, bodies, at, EIGHT), share), bodies, at, EIGHT)
+            for listed, share in ((firsts, push), (seconds, builder.fmul(push, back))):
+                spot = plus(builder, row_of(builder, listed, args[3], lane, ROW), R)
+                store(builder, builder.fadd(load(builder, bodies, spot, EIGHT), share), bodies, spot, EIGHT)
         return context.get_dummy_value()
 
     return types.void(rows, first, second, start, force, offset), generate
