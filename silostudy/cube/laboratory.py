@@ -42,7 +42,7 @@ class Scatter:
 
 
 @dataclass(frozen=True)
-class TestedSolid:
+class MeasuredSolid:
     """Properties of the solid by the tests of one cell: unit weights (N/m3), angle (rad), friction, pressure ratio (1)."""
 
     loose: Scatter
@@ -53,7 +53,7 @@ class TestedSolid:
     lateral_pressure_ratio: Scatter
 
     @classmethod
-    def of(cls, cube: xr.Dataset, cell: int = -1) -> "TestedSolid":
+    def of(cls, cube: xr.Dataset, cell: int = -1) -> "MeasuredSolid":
         """The solid of the cell at a position, the last one's: the widest; BadInput for a cube with further axes."""
         if others := set(cube.attrs["sweep_axes"].split()) - OWN_AXES:
             raise BadInput("sweep", ", ".join(sorted(others)), "one solid is one row: select a position on it first")
@@ -124,7 +124,7 @@ def checks(cube: xr.Dataset) -> Iterator[Check]:
     the ratio is rather the angle's sine: a K below the active ratio of that angle is out of reach, but for the scatter.  Below
     the active ratio of the row's own angle it may well be.
     """
-    solid = TestedSolid.of(cube)
+    solid = MeasuredSolid.of(cube)
     ratio, angle = solid.lateral_pressure_ratio, solid.friction_angle
     upper, steep = ratio.mean * ratio.factor, angle.mean * angle.factor
     yield Check("upper K over Rankine's of upper phi, tau/sigma for its sine", upper / active_ratio(tan(steep)), 1.0, np.inf)

@@ -5,10 +5,10 @@ from pathlib import Path
 import pandas as pd
 import xarray as xr
 
-from silostudy.cube.laboratory import TestedSolid
+from silostudy.cube.laboratory import MeasuredSolid
 from silostudy.figures.style import save_table
 
 
 def draw(cube: xr.Dataset, stem: Path) -> None:
     """Writes the row."""
-    save_table(pd.DataFrame([TestedSolid.of(cube).row(cube)]), stem.with_suffix(".csv"))
+    save_table(pd.DataFrame([MeasuredSolid.of(cube).row(cube)]), stem.with_suffix(".csv"))

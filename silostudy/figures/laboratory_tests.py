@@ -7,7 +7,7 @@ import pandas as pd
 import xarray as xr
 from matplotlib.axes import Axes
 
-from silostudy.cube.laboratory import CELL, FILLING, Scatter, TestedSolid, checks
+from silostudy.cube.laboratory import CELL, FILLING, MeasuredSolid, Scatter, checks
 from silostudy.figures.apart import apart
 from silostudy.figures.style import BLUE, GREEN, MARKERS, VERMILION, WIDTH, foot, headline, plt, save
 
@@ -34,7 +34,7 @@ LOCI = {
 
 def draw(cube: xr.Dataset, stem: Path) -> None:
     """Writes the figure and its numbers: of the widest cell, and what the width does."""
-    solid, wide = TestedSolid.of(cube), cube.isel({CELL: -1})
+    solid, wide = MeasuredSolid.of(cube), cube.isel({CELL: -1})
     figure, ((path, shear), (locus, width)) = plt.subplots(2, 2, figsize=(WIDTH, 9.4))
     numbers = [*_path(path, wide, solid), *_shear(shear, wide), *_locus(locus, wide, solid), *_width(width, cube)]
     looked_at = list(checks(cube))
@@ -51,14 +51,14 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     save(figure, pd.concat(numbers, ignore_index=True), stem)
 
 
-def _message(solid: TestedSolid, failed: int, looked_at: int) -> str:
+def _message(solid: MeasuredSolid, failed: int, looked_at: int) -> str:
     """The row of the solid that the tests give, and how many checks it fails."""
     row = f"K = {solid.lateral_pressure_ratio.mean:.2f}, phi = {np.degrees(solid.friction_angle.mean):.1f}°"
     checked = f"{looked_at - failed} of {looked_at} checks hold"
     return f"The tests give {row}, wall friction {solid.wall_friction.mean:.2f}; {checked}"
 
 
-def _path(panel: Axes, wide: xr.Dataset, solid: TestedSolid) -> list[pd.DataFrame]:
+def _path(panel: Axes, wide: xr.Dataset, solid: MeasuredSolid) -> list[pd.DataFrame]:
     """Horizontal over vertical stress at first loading."""
     vertical, horizontal = (
         wide["path_stress"].values / KPA,
@@ -106,7 +106,7 @@ def _shear(panel: Axes, wide: xr.Dataset) -> list[pd.DataFrame]:
     return [table.assign(panel="shear") for table in tables]
 
 
-def _locus(panel: Axes, wide: xr.Dataset, solid: TestedSolid) -> list[pd.DataFrame]:
+def _locus(panel: Axes, wide: xr.Dataset, solid: MeasuredSolid) -> list[pd.DataFrame]:
     """Shear over normal stress: peak and steady inside the solid, steady on the wall, with the row's lines."""
     stress, tables = wide["normal_stress"].values / KPA, []
     for name, (marker, colour, told) in LOCI.items():

@@ -5,7 +5,7 @@ import pandas as pd
 import pytest
 
 from silostudy.choice.expand import expand
-from silostudy.cube.laboratory import Scatter, TestedSolid, active_ratio, checks
+from silostudy.cube.laboratory import MeasuredSolid, Scatter, active_ratio, checks
 from silostudy.errors import BadInput
 from silostudy.figures import laboratory_checks, laboratory_solid
 from silostudy.tables.solids import own_solids
@@ -37,7 +37,7 @@ def test_the_row_is_the_widest_cell_s():
     cube = cube_of(expansion())
     wide = cube["tested_lateral_pressure_ratio"].copy()
     wide[{"cell": 0}] = 9.0
-    assert TestedSolid.of(cube.assign(tested_lateral_pressure_ratio=wide)).lateral_pressure_ratio.mean == pytest.approx(0.45)
+    assert MeasuredSolid.of(cube.assign(tested_lateral_pressure_ratio=wide)).lateral_pressure_ratio.mean == pytest.approx(0.45)
 
 
 def test_a_scatter_needs_two_fillings_and_a_row_one_solid():
@@ -45,10 +45,10 @@ def test_a_scatter_needs_two_fillings_and_a_row_one_solid():
     lost = cube["loose_unit_weight"].copy()
     lost[{"filling": slice(1, None)}] = np.nan
     with pytest.raises(BadInput, match=r"filling = 1: .*a scatter needs two"):
-        TestedSolid.of(cube.assign(loose_unit_weight=lost))
+        MeasuredSolid.of(cube.assign(loose_unit_weight=lost))
     friction = {"axis": "friction", "values": {"spheres.sliding_friction": [0.2, 0.4]}}
     with pytest.raises(BadInput, match=r"friction.*one solid is one row"):
-        TestedSolid.of(cube_of(expansion(sweep=[friction])))
+        MeasuredSolid.of(cube_of(expansion(sweep=[friction])))
 
 
 def test_checks_tell_what_cannot_be():
