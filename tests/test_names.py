@@ -58,7 +58,7 @@ def test_no_name_is_vague():
 
 
 def test_a_class_name_has_one_meaning():
-    names = Counter(node.name for tree in MENDED.values() for node in ast.walk(tree) if isinstance(node, ast.ClassDef))
+    names = Counter(node.name for tree in TREES.values() for node in ast.walk(tree) if isinstance(node, ast.ClassDef))
     assert [name for name, count in names.items() if count > 1] == []
 
 

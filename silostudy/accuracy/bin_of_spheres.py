@@ -22,7 +22,7 @@ LOOSE = 1.06  # of a diameter: pitch of the lattice
 
 
 @dataclass(frozen=True)
-class Touch:
+class GrainTouch:
     """What a sphere finds in another body: its Young's modulus (Pa), restitution and sliding friction with it."""
 
     modulus: float
@@ -45,8 +45,8 @@ class Bin:
     diameter: float = 0.004
     density: float = 2500.0
     poisson: float = 0.2  # of spheres and walls
-    spheres: Touch = Touch(SOFT, 0.5, 0.3)
-    walls: Touch = Touch(SOFT, 0.4, 0.2)
+    spheres: GrainTouch = GrainTouch(SOFT, 0.5, 0.3)
+    walls: GrainTouch = GrainTouch(SOFT, 0.4, 0.2)
     step: float = 1e-5
 
     @property
@@ -56,7 +56,7 @@ class Bin:
         others = {"pair": self.spheres.modulus, "wall": self.walls.modulus}
         return {kind: elastic.contact_modulus(*own, other, self.poisson) for kind, other in others.items()}
 
-    def touch(self, kind: str) -> Touch:
+    def touch(self, kind: str) -> GrainTouch:
         """What spheres find in each other (pair) or in walls (wall)."""
         return self.spheres if kind == "pair" else self.walls
 
@@ -68,8 +68,8 @@ def benchmark_bin(material: str, outlet: float, diameter: float, softening: floa
     return Bin(
         count=round(100_000 * (0.004 / diameter) ** 3), wide=0.1, high=0.3 + 0.1 - outlet / 2.0, outlet=outlet,
         half_angle=pi / 4.0, diameter=diameter, density=grain.density, poisson=grain.poissons_ratio, step=step,
-        spheres=Touch(grain.youngs_modulus / softening, pair.restitution, pair.sliding_friction),
-        walls=Touch(steel.youngs_modulus, wall.restitution, wall.sliding_friction),
+        spheres=GrainTouch(grain.youngs_modulus / softening, pair.restitution, pair.sliding_friction),
+        walls=GrainTouch(steel.youngs_modulus, wall.restitution, wall.sliding_friction),
     )  # fmt: skip
 
 

@@ -24,7 +24,7 @@ ROWS = sorted(rows_for(["dem"], ["wall_force"]), key=lambda row: -row.error)
 
 
 @dataclass(frozen=True)
-class Filling:
+class FillingTrial:
     """Of a filling: forces, error and the silo's CPU time (s) by rung, from coarse to fine; errors that the front expects."""
 
     force: list[np.ndarray]
@@ -67,7 +67,7 @@ class Filling:
         return float(apart * ratio / (1.0 - ratio))
 
 
-def fillings_of(content: dict, fillings: int) -> list[Filling]:
+def fillings_of(content: dict, fillings: int) -> list[FillingTrial]:
     """Some fillings of a silo, each with every rung."""
     expected = np.array([row.expected(scene_traits(DemScene.model_validate(content))) for row in ROWS])
     settings = [(row.given["march.integrator"], row.given["march.step_factor"]) for row in ROWS]
@@ -79,7 +79,7 @@ def fillings_of(content: dict, fillings: int) -> list[Filling]:
         errors.append(np.array([np.abs(force - right).max() / right.max() for force, _ in ran]))
         costs.append([seconds for _, seconds in ran])
     cost = np.median(costs, axis=0)
-    return [Filling(force, error, cost, expected) for force, error in zip(forces, errors, strict=True)]
+    return [FillingTrial(force, error, cost, expected) for force, error in zip(forces, errors, strict=True)]
 
 
 def trials_of_step(tell: Callable[[str], None], silos: int, fillings: int) -> list[tuple[str, Trial]]:

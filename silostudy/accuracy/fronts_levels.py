@@ -63,7 +63,7 @@ class Curve:
 
 
 @dataclass(frozen=True)
-class Quantity:
+class LevelQuantity:
     """What is taken from levels: of which curves, its right value, what a number of levels gives, what its error goes with."""
 
     kind: str
@@ -118,23 +118,23 @@ def spoken(expansion: Expansion) -> Iterator[tuple[Mapping[str, Callable], dict[
                 yield row.bounded(phase), parameters
 
 
-def errors(curves: list, quantity: Quantity) -> np.ndarray:
+def errors(curves: list, quantity: LevelQuantity) -> np.ndarray:
     """Relative error of every curve with every number of levels: (curve, count)."""
     right = np.array([quantity.exact(curve) for curve in curves])
     return np.abs(np.array([[quantity.taken(curve, count) for count in COUNTS] for curve in curves]) / right[:, None] - 1.0)
 
 
-def costs(curves: list, quantity: Quantity) -> np.ndarray:
+def costs(curves: list, quantity: LevelQuantity) -> np.ndarray:
     """CPU seconds of all curves with every number of levels; more levels never cost less, what says otherwise is noise."""
     return np.maximum.accumulate([cpu_seconds(partial(_all, curves, quantity, count)) for count in COUNTS])
 
 
-def _all(curves: list, quantity: Quantity, count: int) -> None:
+def _all(curves: list, quantity: LevelQuantity, count: int) -> None:
     for curve in curves:
         quantity.taken(curve, count)
 
 
-def rows_of(quantity: Quantity, expansions: Iterable[Expansion], tell: Callable[[str], None]) -> list[dict]:
+def rows_of(quantity: LevelQuantity, expansions: Iterable[Expansion], tell: Callable[[str], None]) -> list[dict]:
     """Rows of tables/fronts.csv: error over each of the curve's numbers that it goes with, worst of all curves of all silos."""
     rows = []
     silos = [curves for expansion in expansions if (curves := quantity.curves(expansion))]
@@ -153,7 +153,7 @@ def rows_of(quantity: Quantity, expansions: Iterable[Expansion], tell: Callable[
     return rows
 
 
-def trials_of(quantity: Quantity, contents: Iterable[dict], tell: Callable[[str], None]) -> list[Trial]:
+def trials_of(quantity: LevelQuantity, contents: Iterable[dict], tell: Callable[[str], None]) -> list[Trial]:
     """Studies of several methods at once that ask for errors at random: the worst of their curves counts."""
     tried, random = [], np.random.default_rng(2)
     for content in contents:
@@ -165,7 +165,7 @@ def trials_of(quantity: Quantity, contents: Iterable[dict], tell: Callable[[str]
     return tried
 
 
-def trial(quantity: Quantity, asked: float, chosen: int, curves: list) -> Trial:
+def trial(quantity: LevelQuantity, asked: float, chosen: int, curves: list) -> Trial:
     """What a number of levels gave, and the least that would have met what was asked."""
     error, cost = errors(curves, quantity).max(axis=0), costs(curves, quantity)
     enough = int(np.argmax(error <= asked)) if (error <= asked).any() else -1

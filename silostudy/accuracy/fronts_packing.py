@@ -31,7 +31,7 @@ SOURCE = "kiyama_fujimura_1983"
 
 
 @dataclass(frozen=True)
-class Silo:
+class PackedSilo:
     """Discs across, rows, friction of discs and walls."""
 
     across: int
@@ -56,16 +56,16 @@ class Silo:
         return replace(model, dt=chosen_step(model))
 
 
-def silos(seed: int, count: int, across: tuple[int, int]) -> Iterator[Silo]:
+def silos(seed: int, count: int, across: tuple[int, int]) -> Iterator[PackedSilo]:
     """Silos that differ in width, height and frictions; other seeds give others.  across: discs in the lowest row."""
     random = np.random.default_rng(seed)
     for _ in range(count):
         width = int(random.integers(*across))
         rows = int(width * random.uniform(0.9, 2.2))
-        yield Silo(width, rows, random.uniform(0.3, 0.6), random.uniform(0.1, 0.4))
+        yield PackedSilo(width, rows, random.uniform(0.3, 0.6), random.uniform(0.1, 0.4))
 
 
-def shares(silo: Silo, seeds) -> tuple[np.ndarray, float]:
+def shares(silo: PackedSilo, seeds) -> tuple[np.ndarray, float]:
     """(mean normal force of a side wall over the weight (1) of every run at rest, CPU seconds of one)."""
     parts, start = [], time.process_time()
     for seed in seeds:

@@ -9,7 +9,7 @@ import numpy as np
 from scipy.optimize import minimize_scalar
 
 from silostudy.accuracy import fronts_samples
-from silostudy.accuracy.fronts_levels import FINE, Curve, Quantity, expansion_of, rows_of, spoken, studies, trials_of
+from silostudy.accuracy.fronts_levels import FINE, Curve, LevelQuantity, expansion_of, rows_of, spoken, studies, trials_of
 from silostudy.accuracy.trial import Trial
 from silostudy.choice.pressure import integral_number, kink_number, peak_number
 from silostudy.scene.expand import Expansion
@@ -39,10 +39,10 @@ def largest(curve: Curve) -> float:
 
 
 QUANTITIES = (
-    Quantity("pressure", "wall_force", lambda expansion: curves(expansion, "wall_friction_traction"),
+    LevelQuantity("pressure", "wall_force", lambda expansion: curves(expansion, "wall_friction_traction"),
              lambda curve: float(curve.integrals()[-1]), trapezoids, {"integral_number": integral_number},
              within={"heap": (0.0, 0.0)}),  # above the wall's contact a traction begins with a step
-    Quantity("pressure", "peak_pressure", lambda expansion: curves(expansion, "wall_normal_pressure"),
+    LevelQuantity("pressure", "peak_pressure", lambda expansion: curves(expansion, "wall_normal_pressure"),
              largest, lambda curve, count: float(curve.levels(count).max()),
              {"peak_number": peak_number, "kink_number": kink_number}),
 )  # fmt: skip

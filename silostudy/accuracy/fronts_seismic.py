@@ -31,7 +31,7 @@ SOURCE = "sasaki_yoshimura_effective_mass"
 
 
 @dataclass(frozen=True)
-class Shaking:
+class ShakenTube:
     """A tube, its damping, its base motion, the candidates for its coefficient before they are refined, and the truth."""
 
     question: identify.Question
@@ -48,7 +48,7 @@ class Shaking:
         return valley_number(self.question.tube, self.question.damping_ratio, self.step, self.truth)
 
 
-def shakings(seed: int, count: int, widest: float, least: float) -> Iterator[Shaking]:
+def shakings(seed: int, count: int, widest: float, least: float) -> Iterator[ShakenTube]:
     """Tubes of many sizes, every second one under the record at hand, the others under noise; other seeds give others.
 
     widest: half of the candidates' range; least: damping ratio.
@@ -63,7 +63,7 @@ def shakings(seed: int, count: int, widest: float, least: float) -> Iterator[Sha
             base=_noise(first, random) if number % 2 else _record(first), band=(0.1 * first, 2.0 * first),
             coefficients=np.linspace(middle - half, middle + half, COARSE), damping_mismatch=0.0, frequency_mismatch=0.0,
         )  # fmt: skip
-        yield Shaking(question, random.uniform(middle - 0.5 * half, middle + 0.5 * half))
+        yield ShakenTube(question, random.uniform(middle - 0.5 * half, middle + 0.5 * half))
 
 
 def _tube(random: np.random.Generator) -> Tube:
@@ -89,7 +89,7 @@ def _noise(first: float, random: np.random.Generator) -> Record:
     return Record(samples * np.hanning(samples.size), 1.0 / (PER_PERIOD * first), "noise")
 
 
-def coefficient_errors(shaking: Shaking) -> np.ndarray:
+def coefficient_errors(shaking: ShakenTube) -> np.ndarray:
     """Relative error of the coefficient with every refinement, wherever within a step the truth lies: (refinement, truth)."""
     question, finest = shaking.question, REFINEMENTS[-1]
     start, step = question.coefficients[0], shaking.step
@@ -108,7 +108,7 @@ def _spectra(question: identify.Question, coefficients) -> np.ndarray:
     return np.array([identify.transform(question, identify.top_acceleration(question, value)) for value in coefficients])
 
 
-def moment_errors(shaking: Shaking) -> np.ndarray:
+def moment_errors(shaking: ShakenTube) -> np.ndarray:
     """Largest error of the moment read between every number of levels, over its largest value."""
     depth = np.linspace(0.0, 1.0, FINEST)
     right = _moment(shaking, depth)
@@ -116,20 +116,20 @@ def moment_errors(shaking: Shaking) -> np.ndarray:
     return np.array([np.abs(np.interp(depth, depth[::k], right[::k]) - right).max() / right.max() for k in every])
 
 
-def _moment(shaking: Shaking, depth: np.ndarray) -> np.ndarray:
+def _moment(shaking: ShakenTube, depth: np.ndarray) -> np.ndarray:
     """Largest bending moment (N m) at depths over the height."""
     tube, question = shaking.question.tube, shaking.question
     return demand(tube, 1.0, shaking.truth, question.damping_ratio, question.base, (1.0 - depth) * tube.height).bending_moment
 
 
-def coefficient_costs(shaking: Shaking) -> np.ndarray:
+def coefficient_costs(shaking: ShakenTube) -> np.ndarray:
     """CPU seconds of every refinement: so many candidates."""
     few = shaking.question.coefficients[:2]
     single = cpu_seconds(partial(_spectra, shaking.question, few)) / few.size
     return single * ((COARSE - 1) * np.array(REFINEMENTS) + 1)
 
 
-def moment_costs(shaking: Shaking) -> np.ndarray:
+def moment_costs(shaking: ShakenTube) -> np.ndarray:
     """CPU seconds of every number of levels; more levels never cost less, what says otherwise is noise."""
     return np.maximum.accumulate([cpu_seconds(partial(_moment, shaking, np.linspace(0.0, 1.0, count))) for count in LEVELS])
 
@@ -165,7 +165,7 @@ def trials(tell: Callable[[str], None], count: int = UNSEEN) -> list[Trial]:
     return tried
 
 
-def coefficient_trials(shaking: Shaking, random: np.random.Generator) -> list[Trial]:
+def coefficient_trials(shaking: ShakenTube, random: np.random.Generator) -> list[Trial]:
     """One for each truth."""
     name = "effective_mass_coefficient"
     asked = float(np.exp(random.uniform(*np.log(ASKED[name]))))
@@ -175,7 +175,7 @@ def coefficient_trials(shaking: Shaking, random: np.random.Generator) -> list[Tr
     return [Trial("seismic", name, asked, error, spent[k], spent[enough], chosen, REFINEMENTS[enough]) for error in wrong[k]]
 
 
-def moment_trial(shaking: Shaking, random: np.random.Generator) -> Trial:
+def moment_trial(shaking: ShakenTube, random: np.random.Generator) -> Trial:
     """The moment read between the levels chosen."""
     name = "wall_bending_moment"
     asked = float(np.exp(random.uniform(*np.log(ASKED[name]))))

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from silostudy.accuracy.fronts_levels import PANELS, Curve, Quantity, expansion_of, rows_of, spoken, studies, trials_of
+from silostudy.accuracy.fronts_levels import PANELS, Curve, LevelQuantity, expansion_of, rows_of, spoken, studies, trials_of
 from silostudy.accuracy.trial import Trial
 from silostudy.buckling import BUCKLING
 from silostudy.buckling.thickness import required_thickness
@@ -93,8 +93,8 @@ NUMBERS = {"smooth_number": smooth_number, "jump_number": jump_number}
 ASKED = (1.5e-3, 0.1)  # where friction jumps, an error goes with the step itself
 FLAT = {"heap": (0.0, 0.0)}  # above the wall's contact the friction begins with a step
 QUANTITIES = (
-    Quantity("shell", "axial_wall_force", curves, lambda curve: float(curve.integrals()[-1]), force, NUMBERS, FLAT, ASKED),
-    Quantity("shell", "required_thickness", thick, exact_thickness, thickness, NUMBERS, FLAT, ASKED),
+    LevelQuantity("shell", "axial_wall_force", curves, lambda curve: float(curve.integrals()[-1]), force, NUMBERS, FLAT, ASKED),
+    LevelQuantity("shell", "required_thickness", thick, exact_thickness, thickness, NUMBERS, FLAT, ASKED),
 )
 
 

@@ -7,7 +7,7 @@ from collections.abc import Callable
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
-from silostudy.accuracy.optional_parts import Part, Work, ready
+from silostudy.accuracy.optional_parts import OptionalPart, Work, ready
 from silostudy.accuracy.profile import profile_cube
 from silostudy.accuracy.stability import stability_cube
 from silostudy.compute.dem import carry_through, run_of, scene_model
@@ -91,26 +91,26 @@ def _exported(run, scene) -> None:
 
 
 PARTS = (
-    Part("49 snapshots", ROOM, recorded(snapshots_s=TIMES), recorded()),
-    Part(
+    OptionalPart("49 snapshots", ROOM, recorded(snapshots_s=TIMES), recorded()),
+    OptionalPart(
         "49 snapshots also for ParaView", ROOM,
         recorded(_exported, snapshots_s=TIMES, paraview=True), recorded(snapshots_s=TIMES),
     ),
-    Part(
+    OptionalPart(
         "fields in 10 by 20 cells, 50 times", ROOM,
         recorded(fields={"cells": (10, 20), "every_s": 0.01}), recorded(),
     ),
-    Part("50 checkpoints", ROOM, recorded(checkpoint_every_s=0.01), recorded()),
-    Part(
+    OptionalPart("50 checkpoints", ROOM, recorded(checkpoint_every_s=0.01), recorded()),
+    OptionalPart(
         "shaken discs: 3 cycles waited for", ROOM,
         ready(GRAINS, grains_cube), ready(GRAINS | {"waited_cycles": 0}, grains_cube),
     ),
-    Part("remedy: a disc out of every arch", ROOM, ready(REMEDY, packing_cube), ready(PACKING, packing_cube)),
-    Part(
+    OptionalPart("remedy: a disc out of every arch", ROOM, ready(REMEDY, packing_cube), ready(PACKING, packing_cube)),
+    OptionalPart(
         "one run of four kept frame by frame", ROOM,
         ready(PACKING | {"detailed": [{"across": 9, "run": 1}]}, packing_cube, motion_cube), ready(PACKING, packing_cube),
     ),
-    Part(
+    OptionalPart(
         "silo beside the stability map", ROOM,
         ready(STABILITY | {"silo": SILO}, stability_cube, profile_cube), ready(STABILITY, stability_cube),
     ),

@@ -5,7 +5,7 @@ from tempfile import TemporaryDirectory
 
 import yaml
 
-from silostudy.accuracy.optional_parts import Part, Work, ready
+from silostudy.accuracy.optional_parts import OptionalPart, Work, ready
 from silostudy.choice.expand import expand, expand_file
 from silostudy.compute.buckling import buckling_cube
 from silostudy.compute.pressure import pressure_cube
@@ -117,29 +117,34 @@ def _shaken_shells() -> Work:
 
 
 PARTS = (
-    Part(
+    OptionalPart(
         "hopper walls", "pressures",
         ready(PRESSURE | {"hopper_position": POSITIONS}, pressure_cube), ready(PRESSURE, pressure_cube),
     ),
-    Part(
+    OptionalPart(
         "a method as printed", "pressures",
         ready(PRESSURE | {"as_printed": [jenike_mass_flow.ROW.key]}, pressure_cube), ready(PRESSURE, pressure_cube),
     ),
-    Part(
+    OptionalPart(
         "scatter of the solid", "pressures",
         ready(PRESSURE | {"uncertainty": {}}, pressure_cube, uncertainty_cube), ready(PRESSURE, pressure_cube),
     ),
-    Part("strakes and their utilisation", "shells", ready(WITH_STRAKES, _shells), ready(SHELL, _shells)),
-    Part("earthquake, with its seismic study", "shells", _shaken_shells, ready(WITH_STRAKES, _shells)),
-    Part(
+    OptionalPart("strakes and their utilisation", "shells", ready(WITH_STRAKES, _shells), ready(SHELL, _shells)),
+    OptionalPart("earthquake, with its seismic study", "shells", _shaken_shells, ready(WITH_STRAKES, _shells)),
+    OptionalPart(
         "rival readings", "shells", ready(BUCKLING | {"rivals": "all"}, buckling_cube), ready(BUCKLING, buckling_cube),
     ),
-    Part(
+    OptionalPart(
         "sine sweep", "earthquake",
         ready(SEISMIC | UNMEASURED | {"sine": SINE}, seismic_cube), ready(SEISMIC | UNMEASURED, seismic_cube),
     ),
-    Part("identification", "earthquake", ready(WITH_IDENTIFICATION, seismic_cube), ready(SEISMIC | UNMEASURED, seismic_cube)),
-    Part(
+    OptionalPart(
+        "identification",
+        "earthquake",
+        ready(WITH_IDENTIFICATION, seismic_cube),
+        ready(SEISMIC | UNMEASURED, seismic_cube),
+    ),
+    OptionalPart(
         "recovery test, 50 trials", "earthquake", ready(WITH_IDENTIFICATION, seismic_cube),
         ready(SEISMIC | {"identification": IDENTIFICATION | {"recovery_trials": 2}}, seismic_cube),
     ),

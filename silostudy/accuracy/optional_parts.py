@@ -16,7 +16,7 @@ Work = Callable[[], object]
 
 
 @dataclass(frozen=True)
-class Part:
+class OptionalPart:
     """A part of a study of some kind, and what makes ready the work with it and without it."""
 
     name: str
@@ -41,7 +41,7 @@ def ready(content: dict, *functions: Callable, folder: Path = Path()) -> Callabl
 
 
 @threadpool_limits.wrap(limits=1)
-def part_price(part: Part, turns: int) -> Price:
+def part_price(part: OptionalPart, turns: int) -> Price:
     """Share of CPU time and of the largest memory that goes without the part; readings in turn."""
     whole, less = part.whole(), part.less()
     memory = 1.0 - _memory(less) / _memory(whole)

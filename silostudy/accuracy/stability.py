@@ -6,7 +6,7 @@ import numpy as np
 import xarray as xr
 
 from silostudy.accuracy.peers import available
-from silostudy.accuracy.stability_map import Rest, contact_number, kick_of, our_step, peer_step, settled
+from silostudy.accuracy.stability_map import DiscsAtRest, contact_number, kick_of, our_step, peer_step, settled
 from silostudy.compute.axes import stacked, sweep_of
 from silostudy.cube.assemble import assemble
 from silostudy.dem.integrate import INTEGRATORS
@@ -40,7 +40,7 @@ def _same(scene: RestingDiscs, *more: str) -> str:
     return f"{laws} {scene.config.model_dump_json(exclude={'integrator': True, 'discs': {'normal', 'tangential', *more}})}"
 
 
-def _found(study, scene: RestingDiscs, rest: Rest) -> dict[str, float]:
+def _found(study, scene: RestingDiscs, rest: DiscsAtRest) -> dict[str, float]:
     kick = kick_of(len(rest.places), scene.lonely)
     step, bound = our_step(scene.model, rest, kick, study.trial_steps, study.resolution)
     return {
@@ -51,7 +51,7 @@ def _found(study, scene: RestingDiscs, rest: Rest) -> dict[str, float]:
     }
 
 
-def _peer(study, scene: RestingDiscs, rest: Rest) -> float:
+def _peer(study, scene: RestingDiscs, rest: DiscsAtRest) -> float:
     kick = kick_of(len(rest.places), scene.lonely)
     return peer_step(scene.calm, scene.model, rest, kick, study.trial_steps, study.resolution)
 

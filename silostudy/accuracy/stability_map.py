@@ -42,7 +42,7 @@ class Body(Protocol):
 class Ours:
     """The engine, started from rest."""
 
-    def __init__(self, model: Model, rest: "Rest"):
+    def __init__(self, model: Model, rest: "DiscsAtRest"):
         self.engine = Engine(model)
         self.engine.bodies.rows[: self.engine.n] = rest.rows
         self.engine.bodies.held[:, :3] = rest.rows[: len(self.engine.bodies.held), [U, V, W]]
@@ -67,7 +67,7 @@ class Ours:
 class Peer:
     """LAMMPS on the discs where they rest; what histories they had builds up again at a short step."""
 
-    def __init__(self, model: Model, rest: "Rest", short: float, settling: int):
+    def __init__(self, model: Model, rest: "DiscsAtRest", short: float, settling: int):
         self.count, self.radius = len(rest.places), float(model.radius[0])
         self.code = Lammps(replace(model, dt=short), rest.places, 0.0)
         self.code.step(settling)
@@ -98,7 +98,7 @@ class Peer:
 
 
 @dataclass(frozen=True)
-class Rest:
+class DiscsAtRest:
     """Discs at rest: rows and histories in the engine's own order, places (m) by label."""
 
     rows: np.ndarray
@@ -106,11 +106,11 @@ class Rest:
     places: np.ndarray
 
 
-def settled(calm: Model) -> Rest:
+def settled(calm: Model) -> DiscsAtRest:
     """A model come to rest, at a safe step."""
     engine = Engine(replace(calm, dt=SAFETY * longest_step(calm)))
     engine.step_to(SETTLING)
-    return Rest(engine.bodies.rows[: engine.n].copy(), engine.take_memories(), engine.places)
+    return DiscsAtRest(engine.bodies.rows[: engine.n].copy(), engine.take_memories(), engine.places)
 
 
 def contact_number(places: np.ndarray, model: Model) -> float:
@@ -159,7 +159,7 @@ def largest_step(stable: Callable[[float], bool], guess: float, resolution: floa
     return short
 
 
-def our_step(model: Model, rest: Rest, kick: np.ndarray, steps: int, resolution: float) -> tuple[float, float]:
+def our_step(model: Model, rest: DiscsAtRest, kick: np.ndarray, steps: int, resolution: float) -> tuple[float, float]:
     """Largest stable step (s) of a model by bisection, and the engine's bound (s) for it where it rests."""
     x, y = rest.places.T
     bound = longest_step(replace(model, x=x, y=y))
@@ -170,7 +170,7 @@ def our_step(model: Model, rest: Rest, kick: np.ndarray, steps: int, resolution:
     return largest_step(stable, bound, resolution), bound
 
 
-def peer_step(calm: Model, model: Model, rest: Rest, kick: np.ndarray, steps: int, resolution: float) -> float:
+def peer_step(calm: Model, model: Model, rest: DiscsAtRest, kick: np.ndarray, steps: int, resolution: float) -> float:
     """Largest stable step (s) of LAMMPS on the discs of a model, whose integrator and dashpots are its own."""
     explicit = replace(model, integrator=PLAIN.key, pair_contact=_with_laws(model, calm), wall_contact=_with_laws(model, calm))
     x, y = rest.places.T

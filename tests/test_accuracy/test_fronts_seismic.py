@@ -19,7 +19,7 @@ from tests.conftest import ROOT, expanded
 STUDIES = ROOT / "config/studies"
 
 
-def unseen(count: int) -> list[fronts_seismic.Shaking]:
+def unseen(count: int) -> list[fronts_seismic.ShakenTube]:
     return list(fronts_seismic.shakings(1, count, 0.3, 0.015))
 
 
