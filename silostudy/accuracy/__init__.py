@@ -1,1 +1,1 @@
-"""What accuracy costs in time: ladders of settings, reference problems, measured fronts, prices of effects, peers."""
+"""Cost of accuracy in time: ladders of settings, reference problems, measured fronts, prices of effects, peers."""

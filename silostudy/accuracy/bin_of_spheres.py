@@ -23,7 +23,7 @@ LOOSE = 1.06  # of a diameter: pitch of the lattice
 
 @dataclass(frozen=True)
 class GrainTouch:
-    """What a sphere finds in another body: its Young's modulus (Pa), restitution and sliding friction with it."""
+    """Contact of a sphere with another body: its Young's modulus (Pa), restitution and sliding friction."""
 
     modulus: float
     restitution: float
@@ -32,7 +32,7 @@ class GrainTouch:
 
 @dataclass(frozen=True, kw_only=True)
 class Bin:
-    """So many equal spheres in a cylinder (radius wide, m) on a cone with an outlet (m): glass beads of 4 mm, if not told.
+    """Bin of equal spheres in a cylinder (radius wide, m) on a cone with an outlet (m): glass beads of 4 mm, if not told.
 
     high: height (m) of the walls above the outlet, None: just above the lattice; step: s.
     """
@@ -57,7 +57,7 @@ class Bin:
         return {kind: elastic.contact_modulus(*own, other, self.poisson) for kind, other in others.items()}
 
     def touch(self, kind: str) -> GrainTouch:
-        """What spheres find in each other (pair) or in walls (wall)."""
+        """Contact of two spheres (pair) or of a sphere with walls (wall)."""
         return self.spheres if kind == "pair" else self.walls
 
 
@@ -88,7 +88,7 @@ def contact_of(of: Bin, kind: str) -> Contact:
 
 
 def bin_silo(of: Bin, high: float) -> SpaceSilo:
-    """Its walls up to a height (m) above the outlet of its cone, which is closed."""
+    """Walls of the bin up to a height (m) above the outlet of its cone, which is closed."""
     hopper = Hopper(half_angle=of.half_angle, outlet_width=of.outlet)
     silo = Silo(plan="circular", diameter=2.0 * of.wide, wall_depth=0.0, hopper=hopper)
     return SpaceSilo(silo=replace(silo, wall_depth=high - silo.hopper_height))

@@ -25,7 +25,7 @@ ROWS = sorted(rows_for(["dem"], ["wall_force"]), key=lambda row: -row.error)
 
 @dataclass(frozen=True)
 class FillingTrial:
-    """Of a filling: forces, error and the silo's CPU time (s) by rung, from coarse to fine; errors that the front expects."""
+    """Forces, errors and the silo's CPU time (s) of a filling by rung, from coarse to fine; errors that the front expects."""
 
     force: list[np.ndarray]
     error: np.ndarray
@@ -83,7 +83,7 @@ def fillings_of(content: dict, fillings: int) -> list[FillingTrial]:
 
 
 def trials_of_step(tell: Callable[[str], None], silos: int, fillings: int) -> list[tuple[str, Trial]]:
-    """What each way gives on silos that the front was not measured on.
+    """Trials of each way on silos that the front was not measured on.
 
     The cheapest is the rung that 95 % of a silo's fillings ask for.
     """

@@ -19,8 +19,10 @@ WAYS = ("front", "certificate", "front then certificate")
 START = 4  # fillings of a certificate that knows nothing beforehand
 DRAWS = 25  # of the runs of a silo
 ASKED = (0.012, 0.06)  # errors asked for lie between
-MADE, SPREAD = 400, 0.35  # scenes made up; standard deviation of the logarithm of their scatter over the expected one
-SCATTER, ASKED_OF_MADE = (0.03, 0.2), (0.01, 0.1)
+MADE = 400  # scenes made up
+SPREAD = 0.35  # standard deviation of the logarithm of their scatter over the expected one
+SCATTER = (0.03, 0.2)  # relative scatter of a filling lies between
+ASKED_OF_MADE = (0.01, 0.1)  # errors asked of made-up scenes lie between
 
 Draw = Callable[[int], np.ndarray]  # count -> so many values
 
@@ -37,7 +39,7 @@ class Scattered:
 
 
 def trials_of_means(scenes: Iterator[tuple[Scattered, float]]) -> list[tuple[str, Trial]]:
-    """What each way gives on scenes with the error asked of each; costs are numbers of fillings."""
+    """Trials of each way on scenes with the error asked of each; costs are numbers of fillings."""
     tried = []
     for scene, asked in scenes:
         least = max(1.0, np.ceil((NORMAL * scene.scatter / asked) ** 2))

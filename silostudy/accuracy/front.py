@@ -1,4 +1,4 @@
-"""Which settings are worth their cost: the Pareto front, and the cheapest that reaches an error."""
+"""Settings that are worth their cost: the Pareto front, and the cheapest that reaches an error."""
 
 import numpy as np
 

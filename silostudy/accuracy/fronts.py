@@ -27,7 +27,7 @@ def measured_fronts(tell: Callable[[str], None], kinds: Iterable[str] = KINDS) -
 
 @threadpool_limits.wrap(limits=1)
 def trials(tell: Callable[[str], None], kinds: Iterable[str] = KINDS) -> list[Trial]:
-    """How the shipped fronts' choices do on scenes that they were not measured on."""
+    """Trials of the shipped fronts' choices on scenes that they were not measured on."""
     return [trial for kind in kinds for trial in _of(kind).trials(tell)]
 
 

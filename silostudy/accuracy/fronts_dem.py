@@ -27,9 +27,14 @@ STEPS = tuple(2.0 ** (-k / 2) for k in range(9))  # factors of the step that the
 COARSE = {VERLET.key: STEPS[:7], PLAIN.key: STEPS[::2], SMOOTHED.key: STEPS[:7:2]}
 FINE = {PLAIN.key: (2.0**-5, 2.0**-6)}  # on fewer fillings
 FINEST = {"coarse": 2.0**-6, "fine": 2.0**-7.5}  # factors of the references' steps, by velocity Verlet
-SHARE, REST, PARTS = 0.95, 0.25, 6  # of fillings that keep an error; s to rest; parts of a wall
-MEASURED, UNSEEN = 16, 12  # silos that the front is measured on, and others that the choice is tried on
-FILLINGS, FINE_FILLINGS, UNSEEN_FILLINGS = 8, 4, 20
+SHARE = 0.95  # of fillings that keep an error
+REST = 0.25  # s to rest
+PARTS = 6  # of a wall
+MEASURED = 16  # silos that the front is measured on
+UNSEEN = 12  # other silos that the choice is tried on
+FILLINGS = 8  # of each silo that is measured
+FINE_FILLINGS = 4  # of them, at the steps of FINE
+UNSEEN_FILLINGS = 20  # of each silo that the choice is tried on
 ASKED = (0.03, 0.3)  # errors asked for lie between
 SPAN = {"damping_ratio": (0.5, 1.0), "wall_stiffness_ratio": (1.0, 2.0), "stiffness_ratio": (0.2, 0.5),
         "disc_friction": (0.3, 0.6), "wall_friction": (0.1, 0.4)}  # fmt: skip
@@ -41,7 +46,7 @@ Setting = tuple[str, float]  # integrator, factor of the step
 
 @dataclass(frozen=True)
 class Found:
-    """Of one silo: errors of its fillings, and the CPU seconds of one filling, by setting."""
+    """Errors of a silo's fillings, and the CPU seconds of one filling, by setting."""
 
     error: dict[Setting, np.ndarray]
     cost: dict[Setting, float]

@@ -23,7 +23,9 @@ from silostudy.tables.walls import WALLS
 COUNTS = tuple(dict.fromkeys(round(2.0 ** (1 + k / 4)) + 1 for k in range(37)))  # 3 ... 1025, each 1.19 times the one before
 TIMED = 5  # silos that are timed
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(10)
-PANELS, FINE, ROUNDING = 64, 4097, 1e-11
+PANELS = 64  # of a curve's integral
+FINE = 4097  # levels at which a method must give a pressure, to be looked at
+ROUNDING = 1e-11  # relative difference of a panel and its halves beyond which it is integrated in steps that adapt
 SOURCE = "silo_handbook"
 
 
@@ -64,7 +66,7 @@ class Curve:
 
 @dataclass(frozen=True)
 class LevelQuantity:
-    """What is taken from levels: of which curves, its right value, what a number of levels gives, what its error goes with."""
+    """Quantity taken from levels: of which curves, its right value, what a number of levels gives, what its error goes with."""
 
     kind: str
     name: str
@@ -108,7 +110,7 @@ def expansion_of(content: dict, **more) -> Expansion:
 
 
 def spoken(expansion: Expansion) -> Iterator[tuple[Mapping[str, Callable], dict[str, Any]]]:
-    """(quantity -> function, parameters) of every method of a study in every phase that it covers."""
+    """Functions by quantity, and parameters, of every method of a study in every phase that it covers."""
     scene = expansion.cases[0].scene
     for key in expansion.study.method_keys:
         row = PRESSURE[key]
@@ -166,7 +168,7 @@ def trials_of(quantity: LevelQuantity, contents: Iterable[dict], tell: Callable[
 
 
 def trial(quantity: LevelQuantity, asked: float, chosen: int, curves: list) -> Trial:
-    """What a number of levels gave, and the least that would have met what was asked."""
+    """Trial of a number of levels: what it gave, and the least that would have met what was asked."""
     error, cost = errors(curves, quantity).max(axis=0), costs(curves, quantity)
     enough = int(np.argmax(error <= asked)) if (error <= asked).any() else -1
     k = COUNTS.index(chosen)

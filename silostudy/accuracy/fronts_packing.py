@@ -22,11 +22,18 @@ from silostudy.tables.constants import ROUNDED_GRAVITY
 from silostudy.tables.kiyama_1983 import ACTIVE, GAPS, PASSIVE, RADIUS, pitch
 
 RUNS = tuple(dict.fromkeys(round(2.0 ** (k / 4)) for k in range(4, 37)))  # 2 ... 512, each 1.19 times the one before
-GAP, OFFSET, REST = GAPS[PASSIVE], 1e-4, 1.0  # m, m, s: a packing study's own starts
+GAP = GAPS[PASSIVE]  # m, between discs at the start, as in a packing study
+OFFSET = 1e-4  # m, by which places are moved at random at the start
+REST = 1.0  # s to rest
 PITCH = pitch(ACTIVE)
-MEASURED, SPREAD, DRAWN = 20, 48, 4000  # silos, runs of each, means drawn of them
-UNSEEN, AGAINST, TRIED = 8, 192, 128  # other silos, runs behind their right value, runs in the means that are tried
-SHARE, ASKED = 0.95, (0.012, 0.06)
+MEASURED = 20  # silos that the front is measured on
+SPREAD = 48  # runs of each
+DRAWN = 4000  # means drawn of them
+UNSEEN = 8  # other silos
+AGAINST = 192  # runs behind their right value
+TRIED = 128  # runs in the means that are tried
+SHARE = 0.95  # of means that must meet an error
+ASKED = (0.012, 0.06)  # errors asked for lie between
 SOURCE = "kiyama_fujimura_1983"
 
 
@@ -66,7 +73,7 @@ def silos(seed: int, count: int, across: tuple[int, int]) -> Iterator[PackedSilo
 
 
 def shares(silo: PackedSilo, seeds) -> tuple[np.ndarray, float]:
-    """(mean normal force of a side wall over the weight (1) of every run at rest, CPU seconds of one)."""
+    """Mean normal force of a side wall over the weight (1) of every run at rest, and CPU seconds of one."""
     parts, start = [], time.process_time()
     for seed in seeds:
         engine = Engine(silo.model(seed))

@@ -14,7 +14,8 @@ from silostudy.accuracy.trial import Trial
 from silostudy.choice.pressure import integral_number, kink_number, peak_number
 from silostudy.scene.expand import Expansion
 
-MEASURED, UNSEEN = 60, 100  # silos with every method; studies of up to four methods
+MEASURED = 60  # silos with every method
+UNSEEN = 100  # studies of up to four methods
 
 
 def curves(expansion: Expansion, name: str) -> list[Curve]:
@@ -56,6 +57,6 @@ def measured_fronts(tell: Callable[[str], None]) -> list[dict]:
 
 
 def trials(tell: Callable[[str], None]) -> list[Trial]:
-    """How the shipped fronts' choices do on studies that they were not measured on."""
+    """Trials of the shipped fronts' choices on studies that they were not measured on."""
     levels = [trial for quantity in QUANTITIES for trial in trials_of(quantity, studies(1, UNSEEN, 4), tell)]
     return levels + fronts_samples.trials(tell)

@@ -17,9 +17,13 @@ from silostudy.pressure import janssen
 from silostudy.pressure.calls import call
 
 POWERS = tuple(range(6, 17))
-MEASURED, UNSEEN, SEEDS, SHARE = 30, 40, 20, 0.95  # solids, other solids, sequences for each; share of them that must meet it
+MEASURED = 30  # solids
+UNSEEN = 40  # other solids
+SEEDS = 20  # sequences for each
+SHARE = 0.95  # of sequences that must meet an error
 KEPT = 0.95  # share of all errors measured, over solids and sequences, that a row keeps
-LEVELS, ABOVE = 25, 0.1  # depths of the wall whose quantiles count, the worst of them; the first over the last
+LEVELS = 25  # depths of the wall whose quantiles count, the worst of them
+ABOVE = 0.1  # first of these depths over the last
 ASKED = (1e-3, 0.05)
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(100)
 SOURCE = "silo_handbook"
@@ -42,7 +46,7 @@ class Solid:
 
     @property
     def depths(self) -> np.ndarray:
-        """Where quantiles are taken (m)."""
+        """Depths (m) of the quantiles."""
         return np.linspace(ABOVE, 1.0, LEVELS) * self.depth
 
     def pressure(self, depth, friction, ratio, weight):
@@ -79,7 +83,7 @@ def _nodes(solid: Solid) -> tuple[np.ndarray, np.ndarray]:
 
 
 def _quantile(heaviest: np.ndarray, lightest: float) -> float:
-    """Of the pressures (Pa) at the nodes with the largest unit weight."""
+    """Quantile of the pressures (Pa) at the nodes with the largest unit weight."""
     weights = 0.5 * WEIGHTS
 
     def below(pressure):

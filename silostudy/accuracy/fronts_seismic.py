@@ -22,10 +22,15 @@ from silostudy.seismic.records import Record, compressed, without_baseline
 REFINEMENTS = (1, 2, 3, 4, 6, 8, 12, 16, 24, 48)  # all divide the last
 LEVELS = (3, 4, 5, 6, 7, 9, 11, 13, 16, 17, 21, 25, 31, 41, 49, 61, 81, 121, 161, 241)  # one less divides the finest less one
 FINEST = 961
-COARSE, TRUTHS, AROUND = 11, 20, 2  # candidates before refinement, truths within a step of theirs, steps beside that one
-MEASURED, MOVED, UNSEEN = 40, 200, 60  # scenes for the coefficient, for the moment, other scenes
+COARSE = 11  # candidates before refinement
+TRUTHS = 20  # right values within a step of a candidate
+AROUND = 2  # steps of candidates beside that one
+MEASURED = 40  # scenes for the coefficient
+MOVED = 200  # scenes for the moment
+UNSEEN = 60  # other scenes
 SHARE = 0.95  # of the truths that must meet it
-PERIODS, PER_PERIOD = 30, 25  # of the empty tube: length and sampling of the base motion
+PERIODS = 30  # of the empty tube: length of the base motion
+PER_PERIOD = 25  # samples of the base motion in one of them
 ASKED = {"effective_mass_coefficient": (1e-4, 1e-2), "wall_bending_moment": (4e-3, 0.1)}  # errors asked for lie between
 SOURCE = "sasaki_yoshimura_effective_mass"
 
@@ -39,7 +44,7 @@ class ShakenTube:
 
     @property
     def step(self) -> float:
-        """Of the candidates before refinement."""
+        """Step of the candidates before refinement."""
         return float(np.diff(self.question.coefficients)[0])
 
     @property

@@ -16,7 +16,8 @@ from silostudy.choice.pressure import jump_number, smooth_number
 from silostudy.pressure.quadrature import from_surface
 from silostudy.scene.expand import Expansion
 
-MEASURED, UNSEEN = 30, 60  # silos with every method; studies of up to three methods
+MEASURED = 30  # silos with every method
+UNSEEN = 60  # studies of up to three methods
 STEEL = {"youngs_modulus_GPa": 210.0, "yield_stress_MPa": 235.0, "quality": "B", "manufacture": "fabricated"}
 
 
@@ -41,7 +42,7 @@ class Rubbed(Curve):
 
 
 def curves(expansion: Expansion) -> list[Rubbed]:
-    """Of every method that has no axial force of its own: what is summed for it."""
+    """Curves that are summed, of every method that has no axial force of its own."""
     scene = expansion.cases[0].scene
     wall = {**scene.shell.steel, "inner_radius": scene.silo.diameter / 2, "ring_area": 0.0, "bay_length": scene.silo.wall_depth,
             "total_length": scene.silo.wall_depth,
@@ -75,7 +76,7 @@ def exact_thickness(curve: Rubbed) -> float:
 
 
 def force(curve: Rubbed, count: int) -> float:
-    """At the foot (N/m), by trapezoids."""
+    """Axial force (N/m) at the foot, by trapezoids."""
     return float(_summed(curve, count)[1][-1])
 
 
@@ -115,5 +116,5 @@ def measured_fronts(tell: Callable[[str], None]) -> list[dict]:
 
 
 def trials(tell: Callable[[str], None]) -> list[Trial]:
-    """How the shipped fronts' choices do on studies that they were not measured on."""
+    """Trials of the shipped fronts' choices on studies that they were not measured on."""
     return [trial for quantity in QUANTITIES for trial in trials_of(quantity, walled(studies(11, 3 * UNSEEN, 3), 11), tell)]

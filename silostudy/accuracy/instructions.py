@@ -13,7 +13,7 @@ from pathlib import Path
 
 
 def missing() -> str:
-    """Why instructions cannot be counted here; empty where they can."""
+    """Reason why instructions cannot be counted here; empty where they can."""
     tools = [tool for tool in ("valgrind", "callgrind_control") if shutil.which(tool) is None]
     return f"{' and '.join(tools)} not found (package valgrind)" if tools else ""
 

@@ -39,7 +39,7 @@ class Rung:
 
 
 def machine() -> dict[str, str]:
-    """What the costs were measured on."""
+    """Machine that the costs were measured on."""
     lines = Path("/proc/cpuinfo").read_text().splitlines() if Path("/proc/cpuinfo").exists() else []
     names = [line.split(":", 1)[1].strip() for line in lines if line.startswith("model name")]
     packages = ", ".join(f"{name} {version(name)}" for name in ("numpy", "scipy", "numba"))

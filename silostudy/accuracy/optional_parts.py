@@ -1,4 +1,4 @@
-"""What an optional part of a study adds: the same study with the part and without it, in turn."""
+"""Cost of an optional part of a study: the same study with the part and without it, in turn."""
 
 import copy
 import time

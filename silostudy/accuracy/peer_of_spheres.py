@@ -90,7 +90,7 @@ class LammpsSpheres:
 
     @property
     def places(self) -> np.ndarray:
-        """x, y, z (m) of the spheres that are left."""
+        """Places x, y, z (m) of the spheres that are left."""
         return np.array(self.lammps.numpy.extract_atom("x")[: self.grains])
 
     def step(self, steps: int) -> None:

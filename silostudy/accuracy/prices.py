@@ -1,4 +1,4 @@
-"""What each effect of a scene costs in time and memory: the same discs at the same places, stepped with it and without it.
+"""Cost of each effect of a scene in time and memory: the same discs at the same places, stepped with it and without it.
 
 A packing without friction soon is another packing, so the discs are first brought near rest with every effect on, and the
 steps that are timed are so short that nothing moves: contacts, lists and forces are those of one state throughout.
@@ -16,7 +16,8 @@ from silostudy.dem.model import Contact, Model
 from silostudy.dem.pieces import Laws
 from silostudy.dem.varied import Varied
 
-TURNS, READING = 15, 0.02  # readings of each variant, and the CPU seconds that one lasts about
+TURNS = 15  # readings of each variant
+READING = 0.02  # CPU seconds that a reading lasts about
 SETTLING = 1e7  # particle-steps that are spent on coming near rest
 SHORT = 1e-12  # s: a step in which nothing moves
 APART = 1e-9  # relative difference of radii that makes discs of several sizes of equal ones
@@ -78,7 +79,7 @@ def still(model: Model, settling: float = SETTLING) -> Model:
 
 
 def price_of_step(model: Model, settling: float, turns: int = TURNS) -> tuple[float, float]:
-    """(CPU seconds, bytes of memory) of a body in a step of a model, near rest after so many particle-steps."""
+    """CPU seconds and bytes of memory of a body in a step of a model, near rest after so many particle-steps."""
     engine = Engine(still(model, settling))
     steps = _steps(engine)
     readings = [_seconds_a_step(engine, steps) for _ in range(turns)]

@@ -1,4 +1,4 @@
-"""How far the wall forces of a silo at rest move with the time step, by way of marching, and in LAMMPS.
+"""Wall forces of a silo at rest over the time step, by integrator and dashpot, and in LAMMPS.
 
 Where the discs of a filling come to rest depends on every rounding, so the profile is a mean over fillings, compared
 filling by filling with the same fillings at a short step of the same program; its noise is the standard error of that

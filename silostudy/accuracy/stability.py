@@ -35,7 +35,7 @@ def stability_cube(expansion: Expansion, tell: Callable[[str], None] = lambda te
 
 
 def _same(scene: RestingDiscs, *more: str) -> str:
-    """What tells networks at rest apart: everything but the laws' dashpots and the integrator."""
+    """Parts that tell arrangements at rest apart: everything but the laws' dashpots and the integrator."""
     laws = [law.at_rest for law in scene.config.discs.laws.values()]
     return f"{laws} {scene.config.model_dump_json(exclude={'integrator': True, 'discs': {'normal', 'tangential', *more}})}"
 

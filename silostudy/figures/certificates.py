@@ -1,4 +1,4 @@
-"""What the runs of a sweep found of the accuracy that was asked of their means, and what it cost."""
+"""Accuracy that was asked of means, what the runs of a sweep estimated of it, and what it cost."""
 
 from pathlib import Path
 

@@ -13,7 +13,8 @@ from silostudy.figures.beside import settings, told
 from silostudy.figures.style import WIDTH, foot, headline, plt, save, series
 
 SURE = 0.95  # share of the intervals that hold the share of all fillings
-FREE, WITH_JAMS = "flow_kg_m_s", "flow_with_jams_kg_m_s"  # columns: mean flow of fillings that do not jam, and of all
+FREE = "flow_kg_m_s"  # column: mean flow of fillings that do not jam
+WITH_JAMS = "flow_with_jams_kg_m_s"  # column: mean flow of all
 FLOWS: tuple[tuple[str, str, dict], ...] = (  # column, whose mean it is, how its curve differs
     (FREE, "fillings that do not jam", {}),
     (WITH_JAMS, "all", {"linestyle": ":", "markerfacecolor": "none"}),
@@ -57,7 +58,7 @@ def _panels(jams: Axes, flows: Axes, table: pd.DataFrame, name: str, number: int
 
 
 def _message(table: pd.DataFrame) -> str:
-    """What the figure says, in numbers: the widest slot that jams, and the powers with jams and without."""
+    """Sentence on what the figure says: the widest slot that jams, and the powers with jams and without."""
     jammed = table[table["jammed"] > 0]
     if jammed.empty:
         return f"No slot of {table['outlet_diameters'].min():g} diameters or more jams"

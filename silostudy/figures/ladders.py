@@ -1,4 +1,4 @@
-"""What each setting of a scene of spheres changes of its means over fillings, numerical settings beside contact laws.
+"""Changes of means over fillings with each setting of a scene of spheres, numerical settings beside contact laws.
 
 The first point of the axis is the setting that all others are held against; each of them changes one thing.
 """
@@ -43,7 +43,7 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
 
 
 def _message(table: pd.DataFrame) -> str:
-    """How much settings and laws change each quantity at most."""
+    """Sentence on how much settings and laws change each quantity at most."""
     most = 100.0 * table["change"].abs().groupby([table["model"], table["quantity"]], sort=False).max()
     told = [
         ", ".join(f"the {QUANTITIES[name]} by {value:.2g} %" for name, value in most[model].items())

@@ -73,8 +73,8 @@ def power(table: pd.DataFrame, edge: float) -> tuple[float, float]:
     free = table["outlet_width_m"] - edge
     if not (free > 0.0).all():
         return np.nan, np.nan
-    found = linregress(np.log(free), np.log(table["mass_flow_kg_s"]))
-    return float(found.slope), float(student.ppf(0.975, len(table) - 2) * found.stderr) if len(table) > 2 else np.nan
+    line = linregress(np.log(free), np.log(table["mass_flow_kg_s"]))
+    return float(line.slope), float(student.ppf(0.975, len(table) - 2) * line.stderr) if len(table) > 2 else np.nan
 
 
 def constant(cube: xr.Dataset, slope: float) -> float:
@@ -89,5 +89,5 @@ def constant(cube: xr.Dataset, slope: float) -> float:
 
 def _constant(cube: xr.Dataset, slope: float) -> str:
     """The constant in words, where it is known."""
-    found = constant(cube, slope)
-    return f"; C = {found:.2f}, 0.55 to 0.65 in print" if np.isfinite(found) else ""
+    of_law = constant(cube, slope)
+    return f"; C = {of_law:.2f}, 0.55 to 0.65 in print" if np.isfinite(of_law) else ""

@@ -33,7 +33,7 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
 
 
 def _message(cube: xr.Dataset) -> str:
-    """What the figure says, in numbers: how far single cells are from the mean around, at rest and in flow."""
+    """Sentence on how far single cells are from the mean around, at rest and in flow."""
     largest = cube["largest_over_ring"].mean([dim for dim in cube["largest_over_ring"].dims if dim != "phase"])
     rest, flow = (100.0 * float(largest.sel(phase=phase)) for phase in PANELS)
     return f"The largest cell presses {rest:.0f} % more than the mean around its level at rest, {flow:.0f} % more in flow"

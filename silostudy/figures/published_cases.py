@@ -51,7 +51,7 @@ def _row(panel: Axes, place: int, row: Any, values: np.ndarray) -> None:
 
 
 def verdicts(cube: xr.Dataset) -> tuple[pd.DataFrame, list[np.ndarray]]:
-    """(A row a published number: what the fillings came to, its interval, met or not and by how much; the fillings of each)."""
+    """Rows of published numbers (what fillings came to, its interval, met or not and by how much), and of their fillings."""
     rows, fillings = [], []
     for position, file in enumerate(map(str, cube["published_case"].values)):
         for number, published in enumerate(published_of(Path(file).stem)):

@@ -47,7 +47,7 @@ def _grains(silo: xr.Dataset, setting: dict[str, Any]) -> list[dict[str, Any]]:
 
 
 def _around(silo: xr.Dataset, setting: dict[str, Any]) -> list[dict[str, Any]]:
-    """How far cells are from the mean around their level, and whether a method's patch load covers the largest."""
+    """Distance of cells from the mean around their level, and whether a method's patch load covers the largest."""
     if "largest_over_ring" not in silo:
         return []
     lines = []
@@ -66,7 +66,7 @@ def _around(silo: xr.Dataset, setting: dict[str, Any]) -> list[dict[str, Any]]:
 
 
 def _switch(silo: xr.Dataset, setting: dict[str, Any]) -> list[dict[str, Any]]:
-    """Where on the hopper the rise is largest, and when its outlet and its transition feel most."""
+    """Place on the hopper where the rise is largest, and when its outlet and its transition feel most."""
     time, factor = silo["hopper_switch_time"], silo["hopper_switch_factor"]
     place = silo["hopper_level_position"].isel(wall_level=factor.fillna(-1.0).argmax("wall_level"))
     about = {**setting, "of": "grains"}
@@ -95,7 +95,7 @@ def _methods(silo: xr.Dataset, setting: dict[str, Any]) -> list[dict[str, Any]]:
 
 
 def _in_hopper(silo: xr.Dataset, setting: dict[str, Any]) -> list[dict[str, Any]]:
-    """What methods say of the hopper beside the grains: its mean in each phase, and next to the transition their largest."""
+    """Pressures of methods on the hopper beside the grains': the mean in each phase, and the largest next to the transition."""
     lines = []
     for phase in PHASES:
         for method in map(str, silo["pressure_method"].values):

@@ -1,4 +1,4 @@
-"""What a tube shaken by a pulse answers over the number of modes that are summed."""
+"""Answer of a tube shaken by a pulse over the number of modes that are summed."""
 
 from dataclasses import replace
 
@@ -11,8 +11,11 @@ from silostudy.seismic.response import absolute_acceleration, internal_forces
 
 MODES = (1, 2, 3, 4, 5, 7, 10, 15, 22, 34)  # the last: all that the package's polynomials of degree 17 have
 LADDERS = {"modes": MODES}
-PULSE, FOLLOWED, STEPS = 4e-3, 4, 4000  # s: about the tube's first period; pulses that are followed; steps in a pulse
-SHIFT, FINER = 18.0, 2  # of the contour, over the period of the transform; samples of the transform over the steps of LOOKED
+PULSE = 4e-3  # s, about the tube's first period
+FOLLOWED = 4  # pulses that are followed
+STEPS = 4000  # in a pulse
+SHIFT = 18.0  # of the contour, over the period of the transform
+FINER = 2  # samples of the transform over the steps of LOOKED
 LOOKED = 200  # looks at the histories in a pulse
 
 

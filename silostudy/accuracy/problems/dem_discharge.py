@@ -12,8 +12,14 @@ from silostudy.dem.run import Run
 from silostudy.dem.walls import sums_by_wall
 from silostudy.scene.plane_silo import SIDES
 
-ACROSS, LEVELS, SLIT, GAP, OFFSET = 8, 10, 0.55, 6e-5, 2e-5
-REST, FLOW, WINDOW = 0.3, 0.5, 5e-3  # s
+ACROSS = 8  # discs in a row
+LEVELS = 10  # rows
+SLIT = 0.55  # width of the slit over that of the silo
+GAP = 6e-5  # m, between discs at the start
+OFFSET = 2e-5  # m, by which places are moved at random at the start
+REST = 0.3  # s to rest
+FLOW = 0.5  # s of discharge
+WINDOW = 5e-3  # s over which forces are averaged
 STEPS = (1e-4, 5e-5, 2.5e-5, 1.25e-5, 6.25e-6)
 LADDERS = {
     PLAIN.key: STEPS[1:],
@@ -32,7 +38,7 @@ def prepare(ladder: str, setting: float, members: int):
 
 
 def reference(members: int):
-    """Four times the members at half the finest step, with seeds of their own."""
+    """Reference by four times the members at half the finest step, with seeds of their own."""
     return _run(VERLET.key, STEPS[-1] / 2.0, 1.0, 4 * members, first=10_000)()
 
 

@@ -1,4 +1,4 @@
-"""How many discs stand for the solid: how hard a loose filling of one shape presses on the walls."""
+"""Number of discs that stand for the solid: how hard a loose filling of one shape presses on the walls."""
 
 from math import pi, sqrt
 
@@ -12,8 +12,12 @@ from silostudy.scene.plane_silo import PlaneSilo
 from silostudy.tables.constants import ROUNDED_GRAVITY
 from silostudy.tables.kiyama_1983 import DENSITY, RADIUS
 
-WIDTH, SLENDERNESS, SOLID, SPREAD = 0.2, 2.0, 0.82, 0.2
-REST, STEP_AT = 1.5, (2.0e-5, RADIUS)  # s; step (s) for discs of a radius (m): it shrinks with the radius
+WIDTH = 0.2  # m, of the silo
+SLENDERNESS = 2.0  # height of the filling over the width
+SOLID = 0.82  # share of the filling's area that the discs take
+SPREAD = 0.2  # of radii: they lie evenly so far below and above their mean, relative to it
+REST = 1.5  # s to rest
+STEP_AT = (2.0e-5, RADIUS)  # s, for discs of a radius (m): the step shrinks with the radius
 DISCS = (16, 32, 64, 128, 256)
 LADDERS = {"discs": DISCS}
 

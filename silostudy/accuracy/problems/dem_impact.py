@@ -1,4 +1,4 @@
-"""Two discs meet head on: restitution by each integrator and dashpot over the steps in a contact."""
+"""Head-on impact of two discs: restitution by each integrator and dashpot over the steps in a contact."""
 
 from dataclasses import replace
 from math import atan2, exp, pi, sqrt
@@ -13,7 +13,8 @@ from silostudy.dem.lanes import U
 from silostudy.dem.model import Model, Wall
 from silostudy.tables.kiyama_1983 import DENSITY, RADIUS
 
-DAMPING_RATIO, SPEED = 0.2, 0.1
+DAMPING_RATIO = 0.2  # of critical damping
+SPEED = 0.1  # m/s, of each disc
 STEPS = (8, 16, 32, 64, 128, 256, 512, 1024, 2048, 4096)
 LADDERS = {
     PLAIN.key: STEPS,
@@ -24,7 +25,7 @@ LADDERS = {
 
 
 def prepare(ladder: str, setting: float):
-    """Two discs that approach over half a radius less than nothing: they touch at once and part after a contact time."""
+    """Places two discs so that they touch at once and part after a contact time."""
     integrator, *implicit = ladder.split(", ")
     pair = contact_of_discs(normal=(spring_dashpot_implicit if implicit else spring_dashpot).ROW)
     reduced, stiffness = 0.5 * DENSITY * pi * RADIUS**2, pair.coefficients["normal_stiffness"]

@@ -16,7 +16,10 @@ from silostudy.dem.integrate import PLAIN, SMOOTHED, VERLET
 from silostudy.dem.lanes import W
 from silostudy.tables.kiyama_1983 import RADIUS
 
-ACROSS, LEVELS, PARTS, REST = 8, 12, 6, 0.6  # discs, rows, parts of a wall, time to rest (s)
+ACROSS = 8  # discs in a row
+LEVELS = 12  # rows
+PARTS = 6  # of a wall
+REST = 0.6  # s to rest
 STEPS = (1.28e-4, 6.4e-5, 3.2e-5, 1.6e-5, 8e-6, 4e-6, 2e-6)
 SINGLE = "17-18, single precision (time of double)"
 LADDERS = {
@@ -61,7 +64,7 @@ def _run(model, skin: float = 0.0, march=Engine.step_to):
 
 
 def _timed_in_double(model):
-    """What the rounded run gives, found before the clock runs; the call that is timed makes the run in double."""
+    """Run in double precision that is timed; the rounded run's result is computed before the clock runs."""
     forces, double = _run(model, march=step_rounded)(), _run(model)
 
     def run():

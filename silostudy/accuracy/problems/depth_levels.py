@@ -1,4 +1,4 @@
-"""How many depth levels a wall force and a largest pressure need."""
+"""Number of depth levels that a wall force and a largest pressure need."""
 
 import numpy as np
 from scipy.optimize import minimize_scalar
@@ -8,7 +8,8 @@ from silostudy.pressure.calls import call
 
 LEVELS = (3, 5, 9, 17, 33, 65, 129, 257, 513, 1025)
 LADDERS = {"even levels": LEVELS}
-DEPTH, SILOS = 18.0, 200  # m; silos from stubby to slender, in one call
+DEPTH = 18.0  # m
+SILOS = 200  # from stubby to slender, in one call
 SILO: dict = {
     "unit_weight": 8000.0, "hydraulic_radius": np.geomspace(0.5, 5.0, SILOS)[:, None], "wall_friction": 0.4,
     "lateral_pressure_ratio": 0.45, "poisson_ratio": 0.3, "cylinder_depth": DEPTH, "slot": 0.0,
@@ -30,7 +31,7 @@ def prepare(ladder: str, setting: float):
 
 
 def reference():
-    """What the wall carries is the weight less what the vertical pressure passes on; the peak by a bounded search."""
+    """Wall force as the weight less what the vertical pressure passes on, and the peak by a bounded search."""
     radius = SILO["hydraulic_radius"]
     carried = (SILO["unit_weight"] * DEPTH - call(janssen.vertical_pressure, DEPTH, SILO)) * radius
     peaks = np.array([_peak({**SILO, "hydraulic_radius": size}) for size in radius[:, 0]])

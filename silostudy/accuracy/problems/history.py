@@ -7,7 +7,10 @@ from scipy.signal import bilinear, lfilter
 
 from silostudy.seismic.response import oscillators
 
-NATURAL, DAMPING, SHAKING, DURATION = 19.0, 0.03, 7.0, 2.0  # Hz, ratio, Hz, s
+NATURAL = 19.0  # Hz, of the oscillator
+DAMPING = 0.03  # of critical damping
+SHAKING = 7.0  # Hz, of the ground
+DURATION = 2.0  # s
 STEPS = tuple(0.02 / 2**k for k in range(10))
 LADDERS = {"exact recursion": STEPS, "Newmark, mean acceleration": STEPS}
 
@@ -40,7 +43,7 @@ def _times(dt: float) -> np.ndarray:
 
 
 def _exact(t: np.ndarray) -> np.ndarray:
-    """q'' + 2 zeta w q' + w^2 q = -sin(W t), q = q' = 0 at t = 0: from the equation, with its coefficients by hand."""
+    """Solution of q'' + 2 zeta w q' + w^2 q = -sin(W t), q = q' = 0 at t = 0, with its coefficients by hand."""
     w, forced = 2 * pi * NATURAL, 2 * pi * SHAKING
     below = (w**2 - forced**2) ** 2 + (2 * DAMPING * w * forced) ** 2
     sine, cosine = -(w**2 - forced**2) / below, 2 * DAMPING * w * forced / below

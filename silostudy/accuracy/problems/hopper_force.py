@@ -11,8 +11,10 @@ LADDERS = {
     "double-exponential rule in two parts": (5, 9, 13, 21, 31, 41, 61, 81),
     "even places, trapezoidal rule": (5, 9, 17, 33, 65, 129, 257, 513, 1025),
 }
-HOPPERS, PHASES = 200, ("filling", "discharge")  # steeper than where so smooth a wall has no initial field, 21.8 degrees
-DIAMETER, OUTLET = 5.0, 0.6  # m
+HOPPERS = 200  # steeper than where so smooth a wall has no initial field, 21.8 degrees
+PHASES = ("filling", "discharge")  # both fields
+DIAMETER = 5.0  # m, at the transition
+OUTLET = 0.6  # m
 BIN: dict = {
     "unit_weight": 8e3, "wall_friction": 0.3, "lateral_pressure_ratio": 0.5, "hydraulic_radius": 1.25, "diameter": DIAMETER,
     "perimeter": np.pi * DIAMETER, "cylinder_depth": np.geomspace(2.5, 25.0, HOPPERS)[:, None], "length": 0.0, "slot": 0.0,
@@ -45,7 +47,7 @@ def prepare(ladder: str, setting: float):
 
 
 def reference():
-    """What equilibrium leaves to the wall: weight and load from above, less what ring and outlet carry."""
+    """Force that equilibrium leaves to the wall: weight and load from above, less what ring and outlet carry."""
     shape = {name: BIN[name] for name in parameters_of(hopper_shape.contents)}
     top, bottom = (hopper_shape.contents(x, **shape) for x in (TOP, BOTTOM))
     forces = {}

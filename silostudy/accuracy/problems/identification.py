@@ -9,7 +9,9 @@ from silostudy.seismic.records import Record, compressed, without_baseline
 
 LADDERS = {"even candidates from 0 to 1": (5, 9, 17, 33, 65, 129)}
 TRUTHS = np.array([0.2718, 0.4669, 0.5772, 0.6931, 0.8414])  # on no grid of candidates
-COMPRESSION, SAMPLES, SEED = 8.0, 2500, 1
+COMPRESSION = 8.0  # of time: the record runs so many times as fast
+SAMPLES = 2500  # of the record that are kept
+SEED = 1  # of the noise
 
 
 def _question(coefficients) -> identify.Question:

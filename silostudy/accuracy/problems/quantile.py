@@ -9,10 +9,13 @@ from silostudy.pressure.calls import call
 
 SAMPLES = tuple(2**k for k in range(4, 17, 2))
 LADDERS = {"Sobol sequence, scrambled": SAMPLES, "random": SAMPLES}
-SHARE, NODES = 0.95, 400
+SHARE = 0.95  # of the quantile
+NODES = 400  # of the exact quadrature
 RUNS = 16  # seeds: the worst of them counts, the cost is that of one
 SOLID = {"unit_weight": 8000.0, "hydraulic_radius": 1.25, "wall_friction": 0.4, "lateral_pressure_ratio": 0.45}
-DEPTH, SPREAD, LIGHTEST = 10.0, {"wall_friction": 1.16, "lateral_pressure_ratio": 1.11}, 0.8
+DEPTH = 10.0  # m
+SPREAD = {"wall_friction": 1.16, "lateral_pressure_ratio": 1.11}  # factors of the solid's scatter
+LIGHTEST = 0.8  # least unit weight over the tabulated one
 
 
 def _factors(share, spread):
@@ -41,7 +44,7 @@ def prepare(ladder: str, setting: float):
 
 
 def reference():
-    """Where the distribution function, by Gauss quadrature, is the share asked for: pressure is linear in unit weight."""
+    """Pressure where the distribution function, by Gauss quadrature, is the share asked for: it is linear in unit weight."""
     nodes, weights = np.polynomial.legendre.leggauss(NODES)
     share, weights = 0.5 * (nodes + 1.0), 0.5 * weights
     friction, ratio = (SOLID[name] * _factors(share, SPREAD[name]) for name in SPREAD)

@@ -8,8 +8,12 @@ from silostudy.pressure import radial_field
 
 STEPS = (4, 8, 15, 30, 60, 120, 240, 480)
 LADDERS = {"steps": STEPS}
-INITIAL_ANGLES, INITIAL_FRICTION, STRESS_RATIO = np.radians(np.linspace(6.0, 16.0, 10)), 0.5, 0.8
-FLOW_ANGLES, FLOW_FRICTION, EFFECTIVE = np.radians(np.linspace(8.0, 26.0, 10)), np.tan(np.radians(15.0)), np.radians(45.0)
+INITIAL_ANGLES = np.radians(np.linspace(6.0, 16.0, 10))  # half angles (rad) of hoppers in the initial field
+INITIAL_FRICTION = 0.5  # of their walls
+STRESS_RATIO = 0.8  # of the initial field
+FLOW_ANGLES = np.radians(np.linspace(8.0, 26.0, 10))  # half angles (rad) of hoppers in flow
+FLOW_FRICTION = np.tan(np.radians(15.0))  # of their walls
+EFFECTIVE = np.radians(45.0)  # effective friction angle (rad)
 SLOTS = (0.0, 1.0)
 FIRST = 1e-5  # rad: where the independent march leaves the axis, a singular point of a cone
 

@@ -1,4 +1,4 @@
-"""How many depth levels the axial force and the utilisation of a wall of strakes need."""
+"""Number of depth levels that the axial force and the utilisation of a wall of strakes need."""
 
 import numpy as np
 from scipy.optimize import minimize_scalar
@@ -12,8 +12,10 @@ from silostudy.pressure.quadrature import from_surface
 
 LEVELS = (5, 9, 17, 33, 65, 129, 257, 513, 1025)
 LADDERS = {"even levels": LEVELS}
-RULE, SAFETY = en1993_4_1.ROWS[-1], 1.65  # the latest edition
-DEPTH, SILOS = 20.0, 12  # m; silos from stubby to slender, in one call
+RULE = en1993_4_1.ROWS[-1]  # the latest edition
+SAFETY = 1.65  # buckling stress over the allowable one
+DEPTH = 20.0  # m
+SILOS = 12  # from stubby to slender, in one call
 RADIUS = np.geomspace(1.6, 8.0, SILOS)[:, None]  # m
 SOLID: dict = {
     "unit_weight": 9e3, "hydraulic_radius": RADIUS / 2, "wall_friction": 0.44, "lateral_pressure_ratio": 0.54,

@@ -10,7 +10,8 @@ from silostudy.buckling.family import call
 BITS = {32: np.float32, 64: np.float64}
 LADDERS = {"float": tuple(BITS)}
 RULE = en1993_4_1.ROWS[0]  # the first edition
-SHELLS, MANY = 400, 50  # shells that are compared; how often they stand in the call that is timed
+SHELLS = 400  # that are compared
+MANY = 50  # times that they stand in the call that is timed
 DIGITS = 50
 STEEL = {"youngs_modulus": 210e9, "yield_stress": 235e6, "fabrication_quality": 25.0}
 HOOP = (0.01, 0.2, 0.8)  # shares of the yield stress between which lower and upper pressure load the hoop

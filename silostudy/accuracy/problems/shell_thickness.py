@@ -8,8 +8,10 @@ from silostudy.accuracy.problems.shell_strength import HOOP, RULE, STEEL, exact
 from silostudy.buckling.thickness import STOCKIEST, required_thickness, with_thickness
 
 LADDERS = {"halvings of log R/t": (5, 8, 11, 14, 18, 22, 27, 33, 40)}
-SHELLS, MANY = 24, 50  # walls that are compared; how often they stand in the call that is timed
-SAFETY, DIGITS = 1.65, 30
+SHELLS = 24  # walls that are compared
+MANY = 50  # times that they stand in the call that is timed
+SAFETY = 1.65  # buckling stress over the allowable one
+DIGITS = 30  # of the exact answer
 UNUSED: dict = {
     "shell_poisson_ratio": 0.3, "ring_area": 0.0, "bay_length": 1.0, "end_factor": 1.0, "fabricated": True,
     "safe_constants": False,

@@ -9,7 +9,8 @@ from silostudy.pressure.jenike_mass_flow import envelope_pressure
 
 BITS = {32: np.float32, 64: np.float64}
 LADDERS = {"float": tuple(BITS)}
-SILOS, MANY = 400, 50  # silos that are compared; how often they stand in the call that is timed
+SILOS = 400  # that are compared
+MANY = 50  # times that they stand in the call that is timed
 DIGITS = 50
 
 
@@ -52,7 +53,7 @@ def reference():
 
 
 def _exact(z, weight, radius, friction, ratio, poisson, depth, slot):
-    """p = [g b (1 - 2 nu k)(1 - sech L) + S (k + tanh(L)/M)] / (1 + k M tanh L): silo_handbook, section 4.2.2 (d)."""
+    """Pressure p = [g b (1 - 2 nu k)(1 - sech L) + S (k + tanh(L)/M)] / (1 + k M tanh L): silo_handbook, section 4.2.2 (d)."""
     b, k, m = radius / friction, poisson / (1 - poisson), (2 * (1 - poisson)).sqrt()
     stress = weight * b / ratio * (1 - (-z * ratio / b).exp())
     length = (depth - z) / (b * m)

@@ -39,12 +39,12 @@ from silostudy.dem.space.motion import (
     rates,
     reduced,
     twisting,
-    walk,
     where,
     whole,
 )
 from silostudy.dem.space.network import all_from_wall, bent, densest, tangents
 from silostudy.dem.space.surfaces import RISE, height_of, lift, motion_of, nearest, widen
+from silostudy.dem.space.walk import walk
 from silostudy.dem.space.walls import beside, cell_count, extents, walls_of
 
 SPACE = Dimension(
