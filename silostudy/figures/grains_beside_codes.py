@@ -96,7 +96,7 @@ def _panel(panel: Axes, silo: xr.Dataset, phase: str, ranks: pd.DataFrame) -> li
 
 def _draw_ranks(panel: Axes, silo: xr.Dataset, ranks: pd.DataFrame) -> None:
     """A row a method: over the grains' largest mean around (filled), and over their largest on one cell (hollow)."""
-    panel.set(title="least over the grains' largest", xlabel="pressure over the grains'")
+    panel.set(title="of the grains' largest", xlabel="least pressure over theirs")
     panel.set_yticks(range(len(ranks)), [title(silo, method) for method in ranks["of"]])
     panel.set_ylim(-0.7, len(ranks) - 0.3)
     panel.yaxis.tick_right()

@@ -21,7 +21,7 @@ from silostudy.tables.measured import SWELLING_OVER_FILLING, Measurement, measur
 from silostudy.tables.outputs import output_of
 
 STATIC, FILLED, SWOLLEN = output_of(__name__).methods
-LANES = 0.62  # of the room of a measurement, in which each method has a lane
+LANES = 0.52  # of the room of a measurement, in which each method has a lane
 BEHIND = {"facecolor": "white", "edgecolor": "none", "pad": 1}
 PLACES = (0.6, 0.8, 1.0, 1.5, 2.0, 3.0, 5.0, 8.0)  # ticks of computed over measured
 
@@ -108,11 +108,11 @@ def _strip(panel: Axes, cube: xr.Dataset, plain: list[Measurement], tables: list
         height = own.row + LANES * (lane / (len(methods) - 1) - 0.65)
         panel.plot(own.ratio, height, label=_name(cube, method), linestyle="none", markersize=7, **look(cube, method))
     for row, table in enumerate(tables):
-        words = fill(_words(cube, table), 52)
-        panel.text(0.01, row + 0.3, words, transform=panel.get_yaxis_transform(), va="top", fontsize="small", bbox=BEHIND)
+        words = fill(_words(cube, table), 60)
+        panel.text(0.01, row + 0.25, words, transform=panel.get_yaxis_transform(), va="top", fontsize="small", bbox=BEHIND)
     panel.axvline(1, color="black", linewidth=1.2)
     panel.set_yticks(np.arange(len(plain)), [_label(*pair) for pair in zip(plain, tables, strict=True)])
-    panel.set(xscale="log", xlabel="computed over measured", ylim=(len(plain) - 0.45, -0.55), xlim=(0.55, 9))
+    panel.set(xscale="log", xlabel="computed over measured", ylim=(len(plain) - 0.4, -0.45), xlim=(0.55, 9))
     panel.set_xticks(PLACES, [f"{place:g}" for place in PLACES])
     panel.minorticks_off()
     panel.grid(axis="y", visible=False)

@@ -6,6 +6,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 import pandas as pd
 import xarray as xr
+from matplotlib.patheffects import withStroke
 
 from silostudy.figures import ensembles
 from silostudy.figures.style import BLUE, VERMILION, WIDTH, foot, headline, save
@@ -29,7 +30,8 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     places, numbers = np.arange(cube.sizes["look"]), []
     for panel, (variable, ((low, high), text)) in zip(panels, PRINTED.items(), strict=True):
         panel.axhspan(low, high, color="black", alpha=0.08, linewidth=0)
-        panel.text(0.6, high, text, transform=panel.get_yaxis_transform(), ha="center", va="top", fontsize="small")
+        label = panel.text(0.6, low, text, transform=panel.get_yaxis_transform(), ha="center", va="bottom", fontsize="small")
+        label.set_path_effects([withStroke(linewidth=2.5, foreground="white")])
         for across in [int(s) for s in cube["packing"].values if int(s) in SHOWN]:
             values = ensembles.runs(cube[variable].sel(packing=across))
             ensembles.bundle(panel, places, values, label=ensembles.name(across), faint=False, **SHOWN[across])
