@@ -8,27 +8,35 @@ import xarray as xr
 from matplotlib.axes import Axes
 
 from silostudy.figures.beside import interval, settings, told
-from silostudy.figures.style import BLUE, LINES, VERMILION, WIDTH, foot, headline, look, plt, save, title
+from silostudy.figures.style import BLUE, LINES, TALLEST, VERMILION, WIDTH, foot, headline, look, plt, save, title
 
 KPA = 1e3
 PANELS = {"filling": ("at rest", BLUE, "o-"), "discharge": ("in flow", VERMILION, "s-")}
+BESIDE = 3  # settings from which on two panels stand beside each other
 PHASE = "discharge"  # in which a channel flows
 
 
 def draw(cube: xr.Dataset, stem: Path) -> None:
     """Writes the figure and its numbers: a panel a setting, the angle from x across and the pressure of the deep levels up."""
     every = list(settings(cube))
-    figure, panels = plt.subplots(len(every), 1, figsize=(WIDTH, 1.6 + 3.2 * len(every)), squeeze=False, sharex=True)
+    columns = 1 if len(every) < BESIDE else 2
+    rows = -(-len(every) // columns)
+    size = (WIDTH, min(TALLEST, 1.6 + 3.2 * rows))
+    figure, panels = plt.subplots(rows, columns, figsize=size, squeeze=False, sharex=True)
     numbers = []
-    for panel, (setting, case) in zip(panels.flat, every, strict=True):
+    for panel, (setting, case) in zip(panels.flat, every, strict=False):
         numbers += [table.assign(**setting) for table in (*_grains(panel, case), *_codes(panel, case))]
         off = 100.0 * float(case["deviation_around"].sel(phase=PHASE).mean())
-        panel.set(title=f"{told(setting)}: cells are {off:.0f} % off the mean around in flow, root mean square")
-        panel.set(ylabel="pressure on the wall (kPa)", ylim=(0.0, None))
-    panels[-1, 0].set(xlabel="angle from the outlet's side (°)", xlim=(-180, 180), xticks=range(-180, 181, 45))
+        panel.set(title=f"{told(setting)}: {off:.0f} % off the mean in flow", ylim=(0.0, None))
+        panel.set(xlim=(-180, 180), xticks=range(-180, 181, 90), ylabel="wall pressure (kPa)")
+    for panel in panels.flat[len(every) :]:
+        panel.set_axis_off()
+    for panel in panels[-1]:
+        panel.set_xlabel("angle from the outlet's side (°)")
     handles = {text: line for panel in panels.flat for line, text in zip(*panel.get_legend_handles_labels(), strict=True)}
     headline(figure, _message(cube))
-    foot(figure, f"{cube.attrs['title']}; band: 95 % interval of the mean of fillings", handles=handles.values())
+    about = "Band: 95 % interval of the mean of fillings; percentages: root mean square of single cells."
+    foot(figure, f"{cube.attrs['title']}.", about, handles=handles.values())
     save(figure, pd.concat(numbers, ignore_index=True), stem)
 
 

@@ -61,7 +61,7 @@ def test_the_figure_names_its_axes(cube, tmp_path, monkeypatch):
     draw(cube, tmp_path / "profile")
     figure, numbers = seen[0]
     assert [panel.get_xlabel() for panel in figure.axes] == ["time step (ms)", "normal force on both walls (N/m)"]
-    assert len(figure.axes[0].get_legend().get_texts()) == 2
+    assert len(figure.legends[0].get_texts()) == 2
     assert {"march_step_s", "wall_force_over_reference"} <= set(numbers.columns)
 
 

@@ -65,7 +65,7 @@ def test_the_figure_has_a_panel_a_network_and_names_its_axes(cube, tmp_path, mon
     monkeypatch.setattr("silostudy.figures.stability_map.save", lambda figure, numbers, stem: seen.append((figure, numbers)))
     draw(cube, tmp_path / "map")
     figure, numbers = seen[0]
-    assert [panel.get_title().split(":")[0] for panel in figure.axes] == ["column, up and down", "hexagonal"]
+    assert [panel.get_title().split("\n")[0] for panel in figure.axes] == ["column", "hexagonal"]
     assert figure.axes[0].get_ylabel() == "largest stable step (ms)"
     assert "(1)" in figure.axes[0].get_xlabel()
     assert len(figure.axes[0].lines) == 4  # bound and marks of two ways; LAMMPS was not asked for

@@ -144,7 +144,7 @@ def test_instructions_are_counted_of_steps_with_every_effect_and_without(monkeyp
 
 @pytest.mark.parametrize("part", prices.PARTS, ids=lambda part: part.name)
 def test_the_studies_of_every_part_are_sound(part):
-    assert part.room in effect_prices.COLOURS
+    assert part.room in effect_prices.ROOMS
     assert callable(part.whole())
     assert callable(part.less())
 

@@ -119,4 +119,5 @@ def test_every_output_has_its_file():
             "rings",
             "only_spheres",
             "only_discs",
+            "means",
         }

@@ -31,7 +31,9 @@ def test_the_hopper_stands_beside_every_method_that_knows_one(table):
 def test_a_patch_load_factor_stands_beside_the_largest_cell(table):
     """One cell feels twice its level in flow, and none any more at rest."""
     largest = rows(table, "largest cell over the mean")
-    assert largest[largest["phase"] == "filling"]["mean"].to_numpy() == pytest.approx(0.0, abs=1e-9)
+    rest = largest[largest["phase"] == "filling"]["mean"].dropna()  # silos too low for deep levels have none
+    assert len(rest) == 4
+    assert rest.to_numpy() == pytest.approx(0.0, abs=1e-9)
     flow = largest[largest["phase"] == "discharge"]["mean"].dropna()
     assert flow.to_numpy() == pytest.approx(2.0 / (1.0 + 1.0 / 16) - 1.0)
 
