@@ -17,8 +17,8 @@ PHASE = "discharge"  # in which a channel flows
 
 
 def draw(cube: xr.Dataset, stem: Path) -> None:
-    """Writes the figure and its numbers: a panel a setting, the angle from x across and the pressure of the deep levels up."""
-    every = list(settings(cube))
+    """Writes the figure and its numbers: a panel a setting that has deep levels, angles across, their pressure up."""
+    every = [(setting, case) for setting, case in settings(cube) if case["pressure_around"].notnull().any()]
     columns = 1 if len(every) < BESIDE else 2
     rows = -(-len(every) // columns)
     size = (WIDTH, min(TALLEST, 1.6 + 3.2 * rows))
