@@ -26,7 +26,7 @@ def cautions(expansion) -> list[str]:
             notes[f"{text}tan(phi) = {parameters['wall_friction']:.3g}"] = 1
         for name in ("wall_friction", "poisson_ratio"):
             if parameters[name] != parameters[name]:
-                text = f"{case.scene.solid.key} on {wall}: no {name} in the tables; methods that need it are masked"
+                text = f"{case.scene.solid.key} on {wall}: no {name} in the tables; methods that need it give nothing"
                 notes[text] = 1
     return [f"note: {text}" for text in (*notes, *unusual_inputs(expansion), *_switches(expansion))]
 

@@ -14,6 +14,13 @@ from silostudy.errors import BadInput
 if TYPE_CHECKING:
     import xarray as xr
 
+COLUMNS = (
+    "largest: the largest pressure (kPa), at the depth beside it; factor: that over the pressure after filling of the theory "
+    "the method builds on; wall carries: share of the contents' weight that hangs on the wall; balance: share of the weight "
+    "that is left over, zero but for rounding",
+    "'-': no single state of equilibrium, or not covered by the method's source; `silostudy explain METHOD` says which "
+    "properties of the solid a method needs",
+)
 FLAGS = "--diameter --depth --solid, and as needed --wall --hopper-half-angle --methods"
 
 
@@ -131,9 +138,7 @@ def table(cube: "xr.Dataset", balanced: Mapping[str, Collection[str]]) -> list[s
                     f"{name:44}{values}{pressure[peak]:10.2f}{depth[peak]:9.2f}m{factor:8.2f}"
                     f"{_carried(state):>14}{_balance(state) if phase in balanced[method] else '-':>9}"
                 )
-    masked = "'-': no single state of equilibrium, or not covered by the method's source (scope variables of a cube; "
-    masked += "`silostudy explain METHOD`)"
-    return [*lines, masked]
+    return [*lines, *COLUMNS]
 
 
 def _cell(value: float) -> str:

@@ -37,7 +37,7 @@ def _silence(of_method: xr.Dataset) -> str:
         return ""
     count = f" in {int(silent.sum())} of {silent.size} cases" if silent.ndim else ""
     limits = _limits(of_method, silent)
-    broken = [f"out of its range, {', '.join(limits)}"] if limits else []
+    broken = [f"out of its range, which is {', '.join(limits)}"] if limits else []
     reasons = [reason.replace("_", " ") for reason in _reasons(of_method) if not (limits and reason == OUT_OF_RANGE)]
     return f"gives nothing{count}: {'; '.join([*reasons, *broken])}"
 
@@ -56,7 +56,8 @@ def _reasons(state: xr.Dataset) -> list[str]:
 def _limits(state: xr.Dataset, silent: xr.DataArray) -> list[str]:
     """The limits that these cases break, in words."""
     numbers = np.unique(state["limit_broken"].values[silent.values])
-    return [str(state["limit"].values[number]) for number in numbers if number > 0]
+    phase = f"{state['phase'].values}: "  # a line of its own names it
+    return [str(state["limit"].values[number]).removeprefix(phase) for number in numbers if number > 0]
 
 
 def reason(cube: xr.Dataset, name: str, method: str, phase: str) -> str:
