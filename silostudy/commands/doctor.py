@@ -66,13 +66,13 @@ def _kernels() -> Iterator[tuple[str, str]]:
     folder = root() / stamp("contact", "dem", "packing")
     others = [place for place in root().glob("*") if place.is_dir() and place != folder]
     yield "folder", f"{folder} (NUMBA_CACHE_DIR moves it)"
-    yield "of this source", f"{size(folder):.0f} MB; {writable(folder)}"
-    yield "of other sources", f"{sum(map(size, others)):.0f} MB in {len(others)} folders, which may be deleted"
+    yield "of this version", f"{size(folder):.0f} MB; {writable(folder)}"
+    yield "of other versions", f"{sum(map(size, others)):.0f} MB in {len(others)} folders beside it, which may be deleted"
 
 
 def _optional() -> Iterator[tuple[str, str]]:
     for name, (group, use) in OPTIONAL.items():
-        yield name, installed(name) or f"not here: for {use}; uv sync --group {group}"
+        yield name, installed(name) or f"not here: for {use}; uv sync --group {group}, or pip install {name}"
     for names, (package, use) in PROGRAMS.items():
         path = next(filter(None, map(shutil.which, names)), None)
         yield names[0], path or f"not here: for {use}; Debian's package {package}"

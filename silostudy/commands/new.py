@@ -8,6 +8,7 @@ from silostudy.errors import BadInput
 from silostudy.files import check_writable
 
 STARTER = PACKAGE / "starter"
+PICTURE = "results/my-silo/figures/comparison_today.png"  # of the study to start from
 
 
 def add(sub) -> None:
@@ -25,4 +26,5 @@ def run(chosen) -> None:
     check_writable(folder)
     shutil.copytree(STARTER, folder, dirs_exist_ok=True)
     (folder / "config/study.schema.json").write_text(study_schema(), encoding="utf-8")
-    print(f"{folder}: made; now\n  cd {folder}\n  snakemake --cores 2\nREADME.md there says more")
+    print(f"{folder}: made; now\n  cd {folder}\n  snakemake --cores 2")
+    print(f"Its picture will then be {PICTURE}; README.md there says more")
