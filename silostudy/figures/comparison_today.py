@@ -23,6 +23,8 @@ from silostudy.tables.outputs import output_of
 PRESSURE = "wall_normal_pressure"
 SCATTER = "bars: 5 % to 95 % of the sampled solid, whose unit weight goes up to the dots' own: these lie high for that"
 BAND = "shaded: EN 1991-4, all sets of characteristic values"
+NUMBERS = "numbers before names: curves of the handbook's Fig. 4.2.11 (about 1980)"
+GREY = "grey: the curves of the other panels; dashed, with open marks: after filling"
 HATCHES = {"filling": "\\\\\\\\", "switch": "....", "discharge": "////"}
 # heading -> phases, and how the methods that it brings out are drawn
 GROUPS = {
@@ -50,8 +52,9 @@ def draw(cube: xr.Dataset, stem: Path, sampled: xr.Dataset | None = None) -> Non
     walls[0].set_ylabel("depth z (m)")
     _draw_ranks(ranking, cube, ranks)
     below = [BAND] * bool(bands) + [SCATTER] * (sampled is not None)
+    reading = [GREY] * (len(groups) > 1) + [NUMBERS] * bool(curves.drawn.isin(("handbook", "misprint")).any())
     headline(figure, f"{cube.attrs['title']}: {_message(ranks)}")
-    foot(figure, "; ".join(below), *silences(cube, in_every_case=True, titles=True))
+    foot(figure, "; ".join(reading), "; ".join(below), *silences(cube, in_every_case=True, titles=True))
     save(figure, pd.concat([curves, *bands, ranks], ignore_index=True).drop(columns=["pressure_method", "drawn"]), stem)
 
 
@@ -152,4 +155,4 @@ def _message(ranks: pd.DataFrame) -> str:
     told = [
         f"{spans['min'][phase]:.0f} to {spans['max'][phase]:.0f} kPa {words[phase]}" for phase in words if phase in spans.index
     ]
-    return f"at most {', '.join(told)}"
+    return f"the largest pressure is {', '.join(told)}"
