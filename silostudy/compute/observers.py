@@ -21,7 +21,7 @@ from silostudy.scene.spheres import space_silo_of
 # keys of the section `record`
 FIELDS = "fields"
 STATISTICS = "contact_statistics"
-STABLE = "stable_step"  # read with the statistics
+STABLE = "contacts_stable_step"  # read with the statistics
 SOURCES = ("goldhirsch_2010", "weinhart_2012")  # of the fields
 DEEP = 0.05  # of a radius: overlap beyond which the cube warns
 
@@ -74,7 +74,7 @@ def observed(run: Run, scene: AnyScene) -> dict[str, np.ndarray]:
         arrays |= _fields(*_columns(readings), grid_of(scene, asked, model), model)
     if readings := run.recording.readings.get(STATISTICS):
         arrays |= _statistics(*_columns(readings), run.engine.space.ways)
-        arrays["stable_step"] = _columns(run.recording.readings[STABLE])[1][0]
+        arrays[STABLE] = _columns(run.recording.readings[STABLE])[1][0]
     return arrays
 
 
