@@ -91,7 +91,8 @@ def heap_angle(run: Run, case: LaboratoryCase) -> float:
 
 def crater_angle(run: Run, case: LaboratoryCase) -> float:
     """Slope (rad) of what stays in a drained tray: mean of its profiles in sectors, from beside the hole up to the wall."""
-    places, radii = run.engine.places, np.asarray(run.engine.radius)
+    stayed = np.isfinite(run.engine.places).all(axis=1)  # what fell through the hole has no place any more
+    places, radii = run.engine.places[stayed], np.asarray(run.engine.model.radius)[stayed]
     off, turn = np.hypot(places[:, 0], places[:, 1]), np.arctan2(places[:, 1], places[:, 0])
     sector = np.floor((turn + pi) / (2.0 * pi) * SECTORS).astype(int) % SECTORS
     near, far = 0.5 * HOLE * case.grain + case.grain, 0.5 * case.tray - MARGIN * case.grain

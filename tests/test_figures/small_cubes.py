@@ -13,6 +13,7 @@ from silostudy.compute.axes import sweep_of
 from silostudy.compute.dem_cube import cube_of as dem_cube
 from silostudy.compute.observers import grid_of
 from silostudy.compute.published import coordinates as published_coordinates
+from silostudy.compute.published import sources
 from silostudy.compute.scenes import SWEPT, coordinates
 from silostudy.compute.scenes_means import mean_numbers
 from silostudy.config.load import read_yaml
@@ -180,7 +181,8 @@ def published_cube(study: str, off: tuple[float, ...] = (0.5, -0.8, 0.1)) -> xr.
     expansion = expansion_of(study)
     own = published_coordinates(expansion.study)
     values = np.broadcast_to(np.array(off)[:, None], (*expansion.shape, len(own["expectation"])))
-    return assemble(expansion.study, "published", {"off_published": values} | own, sources=[], sweep=sweep_of(expansion))
+    named = sources(expansion.study)
+    return assemble(expansion.study, "published", {"off_published": values} | own, sources=named, sweep=sweep_of(expansion))
 
 
 @cache
