@@ -155,15 +155,14 @@ def _small(name: str, share: float, of: str) -> np.ndarray:
 
 
 def _loading(pressed: list[Readings]) -> tuple[np.ndarray, np.ndarray]:
-    """Vertical and horizontal stresses (Pa) of all windows of the pressing up to now."""
-    return np.concatenate([history.vertical for history in pressed]), np.concatenate(
-        [history.horizontal for history in pressed]
-    )
+    """Vertical and horizontal stresses (Pa) at first loading: of the windows in which the lid presses harder than ever before."""
+    vertical = np.concatenate([history.vertical for history in pressed])
+    horizontal = np.concatenate([history.horizontal for history in pressed])
+    first = vertical >= np.maximum.accumulate(vertical)
+    return vertical[first], horizontal[first]
 
 
 def _path(pressed: list[Readings], points: int) -> np.ndarray:
     """Horizontal stress (Pa) at even vertical stresses up to the last one, at first loading."""
-    vertical, horizontal = _loading(pressed)
-    order = np.argsort(vertical, kind="stable")
     even = np.linspace(0.0, pressed[-1].vertical[-1], points + 1)[1:]
-    return np.interp(even, vertical[order], horizontal[order], left=np.nan)
+    return np.interp(even, *_loading(pressed), left=np.nan)

@@ -13,7 +13,7 @@ from silostudy.dem.outcomes import WAYS, Looks, surface_angle
 from silostudy.dem.run import Run
 from silostudy.dem.space.lanes import VELOCITY
 from silostudy.scene.laboratory_cell import LaboratoryCase
-from silostudy.scene.laboratory_scenes import HOLE
+from silostudy.scene.laboratory_scenes import HOLE, drained_tray
 from silostudy.scene.space_silo import FLOOR, WALL
 
 POINTS = 100_000  # at which the inside is looked at: its solid fraction is then known to some 0.3 % of itself
@@ -95,7 +95,7 @@ def crater_angle(run: Run, case: LaboratoryCase) -> float:
     places, radii = run.engine.places[stayed], np.asarray(run.engine.model.radius)[stayed]
     off, turn = np.hypot(places[:, 0], places[:, 1]), np.arctan2(places[:, 1], places[:, 0])
     sector = np.floor((turn + pi) / (2.0 * pi) * SECTORS).astype(int) % SECTORS
-    near, far = 0.5 * HOLE * case.grain + case.grain, 0.5 * case.tray - MARGIN * case.grain
+    near, far = 0.5 * HOLE * case.grain + case.grain, 0.5 * drained_tray(case) - MARGIN * case.grain
     slopes = []
     for number in range(SECTORS):
         own = sector == number

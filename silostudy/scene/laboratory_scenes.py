@@ -22,6 +22,7 @@ RESTS = ({"when": "rest", "do": "lower_lid"},)
 STREAM = 5.0  # width of the stream onto a heap, in grains
 POURED = 0.3  # its speed (m/s)
 HOLE = 6.0  # width of the hole that a tray is drained by, in grains
+BESIDE_HOLE = 8.0  # least width of a drained tray on each side of the hole, in grains: a slope needs room to be seen
 DRAWN_DEPTH = 0.25  # depth of the tray's filling over its width
 FLUX = 0.15  # solid fraction of the rain
 SETTLES = 10.0  # s: a filling comes to rest by then, or the run ends
@@ -60,9 +61,14 @@ def heaping(case: LaboratoryCase) -> SphereScene:
     return _scene(case, SHEARING, RESTS, limit=SETTLES, silo=silo, rain=pour)
 
 
+def drained_tray(case: LaboratoryCase) -> float:
+    """Width (m) of the tray that is drained: that of a heap's, or wider where the hole would take most of it."""
+    return max(case.tray, (HOLE + 2.0 * BESIDE_HOLE) * case.grain)
+
+
 def draining(case: LaboratoryCase) -> SphereScene:
     """Grains fill a rough tray and flow out of a hole in its floor; what stays is a crater."""
-    width, hole = case.tray, HOLE * case.grain
+    width, hole = drained_tray(case), HOLE * case.grain
     count = round(LOOSE * 0.25 * pi * width**2 * DRAWN_DEPTH * width / case.grain_volume)
     free = 0.58 * sqrt(ROUNDED_GRAVITY) * (hole - 1.5 * case.grain) ** 2.5  # m3/s, about, by Beverloo's law
     lasts = 0.25 * pi * width**2 * DRAWN_DEPTH * width / free
