@@ -155,7 +155,7 @@ def _small(name: str, share: float, of: str) -> np.ndarray:
 
 
 def _loading(pressed: list[Readings]) -> tuple[np.ndarray, np.ndarray]:
-    """Vertical and horizontal stresses (Pa) at first loading: of the windows in which the lid presses harder than ever before."""
+    """Vertical and horizontal stresses (Pa) at first loading: where the lid presses harder than ever before."""
     vertical = np.concatenate([history.vertical for history in pressed])
     horizontal = np.concatenate([history.horizontal for history in pressed])
     first = vertical >= np.maximum.accumulate(vertical)
