@@ -120,7 +120,7 @@ def step_by_hand(rough: bool):
         return sqrt(motion[0])
 
     @inlined
-    def one_step(discs, pairs, near, walls, blocks, scratch, laws, hi, gx, gy, dt):
+    def one_step(discs, pairs, near, walls, blocks, scratch, laws, hi, gravity, dt):
         last, stale = (hi + BLOCK - 1) // BLOCK, FRESH
         walls_of(discs.rows, near, walls, near.begin[0], scratch, dt, laws[1])
         pairs_of(discs.rows, pairs, pairs.begin[last], pairs.begin[last + 1], scratch, dt, laws[0])
@@ -128,7 +128,7 @@ def step_by_hand(rough: bool):
             pairs_of(discs.rows, pairs, pairs.begin[b], pairs.begin[b + 1], scratch, dt, laws[0])
             start, im, ii = b * BLOCK, discs.inverse_mass[0], discs.inverse_inertia[0]
             end = min(start + BLOCK, hi)
-            way = moved(discs.rows, start, end, im, ii, gx, gy, dt, scratch.motion, scratch.motion_bits)
+            way = moved(discs.rows, start, end, im, ii, gravity[0], gravity[1], dt, scratch.motion, scratch.motion_bits)
             blocks.peak[b] = way
             blocks.travel[b] += way
             if blocks.travel[b] > blocks.skin[b]:
@@ -138,10 +138,8 @@ def step_by_hand(rough: bool):
     return one_step
 
 
-@cache
-def kernel_by_hand(rough: bool):
-    """Takes the built kernel's arguments; for one thread only."""
-    one_step = step_by_hand(rough)
+def marched(one_step):
+    """A kernel of steps: takes the built kernel's arguments; for one thread only."""
 
     @njit(**PLAIN)
     def run(shared, share, march):
@@ -158,7 +156,7 @@ def kernel_by_hand(rough: bool):
                 break
             word = one_step(
                 shared.bodies, share.pairs, share.near, shared.walls, shared.blocks, share.scratch, laws, share.hi,
-                march.gravity[0], march.gravity[1], march.dt,
+                march.gravity, march.dt,
             )  # fmt: skip
             step += 1
             if word == STALE:
@@ -172,6 +170,12 @@ def kernel_by_hand(rough: bool):
         clock[0] = step
 
     return run
+
+
+@cache
+def kernel_by_hand(rough: bool):
+    """The kernel with friction or without."""
+    return marched(step_by_hand(rough))
 
 
 def silos(across: int = 18, levels: int = 20) -> dict[str, Model]:

@@ -7,15 +7,11 @@ from functools import cache
 from math import sqrt
 
 import numpy as np
-from numba import njit
-from numba.extending import register_jitable
 
 from silostudy.accuracy.bin_of_spheres import Bin, bin_of_spheres
 from silostudy.accuracy.prices import still, without
 from silostudy.dem.arrays import BLOCK
-from silostudy.dem.cache import OPTIONS
 from silostudy.dem.engine import Engine
-from silostudy.dem.kernel import first_runaway, relist, worst
 from silostudy.dem.model import Model
 from silostudy.dem.space.felt import gather_walls, scatter_walls
 from silostudy.dem.space.lanes import (
@@ -23,10 +19,8 @@ from silostudy.dem.space.lanes import (
     DU,
     DV,
     DW,
-    DX,
-    DY,
-    DZ,
     FIRST_X,
+    FIRST_Z,
     FORCE_X,
     FORCE_Y,
     FORCE_Z,
@@ -34,7 +28,6 @@ from silostudy.dem.space.lanes import (
     FY,
     FZ,
     PASSED,
-    SECOND_Z,
     STRETCH,
     TX,
     TY,
@@ -46,24 +39,22 @@ from silostudy.dem.space.lanes import (
     Y,
     Z,
     gather_rolling,
-    scatter,
+    scatter_rolling,
 )  # fmt: skip
-from silostudy.dem.sweep import EXPLODED, FRESH, STALE
+from silostudy.dem.space.motion import face, faced
+from silostudy.dem.sweep import FRESH, STALE
 from silostudy.dem.vectors import fetch_rows
+from tests.test_accuracy.by_hand import inlined, marched
 
-PLAIN = {**OPTIONS, "cache": False}
-inlined = register_jitable(forceinline=True)  # as the pieces of the built kernel are
 STEPS = 300
 
 
 @inlined
 def push(lanes, out, a, b, m, count, dt, c, flat):
     """Hertz's force and a dashpot that may pull."""
+    face(lanes, count)
     for k in range(count):
-        dx, dy, dz = lanes[0, DX * STRETCH + k], lanes[0, DY * STRETCH + k], lanes[0, DZ * STRETCH + k]
-        distance = sqrt(dx * dx + dy * dy + dz * dz)
-        inverse = 1.0 / distance
-        nx, ny, nz = dx * inverse, dy * inverse, dz * inverse
+        (nx, ny, nz), distance = faced(lanes, k)
         overlap = a + b - distance
         depth = overlap if overlap > 0.0 else 0.0
         radius = a / (1.0 - a * lanes[0, CURVED * STRETCH + k]) if flat else a * b / (a + b)
@@ -73,7 +64,7 @@ def push(lanes, out, a, b, m, count, dt, c, flat):
         total = total if overlap > 0.0 else 0.0
         out[0, FORCE_X * STRETCH + k], out[0, FORCE_Y * STRETCH + k] = total * nx, total * ny
         out[0, FORCE_Z * STRETCH + k] = total * nz
-        for lane in range(FIRST_X, SECOND_Z + 1):
+        for lane in range(FIRST_X, FIRST_Z + 1):
             out[0, lane * STRETCH + k] = 0.0
 
 
@@ -83,7 +74,7 @@ def pairs_of(rows, pairs, begin, end, scratch, dt, c):
         count = min(end - start, STRETCH)
         gather_rolling(rows, pairs.first, pairs.second, start, count, scratch.lanes)
         push(scratch.lanes, scratch.force, pairs.arm[0], pairs.other[0], pairs.mass[0], count, dt, c, False)
-        scatter(rows, pairs.first, pairs.second, start, count, scratch.force)
+        scatter_rolling(rows, pairs.first, pairs.second, start, count, scratch.force)
 
 
 @inlined
@@ -136,37 +127,8 @@ def one_step(spheres, pairs, near, walls, blocks, scratch, laws, hi, gravity, dt
 
 @cache
 def kernel_by_hand():
-    """Takes the built kernel's arguments; for one thread only."""
-
-    @njit(**PLAIN)
-    def run(shared, share, march):
-        clock, said, number = shared.clock, shared.said, share.number
-        step, laws = clock[0], (march.pair_coefficients, march.wall_coefficients)
-        while True:
-            if worst(said) != FRESH:
-                if said[number] == FRESH:
-                    said[number] = STALE
-                relist(shared, share, march)
-                if worst(said) != FRESH:
-                    break
-            if step >= march.stop:
-                break
-            word = one_step(
-                shared.bodies, share.pairs, share.near, shared.walls, shared.blocks, share.scratch, laws, share.hi,
-                march.gravity, march.dt,
-            )  # fmt: skip
-            step += 1
-            if word == STALE:
-                runaway = first_runaway(shared.bodies, share.lo, share.hi, march.dt)
-                if runaway >= 0:
-                    word = EXPLODED
-                    clock[2 + number] = runaway
-            said[number] = word
-            if word == EXPLODED:
-                break
-        clock[0] = step
-
-    return run
+    """The kernel of these steps."""
+    return marched(one_step)
 
 
 def smooth_spheres(count: int = 2000) -> Model:
