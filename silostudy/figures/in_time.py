@@ -45,6 +45,23 @@ def check_recorded(cube: xr.Dataset, force: str) -> None:
             raise BadInput(key, "nothing", "must be given: the figure of a scene shows what it records")
 
 
+def flow_of(cube: xr.Dataset, passing: str, mass: str, filled: str, column: str, unit: str) -> Flow:
+    """Mass that had left at the times of a name, by outlet where they have names; mass, filled: names in the cube."""
+    table = pd.DataFrame({"time_s": [], "outlet": [], column: []})
+    if passing in cube:
+        through = cube[f"outlet_{mass}"] if "outlet" in cube else cube[mass].expand_dims(outlet=["outlet"])
+        table = through.to_dataframe(column).reset_index().rename(columns={passing: "time_s"})
+    return Flow(table[["time_s", "outlet", column]], column, float(cube[filled].sum()), unit)
+
+
+def snapshots(cube: xr.Dataset, passing: str) -> tuple[int, int]:
+    """The last snapshot before anything has passed the outlet, at the times of that name, and the last of all."""
+    time = cube["snapshot_time"].values
+    left = cube[passing].values if passing in cube else time[:0]
+    before = np.flatnonzero(time < left[0]) if left.size else np.arange(len(time))
+    return (int(before[-1]) if before.size else 0), len(time) - 1
+
+
 def forces(time: np.ndarray, force: np.ndarray, surfaces: Iterable[str], column: str) -> pd.DataFrame:
     """Force on each surface that is ever touched, mean of each window (by its end), as a long table."""
     tables = [pd.DataFrame({"surface": name, "time_s": time, column: values})

@@ -26,11 +26,12 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     figure, panels = plt.subplot_mosaic([["rest", "flow"], ["force", "mass"]], figsize=(WIDTH, 9.2), height_ratios=(1.7, 1))
     largest = float(np.hypot(cube["contact_force_x"], cube["contact_force_y"]).max())
     tables = []
-    for panel, snapshot in zip((panels["rest"], panels["flow"]), snapshots(cube, "discharge_time"), strict=True):
+    for panel, snapshot in zip((panels["rest"], panels["flow"]), in_time.snapshots(cube, "discharge_time"), strict=True):
         tables.append(_chains(cube, snapshot, largest))
         _draw_chains(panel, cube, snapshot, tables[-1])
     push = cube["whole_normal_force_mean"].values / 1e3
-    force, flow = in_time.forces(cube["window_time"].values, push, cube["surface"].values, FORCE), flow_of(cube)
+    force = in_time.forces(cube["window_time"].values, push, cube["surface"].values, FORCE)
+    flow = in_time.flow_of(cube, "discharge_time", "discharged_mass", "disc_mass", MASS, "kg/m")
     lines = in_time.draw_forces(panels["force"], force, FORCE, opened_at(cube))
     in_time.draw_flow(panels["mass"], flow)
     panels["force"].set(ylabel="normal force (kN/m)")
@@ -43,23 +44,6 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     )
     foot(figure, f"{cube.attrs['title']}.", chains, handles=lines)
     save(figure, pd.concat([*tables, force, flow.table], ignore_index=True), stem)
-
-
-def flow_of(cube: xr.Dataset) -> in_time.Flow:
-    """Mass of discs (kg/m) that had left, by outlet where they have names."""
-    table = pd.DataFrame({"time_s": [], "outlet": [], MASS: []})
-    if "discharge_time" in cube:
-        through = cube["outlet_discharged_mass"] if "outlet" in cube else cube["discharged_mass"].expand_dims(outlet=["outlet"])
-        table = through.to_dataframe(MASS).reset_index().rename(columns={"discharge_time": "time_s"})
-    return in_time.Flow(table[["time_s", "outlet", MASS]], MASS, float(cube["disc_mass"].sum()), "kg/m")
-
-
-def snapshots(cube: xr.Dataset, passing: str) -> tuple[int, int]:
-    """The last snapshot before anything has passed the outlet, at the times of that name, and the last of all."""
-    time = cube["snapshot_time"].values
-    left = cube[passing].values if passing in cube else time[:0]
-    before = np.flatnonzero(time < left[0]) if left.size else np.arange(len(time))
-    return (int(before[-1]) if before.size else 0), len(time) - 1
 
 
 def _chains(cube: xr.Dataset, snapshot: int, largest: float) -> pd.DataFrame:

@@ -11,7 +11,6 @@ from matplotlib.collections import EllipseCollection, LineCollection
 
 from silostudy.figures import in_time
 from silostudy.figures.bin import opened_at, outline
-from silostudy.figures.silo_of_discs import snapshots
 from silostudy.figures.style import AID, WIDTH, foot, headline, save
 
 CM = 100.0
@@ -25,11 +24,12 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     in_time.check_recorded(cube, "surface_normal_force")
     figure, panels = plt.subplot_mosaic([["rest", "flow"], ["force", "mass"]], figsize=(WIDTH, 9.2), height_ratios=(1.7, 1))
     near, tables = _near(cube), []
-    for panel, snapshot in zip((panels["rest"], panels["flow"]), snapshots(cube, "outflow_time"), strict=True):
+    for panel, snapshot in zip((panels["rest"], panels["flow"]), in_time.snapshots(cube, "outflow_time"), strict=True):
         tables.append(_chains(near, snapshot, LONGEST * float(cube["grain_radius"].mean()) / _largest(near)))
         _draw_slice(panel, cube, snapshot, tables[-1])
     push = cube["surface_normal_force"].values
-    force, flow = in_time.forces(cube["window_time"].values, push, cube["surface"].values, FORCE), flow_of(cube)
+    force = in_time.forces(cube["window_time"].values, push, cube["surface"].values, FORCE)
+    flow = in_time.flow_of(cube, "outflow_time", "outflow_mass", "grain_mass", MASS, "kg")
     lines = in_time.draw_forces(panels["force"], force, FORCE, opened_at(cube))
     in_time.draw_flow(panels["mass"], flow)
     panels["force"].set(ylabel="normal force (N)")
@@ -43,15 +43,6 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     about += f"force in the plane, at most {_largest(near):.3g} N. Forces: normal, mean of each window."
     foot(figure, f"{cube.attrs['title']}.", about, handles=lines)
     save(figure, pd.concat([*tables, force, flow.table], ignore_index=True), stem)
-
-
-def flow_of(cube: xr.Dataset) -> in_time.Flow:
-    """Mass of spheres (kg) that had passed, by outlet of a flat floor."""
-    table = pd.DataFrame({"time_s": [], "outlet": [], MASS: []})
-    if "outflow_time" in cube:
-        through = cube["outlet_outflow_mass"] if "outlet" in cube else cube["outflow_mass"].expand_dims(outlet=["outlet"])
-        table = through.to_dataframe(MASS).reset_index().rename(columns={"outflow_time": "time_s"})
-    return in_time.Flow(table[["time_s", "outlet", MASS]], MASS, float(cube["grain_mass"].sum()), "kg")
 
 
 def _near(cube: xr.Dataset) -> xr.Dataset:
