@@ -18,7 +18,7 @@ from silostudy.dem.varied import Varied
 
 TURNS = 15  # readings of each variant
 READING = 0.02  # CPU seconds that a reading lasts about
-SETTLING = 1e7  # particle-steps that are spent on coming near rest
+SETTLING = 4e7  # particle-steps in which a loose lattice of spheres falls together: a second or two
 SHORT = 1e-12  # s: a step in which nothing moves
 APART = 1e-9  # relative difference of radii that makes discs of several sizes of equal ones
 
@@ -68,19 +68,19 @@ def _bare(contact: Contact) -> Contact:
     return _less(contact, "tangential", "rolling", "twisting")
 
 
-def still(model: Model, settling: float = SETTLING) -> Model:
-    """The model near rest, after so many particle-steps, with a step in which nothing moves."""
+def still(model: Model) -> Model:
+    """The model near rest, with a step in which nothing moves."""
     engine = Engine(replace(model, booked=False))
-    engine.step_to(max(1, int(settling / len(model.x))))
+    engine.step_to(max(1, int(SETTLING / len(model.x))))
     columns = model.columns
     moved: dict[str, Any] = dict(zip(columns, engine.places.T, strict=False))
     moved |= dict.fromkeys(columns[model.space.ways + 1 :])  # which are speeds
     return replace(model, **moved, dt=SHORT)
 
 
-def price_of_step(model: Model, settling: float, turns: int = TURNS) -> tuple[float, float]:
-    """CPU seconds and bytes of memory of a body in a step of a model, near rest after so many particle-steps."""
-    engine = Engine(still(model, settling))
+def price_of_step(model: Model, turns: int = TURNS) -> tuple[float, float]:
+    """CPU seconds and bytes of memory of a body in a step of a model, near rest."""
+    engine = Engine(still(model))
     steps = _steps(engine)
     readings = [_seconds_a_step(engine, steps) for _ in range(turns)]
     return float(np.median(readings)) / engine.n, engine.nbytes / engine.n

@@ -12,7 +12,6 @@ from silostudy.scene.silo import Silo
 from silostudy.scene.space_silo import SpaceSilo
 
 SAMPLE = 2000  # spheres at most: as many fit the caches of a core
-SETTLING = 4e7  # particle-steps in which a lattice falls together: a second or two
 CELLS = (10, 12)
 
 

@@ -59,7 +59,7 @@ def scene_explanation(name: str) -> list[str]:
 def _of_spheres(scene, model) -> list[str]:
     """Materials, coefficients, softening, times and effects of a scene of spheres."""
     from silostudy.accuracy.prices import price_of_step
-    from silostudy.accuracy.sample_of_spheres import SETTLING, sample
+    from silostudy.accuracy.sample_of_spheres import sample
     from silostudy.dem.stability import packed_bound
     from silostudy.scene.coefficients import coefficient_lines
     from silostudy.scene.spheres_about import materials, shares, softening, sphere_effects, warnings, wave_times
@@ -73,7 +73,7 @@ def _of_spheres(scene, model) -> list[str]:
         f"  step {model.dt:.3g} s; stability bound of the densest packing {packed_bound(model):.3g} s; Rayleigh time of the "
         f"smallest sphere {wave_times(scene, model)}; integrator {model.integrator}"
     )
-    price, memory = price_of_step(sample(model), SETTLING)
+    price, memory = price_of_step(sample(model))
     lines.append(f"  {run_cost(scene, model, price, memory)}")
     lines += [f"  {effect.name:30}{'on ' if effect.on else 'off'}  {effect.why}" for effect in sphere_effects(scene)]
     return lines + [f"  warning: {line}" for line in warnings(scene, model)]

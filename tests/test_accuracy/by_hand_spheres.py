@@ -149,4 +149,4 @@ def work():
     def steps(engine):
         return lambda: engine.step_to(engine.step + STEPS)
 
-    return {f"spheres, {how}": steps(engine) for how, engine in engines(still(smooth_spheres(), 2e6)).items()}
+    return {f"spheres, {how}": steps(engine) for how, engine in engines(still(smooth_spheres())).items()}
