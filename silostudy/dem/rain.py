@@ -30,10 +30,13 @@ class Rain:
         """Number of bodies that should have come at a time (s)."""
         return 1.0 + self.rate * time
 
+    def fall(self, engine) -> float:
+        """Time (s) that the largest body needs to fall by its diameter."""
+        return float(np.sqrt(4.0 * float(engine.model.radius.max()) / np.hypot.reduce(engine.gravity)))
+
     def patience(self, engine) -> float:
         """Time (s) without room after which the plane counts as buried."""
-        fall = np.sqrt(4.0 * float(engine.model.radius.max()) / np.hypot.reduce(engine.gravity))
-        return WAITS * float(fall)
+        return WAITS * self.fall(engine)
 
 
 def pour(engine, rain: Rain, first: int, last: int) -> int:
@@ -53,6 +56,18 @@ def pour(engine, rain: Rain, first: int, last: int) -> int:
     if spots:
         add_bodies(engine, np.arange(first, first + len(spots)), np.array(spots), rain.velocity)
     return len(spots)
+
+
+def delay(run) -> str:
+    """How long after its time the last body of a run's rain came in, in words; empty where the rain kept its rate."""
+    engine, rain = run.engine, run.rain
+    if rain is None or run.began:
+        return ""
+    came = run.came * engine.model.dt
+    late = came - (run.come - 1) / rain.rate
+    if late <= rain.fall(engine):
+        return ""
+    return f"{engine.space.body} {run.come} came in at {came:.3g} s, {late:.3g} s late: no room for the filling's rate"
 
 
 def _free(spots: np.ndarray, radius: float, taken: np.ndarray, reach: np.ndarray) -> np.ndarray | None:

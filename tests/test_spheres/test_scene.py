@@ -11,7 +11,7 @@ from silostudy.compute.dem_cube import cube_of
 from silostudy.compute.paraview import export
 from silostudy.cube.io import read, write
 from silostudy.dem.engine import Engine
-from silostudy.dem.rain import pour
+from silostudy.dem.rain import delay, pour
 from silostudy.tables.constants import ROUNDED_GRAVITY as GRAVITY
 from tests.test_spheres.small import carried, check_same, content, resumed, run, scene_of
 
@@ -115,6 +115,14 @@ def test_rain_touches_nothing(small):
         assert came > 0
         assert gaps.min() >= 0.0
         assert (np.hypot(*place[before:, :2].T) <= 0.03 - radius[before:]).all()
+
+
+def test_rain_that_finds_no_room_in_time_says_how_late_it_is(small):
+    assert delay(small[1]) == ""
+    dense = carried(scene_of(filling__rate_1_s=100_000))
+    when, late = (float(word.split(" s")[0]) for word in delay(dense).removeprefix("sphere 150 came in at ").split(", "))
+    assert late == pytest.approx(when - 149 / 100_000, rel=0.01)
+    assert late > dense.rain.fall(dense.engine)
 
 
 def test_any_number_of_threads(cube):
