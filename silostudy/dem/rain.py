@@ -31,8 +31,9 @@ class Rain:
         return 1.0 + self.rate * time
 
     def fall(self, engine) -> float:
-        """Time (s) that the largest body needs to fall by its diameter."""
-        return float(np.sqrt(4.0 * float(engine.model.radius.max()) / np.hypot.reduce(engine.gravity)))
+        """Time (s) that the largest body needs to fall by its diameter; infinite without gravity."""
+        pull = float(np.hypot.reduce(engine.gravity))
+        return float(np.sqrt(4.0 * float(engine.model.radius.max()) / pull)) if pull else np.inf
 
     def patience(self, engine) -> float:
         """Time (s) without room after which the plane counts as buried."""
