@@ -214,7 +214,9 @@ def ladder_cube(study: str) -> xr.Dataset:
     shape = tuple(len(axis.settings()) for axis in expansion.study.sweep)
     off = 0.01 * np.arange(shape[0])[:, None] + 0.05 * np.random.default_rng(0).normal(size=shape)
     numbers = {"mean_mass_flow": 0.2 * (1.0 + off), "unit_weight_at_rest": 8e3 * (1.0 + 0.1 * off),
-               "body_normal_force_at_rest": 3.0 * (1.0 - off)[..., None] * np.ones(3)}  # fmt: skip
+               "body_normal_force_at_rest": 3.0 * (1.0 - off)[..., None] * np.ones(3),
+               "grains_at_start": np.full(shape, 2000.0), "end_time": np.full(shape, 0.5),
+               "time_step": 1e-5 * np.sqrt(np.arange(1.0, shape[0] + 1.0))[:, None] * np.ones(shape)}  # fmt: skip
     return assemble(expansion.study, "scenes", numbers | coordinates(expansion.study), sources=[], sweep=sweep_of(expansion))
 
 
@@ -299,7 +301,7 @@ def cubes_of(output: str) -> list[xr.Dataset]:
     if OUTPUTS[output].stage == "dem":
         return [bin_cube()]
     if OUTPUTS[output].stage == "scenes":
-        made = {"certificates": certified_cube, "ladders": ladder_cube}.get(output, flow_cube)
+        made = {"certificates": certified_cube, "ladders": ladder_cube, "price_of_means": ladder_cube}.get(output, flow_cube)
         return [made(study_of(output))]
     if OUTPUTS[output].stage == "laboratory":
         return [made_up(expansion_of(study_of(output)))]
