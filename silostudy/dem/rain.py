@@ -60,7 +60,7 @@ def pour(engine, rain: Rain, first: int, last: int) -> int:
 
 
 def delay(run) -> str:
-    """How long after its time the last body of a run's rain came in, in words; empty where the rain kept its rate."""
+    """Lateness of the last body that a run's rain let in, in words; empty where the rain kept its rate."""
     engine, rain = run.engine, run.rain
     if rain is None or run.began:
         return ""

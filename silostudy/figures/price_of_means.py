@@ -79,7 +79,7 @@ def steps_of(cube: xr.Dataset) -> np.ndarray:
 
 
 def rungs(cube: xr.Dataset, values: np.ndarray) -> dict[int, tuple[float, float, str]]:
-    """How far each rung of a ladder is surely off (1), how far it may be off by chance, and its title, by place.
+    """Errors of each rung of a ladder that are sure, and that may be by chance (1), and its title, by place.
 
     A rung stands on the first setting in all that its own ladder does not vary, so it is off by that one's errors there too.
     """
