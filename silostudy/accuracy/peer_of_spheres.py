@@ -53,7 +53,7 @@ class LammpsSpheres:
             boundary f f f
             newton off
             comm_modify vel yes
-            region box block {-wide} {wide} {-wide} {wide} {-20.0 * room} {float(places[:, 2].max()) + room}
+            region box block {-wide} {wide} {-wide} {wide} {-room} {float(places[:, 2].max()) + room}
             create_box 1 box
             """)
 

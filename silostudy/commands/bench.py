@@ -32,8 +32,12 @@ def add(sub) -> None:
     )
     discharge.add_argument("--output", type=Path, default=Path("results/bench/discharge.csv"))
     discharge.set_defaults(run=run_discharge)
-    accuracy = what.add_parser(
-        "accuracy", help="CPU time to an error of static wall forces, beside LAMMPS where it is installed"
+    accuracy = what.add_parser("accuracy", help="CPU time to an error, beside LAMMPS where it is installed")
+    accuracy.add_argument(
+        "--grains",
+        choices=("discs", "spheres"),
+        default="discs",
+        help="discs: static wall forces; spheres: means over fillings",
     )
     accuracy.add_argument("--output", type=Path, default=Path("results/bench/accuracy.csv"))
     accuracy.set_defaults(run=run_accuracy)
@@ -51,9 +55,9 @@ def run_certificate(chosen) -> None:
 
 
 def run_accuracy(chosen) -> None:
-    from silostudy.commands.bench_accuracy import run
+    from silostudy.commands import bench_accuracy, bench_means
 
-    run(chosen)
+    {"discs": bench_accuracy, "spheres": bench_means}[chosen.grains].run(chosen)
 
 
 def run_dem(chosen) -> None:
