@@ -38,7 +38,7 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     panels[0, 0].set_ylim(len(names) - 0.5, -0.5)
     headline(figure, _message(table))
     told = f"Bars: 95 % intervals of means of {cube.sizes['filling']} fillings. Band: how far contact laws are apart."
-    foot(figure, str(cube.attrs["title"]), told, handles=handles)
+    foot(figure, str(cube.attrs["title"]), told, *_unseen(table), handles=handles)
     save(figure, table, stem)
 
 
@@ -50,6 +50,13 @@ def _message(table: pd.DataFrame) -> str:
         for model in most.index.unique(0)
     ]
     return "; ".join(f"{what} at most {text}" for what, text in zip(("Settings change", "contact laws"), told, strict=False))
+
+
+def _unseen(table: pd.DataFrame) -> list[str]:
+    """Line that names the settings whose fillings do not show every quantity; none where all do."""
+    missing = table[table["change"].isna()].groupby("setting", sort=False)["quantity"].agg(list)
+    told = [f"{name} ({', '.join(QUANTITIES[quantity] for quantity in of)})" for name, of in missing.items()]
+    return [f"Not come to rest, or not flowing in time: {'; '.join(told)}."] if told else []
 
 
 def _draw_panel(panel, part: pd.DataFrame, names: list[str]) -> list:
@@ -105,8 +112,10 @@ def labels(cube: xr.Dataset) -> list[tuple[str, bool]]:
 
 
 def changed(values: np.ndarray, base: np.ndarray) -> tuple[float, float]:
-    """Relative change (1) of a mean against another, and half its interval by Welch."""
+    """Relative change (1) of a mean against another, and half its interval by Welch; NaN where fewer than two values are."""
     own, other = values[np.isfinite(values)], base[np.isfinite(base)]
+    if min(len(own), len(other)) < 2:
+        return np.nan, np.nan
     parts = [part.var(ddof=1) / len(part) for part in (own, other)]
     freedom = sum(parts) ** 2 / sum(part**2 / (len(of) - 1) for part, of in zip(parts, (own, other), strict=True))
     half = student.ppf(0.5 + SURE / 2, freedom) * np.sqrt(sum(parts))

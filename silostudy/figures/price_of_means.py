@@ -10,6 +10,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 import pandas as pd
 import xarray as xr
+from matplotlib.artist import Artist
 
 from silostudy.errors import BadInput
 from silostudy.figures.ladders import AXES, QUANTITIES, changed, labels
@@ -29,8 +30,9 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     shown = list(dict.fromkeys(table["quantity"]))
     figure, panels = plt.subplots(1, len(shown), sharey=True, squeeze=False, figsize=(WIDTH, 5.6))
     best = list(dict.fromkeys(table[table["cheapest"]]["setting"]))
+    handles: dict[str, Artist] = {}
     for panel, quantity in zip(panels[0], shown, strict=True):
-        handles = _draw_panel(panel, table[table["quantity"] == quantity], best)
+        handles |= _draw_panel(panel, table[table["quantity"] == quantity], best)
         panel.set(title=QUANTITIES[quantity], xlabel="error asked for (%)", xscale="log", yscale="log")
         panel.invert_xaxis()
         panel.set_xticks([100.0 * asked for asked in MARKED], [f"{100.0 * asked:g}" for asked in MARKED])
@@ -41,7 +43,7 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
         f"95 % of means keep the error. A curve ends where its setting is off by as much; it is thin where "
         f"{cube.sizes['filling']} fillings cannot tell whether it is. Grey: settings that are the cheapest nowhere."
     )
-    foot(figure, str(cube.attrs["title"]), told, handles=handles)
+    foot(figure, str(cube.attrs["title"]), told, handles=[handles[name] for name in best])
     save(figure, table, stem)
 
 
@@ -55,6 +57,8 @@ def prices(cube: xr.Dataset) -> pd.DataFrame:
         values, steps = of.transpose(*AXES).values, steps_of(cube)
         for place, (off, doubt, name) in rungs(cube, values).items():
             seen = values[place][np.isfinite(values[place])]
+            if not np.isfinite(doubt):  # it did not come to rest, or not flow
+                continue
             scatter = float(seen.std(ddof=1) / abs(seen.mean()))
             for asked in ASKED:
                 if asked <= off:
@@ -116,9 +120,9 @@ def _ladder(cube: xr.Dataset, column: str, largest: bool) -> list[tuple[int, int
     return [(place, finest) for place in places]
 
 
-def _draw_panel(panel, part: pd.DataFrame, best: list[str]) -> list:
-    """Draws one quantity; what the legend shows."""
-    handles = []
+def _draw_panel(panel, part: pd.DataFrame, best: list[str]) -> dict[str, Artist]:
+    """Draws one quantity; gives the lines of the settings that are the cheapest somewhere, by their titles."""
+    handles: dict[str, Artist] = {}
     for name, rows in part.groupby("setting", sort=False):
         if name not in best:
             panel.plot(100.0 * rows["asked"], rows["particle_steps"], **REST)
@@ -126,7 +130,9 @@ def _draw_panel(panel, part: pd.DataFrame, best: list[str]) -> list:
         look = series(best.index(str(name))) | {"markersize": 4, "markevery": 12}
         panel.plot(100.0 * rows["asked"], rows["particle_steps"], **look | {"linewidth": 0.7, "marker": "none"})
         told = rows[rows["told"]]
-        handles += panel.plot(100.0 * told["asked"], told["particle_steps"], label=name, **look | {"linewidth": 2.0})
+        (handles[str(name)],) = panel.plot(
+            100.0 * told["asked"], told["particle_steps"], label=name, **look | {"linewidth": 2.0}
+        )
     for asked in MARKED:
         panel.axvline(100.0 * asked, color="0.85", linewidth=0.8, zorder=0)
     return handles

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from silostudy.figures.ladders import changed, ladders
+from silostudy.figures.ladders import _unseen, changed, ladders
 from tests.test_figures.small_cubes import ladder_cube
 
 
@@ -33,3 +33,12 @@ def test_every_setting_stands_in_every_panel_and_laws_apart(table):
     assert (first["change"] == 0.0).all()
     assert (first["low"] < 0.0).all()
     assert (first["low"] == -first["high"]).all()
+
+
+def test_a_setting_that_shows_nothing_is_named(table):
+    made = ladder_cube("spheres-ladders").copy(deep=True)
+    made["mean_mass_flow"][3] = np.nan
+    seen = ladders(made)
+    assert _unseen(table) == []
+    assert _unseen(seen) == ["Not come to rest, or not flowing in time: an eighth of the step (mass flow)."]
+    assert seen["change"].isna().sum() == 1

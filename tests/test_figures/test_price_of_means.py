@@ -59,6 +59,14 @@ def test_the_cheapest_setting_is_one_for_each_error():
     assert set(table["setting"]) == {name for name in table["setting"] if not name.startswith(("law: ", "restitution"))}
 
 
+def test_a_setting_that_shows_nothing_has_no_price():
+    made = cube()
+    made["mean_mass_flow"][list(made["setting_title"].values).index(SOFT)] = np.nan
+    flow = flow_of(made)
+    assert SOFT not in flow.index.unique(0)
+    assert FIRST in flow.index.unique(0)
+
+
 def test_a_study_without_ladders_says_so():
     made = cube().drop_vars(["setting_step_factor", "setting_softened_modulus", "setting_diameter"])
     with pytest.raises(BadInput, match="varies none of step_factor, softened_modulus, diameter"):
