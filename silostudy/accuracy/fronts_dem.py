@@ -18,7 +18,8 @@ from silostudy.choice.choose import choose
 from silostudy.choice.dem import scene_traits
 from silostudy.config.dem import DemScene
 from silostudy.contact import MEASURED as MEASURED_LAWS
-from silostudy.dem.engine import Engine, Explosion
+from silostudy.dem.engine import Engine
+from silostudy.dem.explosion import Explosion
 from silostudy.dem.integrate import PLAIN, SMOOTHED, VERLET
 from silostudy.scene.dem_model import placed, unshaken_scene_model
 from silostudy.tables.kiyama_1983 import DENSITY, NORMAL_STIFFNESS, RADIUS, width_as_steep

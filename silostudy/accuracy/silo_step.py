@@ -12,7 +12,8 @@ import numpy as np
 from silostudy.accuracy.peers import Lammps
 from silostudy.accuracy.silo import LEVELS, silo_of_rows
 from silostudy.contact.family import NormalLaw, TangentialLaw
-from silostudy.dem.engine import Engine, Explosion
+from silostudy.dem.engine import Engine
+from silostudy.dem.explosion import Explosion
 from silostudy.dem.integrate import PLAIN
 from silostudy.dem.model import Model
 from silostudy.scene.plane_silo import inner_width

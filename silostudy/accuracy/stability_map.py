@@ -12,7 +12,8 @@ import numpy as np
 
 from silostudy.accuracy.peers import Lammps
 from silostudy.dem.arrays import Memory
-from silostudy.dem.engine import Engine, Explosion
+from silostudy.dem.engine import Engine
+from silostudy.dem.explosion import Explosion
 from silostudy.dem.integrate import PLAIN
 from silostudy.dem.lanes import U, V, W
 from silostudy.dem.model import Contact, Model

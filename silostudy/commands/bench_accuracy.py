@@ -13,7 +13,8 @@ import numpy as np
 
 from silostudy.accuracy import front
 from silostudy.accuracy.silo import LEVELS, silo_of_rows
-from silostudy.dem.engine import Engine, Explosion
+from silostudy.dem.engine import Engine
+from silostudy.dem.explosion import Explosion
 from silostudy.dem.integrate import PLAIN, SMOOTHED, VERLET
 from silostudy.dem.model import Model
 from silostudy.scene.plane_silo import inner_width

@@ -89,6 +89,7 @@ def run_one(chosen, scene, choice, output: Path) -> None:
     from silostudy.commands.studies import told_before
     from silostudy.compute.dem import carry_through, run_of
     from silostudy.compute.expected import verdicts
+    from silostudy.dem.follow import mean_step, steps_made
     from silostudy.errors import BadInput
 
     model = _model(chosen, scene)
@@ -98,11 +99,11 @@ def run_one(chosen, scene, choice, output: Path) -> None:
     with progress(task) as tell:
         carry_through(task, scene, checkpoint_of(scene, output), tell)
     keep(task, scene, choice, output)
-    print(f"{scene.title}: {task.engine.step - task.began} steps of {model.dt:.3g} s, {where_discs_are(task)} -> {output}")
+    print(f"{scene.title}: {steps_made(task)} steps of {mean_step(task):.3g} s, {where_discs_are(task)} -> {output}")
     for verdict in verdicts(task, scene):
         print(f"  {verdict}")
     if task.trouble:
-        key, value = ("march.limit_s", scene.march.limit_s) if task.recording.waiting else ("march.step_s", model.dt)
+        key, value = ("march.limit_s", scene.march.limit_s) if task.recording.waiting else ("march.step_s", model.step)
         if task.recording.buried:
             key, value = "filling.count", len(model.x)
         raise BadInput(key, value, f"{task.trouble}; what was recorded is in {output}")
@@ -161,7 +162,7 @@ def keep(task, scene, choice, output: Path) -> None:
         checkpoint.unlink(missing_ok=True)
     if lag := delay(task):
         print(f"silostudy: {output}: {lag}", file=sys.stderr)
-    half, began = 0.5 * task.engine.model.dt, task.began * task.engine.model.dt
+    half, began = 0.5 * task.engine.model.step, task.began * task.engine.model.dt
     late = [time for time in scene.record.snapshots_s if time > task.engine.time + half]
     early = [time for time in scene.record.snapshots_s if time < began - half]
     for missed, why in ((late, "the run ended before"), (early, f"the run goes on from {began:g} s")):

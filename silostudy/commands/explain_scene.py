@@ -70,7 +70,7 @@ def _of_spheres(scene, model) -> list[str]:
     about = (*shares(scene, model), *materials(scene), *coefficient_lines(model, tuple(scene.grain_kinds)))
     lines += [f"  {line}" for line in (*about, surfaces(model), *softening(scene, model))]
     lines.append(
-        f"  step {model.dt:.3g} s; stability bound of the densest packing {packed_bound(model):.3g} s; Rayleigh time of the "
+        f"  step {model.step:.3g} s; stability bound of the densest packing {packed_bound(model):.3g} s; Rayleigh time of the "
         f"smallest sphere {wave_times(scene, model)}; integrator {model.integrator}"
     )
     price, memory = price_of_step(sample(model))
@@ -86,7 +86,8 @@ def run_cost(scene, model, price: float, memory: float) -> str:
     from silostudy.scene.costs import duration
 
     began = model.end["engine"]["step"] if model.end else 0
-    count, steps, body = len(model.x), max(0, ceil(duration(scene) / model.dt) - int(began)), model.space.body
+    steps = max(0, ceil((duration(scene) / model.dt - int(began)) / model.pace.ticks))
+    count, body = len(model.x), model.space.body
     minutes, megabytes = count * steps * price / 60.0, count * memory / 1e6
     return (
         f"at most {steps:,} steps of {count:,} {body}s, {price * 1e9:.1f} ns each here and now: about {minutes:.2g} min of one "
@@ -112,7 +113,7 @@ def _of_discs(scene, model) -> list[str]:
     cost = run_cost(scene, model, whole / len(model.x), Engine(model).nbytes / len(model.x))
     lines = [f"{scene.title}: {len(model.x)} discs, {whole / len(model.x) * 1e9:.1f} ns a particle-step"]
     lines.append(
-        f"  step {model.dt:.3g} s; stability bound of this start {longest_step(model):.3g} s; integrator {model.integrator}"
+        f"  step {model.step:.3g} s; stability bound of this start {longest_step(model):.3g} s; integrator {model.integrator}"
     )
     lines += [f"  {line}" for line in (cost, *coefficient_lines(model, scene.kinds), surfaces(model))]
     for effect in effects(scene):

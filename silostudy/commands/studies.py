@@ -67,9 +67,16 @@ def scene_checked(path: Path) -> list[str]:
     scene, choice = load(path)
     model = scene_model(scene, path.parent, str(path))
     task = run_of(scene, model)  # tells too what is impossible by the step alone
-    run = f"{len(model.x)} {model.space.body}s, at most {task.last - task.began:,} steps of {model.dt:.3g} s"
+    run = f"{len(model.x)} {model.space.body}s, {steps_ahead(task)}"
     told = [run, *told_before(scene, model), *chosen_for(promises([choice] if choice else []))]
     return [f"{path}: {scene.title}", *(f"  {line}" for line in told)]
+
+
+def steps_ahead(task) -> str:
+    """Steps of a run to its limit, and how long they are."""
+    model = task.engine.model
+    told = f"at most {(task.last - task.began) // model.pace.ticks:,} steps of {model.step:.3g} s"
+    return f"{told}, were they all as long as the first" if model.pace.share else told
 
 
 def told_before(scene, model) -> list[str]:

@@ -12,6 +12,7 @@ from silostudy.config.dem import DemScene
 from silostudy.config.grain_scenes import AnyScene
 from silostudy.config.spheres import SphereScene
 from silostudy.cube.assemble import assemble
+from silostudy.dem.follow import steps_made
 from silostudy.dem.integrate import INTEGRATORS
 from silostudy.dem.ledger import ENTRIES
 from silostudy.dem.model import Model
@@ -26,16 +27,20 @@ def cube_of(run: Run, scene: AnyScene, choice: Choice | None = None) -> xr.Datas
     model, record = run.engine.model, run.recording
     body = model.space.body
     data = disc_arrays(run) | slit_arrays(run, scene) if isinstance(scene, DemScene) else sphere_arrays(run, scene)
-    data |= observed(run, scene) | {
-        "event_time": np.array([time for time, _, _ in record.happened], float),
-        "event_action": np.array([f"{trigger}: {action}" for _, trigger, action in record.happened], dtype=str),
-    }
+    data |= (
+        observed(run, scene)
+        | steps_of(run)
+        | {
+            "event_time": np.array([time for time, _, _ in record.happened], float),
+            "event_action": np.array([f"{trigger}: {action}" for _, trigger, action in record.happened], dtype=str),
+        }
+    )
     filled = {name: values for name, values in data.items() if values.size}
     notes = {
         **promises([choice] if choice else []),
         **scene.own_methods,
-        "time_step_s": model.dt,
-        "steps": run.engine.step - run.began,
+        "time_step_s": model.step,
+        "steps": steps_made(run),
         f"{body}s_left": run.engine.n,
         **{f"{body}s_{way}": count for way, count in record.left.items()},
         **notes_of(verdicts(run, scene)),
@@ -48,6 +53,14 @@ def cube_of(run: Run, scene: AnyScene, choice: Choice | None = None) -> xr.Datas
     if run.trouble:
         notes["stopped"] = run.trouble
     return assemble(scene, "dem", filled, sources=[*sources_of(model), *(SOURCES if scene.record.fields else ())], notes=notes)
+
+
+def steps_of(run: Run) -> dict[str, np.ndarray]:
+    """Arrays by name of the steps of a run that follow the contacts; none of one whose step stays."""
+    if not run.engine.model.pace.share:
+        return {}
+    tick, ticks = np.array(run.recording.steps).T
+    return {"step_time": tick * run.engine.model.dt, "step_from_then": ticks * run.engine.model.dt}
 
 
 def disc_arrays(run: Run) -> dict[str, np.ndarray]:

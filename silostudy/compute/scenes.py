@@ -14,6 +14,7 @@ from silostudy.compute.scenes_walls import contents_now, keeps_walls, to_the_fir
 from silostudy.compute.scenes_windows import Numbers, Swept
 from silostudy.config.grain_scenes import AnyScene
 from silostudy.config.scenes import ScenesStudy
+from silostudy.dem.follow import mean_step
 from silostudy.scene.scenes import SceneCase
 
 SWEPT: dict[str, Swept] = {"discs": DISCS, "spheres": SPHERES}
@@ -56,7 +57,7 @@ def numbers_of(scene: AnyScene, folder: Path) -> Numbers:
     first, trigger, _ = run.recording.happened[0]
     opening = np.nan if trigger == "limit" else first
     return {
-        "time_step": np.array(run.engine.model.dt),
+        "time_step": np.array(mean_step(run)),
         "first_event_time": np.array(opening),
         "end_time": np.array(run.engine.time),
         "limit_reached": np.array(float(run.recording.waiting is not None)),

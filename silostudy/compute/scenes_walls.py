@@ -4,9 +4,9 @@ import numpy as np
 
 from silostudy.compute.scenes_walls_plane import PLANE
 from silostudy.compute.scenes_walls_round import ROUND
-from silostudy.compute.scenes_windows import Numbers, Walled, whole_windows
+from silostudy.compute.scenes_windows import Numbers, Walled, begins, whole_windows
 from silostudy.config.grain_scenes import AnyScene
-from silostudy.dem.run import CHECK_EVERY, Run
+from silostudy.dem.run import Run
 
 WALLED: dict[str, Walled] = {"discs": PLANE, "spheres": ROUND}
 SURFACES = ("wall", "hopper")
@@ -34,7 +34,7 @@ def wall_coordinates(scene: AnyScene) -> dict[str, np.ndarray]:
 def to_the_first_event(run: Run) -> None:
     """Carry a run until its first event has come."""
     while not run.done and not run.recording.happened:
-        run.go(until=run.engine.step + CHECK_EVERY)
+        run.go(until=run.engine.step + run.check)
 
 
 def contents_now(run: Run, scene: AnyScene) -> Numbers:
@@ -63,7 +63,7 @@ def wall_numbers(run: Run, scene: AnyScene, opening: float) -> Numbers:
 def _windows(run: Run, opening: float) -> tuple[np.ndarray, np.ndarray]:
     """Numbers of the last whole window at rest (one or none), and of those whole ones that begin after the first event."""
     end, whole = np.array(run.recording.window_time), whole_windows(run)
-    begun = end - run.window * run.engine.model.dt
+    begun = begins(run)
     at_rest, flowing = np.flatnonzero(whole & (end <= opening + 1e-9)), np.flatnonzero(whole & (begun >= opening - 1e-9))
     return at_rest[-1:], flowing
 

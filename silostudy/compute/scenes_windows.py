@@ -77,10 +77,15 @@ def at_rest_and_largest(run: Run, opening: float, sums: np.ndarray) -> tuple[np.
 
 
 def whole_windows(run: Run) -> np.ndarray:
-    """Mask of the windows of full length."""
-    ends = np.array(run.recording.window_time)
-    dt = run.engine.model.dt
-    return np.isclose(np.diff(ends, prepend=run.began * dt), run.window * dt)
+    """Mask of the windows of full length; they end with a step, which may be a part of it later."""
+    model = run.engine.model
+    short = run.window - (np.array(run.recording.window_time) - begins(run)) / model.dt
+    return np.abs(short) < model.pace.longest - 0.5
+
+
+def begins(run: Run) -> np.ndarray:
+    """Times (s) at which the windows begin."""
+    return np.array([run.began * run.engine.model.dt, *run.recording.window_time[:-1]])[: len(run.recording.window_time)]
 
 
 def by_body(run: Run, cells: np.ndarray, bodies: Mapping[str, tuple[str, ...]]) -> np.ndarray:

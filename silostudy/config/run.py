@@ -35,8 +35,24 @@ class MarchConfig(Strict):
     step_factor: float | None = described(
         "time step over the one that the engine chooses where step_s is null; null: for the accuracy", gt=0, le=1, default=1.0
     )
+    step: Literal["fixed", "follow"] = described(
+        "fixed: one time step throughout; follow: as long as the contacts bear that there are, looked at every so often, from "
+        "a 16th to four times the step that is chosen for the start",
+        "",
+        default="fixed",
+    )
     beyond_stability: bool = described("take a step_s beyond the stability bound all the same", "", default=False)
     limit_s: float = described("time at which the run ends at the latest", "s", gt=0)
+
+    @model_validator(mode="after")
+    def _follows_alone(self) -> Self:
+        if self.step == "follow":
+            for name in ("step_s", "beyond_stability"):
+                if getattr(self, name):
+                    raise ValueError(f"step: follow chooses the time step: leave out {name}")
+            if self.step_factor is None:
+                raise ValueError("give either accuracy or step: follow, and not both: none is measured for steps that change")
+        return self
 
 
 class RestConfig(Strict):

@@ -184,6 +184,9 @@ class March(NamedTuple):
     wall_coefficients: tuple[tuple[float, ...], ...] | Table
     gravity: tuple[float, ...]
     dt: float
+    past: float  # step (s) before the first of these
+    kick: float  # s, by which a kept velocity goes on
+    ticks: int  # of the clock in a step
     stop: int
     bodies: int  # that are left
     parties: int  # threads

@@ -226,7 +226,7 @@ def book_pass(pieces):
     @piece(pieces)
     def book(shared, share, march, last, pull, kick):
         ledger, shape, lanes = shared.ledger, shared.walls.shape, share.scratch.lanes
-        account, rows, pairs, near, dt = ledger.account, shared.bodies.rows, share.pairs, share.near, march.dt
+        account, rows, pairs, near, dt = ledger.account, shared.bodies.rows, share.pairs, share.near, march.past
         kinetic, potential, falling, shaking = bodies_book(shared.bodies, ledger.mean, share.hi, pull, march.gravity, kick)
         pair = pairs_book(rows, ledger, of_pairs(ledger), pairs, shape, pairs.begin[last], dt, march.pair_coefficients, lanes)
         wall = walls_book(rows, ledger, of_walls(ledger), near, shape, near.begin[0], dt, march.wall_coefficients, lanes)

@@ -48,7 +48,8 @@ def fixed(model: Model) -> dict[str, Any]:
         "grains (sizes, density, packing, seed)": tuple(np.ascontiguousarray(column).tobytes() for column in columns),
         "contact laws, or surfaces that differ": repr([(contact.laws, isinstance(contact, Varied)) for contact in contacts]),
         "march.integrator": model.integrator,
-        "march.step_s": model.dt,
+        "march.step_s": model.step,
+        "march.step": model.pace,
     }
 
 

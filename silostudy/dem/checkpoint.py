@@ -15,6 +15,7 @@ def checkpoint(engine: Engine) -> dict[str, np.ndarray]:
     memories = {f"pair_{k}": v for k, v in pairs._asdict().items()} | {f"wall_{k}": v for k, v in near._asdict().items()}
     return memories | {
         "step": np.array(engine.step),
+        "ticks": np.array([engine.ticks, engine.past]),
         "rows": engine.bodies.rows[: engine.n].copy(),
         "held": engine.bodies.held[: engine.n].copy(),
         "label": engine.labels.copy(),
@@ -43,6 +44,7 @@ def restore(engine: Engine, saved: dict[str, np.ndarray]) -> None:
     staying = np.isin(engine.labels, saved["label"])
     keep_discs(engine, staying)
     engine.clock[0] = int(saved["step"])
+    engine.ticks, engine.past = map(int, saved["ticks"])
     engine.bodies.rows[: engine.n] = saved["rows"]
     engine.bodies.held[: engine.n] = saved["held"]
     for name in ("live", "shape", "drive"):

@@ -43,11 +43,7 @@ class Dimension:
     beside: Callable  # (walls, places) -> which places stand beside what the walls surround
     densest: Callable  # -> places (n, d) of the densest packing about the origin, in radii
     all_from_wall: Callable  # (walls, wall, places) -> vectors (n, d; m) from a wall's nearest points to places
-    tangents: (
-        Callable  # normals (n, d) -> of each direction across them: unit vectors, and the turns of a spin that moves along
-    )
-    meters: bool  # whether rows count the steps that bodies have been below the outlets
-    passed_for: Callable  # rows -> steps for which each body has been below the outlet
+    passed: tuple[int, ...]  # lanes in which rows count the steps that bodies have been below the outlets; none: they are not
     nearest: Callable  # (walls, wall, *place) -> vector (m) from a wall's nearest point to a place, then what else it finds
     bent: Callable  # (walls, wall, *place) -> curvature (1/m) of a wall at its point nearest to a place
     force_of: Callable  # (lanes of force, k) -> force on the first body

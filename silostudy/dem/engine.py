@@ -19,6 +19,7 @@ from silostudy.dem.arrays import (
     Walls,
     aligned,
 )
+from silostudy.dem.explosion import explosion_of
 from silostudy.dem.integrate import INTEGRATORS
 from silostudy.dem.kernel import kernel
 from silostudy.dem.ledger import empty
@@ -32,17 +33,6 @@ from silostudy.dem.wide import GHOSTS, KEPT_PAIRS, KEPT_WALLS
 from silostudy.errors import BadInput
 
 FAR = 1e9  # m: where the pair stands that pads the lists
-
-
-class Explosion(RuntimeError):
-    """A disc moved more than its radius in a step, is pressed half through another body, or is not finite.
-
-    What was recorded up to then is kept.
-    """
-
-    def __init__(self, disc: int, step: int, dt: float, cause: str, body: str = "disc"):
-        self.disc, self.step, self.time, self.cause = disc, step, step * dt, cause
-        super().__init__(f"{body} {disc} ran away at t = {step * dt:.6g} s (step {step}): {cause}")
 
 
 def sweep_order(place: np.ndarray, radius: np.ndarray) -> np.ndarray:
@@ -75,6 +65,7 @@ class Engine:
         blocks = self.most // BLOCK + 2
         self.blocks = Blocks(*np.zeros((5, blocks)))
         self.clock = np.zeros(2 + threads, np.int64)
+        self.ticks = self.past = model.pace.ticks  # of the steps to come, and of the last that was made
         self.said = np.full(threads, REMEMBERED)
         self.gate = np.zeros(2, np.int64)
         self.parts = [Part(self, number) for number in range(threads)]
@@ -125,13 +116,23 @@ class Engine:
 
     @property
     def step(self) -> int:
-        """Steps made since the start of the model."""
+        """Ticks since the start of the model; of each step one, unless steps follow the contacts."""
         return int(self.clock[0])
 
     @property
     def time(self) -> float:
         """Time (s) since the start of the model."""
         return self.step * self.model.dt
+
+    @property
+    def dt(self) -> float:
+        """Time step (s) of the steps to come."""
+        return self.ticks * self.model.dt
+
+    @property
+    def past_dt(self) -> float:
+        """Time step (s) by which the bodies came where they are."""
+        return self.past * self.model.dt
 
     def column(self, lane: int) -> np.ndarray:
         """One number of every disc that is left, in the order of `labels`."""
@@ -194,11 +195,20 @@ class Engine:
         return places
 
     def step_to(self, stop: int) -> None:
-        """Step until `stop` steps have been made since the start; raises Explosion where a disc runs away."""
+        """Step to a tick, or over it by a part of a step; raises Explosion where a disc runs away.
+
+        The first step after the step has changed is made by itself: springs stretch by the way of the step before.
+        """
+        if self.past != self.ticks and self.step < stop:
+            self._step_to(self.step + 1)
+            self.past = self.ticks
+        self._step_to(stop)
+
+    def _step_to(self, stop: int) -> None:
         while True:
             self._run(stop)
             if (self.said == EXPLODED).any():
-                raise self._explosion()
+                raise explosion_of(self)
             if (self.said == FRESH).all():
                 return
             for part in self.parts:
@@ -206,6 +216,13 @@ class Engine:
                     part.grow()
                     self.said[part.number] = REMEMBERED
             self._widen_record()
+
+    def take_steps_of(self, ticks: int) -> None:
+        """Make steps of so many ticks from now on; what is summed or counted by the step goes on in these."""
+        share = self.ticks / ticks
+        self.record.window[:, :, 0] *= share
+        self.bodies.rows[:, list(self.space.passed)] *= share
+        self.ticks = ticks
 
     def list_contacts(self) -> None:
         """Have the lists made without a step, and the threads' copies of each other's discs stand where those are."""
@@ -237,14 +254,14 @@ class Engine:
         self.bodies.rows[base + part.ghost_room + 1, 0] = -FAR
         smallest = float(self.model.radius.min())
         pair, wall = self.coefficients(part)
+        kick = 0.5 * (self.past_dt + self.dt) if INTEGRATORS[self.model.integrator].half_start else self.dt
+        steps = self.dt, self.past_dt, kick, self.ticks
         return (
             Shared(
                 self.bodies, self.walls, self.blocks, self.record, self.ledger, self._quake, self.clock, self.said, self.gate
             ),
             Share(part.number, part.pairs, part.near, *part.memories, part.scratch, lo, hi, base),
-            March(
-                pair, wall, self.gravity, self.model.dt, stop, self.n, self.threads, smallest, self.model.gap, float(self.skin)
-            ),
+            March(pair, wall, self.gravity, *steps, stop, self.n, self.threads, smallest, self.model.gap, float(self.skin)),
         )
 
     def coefficients(self, part: Part) -> tuple:
@@ -253,17 +270,6 @@ class Engine:
             Table(contact.ordered, part.coefficients) if isinstance(contact, Varied) else contact.ordered
             for contact in self.contacts
         )
-
-    def _explosion(self) -> Explosion:
-        part = int(np.argmax(self.said == EXPLODED))
-        disc = int(self.clock[2 + part])
-        row = self.bodies.rows[disc]
-        cause = f"the time step is too long for the stiffness and damping, or the {self.space.body}s overlapped at the start"
-        if np.linalg.norm(row[list(self.space.velocity)]) * self.model.dt <= self.radius[disc]:
-            cause = "its overlap is beyond half a radius: contacts too soft for their load, or too long a time step"
-        if not np.isfinite(row[: self.space.motion]).all():
-            cause = "its motion is not finite: two centres fell together, or a force overflowed"
-        return Explosion(int(self.labels[disc]), self.step, self.model.dt, cause, self.space.body)
 
     def take_memories(self) -> tuple[Memory, Memory]:
         """Histories of all touching pairs and wall contacts, sorted by key; the engine goes on with them."""

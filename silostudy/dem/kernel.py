@@ -94,8 +94,8 @@ def pass_way_on(blocks, count, way):
 def kernel(pieces: Pieces):
     """The compiled stepper of a scene made of these pieces: run(shared, share, march).
 
-    It steps from clock[0] to the march's stop and returns with lists that hold; it leaves early, with a word in
-    said[number], when a list needs room or a disc runs away (its number then is in clock[2 + number]).
+    It steps from clock[0] to the march's stop, or over it by a part of a step, and returns with lists that hold; it leaves
+    early, with a word in said[number], when a list needs room or a disc runs away (its number then is in clock[2 + number]).
     """
     sweep = sweep_pass(pieces)
     shaken, watched, pushed, moving = pieces.shaken, pieces.watched, pieces.space.pushed, pieces.moving
@@ -121,8 +121,8 @@ def kernel(pieces: Pieces):
             if shaken:
                 row = min(step, shared.quake.shape[0] - 1)
                 pull = pushed(march.gravity, shared.quake, row)
-            word = sweep(shared, share, march, pull, 0.5 * march.dt if half_start and step == 0 else march.dt)
-            step += 1
+            word = sweep(shared, share, march, pull, 0.5 * march.dt if half_start and step == 0 else march.kick)
+            step += march.ticks
             if word == STALE:
                 runaway = first_runaway(shared.bodies, share.lo, share.hi, march.dt)
                 if runaway >= 0:

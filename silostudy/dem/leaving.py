@@ -46,14 +46,20 @@ def spilt(engine) -> np.ndarray:
 def at_level(engine) -> np.ndarray:
     """Places (n, d; m) where bodies came below the outlet: where they would have come from without a contact below it."""
     rows, space = engine.bodies.rows[: engine.n], engine.space
-    return rows[:, space.place] - rows[:, space.velocity] * space.passed_for(rows)[:, None] * engine.model.dt
+    return rows[:, space.place] - rows[:, space.velocity] * ticks_below(engine)[:, None] * engine.model.dt
 
 
-def passing(engine, which: np.ndarray, outlet_at: OutletAt) -> list[tuple[float, float, int]]:
-    """Times (s) at which bodies among those left came below the outlet, each with its mass and the number of its outlet."""
-    steps = engine.space.passed_for(engine.bodies.rows[: engine.n])
-    times = (engine.step - steps) * engine.model.dt
-    return _listed(engine, which & (steps > 0.0), times, at_level(engine), outlet_at)
+def ticks_below(engine) -> np.ndarray:
+    """Ticks for which bodies have been below the outlet; none where they are not counted."""
+    counted = engine.bodies.rows[: engine.n, list(engine.space.passed)]
+    return np.rint(engine.ticks * counted.sum(axis=1))
+
+
+def passing(engine, which: np.ndarray, outlet_at: OutletAt, since: int) -> list[tuple[float, float, int]]:
+    """Times (s) from a tick on at which bodies among those left came below the outlet, each with mass and outlet's number."""
+    ticks = ticks_below(engine)
+    times = (engine.step - ticks) * engine.model.dt
+    return _listed(engine, which & (ticks > 0.0) & (engine.step - ticks >= since), times, at_level(engine), outlet_at)
 
 
 def drawn(engine, which: np.ndarray, outlet_at: OutletAt) -> list[tuple[float, float, int]]:

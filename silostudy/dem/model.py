@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import cached_property
 from math import inf, isfinite, pi
 from typing import Any, ClassVar
 
@@ -10,6 +11,7 @@ import numpy as np
 from silostudy.dem.contacts import Contact
 from silostudy.dem.dimension import Dimension
 from silostudy.dem.integrate import INTEGRATORS, PLAIN
+from silostudy.dem.pace import FIXED, Pace
 from silostudy.dem.pieces import Pieces
 from silostudy.dem.plane import PLANE
 from silostudy.dem.varied import Varied, set_at_wall, set_of_pair
@@ -68,10 +70,11 @@ class Lid:
 
 @dataclass(frozen=True, eq=False)
 class Model:
-    """Discs (m, m/s, kg/m3), walls, contacts, gravity (m/s2), base acceleration a step (m/s2), integrator and step (s).
+    """Discs (m, m/s, kg/m3), walls, contacts, gravity (m/s2), base acceleration a tick (m/s2), integrator and step (s).
 
     waiting: so many of the last are not there at the start; they come in while the model runs.  moving: whether walls move.
     kind: of each disc, counted from 0, by which contacts differ that are varied; None: all are of one.
+    dt: of a tick of the clock, of which the pace makes a step: one, where steps do not follow the contacts.
     end: where an earlier run ended (see `branch`), from which a run of the model goes on; None: it starts.
     """
 
@@ -99,6 +102,7 @@ class Model:
     waiting: int = 0
     kind: np.ndarray | None = None
     end: Mapping[str, Any] | None = None
+    pace: Pace = FIXED
 
     def __post_init__(self):
         for name in self.columns:
@@ -192,6 +196,11 @@ class Model:
         return np.stack([still if column is None else column for column in columns], axis=-1)
 
     @property
+    def step(self) -> float:
+        """Time step (s) that a run begins with."""
+        return self.pace.ticks * self.dt
+
+    @property
     def unequal(self) -> bool:
         """Whether the discs differ in radius or in mass."""
         return bool(np.ptp(self.radius) > 0.0 or np.ptp(self.density) > 0.0)
@@ -207,7 +216,7 @@ class Model:
         largest = float(self.radius.max())
         return max(self.pair_contact.gap(0.5 * largest), self.wall_contact.gap(2.0 * largest))
 
-    @property
+    @cached_property
     def mass(self) -> np.ndarray:
         """Mass of each disc (kg/m)."""
         return self.density * pi * self.radius**2

@@ -13,11 +13,6 @@ def densest() -> np.ndarray:
     return np.c_[2.0 * (i + 0.5 * j), sqrt(3.0) * j]
 
 
-def tangents(normals: np.ndarray) -> list[tuple[np.ndarray, np.ndarray]]:
-    """The direction across each normal (n, 2), and the turn (n, 1) of a spin that moves the contact along it."""
-    return [(np.c_[-normals[:, 1], normals[:, 0]], np.ones((len(normals), 1)))]
-
-
 def all_from_wall(shape: np.ndarray, wall: int, places: np.ndarray) -> np.ndarray:
     """Vectors (n, 2; m) from a wall's nearest points, those of its ends among them, to places."""
     x, y, tx, ty, length = shape[wall, :5]

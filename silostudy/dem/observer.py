@@ -7,19 +7,24 @@ from typing import Any
 
 @dataclass(frozen=True)
 class Observer:
-    """Reading at every multiple of so many steps, once a body is there. read(engine) -> a tuple of arrays or numbers."""
+    """Reading at every multiple of so many ticks, once a body is there. read(engine) -> a tuple of arrays or numbers."""
 
     name: str
     every: int
     read: Callable[[Any], tuple]
 
     def after(self, step: int) -> int:
-        """The next step at which it reads."""
-        return (step // self.every + 1) * self.every
+        """The next tick at which it reads."""
+        return after(step, self.every)
 
 
-def read_due(observers: tuple[Observer, ...], engine, readings: dict[str, list[tuple[float, tuple]]]) -> None:
-    """Keep what those observers read that are due at the engine's step, each with the time (s)."""
+def after(step: int, every: int) -> int:
+    """The next multiple of so many ticks after one."""
+    return (step // every + 1) * every
+
+
+def read_due(observers: tuple[Observer, ...], engine, before: int, readings: dict[str, list[tuple[float, tuple]]]) -> None:
+    """Keep what those observers read that came due after a tick, each with the time (s)."""
     for observer in observers:
-        if engine.step % observer.every == 0 and engine.n:
+        if observer.after(before) <= engine.step and engine.n:
             readings.setdefault(observer.name, []).append((engine.time, observer.read(engine)))

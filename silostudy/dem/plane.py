@@ -32,7 +32,7 @@ from silostudy.dem.lanes import (
     gather,
     scatter,
 )  # fmt: skip
-from silostudy.dem.network import all_from_wall, densest, tangents
+from silostudy.dem.network import all_from_wall, densest
 from silostudy.dem.pieces import Laws
 from silostudy.dem.walls import (
     RISE,
@@ -197,11 +197,6 @@ def bent(shape: np.ndarray, wall: int, *place: float) -> float:
     return 0.0
 
 
-def passed_for(rows: np.ndarray) -> np.ndarray:
-    """Steps for which discs have been below the slit: none are counted."""
-    return np.zeros(len(rows))
-
-
 PLANE = Dimension(
     key="plane",
     body="disc",
@@ -235,9 +230,7 @@ PLANE = Dimension(
     beside=beside,
     densest=densest,
     all_from_wall=all_from_wall,
-    tangents=tangents,
-    meters=False,
-    passed_for=passed_for,
+    passed=(),
     nearest=nearest,
     bent=bent,
     force_of=force_of,

@@ -4,8 +4,8 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from silostudy.dem.engine import Explosion
 from silostudy.dem.events import Event
+from silostudy.dem.explosion import Explosion
 from silostudy.dem.leaving import WAYS
 
 
@@ -23,6 +23,7 @@ class Recording:
     left: dict[str, int] = field(default_factory=lambda: dict.fromkeys(WAYS, 0))  # discs that are gone, by their way
     lost: dict[str, float] = field(default_factory=lambda: dict.fromkeys(WAYS, 0.0))  # their mass, kg/m
     passed: list[tuple[float, float, int]] = field(default_factory=list)  # s at which a body came below, its mass, its outlet
+    steps: list[tuple[int, int]] = field(default_factory=list)  # tick, and ticks of a step from then on
     snapshots: list[dict[str, np.ndarray]] = field(default_factory=list)
     readings: dict[str, list[tuple[float, tuple]]] = field(default_factory=dict)  # s and what was read, by the observer's name
     happened: list[tuple[float, str, str]] = field(default_factory=list)  # time, trigger, action

@@ -11,7 +11,7 @@ from silostudy.dem.snapshot import length, pair_contacts, wall_contacts
 
 
 class Look(NamedTuple):
-    """Step and places (m, by label) of all bodies at an earlier time."""
+    """Tick and places (m, by label) of all bodies at an earlier time."""
 
     step: int
     places: np.ndarray
@@ -53,7 +53,7 @@ def displacement(engine, earlier: Look | None = None) -> float:
     Kiyama & Fujimura (1983), note 3.
     """
     ways = max(np.abs(engine.column(lane)).mean() for lane in engine.space.velocity)
-    scale = engine.model.dt * float(np.hypot.reduce(engine.gravity))
+    scale = engine.past_dt * float(np.hypot.reduce(engine.gravity))
     return float(ways / scale) if scale > 0.0 else np.inf
 
 

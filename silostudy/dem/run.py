@@ -7,27 +7,30 @@ import numpy as np
 from silostudy.dem.branch import go_on
 from silostudy.dem.change import keep_discs, open_holes, set_friction, swap_walls, take_walls
 from silostudy.dem.checkpoint import checkpoint, restore
-from silostudy.dem.engine import Engine, Explosion
+from silostudy.dem.engine import Engine
 from silostudy.dem.events import TRIGGERS, Event
+from silostudy.dem.explosion import Explosion
 from silostudy.dem.feeder import Feeder
+from silostudy.dem.follow import EVERY, follow
 from silostudy.dem.leaving import DISCHARGED, REMOVED, SPILT, OutletAt, below, drawn, lowest, number_of, passing, spilt
 from silostudy.dem.ledger import ENTRIES, carry_out, change_gravity, take_springs
-from silostudy.dem.moves import MOVES, OF_LID, lid_meets, lid_standing
-from silostudy.dem.observer import Observer, read_due
+from silostudy.dem.moves import MOVES, OF_LID, lid_meets
+from silostudy.dem.observer import Observer, after, read_due
 from silostudy.dem.rain import Rain, pour
 from silostudy.dem.recording import Recording
 from silostudy.dem.rest import PAPER, Look, Rest
 from silostudy.dem.snapshot import held_energy, snapshot
+from silostudy.dem.trouble import trouble_of
 from silostudy.errors import BadInput
 
-CHECK_EVERY = 200  # steps between looks at rest, discharge and drop-outs: counted from the start, so chunks do not matter
+CHECK_EVERY = 200  # first steps between looks at rest, discharge and drop-outs: counted from the start, so chunks do not matter
 
 
 class Run:
     """Carries an engine through events until a stop, or at most to a time limit (s).
 
-    window: steps over which wall forces are gathered, snapshots: steps at which contacts are read, observers: what else is
-    read; all off by default.
+    window: ticks over which wall forces are gathered, snapshots: ticks at which contacts are read, observers: what else is
+    read; all off by default.  What comes due within a step is done at its end.
     rest: what the trigger `rest` waits for, once all bodies are there; rain: how those come in that wait at the start;
     feeder: what draws bodies from a closed outlet, once an event sets its rate.
     outlet_at: places (n, d) at the outlets' level -> numbers of their outlets, None: there is one.
@@ -51,7 +54,7 @@ class Run:
             raise BadInput("events", [event.action for event in events], "the last event must be a stop")
         self.engine, self.events, self.window, self.snapshots = engine, events, window, snapshots
         self.observers, self.rest, self.rain, self.feeder = observers, rest, rain, feeder
-        self.outlet_at = outlet_at
+        self.outlet_at, self.check = outlet_at, CHECK_EVERY * engine.model.pace.ticks
         self.recording, self.last = Recording(), round(limit / engine.model.dt)
         self.next_event, self.since, self.opened = 0, 0, engine.step
         self.full = float(engine.model.mass.sum())
@@ -61,6 +64,7 @@ class Run:
         self.floor = lowest(engine.model)
         if engine.model.end is not None:
             go_on(self, engine.model.end)
+        self.recording.steps.append((engine.step, engine.ticks))
 
     @property
     def done(self) -> bool:
@@ -75,13 +79,14 @@ class Run:
         return self.recording.lost[DISCHARGED]
 
     def go(self, *, until: int | None = None, tell: Callable[[int], None] = lambda step: None) -> Recording:
-        """Run to the stop, or to `until` steps; `tell` hears the step now and then."""
+        """Run to the stop, or to `until` ticks; `tell` hears the tick now and then."""
         try:
             if self.engine.step == self.began:
                 self._begin()
             while not self.done and (until is None or self.engine.step < until):
+                before = self.engine.step
                 self.engine.step_to(self._next_stop(until))
-                self._look()
+                self._look(before)
                 tell(self.engine.step)
         except Explosion as explosion:
             self.recording.explosion = explosion
@@ -95,27 +100,12 @@ class Run:
             self._pour()
         if self.began in self.snapshots and not self.recording.snapshots:
             self.recording.snapshots.append(snapshot(self.engine))
-        self._act_where_due()
+        self._act_where_due(checks=self.began > 0 and self.began % self.check == 0)
 
     @property
     def trouble(self) -> str:
         """Reason why the run did not come to its stop; empty where it did."""
-        if self.recording.explosion is not None:
-            return str(self.recording.explosion)
-        if self.recording.buried:
-            return self.recording.buried
-        event = self.recording.waiting
-        return f"the time limit came before the event `{event}`: {self._standing(event)}" if event else ""
-
-    def _standing(self, event: Event) -> str:
-        """Distance of an event from its trigger, in words."""
-        if event.trigger == "rest":
-            return f"{self.rest.criterion.measure(self.engine, self.looked):.3g}, to be at rest: {self.rest}"
-        if TRIGGERS[event.trigger].of_lid:
-            return lid_standing(self.engine)
-        if event.trigger == "discharged":
-            return f"a share of {(self.gone + self.dropped) / self.full:.3g} has left"
-        return f"due at {self._due() * self.engine.model.dt:.6g} s"
+        return trouble_of(self)
 
     def insert(self, event: Event) -> None:
         """Put an event before the one that the run waits for."""
@@ -123,48 +113,52 @@ class Run:
 
     def _next_stop(self, until: int | None) -> int:
         step = self.engine.step
-        stops = [(step // CHECK_EVERY + 1) * CHECK_EVERY]
+        stops = [after(step, self.check)]
         if self.window:
-            stops.append((step // self.window + 1) * self.window)
+            stops.append(after(step, self.window))
         stops += [snapshot for snapshot in self.snapshots if snapshot > step]
         stops += [observer.after(step) for observer in self.observers]
-        stops += [self._due()] if self._due() > step else []
+        stops += [self.due()] if self.due() > step else []
         return min([*stops, self.last] if until is None else [*stops, self.last, until])
 
-    def _due(self) -> int:
-        """Step of the next event where its time is known, else -1."""
+    def due(self) -> int:
+        """Tick of the next event where its time is known, else -1."""
         event = self.events[self.next_event]
         start = {"time": 0, "after": self.since}.get(event.trigger)
         return -1 if start is None else start + round(event.value / self.engine.model.dt)
 
-    def _look(self) -> None:
+    def _look(self, before: int) -> None:
+        """Do what came due after a tick."""
         step = self.engine.step
-        if self.window and step % self.window == 0:
+        checks = after(before, self.check) <= step
+        if self.window and after(before, self.window) <= step:
             self._close_window()
-        if step in self.snapshots:
+        if any(before < snapshot <= step for snapshot in self.snapshots):
             self.recording.snapshots.append(snapshot(self.engine))
-        read_due(self.observers, self.engine, self.recording.readings)
-        if step % CHECK_EVERY == 0:
+        read_due(self.observers, self.engine, before, self.recording.readings)
+        if checks:
             self._drop()
             self._feed()
             self._pour()
-        self._act_where_due()
-        if step % CHECK_EVERY == 0 and step < self.last:
+        self._act_where_due(checks=checks)
+        if checks and step < self.last:
             self.looked = Look(step, self.engine.places)
+        if after(before, EVERY * self.check) <= step and not self.done:
+            follow(self.engine, self.recording.steps)
         if step >= self.last and not self.done:
             self.recording.happened.append((self.engine.time, "limit", "stop"))
             self.recording.waiting = self.events[self.next_event]
 
-    def _act_where_due(self) -> None:
-        while not self.done and self._triggered(self.events[self.next_event]):
+    def _act_where_due(self, *, checks: bool) -> None:
+        while not self.done and self._triggered(self.events[self.next_event], checks):
             self._act(self.events[self.next_event])
 
-    def _triggered(self, event: Event) -> bool:
+    def _triggered(self, event: Event, checks: bool) -> bool:
         if event.action in OF_LID and self.come < self.engine.most:  # the lid waits for those that come in below it
             return False
         if event.trigger in ("time", "after"):
-            return self.engine.step >= self._due()
-        if self.engine.step % CHECK_EVERY or not self.engine.step:  # discs that have not moved yet are not at rest
+            return self.engine.step >= self.due()
+        if not checks:
             return False
         if event.trigger == "rest":
             return self.come == self.engine.most and self.rest.holds(self.engine, self.looked)
@@ -238,7 +232,7 @@ class Run:
         gone = below(self.engine, self.floor)
         beside = gone & spilt(self.engine)
         labels = self.engine.labels.copy()
-        if self.outlet_at and not self.engine.space.meters:
+        if self.outlet_at and not self.engine.space.passed:
             self.recording.passed += drawn(self.engine, gone & ~beside, self.outlet_at)
         for way, which in ((DISCHARGED, labels[gone & ~beside]), (SPILT, labels[beside])):
             if len(which):
@@ -246,7 +240,7 @@ class Run:
 
     def _feed(self) -> None:
         """Let the feeder take what is due."""
-        if self.feeder and (gone := self.feeder.take(self.engine, CHECK_EVERY * self.engine.model.dt)).any():
+        if self.feeder and (gone := self.feeder.take(self.engine, self.check * self.engine.model.dt)).any():
             self.recording.passed += drawn(self.engine, gone, self.outlet_at)
             self._take_away(lambda: self._take_out(gone, DISCHARGED))
 
@@ -264,13 +258,11 @@ class Run:
 
     def passing(self, which: np.ndarray) -> list[tuple[float, float, int]]:
         """Times (s) at which bodies among those left came below the outlet since the run began, each with mass and outlet."""
-        engine = self.engine
-        later = engine.step - engine.space.passed_for(engine.bodies.rows[: engine.n]) >= self.began
-        return passing(engine, which & later, self.outlet_at)
+        return passing(self.engine, which, self.outlet_at, self.began)
 
     def _close_window(self) -> None:
         """Keep the window of wall forces up to now, the last of a run also where it is not full."""
-        steps = self.engine.step - self.opened
+        steps = (self.engine.step - self.opened) / self.engine.ticks
         if not self.window or not steps:
             return
         window = self.engine.record.window.copy()

@@ -58,7 +58,7 @@ def _forces(engine, part, contacts, count, flat):
     read = reader(space, contact.laws, unequal, flat, part.varied[flat], flat and engine.model.moving)
     stored, rolled = contacts.stored[..., :count].copy(), contacts.rolled[..., :count].copy()
     contacts, c = contacts._replace(twisted=contacts.twisted.copy(), touched=contacts.touched.copy()), engine.coefficients(part)
-    read(engine.bodies.rows, contacts, engine.walls.shape, count, lanes, out, total, stored, rolled, engine.model.dt, c[flat])
+    read(engine.bodies.rows, contacts, engine.walls.shape, count, lanes, out, total, stored, rolled, engine.past_dt, c[flat])
     return total
 
 
@@ -134,7 +134,7 @@ def length(vectors: np.ndarray) -> np.ndarray:
 def _touches(engine, i, j=None) -> list[Touch]:
     """Reduced mass and radius of each contact of discs i with discs j, or with walls."""
     mass, radius = (of[i] if j is None else 1.0 / (1.0 / of[i] + 1.0 / of[j]) for of in (engine.mass, engine.radius))
-    return [Touch(*numbers, engine.model.dt) for numbers in zip(mass, radius, strict=True)]
+    return [Touch(*numbers, engine.past_dt) for numbers in zip(mass, radius, strict=True)]
 
 
 def _against_walls(engine, i, walls) -> list[Touch]:
@@ -142,7 +142,7 @@ def _against_walls(engine, i, walls) -> list[Touch]:
     place, space = engine.bodies.rows[:, engine.space.place], engine.space
     bent = [space.bent(engine.walls.shape, q, *spot) for q, spot in zip(walls, place[i], strict=True)]
     radius = engine.radius[i]
-    return [Touch(*numbers, engine.model.dt) for numbers in zip(engine.mass[i], radius / (1.0 - radius * bent), strict=True)]
+    return [Touch(*numbers, engine.past_dt) for numbers in zip(engine.mass[i], radius / (1.0 - radius * bent), strict=True)]
 
 
 def _listed(contacts, count: int, n: int):

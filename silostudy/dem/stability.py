@@ -12,19 +12,19 @@ from math import floor, log10, sqrt
 from typing import Any
 
 import numpy as np
-from scipy.sparse import csr_matrix, diags, vstack
-from scipy.sparse.linalg import eigsh
 from scipy.spatial import cKDTree
 
 from silostudy.dem.integrate import INTEGRATORS
 from silostudy.dem.model import Model
 from silostudy.dem.packed import differing, least_of_kind, packings
 from silostudy.dem.snapshot import length
+from silostudy.dem.stiffest import Network, stiffest
 from silostudy.dem.strength import DEEP, damping_of, springs, stiffness_of
 from silostudy.dem.varied import set_of_pair
 from silostudy.errors import BadInput
 
-HALVINGS = 50  # of the bracket of the longest step: to 1e-15 of its width
+CLOSE = 1e-6  # of an eigenvalue, by which a round of turns changes it when it is taken as reached; and of the step
+VANISHING = 1e-15  # of the longest step that is looked at: no step
 SOFTEST = 1e-3  # of the largest stiffness: a slow mode
 SAFETY = 0.5  # of the bound, when the engine chooses the step: flow makes contacts that the start does not have
 DENSEST = 0.8  # of the bound of six contacts a disc: the most that a start without contacts will come to
@@ -53,23 +53,25 @@ class Extremes:
         return oscillators
 
 
-def longest_step(model: Model, walls: Any = None, deep: float = DEEP) -> float:
+def longest_step(model: Model, walls: Any = None, deep: float = DEEP, close: float = CLOSE) -> float:
     """Longest time step (s) that keeps every motion of the linear contacts bounded, and of a lone contact of two discs or a
     disc and a wall, which may come.
 
-    walls: as they stand, None: as the model has them; deep: overlap over the largest radius at which curved laws' slopes are.
+    walls: as they stand, None: as the model has them; deep: overlap over the largest radius at which curved laws' slopes are;
+    close: share of it by which it may be missed.
     """
     contacts = _contacts(model, model.space.walls_of(model.walls) if walls is None else walls)
-    fixed = None if _implicit(model) else _extremes(model, contacts, 0.0, deep)
+    extremes = partial(_extremes, model, contacts, deep=deep, close=close)
+    fixed = None if _implicit(model) else extremes(0.0)
 
     def holds(dt: float) -> bool:
-        extremes = fixed or _extremes(model, contacts, dt, deep)
-        return all(_bounded(model.integrator, *corner, dt) for corner in extremes.corners)
+        return _bounded(model.integrator, (fixed or extremes(dt)).corners, dt)
 
-    short, long = 0.0, 4.0 / np.sqrt((fixed or _extremes(model, contacts, 0.0, deep)).stiffness)
+    short, long = 0.0, 4.0 / np.sqrt((fixed or extremes(0.0)).stiffness)
     while holds(long):
         short, long = long, 2.0 * long
-    for _ in range(HALVINGS):
+    least = VANISHING * long
+    while long - short > max(close * long, least):
         middle = 0.5 * (short + long)
         short, long = (middle, long) if holds(middle) else (short, middle)
     return short
@@ -130,20 +132,21 @@ def _implicit(model: Model) -> bool:
     return any(row.implicit for contact in (model.pair_contact, model.wall_contact) for row in contact.rows)
 
 
-def _bounded(integrator: str, total: float, incremental: float, damping: float, dt: float) -> bool:
-    """Whether an oscillator stays bounded: no eigenvalue of one step beyond one.
+def _bounded(integrator: str, oscillators: list[tuple[float, float, float]], dt: float) -> bool:
+    """Whether oscillators stay bounded: no eigenvalue of one step beyond one.
 
     Normal springs follow the place itself, tangential ones add up rate times dt; some integrators move by another increment.
     """
-    advance = INTEGRATORS[integrator].advance
+    advance, (total, incremental, damping) = INTEGRATORS[integrator].advance, np.array(oscillators).T
 
     def step(rate, held, place, slid):
         rate, held, increment = advance(rate, held, -total * place - incremental * slid - damping * rate, dt, dt)
         return rate, held, place + increment, slid + rate * dt
 
-    matrix = np.array([step(*unit) for unit in np.diag([1.0 / dt, 1.0 / dt, 1.0, 1.0])]).T
-    scale = np.array([dt, dt, 1.0, 1.0])
-    return bool(np.abs(np.linalg.eigvals(matrix * scale[:, None])).max() <= 1.0 + 1e-9)
+    scale, still = np.array([dt, dt, 1.0, 1.0]), np.zeros(len(oscillators))
+    columns = [[still + of for of in step(*unit)] for unit in np.diag(1.0 / scale)]
+    matrices = np.transpose(columns, (2, 1, 0)) * scale[:, None]
+    return bool(np.abs(np.linalg.eigvals(matrices)).max() <= 1.0 + 1e-9)
 
 
 def _contacts(model: Model, walls: Any) -> list[tuple]:
@@ -189,9 +192,10 @@ def _lone(model: Model) -> list[tuple]:
     return contacts
 
 
-def _extremes(model: Model, contacts: list[tuple], dt: float, deep: float) -> Extremes:
+def _extremes(model: Model, contacts: list[tuple], dt: float, deep: float = DEEP, close: float = CLOSE) -> Extremes:
     """Extremes of all contacts together and of lone contacts of the lightest bodies, at this step."""
     stiff, damp, lone = partial(stiffness_of, dt=dt, deep=deep), partial(damping_of, dt=dt, deep=deep), _lone(model)
+    largest = partial(_largest, model, contacts, lone, _network(model, contacts), close)
     ratios = [
         d.min() / k.min()
         for contact, i, j, *_ in (*contacts, *lone)
@@ -199,9 +203,9 @@ def _extremes(model: Model, contacts: list[tuple], dt: float, deep: float) -> Ex
         if k.any()
     ]
     return Extremes(
-        stiffness=_largest(model, contacts, lone, stiff) + _on_lid(model, stiff),
-        incremental=_largest(model, contacts, lone, lambda *which: [0.0 * (k := stiff(*which))[0], *k[1:]]),
-        damping=_largest(model, contacts, lone, damp) + _on_lid(model, damp),
+        stiffness=largest(stiff) + _on_lid(model, stiff),
+        incremental=largest(lambda *which: [0.0 * (k := stiff(*which))[0], *k[1:]]),
+        damping=largest(damp) + _on_lid(model, damp),
         least_damped=float(min(ratios)),
     )
 
@@ -214,39 +218,34 @@ def _on_lid(model: Model, strengths) -> float:
     return float(model.lid.touching * strongest / model.lid.mass)
 
 
-def _largest(model: Model, contacts: list[tuple], lone: list[tuple], strengths) -> float:
+def _largest(model: Model, contacts: list[tuple], lone: list[tuple], network: Network, close: float, strengths) -> float:
     """Largest eigenvalue (1/s2 or 1/s) of the mass-scaled contacts, or of a lone one."""
-    n, mass, radius, space = len(model.x), model.mass, model.radius, model.space
-    light = space.inverse_inertia
-    root = np.sqrt(np.r_[np.tile(mass, space.ways), np.tile(mass * radius**2 / light, len(space.spin))])
-    blocks, highest = [], 0.0
+    highest, light = 0.0, model.space.inverse_inertia
     for contact, i, j in lone:  # two translations and two rotations pull at a tangential spring
         bodies = np.r_[i, [] if j is None else j].astype(int)
-        turn = light / radius[bodies] ** 2
-        ways = (np.array([1.0 + 0.0 * turn, 1.0 + light + 0.0 * turn, turn, turn]) / mass[bodies]).sum(axis=1)
+        turn = light / model.radius[bodies] ** 2
+        ways = (np.array([1.0 + 0.0 * turn, 1.0 + light + 0.0 * turn, turn, turn]) / model.mass[bodies]).sum(axis=1)
         highest = max(highest, *(ways * np.ravel(strengths(contact, model, i, j))))
-    for contact, i, j, normals in contacts:
-        normal, tangential, rolling, twisting = np.sqrt(strengths(contact, model, i, j))
-        still, spins = np.zeros_like(normals), np.zeros((len(i), len(space.spin)))
-        stretches = [(normal, normals, spins, spins)]
-        for along, turn in space.tangents(normals):
-            arms = (of[:, None] * turn for of in (radius[i], radius[i if j is None else j]))
-            stretches += [(tangential, along, *arms), (rolling, still, turn, -turn)]
-        if contact.laws.winds:
-            stretches.append((twisting, still, normals, -normals))
-        for strength, along, own, other in stretches:
-            row = _rows(strength, i, along, own, n)
-            blocks.append(row if j is None else row + _rows(strength, j, -along, other, n))
-    scaled = vstack(blocks).tocsr() @ diags(1.0 / root)
-    if scaled.nnz == 0:
-        return highest
-    start = np.random.default_rng(0).standard_normal(len(root))  # an even start may be blind to the stiffest mode
-    return max(highest, float(eigsh(scaled.T @ scaled, k=1, tol=1e-3, v0=start, return_eigenvectors=False)[0]))
+    strength = np.vstack([_columns(contact, strengths(contact, model, i, j)) for contact, i, j, _ in contacts])
+    return max(highest, stiffest(network, strength, close))
 
 
-def _rows(strength, body, along, turn, n):
-    """One row a contact: how the motion of these bodies along a direction and their turn stretch it."""
-    values = strength[:, None] * np.c_[along, -turn]
-    ways = values.shape[1]
-    columns = body[:, None] + n * np.arange(ways)
-    return csr_matrix((values.ravel(), columns.ravel(), ways * np.arange(len(body) + 1)), shape=(len(body), ways * n))
+def _columns(contact, strengths) -> np.ndarray:
+    """Strengths (n, 4) of contacts; of a twisting spring only where the laws wind one up."""
+    return np.column_stack([*strengths[:3], strengths[3] * contact.laws.winds])
+
+
+def _network(model: Model, contacts: list[tuple]) -> Network:
+    """Contacts as the solver takes them."""
+    ways, spins, start = model.space.ways, len(model.space.spin), np.zeros((len(model.x), 6))
+    draws = np.random.default_rng(0).standard_normal((len(model.x), ways + spins))  # an even start may be blind to the stiffest
+    start[:, :ways], start[:, 6 - spins :] = draws[:, :ways], draws[:, ways:]
+    normals = np.vstack([normals for *_, normals in contacts])
+    return Network(
+        first=np.concatenate([i for _, i, *_ in contacts]),
+        second=np.concatenate([np.full(len(i), -1) if j is None else j for _, i, j, _ in contacts]),
+        normal=np.pad(normals, ((0, 0), (0, 3 - ways))),
+        radius=np.array(model.radius),
+        rates=1.0 / np.sqrt(np.column_stack([model.mass, model.mass * model.radius**2 / model.space.inverse_inertia])),
+        start=start,
+    )

@@ -18,13 +18,14 @@ HEAD_ON = (
     1.2  # overlap of a Hertzian impact over speed times the root of mass over its stiffness there: a bit above the root of 5/4
 )
 TURNS = 8  # until that overlap and the stiffness there agree
+NEARLY = 1e-2  # of an eigenvalue: how well a look knows it
 LEAST = 1e-6  # of a radius: overlap of bodies that neither touch nor move
 
 
 def stable_now(engine) -> float:
     """Longest stable time step (s) of the contacts that an engine's bodies have now, and of lone ones that may come."""
     model = present(engine)
-    return longest_step(model, engine.walls, deepest(engine, model))
+    return longest_step(model, engine.walls, deepest(engine, model), NEARLY)
 
 
 def present(engine) -> Model:

@@ -91,7 +91,7 @@ def sweep_pass(pieces: Pieces):
     @piece(pieces)
     def block_forces(shared, share, block, march):
         begin, end = share.pairs.begin[block], share.pairs.begin[block + 1]
-        pairs_between(shared, share.pairs, begin, end, share.scratch, march.dt, march.pair_coefficients, share.number)
+        pairs_between(shared, share.pairs, begin, end, share.scratch, march.past, march.pair_coefficients, share.number)
 
     @piece(pieces)
     def all_forces(shared, share, last, march):
@@ -105,7 +105,7 @@ def sweep_pass(pieces: Pieces):
         if booked:
             keep_histories(pairs, pairs.begin[last], of_pairs(shared.ledger))
             keep_histories(near, near.begin[0], of_walls(shared.ledger))
-        walls_between(shared, near, 0, near.begin[0], share.scratch, march.dt, march.wall_coefficients, share.number)
+        walls_between(shared, near, 0, near.begin[0], share.scratch, march.past, march.wall_coefficients, share.number)
         block_forces(shared, share, last, march)
         if booked:
             all_forces(shared, share, last, march)

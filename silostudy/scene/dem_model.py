@@ -1,18 +1,22 @@
 """Builds the engine's model from a scene of discs: where they start, what pushes them, and the time step."""
 
 from dataclasses import replace
+from typing import TypeVar
 
 import numpy as np
 
 from silostudy.config.dem import DemScene
 from silostudy.config.grain_scenes import AnyScene
 from silostudy.dem.model import Model, Wall
+from silostudy.dem.pace import FIXED, following
 from silostudy.dem.stability import chosen_step, packed_bound
 from silostudy.errors import BadInput
 from silostudy.packing import PACKINGS
 from silostudy.scene.dem import check_events, check_start, contacts_of, plane_silo_of, room
 from silostudy.scene.disc_mixture import densities_of_kinds, kinds_of, radii_of_kinds
 from silostudy.scene.lid import check_lid, lid_of, moves
+
+M = TypeVar("M", bound=Model)
 
 
 def placed(scene: DemScene):
@@ -61,7 +65,13 @@ def unshaken_scene_model(scene: DemScene, discs, where: str = "") -> Model:
     )  # fmt: skip
     touching = silo.width / (2.0 * float(radius.min()))
     model = replace(model, lid=lid_of(scene.events, silo.width, touching, float(model.mass.sum())))
-    return replace(model, dt=step_of(scene, model, where))
+    return stepped(scene, model, where)
+
+
+def stepped(scene: AnyScene, model: M, where: str) -> M:
+    """A model with the clock and the pace that its scene asks for."""
+    pace = following(scene.march.step_factor or 1.0) if scene.march.step == "follow" else FIXED
+    return replace(model, dt=step_of(scene, model, where) / pace.ticks, pace=pace)
 
 
 def step_of(scene: AnyScene, model: Model, where: str) -> float:

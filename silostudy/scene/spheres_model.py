@@ -16,7 +16,7 @@ from silostudy.dem.varied import Varied
 from silostudy.errors import BadInput
 from silostudy.packing.filling import FILLINGS
 from silostudy.scene.dem import DEEPEST
-from silostudy.scene.dem_model import step_of
+from silostudy.scene.dem_model import stepped
 from silostudy.scene.lid import check_lid, lid_of, moves
 from silostudy.scene.mixture import drawn
 from silostudy.scene.space_silo import OUTLET, SpaceSilo
@@ -60,7 +60,7 @@ def sphere_model(scene: SphereScene, given: Start | None, where: str = "") -> Sp
     )  # fmt: skip
     touching = space.plan.area / (2.0 * sqrt(3.0) * float(radii.min()) ** 2)  # in rows, each sphere in the gap of two
     model = replace(model, lid=lid_of(scene.events, space.plan.area, touching, float(model.mass.sum())))
-    return replace(model, dt=step_of(scene, model, where))
+    return stepped(scene, model, where)
 
 
 def coated(walls: tuple[Surface, ...], contact: Contact | Varied) -> tuple[Surface, ...]:

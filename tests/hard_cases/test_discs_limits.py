@@ -5,8 +5,9 @@ from math import pi
 import numpy as np
 import pytest
 
-from silostudy.dem.engine import Engine, Explosion
+from silostudy.dem.engine import Engine
 from silostudy.dem.events import Event
+from silostudy.dem.explosion import Explosion
 from silostudy.dem.lanes import STRETCH
 from silostudy.dem.model import Wall
 from silostudy.dem.run import Run

@@ -5,8 +5,9 @@ from math import sqrt
 import numpy as np
 import pytest
 
-from silostudy.dem.engine import Engine, Explosion
+from silostudy.dem.engine import Engine
 from silostudy.dem.events import Event
+from silostudy.dem.explosion import Explosion
 from silostudy.dem.run import Run
 from silostudy.dem.space.walls import FlatPiece, TurnedLine
 from silostudy.dem.stability import longest_step

@@ -92,12 +92,14 @@ def test_friction_of_zero_is_no_friction():
 
 def test_unequal_discs_of_equal_size_change_no_bit():
     """A radius array all of one value gives the bits of the single radius."""
-    from dataclasses import replace
+    from dataclasses import fields, replace
 
     model = silo()
     equal = Engine(model)
     each = Engine(model)
-    each.model = type("Unequal", (type(model),), {"unequal": True})(**vars(model))
+    each.model = type("Unequal", (type(model),), {"unequal": True})(
+        **{of.name: getattr(model, of.name) for of in fields(model)}
+    )
     each.__init__(each.model)
     assert replace(equal.model.pieces, unequal=True) == each.model.pieces
     for engine in (equal, each):
@@ -203,7 +205,7 @@ def test_a_new_scene_of_the_same_pieces_compiles_nothing():
 
 
 def test_explosion_stops_with_disc_time_and_cause():
-    from silostudy.dem.engine import Explosion
+    from silostudy.dem.explosion import Explosion
 
     engine = Engine(silo(dt=4e-4))
     with pytest.raises(Explosion, match=r"disc \d+ ran away at t = .* time step") as caught:

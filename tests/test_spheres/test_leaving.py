@@ -19,7 +19,9 @@ def test_what_drifts_beyond_a_wall_below_a_slot_went_through_it():
     rows[:, SPACE.place], rows[:, PASSED] = (0.022, 0.0, -0.02), 40.0
     rows[0, SPACE.velocity], rows[1, SPACE.velocity] = (0.1, 0.0, -0.5), (0.0, 0.0, -0.5)
     model = SimpleNamespace(walls=walls, dt=1e-3)
-    engine = SimpleNamespace(n=2, bodies=SimpleNamespace(rows=rows), space=SPACE, model=model, step=100, mass=np.ones(2))
+    engine = SimpleNamespace(
+        n=2, bodies=SimpleNamespace(rows=rows), space=SPACE, model=model, step=100, ticks=1, mass=np.ones(2)
+    )
     assert np.allclose(at_level(engine), [(0.018, 0.0, 0.0), (0.022, 0.0, 0.0)])
     assert spilt(engine).tolist() == [False, True]
-    assert passing(engine, ~spilt(engine), None) == [(0.06, 1.0, 0)]
+    assert passing(engine, ~spilt(engine), None, 0) == [(0.06, 1.0, 0)]

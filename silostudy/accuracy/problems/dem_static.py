@@ -11,7 +11,8 @@ import numpy as np
 
 from silostudy.accuracy.silo import STEP, silo_of_rows, softened, wall_force, with_dashpot
 from silostudy.contact.normal import spring_dashpot_implicit
-from silostudy.dem.engine import Engine, Explosion
+from silostudy.dem.engine import Engine
+from silostudy.dem.explosion import Explosion
 from silostudy.dem.integrate import PLAIN, SMOOTHED, VERLET
 from silostudy.dem.lanes import W
 from silostudy.tables.kiyama_1983 import RADIUS

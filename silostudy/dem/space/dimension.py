@@ -33,7 +33,6 @@ from silostudy.dem.space.motion import (
     faced,
     facing,
     move,
-    passed_for,
     pushed,
     put,
     rates,
@@ -42,7 +41,7 @@ from silostudy.dem.space.motion import (
     where,
     whole,
 )
-from silostudy.dem.space.network import all_from_wall, bent, densest, tangents
+from silostudy.dem.space.network import all_from_wall, bent, densest
 from silostudy.dem.space.surfaces import RISE, height_of, lift, motion_of, nearest, widen
 from silostudy.dem.space.walk import walk
 from silostudy.dem.space.walls import beside, cell_count, extents, walls_of
@@ -80,9 +79,7 @@ SPACE = Dimension(
     beside=beside,
     densest=densest,
     all_from_wall=all_from_wall,
-    tangents=tangents,
-    meters=True,
-    passed_for=passed_for,
+    passed=(PASSED,),
     nearest=nearest,
     bent=bent,
     force_of=force_of,

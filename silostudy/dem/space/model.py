@@ -1,6 +1,7 @@
 """Model that the engine steps in space: spheres, surfaces, laws, time stepping."""
 
 from dataclasses import dataclass
+from functools import cached_property
 from math import pi
 from typing import ClassVar
 
@@ -54,7 +55,7 @@ class SphereModel(Model):
         """Spin (n, 3) at the start, rad/s."""
         return self._started(self.p, self.q, self.r)
 
-    @property
+    @cached_property
     def mass(self) -> np.ndarray:
         """Mass of each sphere (kg)."""
         return self.density * (4.0 / 3.0) * pi * self.radius**3

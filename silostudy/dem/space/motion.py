@@ -3,7 +3,6 @@
 from collections.abc import Callable
 from math import sqrt
 
-import numpy as np
 from numba.extending import register_jitable
 
 from silostudy.dem.cache import piece
@@ -240,11 +239,6 @@ def move(advance: Callable, holds: bool, turns: bool, key: str):
         return dx * dx + dy * dy + dz * dz
 
     return moved
-
-
-def passed_for(rows: np.ndarray) -> np.ndarray:
-    """Steps for which spheres have been below the outlet."""
-    return rows[:, PASSED].copy()
 
 
 @register_jitable

@@ -4,7 +4,9 @@ from math import sqrt
 from typing import SupportsIndex
 
 import numpy as np
+from numba import njit
 
+from silostudy.dem.cache import OPTIONS
 from silostudy.dem.space.surfaces import nearest
 
 CELLS = 3  # of the lattice, each way from the origin
@@ -16,18 +18,17 @@ def densest() -> np.ndarray:
     return np.c_[2.0 * i + j + k, sqrt(3.0) * (j + k / 3.0), 2.0 * sqrt(2.0 / 3.0) * k]
 
 
-def tangents(normals: np.ndarray) -> list[tuple[np.ndarray, np.ndarray]]:
-    """Pair of directions across each normal (n, 3), each with the turn (n, 3) of a spin that moves the contact along it."""
-    least = np.eye(3)[np.argmin(np.abs(normals), axis=1)]
-    first = np.cross(normals, least)
-    first /= np.linalg.norm(first, axis=1, keepdims=True)
-    second = np.cross(normals, first)
-    return [(first, second), (second, -first)]
-
-
 def all_from_wall(shape: np.ndarray, wall: SupportsIndex, places: np.ndarray) -> np.ndarray:
     """Vectors (n, 3; m) from a surface's nearest points to places."""
-    return np.array([nearest(shape, wall, *place)[:3] for place in places]).reshape(-1, 3)
+    ways = np.zeros((len(places), 3))
+    _all_nearest(shape, wall, np.ascontiguousarray(places, float), ways)
+    return ways
+
+
+@njit(**OPTIONS)
+def _all_nearest(shape, wall, places, ways):
+    for i in range(places.shape[0]):
+        ways[i, 0], ways[i, 1], ways[i, 2], _ = nearest(shape, wall, places[i, 0], places[i, 1], places[i, 2])
 
 
 def bent(shape: np.ndarray, wall: int, *place: float) -> float:

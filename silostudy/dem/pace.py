@@ -1,0 +1,30 @@
+"""Pace of a run: so many ticks of its clock make a step, always as many or as many as its contacts bear."""
+
+from dataclasses import dataclass
+
+TICKS = 16  # in the step that a run begins with whose steps follow its contacts
+LONGEST = 4  # times that step
+SHARE = 0.9  # of what the contacts bear: they may be a fifth stiffer before they are looked at anew
+RISE = 1.05  # a step grows by a twentieth at least, so that it does not change at every look
+
+
+@dataclass(frozen=True)
+class Pace:
+    """Ticks in the first step and in the longest; share of the step that the contacts bear, 0: the first step stays."""
+
+    share: float = 0.0
+    ticks: int = 1
+    longest: int = 1
+
+    def after(self, ticks: int, borne: float) -> int:
+        """Ticks of the steps that follow on steps of so many, where the contacts bear a step of `borne` ticks."""
+        allowed = min(self.longest, max(1, int(self.share * borne)))
+        return allowed if allowed < ticks or allowed >= RISE * ticks else ticks
+
+
+FIXED = Pace()
+
+
+def following(factor: float = 1.0) -> Pace:
+    """Pace that follows the contacts, of steps that are a factor shorter."""
+    return Pace(factor * SHARE, TICKS, LONGEST * TICKS)
