@@ -1,19 +1,20 @@
-"""Lines that `silostudy check` says of a study of shaken discs."""
+"""Lines that `silostudy check` says of a study of shaken grains."""
 
 from collections.abc import Iterable
 
 
 def runs(expansion) -> list[str]:
-    """Runs, discs, steps and effects of a grains study."""
+    """Runs, grains, steps and effects of a grains study."""
     from silostudy.accuracy.prices import without
     from silostudy.compute.grains_model import run_lengths, shaken_box_model
 
     planned = run_lengths(expansion)
-    kinds = {case.scene.config.packing: case.scene.config for case in expansion.cases}
-    effects = {name for config in kinds.values() for name in without(shaken_box_model(config, expansion.study.seeds[0]))}
+    kinds = {getattr(case.scene.config, "packing", None): case.scene.config for case in expansion.cases}
+    models = [shaken_box_model(config, expansion.study.seeds[0]) for config in kinds.values()]
+    effects = {name for model in models for name in without(model)}
     fillings, shaken = [run for run in planned if not run.shaken], [run for run in planned if run.shaken]
     return [
-        f"{len(fillings)} filling(s) of {_range(run.discs for run in fillings)} discs, settled in at most "
+        f"{len(fillings)} filling(s) of {_range(run.grains for run in fillings)} {models[0].space.body}s, settled in at most "
         f"{_range(run.steps for run in fillings)} steps; equal fillings once",
         f"{len(shaken)} shaken run(s) of {_range(run.steps for run in shaken)} steps: with the settling at most "
         f"{_work(expansion):.2g} particle-steps; `--price` settles and times one filling",
@@ -25,7 +26,7 @@ def _work(expansion) -> int:
     """Particle-steps of the study, at most."""
     from silostudy.compute.grains_model import run_lengths
 
-    return sum(run.discs * run.steps for run in run_lengths(expansion))
+    return sum(run.grains * run.steps for run in run_lengths(expansion))
 
 
 def prices_of_effects(expansion) -> list[str]:

@@ -1,18 +1,26 @@
 """The engine's model of a grains scene: walls, contacts, a stable step, and the motion of the box."""
 
 from dataclasses import dataclass, replace
-from math import ceil, pi
+from functools import singledispatch
+from math import pi
 
 import numpy as np
 
-from silostudy.config.grains import Grains, GrainsScene, Shaking
+from silostudy.compute.grains_spheres import filling_run, silo_model, silo_pushes
+from silostudy.config.grains import Grains, GrainsScene
+from silostudy.config.grains_spheres import ShakenSpheres
+from silostudy.config.shaking import Shaking
 from silostudy.contact.tangential import spring_slider
+from silostudy.dem.engine import Engine
+from silostudy.dem.events import Event
 from silostudy.dem.model import Contact, Model
 from silostudy.dem.pieces import Laws
+from silostudy.dem.run import Run
 from silostudy.dem.stability import chosen_step
+from silostudy.dem.walls import sums_by_wall
 from silostudy.scene.expand import Expansion
 from silostudy.scene.grains import discs_of
-from silostudy.scene.plane_silo import PlaneSilo
+from silostudy.scene.plane_silo import FLOOR, SIDES, PlaneSilo
 from silostudy.seismic.readers import read_known
 from silostudy.seismic.records import compressed, scaled, without_baseline
 from silostudy.tables.constants import STANDARD_GRAVITY
@@ -23,7 +31,7 @@ from silostudy.tables.kiyama_1983 import WALL_STIFFNESS_RATIO
 class RunLength:
     """Length of one run of the engine: a filling that settles (at most so many steps), or one that is shaken."""
 
-    discs: int
+    grains: int
     steps: int
     shaken: bool
 
@@ -36,14 +44,53 @@ def run_lengths(expansion: Expansion) -> list[RunLength]:
             key = case.scene.filling, seed
             if key not in models:
                 models[key] = shaken_box_model(case.scene.config, seed)
-                runs.append(RunLength(len(models[key].x), ceil(study.rest_limit_s / models[key].dt), shaken=False))
+                run = settling_run(case.scene.config, seed, models[key], study.rest_limit_s)
+                runs.append(RunLength(len(models[key].x), run.last, shaken=False))
             steps = len(base_motion(case.scene.shaking, models[key].dt, study.cycles + study.waited_cycles))
             runs.append(RunLength(len(models[key].x), steps, shaken=True))
     return runs
 
 
-def shaken_box_model(config: GrainsScene, seed: int) -> Model:
+@singledispatch
+def shaken_box_model(config: GrainsScene | ShakenSpheres, seed: int) -> Model:
     """The model at its start, at a stable step; its box may be shaken."""
+    raise TypeError(type(config))
+
+
+@singledispatch
+def settling_run(config: GrainsScene | ShakenSpheres, seed: int, model: Model, limit: float) -> Run:
+    """The run that fills the box and waits, at most so long (s), for the grains to come to rest."""
+    raise TypeError(type(config))
+
+
+@singledispatch
+def pushes(config: GrainsScene | ShakenSpheres, model: Model, window: np.ndarray) -> tuple[float, float, float]:
+    """Horizontal force on the grains from walls and from floor, and sum of the walls' normal forces (N; in the plane N/m).
+
+    window: what the walls' cells feel, (cell, component).
+    """
+    raise TypeError(type(config))
+
+
+shaken_box_model.register(ShakenSpheres, silo_model)
+settling_run.register(ShakenSpheres, filling_run)
+pushes.register(ShakenSpheres, lambda config, model, window: silo_pushes(model, window))
+
+
+@settling_run.register
+def _(config: GrainsScene, seed: int, model: Model, limit: float) -> Run:
+    return Run(Engine(model), (Event("rest", 0.0, "stop"),), limit=limit)
+
+
+@pushes.register
+def _(config: GrainsScene, model: Model, window: np.ndarray) -> tuple[float, float, float]:
+    sums = sums_by_wall(model, window)
+    floor, left, right = (sums[name] for name in (FLOOR, *SIDES))
+    return left[0] - right[0], floor[1], left[0] + right[0]
+
+
+@shaken_box_model.register
+def _(config: GrainsScene, seed: int) -> Model:
     x, y, radius = discs_of(config, seed)
     width, top = config.box.width_m, 2.0 * max(float(y.max()), config.box.slenderness * config.box.width_m)
     grains = config.grains

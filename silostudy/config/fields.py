@@ -9,6 +9,9 @@ from pydantic import BaseModel, ConfigDict, Field, create_model, model_validator
 
 from silostudy.catalogue import Family
 
+# of a discriminator: what is said where a section is none
+NO_SECTION: Any = {"custom_error_type": "no_section", "custom_error_message": "must hold `key: value` lines"}
+
 
 class Strict(BaseModel):
     """A frozen model that refuses unknown keys."""

@@ -1,10 +1,12 @@
-"""A grains study: discs in a box that is shaken, and what walls and floor have to carry of them."""
+"""A grains study: discs or spheres in a box that is shaken, and what walls and floor have to carry of them."""
 
-from typing import ClassVar, Literal, Self, TypeAlias
+from typing import Annotated, Any, ClassVar, Literal, TypeAlias
 
-from pydantic import Field, model_validator
+from pydantic import Discriminator, Field, Tag
 
-from silostudy.config.fields import Strict, described
+from silostudy.config.fields import NO_SECTION, Strict, described
+from silostudy.config.grains_spheres import ShakenSpheres
+from silostudy.config.shaking import Shaking
 from silostudy.config.study import BaseStudy
 from silostudy.tables.kiyama_1983 import (
     DENSITY,
@@ -15,9 +17,7 @@ from silostudy.tables.kiyama_1983 import (
     SILO_WIDTH,
     STIFFNESS_RATIO,
 )
-from silostudy.tables.records import RECORDS
 
-RecordKey: TypeAlias = Literal[tuple(RECORDS)]  # type: ignore[valid-type]
 Packing = Literal["rows_17_18", "rows_11_12", "loose"]
 
 
@@ -40,21 +40,6 @@ class Grains(Strict):
     sliding_friction: float = described("friction between discs", ge=0, default=DISC_FRICTION)
 
 
-class Shaking(Strict):
-    """Horizontal acceleration of the box: a sine, or a record."""
-
-    amplitude_gal: float = described("amplitude of the sine, or peak of the record", "gal", gt=0)
-    frequency_Hz: float | None = described("frequency of the sine", "Hz", gt=0, default=None)
-    record: RecordKey | None = described("a record at hand, in place of frequency_Hz", "", default=None)
-    time_compression: float = described("how many times as fast to run the record", gt=0, default=1.0)
-
-    @model_validator(mode="after")
-    def _one(self) -> Self:
-        if (self.frequency_Hz is None) == (self.record is None):
-            raise ValueError("give either frequency_Hz or record, and not both")
-        return self
-
-
 class GrainsScene(Strict):
     """One filled box and its shaking."""
 
@@ -65,19 +50,32 @@ class GrainsScene(Strict):
     shaking: Shaking = described("horizontal acceleration of the box", "")
 
 
+def _model_of(scene: Any) -> str:
+    """Name of the model that a scene, or its content, is of: the key `grains` is a word for spheres, a section for discs."""
+    if not isinstance(scene, dict):
+        return type(scene).__name__
+    return (ShakenSpheres if isinstance(scene.get("grains"), str) else GrainsScene).__name__
+
+
+AnyBox: TypeAlias = Annotated[
+    Annotated[GrainsScene, Tag(GrainsScene.__name__)] | Annotated[ShakenSpheres, Tag(ShakenSpheres.__name__)],
+    Discriminator(_model_of, **NO_SECTION),
+]
+
+
 class GrainsStudy(BaseStudy):
-    """Effective mass of shaken discs, with its spread over fillings."""
+    """Effective mass of shaken grains, with its spread over fillings."""
 
-    unasked: ClassVar[str] = "no front is measured for shaken discs"
+    unasked: ClassVar[str] = "no front is measured for shaken grains"
 
-    kind: Literal["grains"] = described("grains: effective mass of discs in a shaken box", "")
-    scene: GrainsScene = described("the base scene", "")
+    kind: Literal["grains"] = described("grains: effective mass of discs or spheres in a shaken box", "")
+    scene: AnyBox = described("the base scene", "")
     fillings: int = described("fillings of each case, which differ by their seed", ge=1, le=1000, default=3)
     cycles: int = described("cycles of a sine that count", ge=1, default=5)
     waited_cycles: int = described("cycles before them that do not", ge=0, default=3)
     samples_per_cycle: int = described("samples of the forces in a cycle, each a mean of all steps in it", ge=8, default=64)
     record_sample_s: float = described("the same for a record", "s", gt=0, default=0.00125)
-    rest_limit_s: float = Field(default=2.0, gt=0, description="longest time for a filling to come to rest (s)")
+    rest_limit_s: float = Field(default=2.0, gt=0, description="longest time for a filling, once it is in, to come to rest (s)")
 
     @property
     def seeds(self) -> tuple[int, ...]:

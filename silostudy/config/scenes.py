@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, Self, TypeA
 
 from pydantic import Discriminator, Tag, model_validator
 
-from silostudy.config.fields import Strict, described
+from silostudy.config.fields import NO_SECTION, Strict, described
 from silostudy.config.grain_scenes import SCENES, AnyScene, scene_class
 from silostudy.config.run import MEANS
 from silostudy.config.study import SweepStudy
@@ -19,12 +19,11 @@ def _model_of(scene: Any) -> str:
     return (scene_class(scene, "") if isinstance(scene, dict) else type(scene)).__name__
 
 
-_NO_SECTION = {"custom_error_type": "no_section", "custom_error_message": "must hold `key: value` lines"}
 if TYPE_CHECKING:
     BaseScene: TypeAlias = AnyScene
 else:
     _either = reduce(or_, (Annotated[model, Tag(model.__name__)] for model in SCENES.values()))
-    BaseScene = Annotated[_either, Discriminator(_model_of, **_NO_SECTION)]
+    BaseScene = Annotated[_either, Discriminator(_model_of, **NO_SECTION)]
 
 
 # dimensions of its cubes that no axis may be named after

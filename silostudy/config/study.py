@@ -7,6 +7,7 @@ from typing import Any, ClassVar, Literal, Self, TypeAlias
 from pydantic import field_validator, model_validator
 
 from silostudy.config.fields import Strict, ValueRange, described, expand
+from silostudy.config.sample import SampleConfig
 from silostudy.stages import called_for
 from silostudy.tables.outputs import OUTPUTS
 from silostudy.tables.references import own_files
@@ -17,7 +18,7 @@ KEYWORDS = ("method", "tolerance", "drop", "indexers")  # of xarray's sel: a dim
 
 
 class Axis(Strict):
-    """One axis of a sweep: one key with its values, several keys that change together, or a list of points."""
+    """One axis of a sweep: one key with its values, several keys that change together, a list of points, or a sample."""
 
     axis: str = described("name of the axis: a dimension of the cube", "", pattern=r"^[a-z][a-z0-9_]*$")
     values: dict[str, ValueRange | tuple[Any, ...]] | None = described(
@@ -29,6 +30,7 @@ class Axis(Strict):
     points: tuple[dict[str, Any], ...] | None = described(
         "list of points, each a set of dotted keys with one value", "", default=None, min_length=1
     )
+    sample: SampleConfig | None = described("a sampled plan, where the grid of several keys is too large", "", default=None)
 
     @field_validator("axis")
     @classmethod
@@ -41,8 +43,8 @@ class Axis(Strict):
 
     @model_validator(mode="after")
     def _one_kind(self) -> Self:
-        if (self.values is None) == (self.points is None):
-            raise ValueError("give either values or points, and not both")
+        if sum(form is not None for form in (self.values, self.points, self.sample)) != 1:
+            raise ValueError("give either values, points or a sample, and one of them alone")
         lengths = {key: len(expand(values)) for key, values in (self.values or {}).items()}
         if 0 in lengths.values() or len(set(lengths.values())) > 1:
             raise ValueError(f"keys that change together need equally many values (one at least), not {lengths}")
@@ -60,6 +62,8 @@ class Axis(Strict):
         """The keys and values of each position on the axis."""
         if self.points is not None:
             return [dict(point) for point in self.points]
+        if self.sample is not None:
+            return self.sample.settings()
         columns = {key: expand(values) for key, values in (self.values or {}).items()}
         return [dict(zip(columns, row, strict=True)) for row in zip(*columns.values(), strict=True)]
 

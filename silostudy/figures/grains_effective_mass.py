@@ -1,4 +1,4 @@
-"""Effective mass of shaken discs over the study's last axis: what walls and floor carry, and how much of the motion is lost."""
+"""Effective mass of shaken grains over the last axis: what walls and floor carry, and how much of the motion is lost."""
 
 from pathlib import Path
 from textwrap import fill
@@ -17,6 +17,7 @@ AXES = {
     "frequency": ("frequency of the sine (Hz)", 1.0),
     "slenderness": ("height before settling over width", 1.0),
 }
+BOXES = {"disc": "Plane discs in a rigid box", "sphere": "Spheres in a rigid round silo with a flat floor"}
 EIGHTY = 0.8  # sasaki_yoshimura_effective_mass, section 1: what ACI 313 and AIJ accept
 
 
@@ -41,7 +42,7 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     walls.axhline(EIGHTY, color=BLACK, linewidth=1, linestyle="--", label="80 % (ACI 313, AIJ)")
     _dress(walls, whole, damping, label)
     headline(figure, _message(cube))
-    about = f"Plane discs in a rigid box; {_fillings(cube)}. Damping: where half or more moves with the box."
+    about = f"{BOXES[cube.attrs['shaken_body']]}; {_fillings(cube)}. Damping: where half or more moves with the box."
     foot(figure, f"{cube.attrs['title']}.", about, handles=walls.get_legend_handles_labels()[0])
     save(figure, _numbers(cube, axis), stem)
 
@@ -65,7 +66,13 @@ def _message(cube: xr.Dataset) -> str:
 
 
 def _name(group: xr.Dataset, outer: list[str]) -> str:
-    return ", ".join(f"{axis} {group[axis].item()}".replace("_", " ") for axis in outer) or "discs"
+    return ", ".join(_setting(axis, group[axis].item()) for axis in outer) or f"{group.attrs['shaken_body']}s"
+
+
+def _setting(axis: str, value: float | str) -> str:
+    """A value of an outer axis in words; an amplitude as on an axis of its own, in g."""
+    shown = f"{value * AXES[axis][1]:.2g} g" if axis == "amplitude" and not isinstance(value, str) else value
+    return f"{axis} {shown}".replace("_", " ")
 
 
 def _dress(walls, whole, damping, label: str) -> None:
@@ -83,9 +90,9 @@ def _dress(walls, whole, damping, label: str) -> None:
 
 
 def _fillings(cube: xr.Dataset) -> str:
-    discs = cube["disc_count"]
+    grains = cube["disc_count"]
     text = f"{cube.sizes['filling']} fillings a point (bars: one standard deviation), "
-    text += f"{int(discs.min())} to {int(discs.max())} discs"
+    text += f"{int(grains.min())} to {int(grains.max())} {cube.attrs['shaken_body']}s"
     if float(cube["came_to_rest"].min()) < 1:
         speed = float(cube["start_speed"].max()) * 1e3
         text += f"; some fillings still rang at up to {speed:.2g} mm/s when the shaking began"

@@ -140,10 +140,14 @@ def cell(case: LaboratoryCase) -> dict[str, Any]:
 
 
 def cell_rain(case: LaboratoryCase) -> dict[str, Any]:
-    """Rain of grains into the cell, as fast as if they fell through its height."""
-    fall = sqrt(2.0 * ROUNDED_GRAVITY * case.height)
-    rate = case.count * FLUX * fall / (LOOSE * case.height)
-    return {"kind": "rain", "count": case.count, "speed_m_s": fall, "rate_1_s": rate}
+    """Rain of grains into the cell."""
+    return column_rain(case.count, case.height)
+
+
+def column_rain(count: int, height: float) -> dict[str, Any]:
+    """Rain of so many grains that fill a column to a height (m), as fast as if they fell through it."""
+    fall = sqrt(2.0 * ROUNDED_GRAVITY * height)
+    return {"kind": "rain", "count": count, "speed_m_s": fall, "rate_1_s": count * FLUX * fall / (LOOSE * height)}
 
 
 def plate(case: LaboratoryCase) -> TouchConfig:

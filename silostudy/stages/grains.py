@@ -1,16 +1,16 @@
-"""Studies of discs in a box that is shaken."""
+"""Studies of discs or spheres in a box that is shaken."""
 
 from silostudy.stages.family import Kind, Stage
 
 KIND = Kind(
     key="grains",
-    title="effective mass of discs in a shaken box",
+    title="effective mass of discs or spheres in a shaken box",
     model="silostudy.config.grains:GrainsStudy",
     builder="silostudy.scene.grains:grains_builder",
     stages=(
         Stage(
             key="grains",
-            title="contents of a shaken box of discs",
+            title="contents of a shaken box of grains",
             compute="silostudy.compute.grains:grains_cube",
             tells=True,
         ),

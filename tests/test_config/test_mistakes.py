@@ -31,6 +31,7 @@ def sweep(*axes):
 
 
 DIAMETERS = {"axis": "diameter", "values": {"silo.diameter_m": [3.0, 5.0]}}
+PLAN = {"count": 4, "ranges": {"silo.diameter_m": {"start": 3, "stop": 4}, "silo.cylinder_depth_m": {"start": 3, "stop": 9}}}
 MISTAKES = {
     "negative diameter": (silo(diameter_m=-1.0), "scene.silo.diameter_m = -1.0: must be greater than 0"),
     "zero diameter": (silo(diameter_m=0), "scene.silo.diameter_m = 0: must be greater than 0"),
@@ -93,6 +94,18 @@ MISTAKES = {
     "a value twice": (
         sweep({"axis": "diameter", "values": {"silo.diameter_m": [3, 3]}}),
         "silo.diameter_m holds a value twice",
+    ),
+    "a sample beside values": (
+        sweep({"axis": "d", "values": {"silo.diameter_m": [3, 4]}, "sample": PLAN}),
+        "values, points or a sample, and one of them alone",
+    ),
+    "a sample of one key": (
+        sweep({"axis": "d", "sample": {"count": 4, "ranges": {"silo.diameter_m": {"start": 3, "stop": 4}}}}),
+        "sample.ranges: must hold 2 or more",
+    ),
+    "a sampled range that falls": (
+        sweep({"axis": "d", "sample": PLAN | {"ranges": {"silo.diameter_m": {"start": 4, "stop": 3}, "wall": ["a", "b"]}}}),
+        "start = 4 must be below stop = 3",
     ),
     "an axis to and fro": (sweep({"axis": "d", "values": {"silo.diameter_m": [3, 5, 4]}}), "must all rise or all fall"),
     "paired axes of unequal length": (

@@ -2,8 +2,10 @@
 
 from math import pi, radians, sin, sqrt, tan
 
+import numpy as np
 import pytest
 
+from silostudy.compute.axes import sweep_of
 from silostudy.errors import BadInput
 from silostudy.scene.scene import Scene, geometry_parameters, solid_parameters
 from silostudy.scene.silo import Hopper, Silo
@@ -93,6 +95,41 @@ def test_grid_paired_axes_and_points(study):
     last = expansion.cases[-1]
     assert (last.scene.solid.key, last.scene.silo.diameter, last.scene.silo.wall_depth) == ("maize", 5.0, 22.0)
     assert last.scene.wall.key == "painted_concrete"
+
+
+def test_a_sampled_plan_draws_once_from_each_part_of_every_range(study):
+    """In 12 cases: one value in each twelfth of a range, in its logarithm too, and each choice equally often."""
+    ranges = {
+        "silo.diameter_m": {"start": 3.0, "stop": 6.0},
+        "silo.cylinder_depth_m": {"start": 20.0, "stop": 80.0, "spacing": "log"},
+        "wall": ["as_cast_concrete", "grooved_concrete", "painted_concrete"],
+    }
+    study["scene"]["solid"] = "wheat"
+    study["sweep"] = [{"axis": "sample", "sample": {"count": 12, "seed": 3, "ranges": ranges}}]
+    expansion = expanded(study)
+    assert expansion.shape == (12,)
+    silos = [case.scene.silo for case in expansion.cases]
+    share = (np.array([silo.diameter for silo in silos]) - 3.0) / 3.0
+    log_share = np.log(np.array([silo.wall_depth for silo in silos]) / 20.0) / np.log(4.0)
+    for shares in (share, log_share):
+        assert sorted((12 * shares).astype(int)) == list(range(12))
+    assert not (np.argsort(share) == np.argsort(log_share)).all()
+    walls = [case.scene.wall.key for case in expansion.cases]
+    assert [walls.count(key) for key in ranges["wall"]] == [4, 4, 4]
+    assert [case.id for case in expanded(study).cases] == [case.id for case in expansion.cases]
+    study["sweep"][0]["sample"]["seed"] = 4
+    assert not {case.id for case in expanded(study).cases} & {case.id for case in expansion.cases}
+
+
+def test_a_sampled_plan_is_a_dimension_with_its_values_beside_it(study):
+    ranges = {"silo.diameter_m": {"start": 3.0, "stop": 6.0}, "silo.cylinder_depth_m": {"start": 18.0, "stop": 20.0}}
+    study["sweep"] = [{"axis": "sample", "sample": {"count": 5, "ranges": ranges}}]
+    expansion = expanded(study)
+    held = sweep_of(expansion).coordinates
+    assert held["sample"][1].tolist() == [0, 1, 2, 3, 4]
+    assert held["sample_diameter"][0] == "sample"
+    assert held["sample_diameter"][1].tolist() == [case.scene.silo.diameter for case in expansion.cases]
+    assert set(held) == {"sample", "sample_diameter", "sample_cylinder_depth"}
 
 
 def test_ranges_and_slenderness(study):
