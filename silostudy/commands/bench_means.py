@@ -18,7 +18,7 @@ from silostudy.accuracy.bin_of_spheres import Bin, bin_of_spheres
 from silostudy.commands.bench_dem import has_peer
 from silostudy.commands.bench_spheres import OwnSpheres
 from silostudy.dem.change import keep_discs
-from silostudy.dem.engine import Explosion
+from silostudy.dem.explosion import Explosion
 from silostudy.dem.integrate import PLAIN, SMOOTHED, VERLET
 from silostudy.dem.leaving import below
 from silostudy.dem.space.model import SphereModel
