@@ -15,7 +15,7 @@ from silostudy.tables.constants import STANDARD_GRAVITY
 AXES = {
     "amplitude": ("amplitude of the base's acceleration (g)", 1 / STANDARD_GRAVITY),
     "frequency": ("frequency of the sine (Hz)", 1.0),
-    "slenderness": ("height before settling over width", 1.0),
+    "slenderness": ("nominal height of the fill over width", 1.0),
 }
 BOXES = {"disc": "Plane discs in a rigid box", "sphere": "Spheres in a rigid round silo with a flat floor"}
 EIGHTY = 0.8  # sasaki_yoshimura_effective_mass, section 1: what ACI 313 and AIJ accept
