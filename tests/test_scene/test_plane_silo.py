@@ -10,6 +10,7 @@ from silostudy.accuracy.silo import silo_of_rows, wall_force
 from silostudy.compute.arch import find_arch
 from silostudy.compute.grains import record
 from silostudy.compute.packing_measure import cells_of
+from silostudy.config.grains import GrainsScene
 from silostudy.dem.change import swap_walls
 from silostudy.dem.engine import Engine
 from silostudy.dem.walls import nearest, square_apart, sums_by_wall, wall_cells, walls_of
@@ -77,7 +78,7 @@ def test_walls_are_found_wherever_they_stand(pair):
     engines = [Engine(model) for model in pair]
     found = []
     for engine in engines:
-        forces, _, normal = record(engine, np.array([0, 2000, 4000]))
+        forces, _, normal = record(GrainsScene.model_construct(), engine, np.array([0, 2000, 4000]))
         swap_walls(engine, FLOOR, HALVES)
         engine.step_to(4001)
         arch = find_arch(engine)
