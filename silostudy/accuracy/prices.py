@@ -49,7 +49,7 @@ def without(model: Model) -> dict[str, tuple[Model, Model]]:
     if model.unequal:
         equal = np.full(len(model.x), model.radius.mean())
         hardly = equal * (1.0 + APART * (np.arange(len(equal)) % 2))
-        measured["discs of several sizes"] = (replace(model, radius=hardly), replace(model, radius=equal))
+        measured[f"{model.space.body}s of several sizes"] = (replace(model, radius=hardly), replace(model, radius=equal))
     if model.quake is not None:
         measured["shaking"] = (model, replace(model, quake=None))
     if model.watched:
