@@ -1,6 +1,7 @@
 """Hard cases of unequal, clinging and shaken spheres.  Three kernels: unequal ones, the same by velocity Verlet and shaken,
 and that of every effect of a contact."""
 
+from dataclasses import replace
 from math import atan2, cos, pi, radians, sin, sqrt
 
 import numpy as np
@@ -145,7 +146,7 @@ def test_jkr_pull_off(modulus, share, holds):
     overlap = a**2 / RADIUS - sqrt(2.0 * pi * ADHESION * a / (0.75 * c))
     model = sticky([(0.0, 0.0, 0.5 - RADIUS + 1e-9)], walls=(ceiling(),), gravity=(0.0, 0.0, -share * largest / MASS),
                    dt=1e-6 / sqrt(factor))  # fmt: skip
-    engine = Engine(type(model)(**{**vars(model), "wall_contact": stiff}))
+    engine = Engine(replace(model, wall_contact=stiff))
     engine.step_to(1)  # it has touched
     engine.bodies.rows[0, 2:6] = (0.5 - RADIUS + overlap, 0.0, 0.0, 0.0)
     engine.step_to(100_000)
