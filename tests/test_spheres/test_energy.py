@@ -1,5 +1,6 @@
 """The energy balance of spheres under every effect of a contact: each loss stands under its own name, of the right size."""
 
+from dataclasses import replace
 from math import pi, sqrt
 
 import numpy as np
@@ -78,7 +79,7 @@ def test_surface_energy_is_lost_between_touch_and_tear():
     speed = 0.1
     touch = clinging(None, 0.0)
     model = sticky([(0.0, 0.0, 0.5 - RADIUS - 1e-7)], [(0.0, 0.0, speed)], walls=(ceiling(),), dt=1e-7, booked=True)
-    engine = Engine(type(model)(**{**vars(model), "wall_contact": touch}))
+    engine = Engine(replace(model, wall_contact=touch))
     engine.step_to(40000)
     after = rows(engine)[0]
     assert after[5] < 0.0
