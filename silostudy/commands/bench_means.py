@@ -17,10 +17,8 @@ import pandas as pd
 from silostudy.accuracy.bin_of_spheres import Bin, bin_of_spheres
 from silostudy.commands.bench_dem import has_peer
 from silostudy.commands.bench_spheres import OwnSpheres
-from silostudy.dem.change import keep_discs
 from silostudy.dem.explosion import Explosion
 from silostudy.dem.integrate import PLAIN, SMOOTHED, VERLET
-from silostudy.dem.leaving import below
 from silostudy.dem.space.model import SphereModel
 from silostudy.scene.space_silo import HOPPER
 
@@ -28,7 +26,6 @@ BIN = Bin(count=2_000, wide=0.03, outlet=0.024)
 REST = 0.4  # s: the lattice has fallen together by then
 FLOW = (0.1, 0.4)  # s after the opening, between which the spheres that leave are counted
 STEPS = tuple(float(f"{1.13e-4 * 2.0 ** (-k / 2):.3g}") for k in range(6))  # s
-LOOKS_EVERY = 200  # steps between looks for spheres that have left, as a scene does
 FILLINGS = 6
 ASKED = (0.1, 0.05, 0.02)  # relative errors of a mean whose cost is told
 SKIN = 0.2  # of a diameter: of the peer's lists
@@ -64,20 +61,9 @@ def measured(with_peer: bool) -> pd.DataFrame:
     return pd.DataFrame(rows)
 
 
-class Emptying(OwnSpheres):
-    """The engine, without the spheres that have left."""
-
-    def step(self, steps: int) -> None:
-        stop = self.engine.step + steps
-        while self.engine.step < stop:
-            self.engine.step_to(min(stop, self.engine.step + LOOKS_EVERY))
-            if (left := below(self.engine, 0.0)).any():
-                keep_discs(self.engine, ~left)
-
-
-def ours(integrator: str, model: SphereModel) -> Emptying:
+def ours(integrator: str, model: SphereModel) -> OwnSpheres:
     """The engine with an integrator."""
-    return Emptying(replace(model, integrator=integrator))
+    return OwnSpheres(replace(model, integrator=integrator))
 
 
 def theirs(model: SphereModel):

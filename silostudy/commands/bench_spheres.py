@@ -3,6 +3,9 @@
 from silostudy.accuracy.bin_of_spheres import Bin, bin_of_spheres
 from silostudy.commands.bench_dem import has_peer, in_turn, show
 from silostudy.commands.own_process import OwnProcess
+from silostudy.dem.change import keep_discs
+from silostudy.dem.leaving import below
+from silostudy.dem.run import CHECK_EVERY
 from silostudy.scene.space_silo import FLOOR
 
 # spheres, radius of the bin (m), steps that settle, steps a turn
@@ -31,7 +34,12 @@ class OwnSpheres:
         self.engine = Engine(model, threads=threads)
 
     def step(self, steps):
-        self.engine.step_to(self.engine.step + steps)
+        """Step on, and drop the spheres that have left, as a scene does; the peer drops them at the end of its box."""
+        stop = self.engine.step + steps
+        while self.engine.step < stop:
+            self.engine.step_to(min(stop, self.engine.step + CHECK_EVERY))
+            if (left := below(self.engine, 0.0)).any():
+                keep_discs(self.engine, ~left)
 
     def open_outlet(self):
         self.engine.walls.live[self.engine.model.wall_number(FLOOR)] = False
@@ -53,6 +61,7 @@ class OwnSpheres:
     @property
     def contacts(self) -> float:
         """Listed pairs a sphere."""
+        self.engine.list_contacts()  # none are after spheres were dropped
         return sum(part.pairs.begin[self.engine.blocks_of(part)] for part in self.engine.parts) / self.engine.n
 
 
