@@ -80,3 +80,15 @@ def expanded(content: dict, folder: Path = ROOT) -> Expansion:
 def wheat():
     """The cube of the default study, the handbook's wheat silo."""
     return pressure_cube(expand_file(ROOT / "config/studies/wheat-silo.yaml"))
+
+
+def with_changes(content: dict, changes: dict) -> dict:
+    """A copy of a content with other values; `scene__walls` is the key `walls` of its section `scene`."""
+    changed = copy.deepcopy(content)
+    for key, value in changes.items():
+        *parents, last = key.split("__")
+        node = changed
+        for parent in parents:
+            node = node[parent]
+        node[last] = value
+    return changed

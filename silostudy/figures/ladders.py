@@ -3,6 +3,7 @@
 The first point of the axis is the setting that all others are held against; each of them changes one thing.
 """
 
+from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
@@ -79,13 +80,7 @@ def _draw_panel(panel, part: pd.DataFrame, names: list[str]) -> list:
 def ladders(cube: xr.Dataset) -> pd.DataFrame:
     """Change of each quantity's mean over the fillings against the first setting, and half its interval, by setting."""
     rows = []
-    for quantity in QUANTITIES:
-        if quantity not in cube:
-            continue
-        of = cube[quantity].sel(body="walls") if "body" in cube[quantity].dims else cube[quantity]
-        values = of.transpose(*AXES).values
-        if not np.isfinite(values[0]).any():
-            continue
+    for quantity, values in quantities(cube):
         for place, (name, model) in enumerate(labels(cube)):
             change, half = changed(values[place], values[0]) if place else (0.0, _half(values[0]))
             rows.append(
@@ -101,6 +96,16 @@ def ladders(cube: xr.Dataset) -> pd.DataFrame:
     if not rows:
         raise BadInput("outputs", "ladders", f"none of {', '.join(QUANTITIES)} was seen in the first setting")
     return pd.DataFrame(rows)
+
+
+def quantities(cube: xr.Dataset) -> Iterator[tuple[str, np.ndarray]]:
+    """Yields each quantity that the first setting shows, and its values (setting, filling)."""
+    for quantity in QUANTITIES:
+        if quantity in cube:
+            of = cube[quantity].sel(body="walls") if "body" in cube[quantity].dims else cube[quantity]
+            values = of.transpose(*AXES).values
+            if np.isfinite(values[0]).any():
+                yield quantity, values
 
 
 def labels(cube: xr.Dataset) -> list[tuple[str, bool]]:

@@ -13,7 +13,7 @@ import xarray as xr
 from matplotlib.artist import Artist
 
 from silostudy.errors import BadInput
-from silostudy.figures.ladders import AXES, QUANTITIES, changed, labels
+from silostudy.figures.ladders import QUANTITIES, changed, labels, quantities
 from silostudy.figures.style import REST, WIDTH, foot, headline, save, series
 
 MARKED = (0.1, 0.05, 0.02)
@@ -50,11 +50,8 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
 def prices(cube: xr.Dataset) -> pd.DataFrame:
     """A row a quantity, error asked for and setting: fillings and particle-steps, whether it is shown, and is the cheapest."""
     rows = []
-    for quantity in QUANTITIES:
-        if quantity not in cube:
-            continue
-        of = cube[quantity].sel(body="walls") if "body" in cube[quantity].dims else cube[quantity]
-        values, steps = of.transpose(*AXES).values, steps_of(cube)
+    steps = steps_of(cube)
+    for quantity, values in quantities(cube):
         for place, (off, doubt, name) in rungs(cube, values).items():
             seen = values[place][np.isfinite(values[place])]
             if not np.isfinite(doubt):  # it did not come to rest, or not flow

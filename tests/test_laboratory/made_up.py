@@ -1,6 +1,5 @@
 """A small laboratory for the tests, and cubes of numbers that are known beforehand: no kernel is compiled."""
 
-import copy
 from pathlib import Path
 from typing import Any
 
@@ -13,7 +12,7 @@ from silostudy.compute.axes import sweep_of
 from silostudy.compute.laboratory import PATH, coordinates, sources
 from silostudy.cube.assemble import assemble
 from silostudy.scene.expand import Expansion
-from tests.conftest import ROOT
+from tests.conftest import ROOT, with_changes
 
 SHIPPED = ROOT / "config/studies/wheat-laboratory.yaml"
 # a rolling law, without friction, so that tests with it need no kernel of their own
@@ -40,14 +39,7 @@ CONTENT: dict[str, Any] = {
 
 def content(**changes: Any) -> dict[str, Any]:
     """The small laboratory with other values; `scene__walls` is the key `walls` of its scene."""
-    found = copy.deepcopy(CONTENT)
-    for key, value in changes.items():
-        *parents, last = key.split("__")
-        node = found
-        for parent in parents:
-            node = node[parent]
-        node[last] = value
-    return found
+    return with_changes(CONTENT, changes)
 
 
 def expansion(**changes: Any) -> Expansion:

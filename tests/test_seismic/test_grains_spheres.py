@@ -1,7 +1,5 @@
 """Shaken round silos of spheres: forces against momentum and against patterns by hand, shares, mistakes."""
 
-import copy
-
 import numpy as np
 import pytest
 
@@ -11,7 +9,7 @@ from silostudy.compute.grains_model import pushes, shaken_box_model
 from silostudy.errors import BadInput
 from silostudy.figures import grains_effective_mass
 from silostudy.scene.grains_spheres import AROUND
-from tests.conftest import expanded
+from tests.conftest import expanded, with_changes
 
 CONTENT = {
     "kind": "grains",
@@ -36,14 +34,7 @@ CONTENT = {
 
 def content(**changes):
     """The small study with other values; `scene__box` is the key `box` of its scene."""
-    changed = copy.deepcopy(CONTENT)
-    for key, value in changes.items():
-        *parents, last = key.split("__")
-        node = changed
-        for parent in parents:
-            node = node[parent]
-        node[last] = value
-    return changed
+    return with_changes(CONTENT, changes)
 
 
 @pytest.fixture(scope="module")
