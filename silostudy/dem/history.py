@@ -37,6 +37,11 @@ def holds(value):
     return _holds_three(value) if isinstance(value, tuple) else _holds_one(value)
 
 
+def where(same, value):
+    """The history itself, or nothing."""
+    return _where_three(same, value) if isinstance(value, tuple) else _where_one(same, value)
+
+
 def _entry_one(history, k):
     return history[k] if history.size else 0.0
 
@@ -70,7 +75,15 @@ def _holds_one(value):
 
 
 def _holds_three(value):
-    return value[0] != 0.0 or value[1] != 0.0 or value[2] != 0.0
+    return (value[0] != 0.0) | (value[1] != 0.0) | (value[2] != 0.0)
+
+
+def _where_one(same, value):
+    return value if same else 0.0
+
+
+def _where_three(same, value):
+    return value if same else NONE
 
 
 @overload(entry, jit_options={"forceinline": True})
@@ -91,3 +104,8 @@ def _forget(history, k):
 @overload(holds, jit_options={"forceinline": True})
 def _holds(value):
     return _holds_three if isinstance(value, types.BaseTuple) else _holds_one
+
+
+@overload(where, jit_options={"forceinline": True})
+def _where(same, value):
+    return _where_three if isinstance(value, types.BaseTuple) else _where_one

@@ -20,12 +20,14 @@ def lowest(model) -> float:
 
 def below(engine, floor: float) -> np.ndarray:
     """Bodies that are wholly below the floor (m) and touch no other body any more."""
-    place, radius = engine.bodies.rows[: engine.n, engine.space.place], engine.radius
+    height, largest = engine.bodies.rows[: engine.n, engine.space.place[-1]], engine.bodies.radius[: engine.n].max(initial=0.0)
+    low = np.flatnonzero(height < floor + largest)  # none higher touches one that is wholly below
+    place, radius = engine.bodies.rows[low][:, engine.space.place], engine.radius[low]
     gone = np.zeros(engine.n, bool)
     for i in np.flatnonzero(place[:, -1] < floor - radius):
         gap = length(place - place[i]) - radius - radius[i]
         gap[i] = np.inf
-        gone[i] = not (gap <= 0.0).any()
+        gone[low[i]] = not (gap <= 0.0).any()
     return gone
 
 

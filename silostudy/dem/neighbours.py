@@ -21,43 +21,46 @@ TOO_DEEP = 0.5  # of the smaller radius: discs or walls that overlap by more are
 
 @njit(**OPTIONS)
 def remember(contacts, begin, end, base, ghost, memory, count):
-    """Append the histories of a stretch of the list that are not zero to the memory; gives the new count."""
+    """Append the histories of a stretch of the list that are not nothing to the memory; gives the new count.
+
+    All are written and those counted that stay: a branch that nobody can foresee would cost more.
+    """
+    if memory.key.size == 0:
+        return count
+    spot = np.uint64(count)
     for k in range(begin, end):
+        first, second = np.int64(contacts.first[k]), np.int64(contacts.second[k])
+        first = np.int64(ghost[first - base]) if first >= base else first
+        second = np.int64(ghost[second - base]) if second >= base else second
         held, turned = history.entry(contacts.stored, k), history.entry(contacts.rolled, k)
         twisted, touched = history.entry(contacts.twisted, k), history.entry(contacts.touched, k)
-        if history.holds(held) or history.holds(turned) or history.holds(twisted) or history.holds(touched):
-            first, second = np.int64(contacts.first[k]), np.int64(contacts.second[k])
-            first = np.int64(ghost[first - base]) if first >= base else first
-            second = np.int64(ghost[second - base]) if second >= base else second
-            memory.key[count] = (first << SHIFT) | second
-            history.enter(memory.stored, count, held)
-            history.enter(memory.rolled, count, turned)
-            history.enter(memory.twisted, count, twisted)
-            history.enter(memory.touched, count, touched)
-            count += 1
-    return count
+        memory.key[spot] = (first << SHIFT) | second
+        history.enter(memory.stored, spot, held)
+        history.enter(memory.rolled, spot, turned)
+        history.enter(memory.twisted, spot, twisted)
+        history.enter(memory.touched, spot, touched)
+        spot += np.uint64(history.holds(held) | history.holds(turned) | history.holds(twisted) | history.holds(touched))
+    return np.int64(spot)
 
 
 @njit(**OPTIONS)
 def hand_over(old, spot, new, place, same):
     """Give an entry of a list what the memory holds at a place, or nothing where it is of another contact."""
-    if same:
-        history.enter(new, place, history.entry(old, spot))
-    else:
-        history.forget(new, place)
+    history.enter(new, place, history.where(same, history.entry(old, spot)))
 
 
 @njit(**OPTIONS)
 def recall(contacts, place, key, memory, count, spot):
-    """Give a new list entry the history of its key, or none; the keys come in order, so the search goes on from `spot`."""
+    """Give a new list entry the history of its key, or none; gives where the search for the next key, a larger one, begins."""
     while spot < count and memory.key[spot] < key:
         spot += 1
     same = spot < count and memory.key[spot] == key
-    hand_over(memory.stored, spot, contacts.stored, place, same)
-    hand_over(memory.rolled, spot, contacts.rolled, place, same)
-    hand_over(memory.twisted, spot, contacts.twisted, place, same)
-    hand_over(memory.touched, spot, contacts.touched, place, same)
-    return spot
+    at = spot if same else 0
+    hand_over(memory.stored, at, contacts.stored, place, same)
+    hand_over(memory.rolled, at, contacts.rolled, place, same)
+    hand_over(memory.twisted, at, contacts.twisted, place, same)
+    hand_over(memory.touched, at, contacts.touched, place, same)
+    return spot + same
 
 
 @njit(**OPTIONS)

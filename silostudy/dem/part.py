@@ -67,16 +67,16 @@ class Part:
             force=aligned(*engine.space.forces),
             motion=motion,
             motion_bits=motion.view(np.uint64),
-            cell_begin=np.zeros(engine.n + 1024, np.int32),
-            order=np.zeros(engine.n, np.int32),
-            near=aligned(4, engine.n),
+            cell_begin=np.zeros(engine.most + 1024, np.int32),
+            order=np.zeros(engine.most, np.int32),
+            near=aligned(4, engine.most),
             close=np.zeros(self.near_room, np.int32),
             wide=np.zeros(2 * self.room, np.int32),
-            wide_begin=np.zeros(engine.n + 1, np.int64),
+            wide_begin=np.zeros(engine.most + 1, np.int64),
             wide_body=np.zeros(2 * self.wall_room, np.int32),
             wide_wall=np.zeros(2 * self.wall_room, np.int32),
             cross=np.zeros(4 * self.ghost_room + 1, np.int64),
-            slot=np.zeros(engine.n if engine.threads > 1 else 0, np.int32),
+            slot=np.zeros(engine.most if engine.threads > 1 else 0, np.int32),
             ghost=np.zeros(self.ghost_room, np.int32),
             counts=self.counts,
         )
@@ -94,10 +94,12 @@ class Part:
         self.make_lists()
 
     def load(self, pair_memory: Memory, wall_memory: Memory):
-        """Take histories from outside; the next list is made with them."""
-        self.room = max(self.room, len(pair_memory.key) + 1)
-        self.wall_room = max(self.wall_room, len(wall_memory.key) + 1)
-        self.make_lists()
+        """Take histories from outside; the next lists are made with them."""
+        self.engine.blocks.wide_travel[:] = np.inf
+        rooms = max(self.room, len(pair_memory.key) + 1), max(self.wall_room, len(wall_memory.key) + 1)
+        if rooms != (self.room, self.wall_room):
+            self.room, self.wall_room = rooms
+            self.make_lists()
         for mine, given in zip(self.memories, (pair_memory, wall_memory), strict=True):
             for old, new in zip(mine, given, strict=True):
                 old[..., : new.shape[-1]] = new

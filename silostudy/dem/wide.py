@@ -18,6 +18,7 @@ LEAST = 0.004  # of the smallest radius: the smallest
 LOOK_FAR = 300.0  # steps that a wide list should last
 WIDE_MOST = 0.5  # of the smallest radius: largest way before the next wide list
 WIDE_LEAST = 0.04  # of the smallest radius: the smallest
+FEW = 32  # numbers that are ranked rather than sorted
 GHOSTS, KEPT_PAIRS, KEPT_WALLS, PRESSED, WIDE_WALLS = range(5)  # places in Scratch.counts
 
 
@@ -108,7 +109,7 @@ def near_bodies(bodies, skin, gap, i, lo, grid, scratch):
 @njit(**OPTIONS)
 def take_near(scratch, count, i, lo, fill):
     """Enter those found into the wide list from `fill` on, in order; pairs with a body before `lo` go to scratch.cross."""
-    listed, wide, begin, crossing = scratch.close, scratch.wide, fill, scratch.cross[0]
+    listed, later, crossing = scratch.close, 0, scratch.cross[0]
     for c in range(count):
         j = listed[c]
         if j < lo:
@@ -116,14 +117,26 @@ def take_near(scratch, count, i, lo, fill):
             if crossing < scratch.cross.size:
                 scratch.cross[crossing] = (np.int64(j) << SHIFT) | i
             continue
-        k = fill
-        while k > begin and wide[k - 1] > j:
-            wide[k] = wide[k - 1]
-            k -= 1
-        wide[k] = j
-        fill += 1
+        listed[later] = j
+        later += 1
     scratch.cross[0] = crossing
-    return fill
+    if later <= FEW:
+        rank(listed, later, scratch.wide, fill)
+        return fill + later
+    sort(listed, 0, later)
+    for c in range(later):
+        scratch.wide[fill + c] = listed[c]
+    return fill + later
+
+
+@njit(**OPTIONS)
+def rank(numbers, count, into, fill):
+    """Write different numbers in order: each behind as many as are smaller, which asks no branch that nobody foresees."""
+    for c in range(count):
+        number, smaller = numbers[c], 0
+        for d in range(count):
+            smaller += numbers[d] < number
+        into[fill + smaller] = number
 
 
 @njit(**OPTIONS)
