@@ -134,12 +134,14 @@ def events_of(scene: DemScene, mass: float, where: str = "") -> tuple[Event, ...
         if action == "friction":
             _check_friction(scene, what, f"events.{number}", where)
             what = (*what, walls_of_event(event.surfaces, wall_names(scene), number, where))
+        elif action == "run":
+            what = (*what, *walls_of_event(event.surfaces, wall_names(scene), number, where))
         events.append(Event(event.when, event.value * TRIGGERS[event.when].scale, action, what))
     return tuple(events)
 
 
 def walls_of_event(surfaces: tuple[str, ...], names: Sequence[str], number: int, where: str) -> tuple[str, ...]:
-    """Names of the walls whose friction an event changes; none stands for all."""
+    """Names of the walls that an event is about."""
     return tuple(wall for surface in surfaces for wall in parts_of(surface, names, f"events.{number}.surfaces", where))
 
 
@@ -175,6 +177,8 @@ def _action(event: EventConfig, scene: DemScene, beside: tuple[str, ...], mass: 
         return "friction", (event.disc_friction, event.wall_friction)
     if event.do == "feed":
         return "feed", (event.rate_kg_s,)
+    if event.do == "run_belt":
+        return "run", (event.speed_m_s,)
     if event.do in OF_LID:
         silo = plane_silo_of(scene)
         return lid_action(event, silo.width, mass, silo.bottom, silo.bottom + silo.height)
@@ -268,7 +272,9 @@ def effects(scene: DemScene) -> tuple[Effect, ...]:
         ),
         Effect("hopper", scene.silo.hopper_half_angle_deg is not None, "silo.hopper_half_angle_deg"),
         Effect("inserts", bool(scene.inserts), f"inserts: {len(scene.inserts)}"),
-        Effect("walls that move", moves(scene.events), "events: lower_lid, press_lid, move_lid, open_slit at a speed"),
+        Effect(
+            "walls that move", moves(scene.events), "events: lower_lid, press_lid, move_lid, run_belt, open_slit at a speed"
+        ),
         Effect("events", len(scene.events) > 1, ", ".join(event.do for event in scene.events)),
         *reading_effects(scene),
     )
