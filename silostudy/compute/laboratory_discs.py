@@ -14,7 +14,8 @@ from silostudy.config.dem import DemScene
 from silostudy.dem.lanes import V
 from silostudy.dem.outcomes import WAYS, Looks, surface_angle
 from silostudy.dem.run import Run
-from silostudy.scene.laboratory_discs import DROP, DROPPED, HOLE, DiscCase, draining, dropping
+from silostudy.scene.laboratory_cell_discs import DiscCase
+from silostudy.scene.laboratory_discs import DROP, DROPPED, HOLE, draining, dropping
 from silostudy.scene.plane_silo import FLOOR, LID, SIDES
 
 UP = np.array([0.0, 1.0])
@@ -36,13 +37,18 @@ def readings(run: Run, scene: DemScene, case: DiscCase) -> Readings:
         height=height,
         vertical=data["lid_stress"],
         horizontal=0.5 * (pressed[left] + pressed[right]) / height,
-        inside=shear[:, middle].sum(axis=1) / normal[:, middle].sum(axis=1),
-        along=rubbed[FLOOR] / pressed[FLOOR],
+        inside=_ratio(shear[:, middle].sum(axis=1), normal[:, middle].sum(axis=1)),
+        along=_ratio(rubbed[FLOOR], pressed[FLOOR]),
         load=pressed[FLOOR] - pressed[LID] + rubbed[left] + rubbed[right],
         normal=pressed[FLOOR],
         drive=rubbed[FLOOR],
         drive_left=rubbed[FLOOR] - rubbed[LID] + pressed[left] - pressed[right],
     )
+
+
+def _ratio(shear: np.ndarray, pressed: np.ndarray) -> np.ndarray:
+    """Shear over normal force (1); missing where nothing presses yet."""
+    return np.divide(shear, pressed, out=np.full(len(shear), np.nan), where=pressed > 0.0)
 
 
 def _middle(cells: np.ndarray) -> np.ndarray:

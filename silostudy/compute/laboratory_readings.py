@@ -28,7 +28,7 @@ class Readings:
     """Means over windows: height (m) of the lid, stresses (Pa) on lid and wall; shear over normal stress (1).
 
     inside: of the solid in itself; along: on the floor as the wall's plate; load: downward on all surfaces, normal: on the
-    floor (N); drive: what shears at the floor, and drive_left: on all surfaces (N m of spheres, N of discs).
+    floor (N); drive: shear on the floor, and drive_left: on all surfaces (N m of spheres, N of discs).
     Of discs all is a metre thick.
     """
 
@@ -47,13 +47,13 @@ class Readings:
         return float((self.load[late].mean() - weight) / self.normal[late].mean())
 
     def twist(self, late: slice) -> float:
-        """What shears on all surfaces together over that on the floor (1), mean of late windows."""
+        """Shear on all surfaces together over that on the floor (1), mean of late windows."""
         return float(self.drive_left[late].mean() / self.drive[late].mean())
 
 
 @dataclass(frozen=True)
 class Reader:
-    """What is read of the tests of one sort of grains.
+    """Readings of the tests of one sort of grains.
 
     readings(run, scene, case) -> Readings; solid_fraction(run, case, top) -> that of the inside below a top (m);
     slopes(case, carried) -> those (rad) of a poured heap and of a drained tray; rebound(case, carried) -> speed of a grain away

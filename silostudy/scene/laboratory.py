@@ -11,7 +11,7 @@ from silostudy.errors import BadInput
 from silostudy.scene import laboratory_discs, laboratory_scenes
 from silostudy.scene.costs import COSTS, START
 from silostudy.scene.laboratory_cell import KPA, Cell, LaboratoryCase
-from silostudy.scene.laboratory_discs import DiscCase
+from silostudy.scene.laboratory_cell_discs import DiscCase
 from silostudy.scene.spheres import MPA
 
 FILLED = 0.6  # s: about what a filling takes to come to rest

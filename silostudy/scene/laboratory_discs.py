@@ -3,28 +3,24 @@
 Discs fill the cell under gravity; from then on they are weightless, so that floor and lid press alike: under some kPa their
 weight would be a part of it.  For internal friction floor and lid are rough and run as belts, against each other, each at half
 the speed: what the floor takes to one side the lid takes back, and the solid goes around.  A floor that runs alone drives the
-solid against a side, which then resists like a retaining wall: the floor felt 0.7 to 1.4 of its pressure in place of 0.25.
-Forces are read where the sides are far, on the middle half of floor and lid.  For wall friction the floor alone runs, as the
-plate of the silo's wall: grains slide on it and are held by a rough lid.
+solid against a side, which resists like a retaining wall, and the lid then feels a shear the other way.  Forces are read where
+the sides are far, on the middle half of floor and lid.  For wall friction the floor alone runs, as the plate of the silo's
+wall: grains slide on it and are held by a rough lid.
 """
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from functools import cached_property
-from math import nan, pi
 from typing import Any
 
 import numpy as np
 
 from silostudy.config.contact import ContactConfig
 from silostudy.config.dem import DemScene
-from silostudy.config.laboratory_scenes import DiscLaboratory
-from silostudy.contact.family import Touch
 from silostudy.contact.rolling import spring_slider
-from silostudy.dem.contacts import Contact
 from silostudy.packing.loose import ROOM
-from silostudy.scene.dem import contact_of, contacts_of
-from silostudy.scene.laboratory_cell import KPA, Cell
+from silostudy.scene.dem import contacts_of
+from silostudy.scene.laboratory_cell import KPA
+from silostudy.scene.laboratory_cell_discs import DiscCase
 from silostudy.scene.laboratory_scenes import (
     BORNE,
     LATE,
@@ -40,11 +36,8 @@ from silostudy.scene.plane_silo import FLOOR, LID, SIDES
 from silostudy.tables.constants import ROUNDED_GRAVITY
 
 BASE = "base"  # the plate below an outlet that a heap lies on
-LOOSE = 0.8  # about the solid fraction of a filling: it sets how many grains make the height
 PARTS = 16  # of floor and lid, whose middle half counts for internal friction
-HOLE = 12.0  # width of the slit that a tray is drained by, in grains: narrower ones jam
-TRAY = 96.0  # width of that tray, and of the base below it, in grains
-DEEP = 0.25  # depth of the tray's filling over its width
+HOLE = 12.0  # width of the slit that a tray is drained by, in grains: those of 4 to 8 jam at times
 DROP = 0.25  # of the base below the tray, over its width: a heap of up to 26 degrees has room
 FLOWS = 2.0  # s: longer than a tray takes to drain and to come to rest
 DROPPED = 0.3  # m/s: speed of a grain that is dropped
@@ -55,70 +48,8 @@ HEAVY = (0.0, -ROUNDED_GRAVITY)
 
 
 @dataclass(frozen=True)
-class DiscCase(Cell):
-    """One plane cell with its filling of discs."""
-
-    config: DiscLaboratory
-
-    @property
-    def grain(self) -> float:
-        """Mean diameter (m) of the discs."""
-        return 2.0 * self.config.radius_m
-
-    @property
-    def density(self) -> float:
-        """Density (kg/m3) of the discs."""
-        return self.config.density_kg_m3
-
-    @property
-    def grain_area(self) -> float:
-        """Mean area (m2) of the discs."""
-        return pi * self.config.radius_m**2 * (1.0 + self.config.radius_spread**2 / 3.0)
-
-    @property
-    def count(self) -> int:
-        """Number of discs."""
-        return round(LOOSE * self.width * self.height / self.grain_area)
-
-    @property
-    def tray(self) -> float:
-        """Width (m) of the tray that is drained onto a base of the same width."""
-        return TRAY * self.grain
-
-    @property
-    def heap_count(self) -> int:
-        """Number of discs in that tray."""
-        return round(LOOSE * DEEP * self.tray**2 / self.grain_area)
-
-    def at_wall(self, *, wall: bool = True) -> Contact:
-        """Contact of a disc of the mean radius with the wall's material, or with another disc."""
-        config, uneven = self.config, self.config.radius_spread > 0.0
-        return contact_of(
-            config.walls if wall else config.discs, config.radius_m, config.density_kg_m3, wall=wall, uneven=uneven
-        )
-
-    def stiffness(self, *, wall: bool) -> float:
-        """Normal stiffness (N/m2) of a contact that is pressed in by a hundredth of the radius."""
-        contact, radius = self.at_wall(wall=wall), self.config.radius_m
-        mass = self.config.density_kg_m3 * self.grain_area
-        touch = Touch(mass / 2.0, radius / 2.0, 1.0)
-        return float(contact.laws.normal.stiffness(0.01 * radius, touch, contact.ordered[0]))
-
-    @cached_property
-    def modulus(self) -> float:
-        """Stiffness (Pa) of two discs: a stress over it is about how deep they are pressed in, over a diameter."""
-        return self.stiffness(wall=False)
-
-    @property
-    def restitution(self) -> float:
-        """Restitution (1) at the wall that the study asks for; NaN where it says a dashpot."""
-        asked = self.config.walls.restitution
-        return nan if asked is None else asked
-
-
-@dataclass(frozen=True)
 class Plates:
-    """What floor and lid are in a shear: surfaces that differ from the wall's material, and which of them run as belts."""
+    """Floor and lid in a shear: surfaces that differ from the wall's material, and which of them run as belts."""
 
     surfaces: Mapping[str, dict]
     belts: tuple[str, ...]
