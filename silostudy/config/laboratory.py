@@ -42,6 +42,7 @@ class LaboratoryScene(OwnMethods):
         le=0.01,
         default=0.001,
     )
+    step_factor: float = described("time step over the one that the engine chooses", gt=0, le=1, default=1.0)
     seed: int = described("seed of the filling", ge=0, le=2**53, default=0)
 
 
