@@ -7,6 +7,7 @@ from pathlib import Path
 # one call of 200,000 pressures, a sweep of usual size
 DEPTHS = 50
 CASES = 4000
+OUTPUTS = {"discs": "accuracy.csv", "spheres": "accuracy_of_spheres.csv"}  # of `bench accuracy`, where it is not told
 PEER_CASES = 40  # the scalar loop is timed on fewer
 
 
@@ -39,7 +40,9 @@ def add(sub) -> None:
         default="discs",
         help="discs: static wall forces; spheres: means over fillings",
     )
-    accuracy.add_argument("--output", type=Path, default=Path("results/bench/accuracy.csv"))
+    accuracy.add_argument(
+        "--output", type=Path, help="of discs results/bench/accuracy.csv if not told, of spheres accuracy_of_spheres.csv there"
+    )
     accuracy.set_defaults(run=run_accuracy)
     certificate = what.add_parser(
         "certificate", help="the front alone, runs that find out their own error, or both: met and cost; some minutes"
@@ -57,6 +60,7 @@ def run_certificate(chosen) -> None:
 def run_accuracy(chosen) -> None:
     from silostudy.commands import bench_accuracy, bench_means
 
+    chosen.output = chosen.output or Path("results/bench", OUTPUTS[chosen.grains])
     {"discs": bench_accuracy, "spheres": bench_means}[chosen.grains].run(chosen)
 
 

@@ -17,6 +17,7 @@ SPEED = (
     "strain rate times mean diameter times root of density over stress, at which cells are pressed and sheared: how fast "
     "the tests are; 0.001 and below counts as quasi-static"
 )
+STEP = "time step over the one that the engine chooses"
 
 
 class LaboratoryScene(OwnMethods):
@@ -33,6 +34,7 @@ class LaboratoryScene(OwnMethods):
     cell_grains: float = described("width of the cell over the mean diameter", ge=LEAST_CELL, le=200, default=16.0)
     height_grains: float = described("height of the filling over the mean diameter", ge=LEAST_CELL, le=200, default=8.0)
     inertial_number: float = described(SPEED, gt=0, le=0.01, default=0.001)
+    step_factor: float = described(STEP, gt=0, le=1, default=1.0)
     seed: int = described("seed of the filling", ge=0, le=2**53, default=0)
 
     @field_validator("grains", mode="before")
@@ -61,6 +63,7 @@ class DiscLaboratory(OwnMethods):
     )  # fmt: skip
     height_grains: float = described("height of the filling over the mean diameter", ge=LEAST_CELL, le=200, default=16.0)
     inertial_number: float = described(SPEED, gt=0, le=0.01, default=3e-4)
+    step_factor: float = described(STEP, gt=0, le=1, default=1.0)
     seed: int = described("seed of the filling", ge=0, le=2**53, default=0)
 
 

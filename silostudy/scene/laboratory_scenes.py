@@ -128,7 +128,7 @@ def _scene(
         "kind": "dem", "grains": config.grains, "title": "a cell of the laboratory", "methods_from": config.methods_from,
         "silo": silo or cell(case), "lid": True, "filling": rain or cell_rain(case),
         "grain": config.grain, "wall": config.wall, "spheres": config.spheres, "walls": plate(case), "surfaces": surfaces,
-        "sizes": config.sizes, "seed": config.seed, "march": {"limit_s": limit},
+        "sizes": config.sizes, "seed": config.seed, "march": {"limit_s": limit, "step_factor": config.step_factor},
         "outlets": outlets, "gravity_m_s2": gravity, "events": [*events, {"when": "after", "value": lasts, "do": "stop"}],
         "record": {"wall_force_window_s": window, "pressure_cells": [1, 1]},
     }  # fmt: skip

@@ -55,6 +55,12 @@ def test_a_further_filling_leaves_the_computed_ones_alone():
     assert case_keys(expansion(fillings=2, cells=[6], stresses_kPa=[10, 30])) != case_keys(few)
 
 
+def test_every_test_takes_the_step_factor():
+    case = expansion(scene__step_factor=0.5).cases[0].scene
+    scenes = filling(case), pressing(case, 1e4, 1.0), shearing(case, 1e4, 1.0, SHEARING)
+    assert [scene.march.step_factor for scene in scenes] == [0.5] * 3
+
+
 def test_stresses_of_the_row_are_the_largest_and_about_its_half():
     study = expansion(stresses_kPa=[10, 40, 100]).study
     assert (study.vertical, study.horizontal) == (100.0, 40.0)

@@ -51,6 +51,12 @@ def test_floor_and_lid_run_against_each_other_inside_the_solid_and_the_plate_alo
     assert stop * case.speed(1e3) == pytest.approx(case.shear_strain * case.height)
 
 
+def test_every_test_takes_the_step_factor_and_a_drop_a_tenth_of_it():
+    case = of_discs(scene__step_factor=0.5).cases[0].scene
+    scenes = pressing(case, 1e3, 0.0), shearing(case, 1e3, 0.0, SHEARING), draining(case), dropping(case)
+    assert [scene.march.step_factor for scene in scenes] == [0.5, 0.5, 0.5, 0.05]
+
+
 def test_pressed_and_sheared_discs_have_no_weight_and_a_tray_s_have():
     case = of_discs().cases[0].scene
     weightless = [pressing(case, 1e3, 0.0), shearing(case, 1e3, 0.0, SHEARING), dropping(case)]
