@@ -134,7 +134,8 @@ def _scene(
         "silo": {**(silo or cell), "lid": lid, "wall_cells": PARTS if lid else 1}, "inserts": inserts,
         "packing": {"kind": "loose", "count": count or case.count, "radius_spread": config.radius_spread},
         "radius_m": config.radius_m, "density_kg_m3": config.density_kg_m3, "discs": config.discs, "walls": plate(case),
-        "surfaces": surfaces, "seed": config.seed, "march": {"limit_s": limit, "step_factor": step * config.step_factor}, "gravity_m_s2": gravity,
+        "surfaces": surfaces, "seed": config.seed, "gravity_m_s2": gravity,
+        "march": {"limit_s": limit, "step_factor": step * config.step_factor},
         "events": [*events, {"when": "after", "value": lasts, "do": "stop"}], "record": {"wall_force_window_s": window},
     }  # fmt: skip
     return DemScene.model_validate(content, context={"families": config.families})
