@@ -44,6 +44,11 @@ def add(sub) -> None:
         "--output", type=Path, help="of discs results/bench/accuracy.csv if not told, of spheres accuracy_of_spheres.csv there"
     )
     accuracy.set_defaults(run=run_accuracy)
+    effects = what.add_parser(
+        "effects", help="price of every effect and optional part in time, instructions, memory: half an hour"
+    )
+    effects.add_argument("--output", type=Path, default=Path("results/bench/effects.csv"))
+    effects.set_defaults(run=run_effects)
     certificate = what.add_parser(
         "certificate", help="the front alone, runs that find out their own error, or both: met and cost; some minutes"
     )
@@ -62,6 +67,12 @@ def run_accuracy(chosen) -> None:
 
     chosen.output = chosen.output or Path("results/bench", OUTPUTS[chosen.grains])
     {"discs": bench_accuracy, "spheres": bench_means}[chosen.grains].run(chosen)
+
+
+def run_effects(chosen) -> None:
+    from silostudy.commands.bench_effects import run
+
+    run(chosen)
 
 
 def run_dem(chosen) -> None:

@@ -21,7 +21,7 @@ class Ladder:
 
 # by the column of the axis `setting` that is varied; coarser grains of equal mass are fewer: their number goes with their size
 LADDERS = {
-    "setting_step_factor": Ladder("time step", "of the step", end="least"),
+    "setting_step_factor": Ladder("time step", "of the chosen", end="least"),
     "setting_softened_modulus": Ladder("softened modulus", "MPa", 1e-6, "largest"),
     "setting_diameter": Ladder("size of grains", "mm", 1e3, "least", ("setting_count",)),
     "setting_mean": Ladder("size of grains", "mm", 1e3, "least", ("setting_deviation", "setting_least", "setting_largest")),

@@ -17,6 +17,7 @@ from silostudy.figures.style import BLUE, TALLEST, VERMILION, WIDTH, foot, headl
 
 AXES = ("setting", "filling")
 TITLE = "setting_title"
+FIRST = "as the others are held against"  # setting, where settings have no titles
 SURE = 0.95
 QUANTITIES = {
     "body_normal_force_at_rest": "wall force at rest",
@@ -46,7 +47,8 @@ def draw_ladders(cube: xr.Dataset, stem: Path, values: Mapping[str, np.ndarray],
     headline(figure, _message(table, titles))
     band = " Band: how far contact laws are apart." if table["model"].any() else ""
     told = f"Bars: 95 % intervals of means of {cube.sizes['filling']} fillings.{band}"
-    foot(figure, str(cube.attrs["title"]), told, *_unseen(table, titles), handles=handles)
+    first = "" if TITLE in cube else f" Held against: {setting_label(cube, 0)}."
+    foot(figure, str(cube.attrs["title"]), told + first, *_unseen(table, titles), handles=handles)
     save(figure, table, stem)
 
 
@@ -119,7 +121,7 @@ def labels(cube: xr.Dataset) -> list[tuple[str, bool]]:
     """Title of each setting, or what it changes, and whether that is a law of the first's."""
     columns = [cube[name].values for name in map(str, cube.coords) if name.startswith("setting_") and name != TITLE]
     laws = [values for values in columns if values.dtype.kind not in "iuf"]
-    own = (setting_label(cube, place) for place in range(cube.sizes["setting"]))
+    own = [FIRST, *(setting_label(cube, place) for place in range(1, cube.sizes["setting"]))]
     titles = map(str, cube[TITLE].values) if TITLE in cube else own
     return [(title, any(values[place] != values[0] for values in laws)) for place, title in enumerate(titles)]
 

@@ -6,17 +6,10 @@ import xarray as xr
 
 from silostudy.figures.ladders import AXES, draw_ladders
 
-QUANTITIES = {
-    "walls": "effective mass of wall",
-    "contents_damping": "damping of contents",
-    "ring_share": "ring of wall friction",
-}
+QUANTITIES = {"walls": "effective mass that the wall carries", "ring_share": "ring that wall friction carries"}
 
 
 def draw(cube: xr.Dataset, stem: Path) -> None:
     """Writes the figure and its numbers."""
-    values = {
-        "walls": cube["carried_in_phase"].sel(carrier="walls").transpose(*AXES).values,
-        **{name: cube[name].transpose(*AXES).values for name in ("contents_damping", "ring_share")},
-    }
-    draw_ladders(cube, stem, values, QUANTITIES)
+    walls, ring = cube["carried_in_phase"].sel(carrier="walls"), cube["ring_share"]
+    draw_ladders(cube, stem, {"walls": walls.transpose(*AXES).values, "ring_share": ring.transpose(*AXES).values}, QUANTITIES)

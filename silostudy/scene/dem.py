@@ -31,11 +31,12 @@ DEEPEST = 0.1  # of a radius: overlap that a start may have (a packing at rest h
 
 @dataclass(frozen=True)
 class Effect:
-    """One thing that can be compiled in: whether this scene calls for it, and why."""
+    """One thing that can be compiled in: whether this scene calls for it, and why; of a family of laws the one that acts."""
 
     name: str
     on: bool
     why: str
+    law: str = ""
 
 
 def plane_silo_of(scene: DemScene, where: str = "") -> PlaneSilo:
@@ -229,7 +230,8 @@ def law_effect(name: str, family: str, contacts: Mapping[str, Contact | Varied])
     """The effect of a family of laws, which discs or walls or both may call for."""
     rows = {where: getattr(contact.laws, family) for where, contact in contacts.items()}
     said = ", ".join(f"{where}.{family}: {row.key}" for where, row in rows.items())
-    return Effect(name, any(row.acts for row in rows.values()), said)
+    acting = [row.key for row in rows.values() if row.acts]
+    return Effect(name, bool(acting), said, *acting[:1])
 
 
 def surfaces_effect(scene: AnyScene) -> Effect:

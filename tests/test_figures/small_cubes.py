@@ -29,16 +29,16 @@ from tests.test_dem.small import scene_of as discs_of
 from tests.test_laboratory.made_up import cube_of as made_up
 from tests.test_spheres.small import run, scene_of
 
-# of two parts, in place of those that take minutes to measure
+# of two parts and two of spheres, in place of those that take minutes to measure
 PRICES = {
-    "effect": ["a part", "another"],
-    "effect_room": ["pressures", "earthquake"],
-    "effect_time_share": [0.5, 0.1],
-    "effect_time_share_low": [0.45, 0.05],
-    "effect_time_share_high": [0.6, 0.12],
-    "effect_instruction_share": [0.4, np.nan],
-    "effect_memory_share": [0.3, 0.0],
-    "effect_uncounted": ["", "no valgrind"],
+    "effect": ["a part", "another", "a law, of spheres", "a record, of spheres"],
+    "effect_room": ["pressures", "earthquake", "spheres", "scenes of spheres"],
+    "effect_time_share": [0.5, 0.1, 0.2, 0.3],
+    "effect_time_share_low": [0.45, 0.05, 0.18, 0.28],
+    "effect_time_share_high": [0.6, 0.12, 0.22, 0.33],
+    "effect_instruction_share": [0.4, np.nan, 0.15, 0.25],
+    "effect_memory_share": [0.3, 0.0, 0.1, 0.2],
+    "effect_uncounted": ["", "no valgrind", "", ""],
 }
 # in place of the laboratory's row, which is made by a run of the whole pipeline
 ROUND = {"plan": "circular", "diameter_m": 0.1, "cylinder_depth_m": 0.1}

@@ -22,13 +22,13 @@ def table(cube):
 def test_each_ladder_has_its_settings_from_the_least_value(table):
     settings = {name: list(dict.fromkeys(part["setting"])) for name, part in table.groupby("ladder", sort=False)}
     assert settings == {
-        "time step": ["0.125 of the step", "0.25 of the step", "0.5 of the step", "1 of the step"],
+        "time step": ["0.125 of the chosen", "0.25 of the chosen", "0.5 of the chosen", "1 of the chosen"],
         "softened modulus": ["1 MPa", "3 MPa", "10 MPa", "30 MPa", "100 MPa"],
         "size of grains": ["5 mm", "6.3 mm", "8 mm", "10 mm"],
         "restitution": ["0.1", "0.3", "0.5", "0.8"],
     }
     bases = table[table["base"]].groupby("ladder", sort=False)["setting"].first()
-    assert list(bases) == ["0.125 of the step", "100 MPa", "5 mm", "0.5"]
+    assert list(bases) == ["0.125 of the chosen", "100 MPa", "5 mm", "0.5"]
 
 
 def test_the_profile_is_over_the_filled_height(table):
@@ -49,15 +49,15 @@ def test_largest_means_fall_with_their_area(table, cube):
 
 def test_changes_are_from_the_finest(table):
     rows = table[(table["ladder"] == "time step") & (table["area"] == "ring")].set_index("setting")
-    assert rows.loc["0.125 of the step", "change"] == 0.0
-    change = rows.loc["1 of the step", "pressure_kPa"] / rows.loc["0.125 of the step", "pressure_kPa"] - 1.0
-    assert rows.loc["1 of the step", "change"] == pytest.approx(change, rel=1e-9)
-    assert rows.loc["1 of the step", "change_interval"] > 0.0
+    assert rows.loc["0.125 of the chosen", "change"] == 0.0
+    change = rows.loc["1 of the chosen", "pressure_kPa"] / rows.loc["0.125 of the chosen", "pressure_kPa"] - 1.0
+    assert rows.loc["1 of the chosen", "change"] == pytest.approx(change, rel=1e-9)
+    assert rows.loc["1 of the chosen", "change_interval"] > 0.0
 
 
 def test_a_setting_without_flow_shows_its_rest_alone(cube):
     still = cube.copy(deep=True)
     still["wall_pressure_in_flow"][3] = np.nan
     table = wall_ladders(still)
-    rows = table[table["setting"] == "0.125 of the step"]
+    rows = table[table["setting"] == "0.125 of the chosen"]
     assert (rows["pressure_kPa"].isna() == (rows["area"] != "")).all()
