@@ -1,6 +1,6 @@
 """Optional parts of discrete-element scenes and of studies of discs, each of a small scene of its own.
 
-Laws, wall forces, energy ledger and shaking are priced as effects of the engine; here is what else may be asked for.
+Laws, wall forces, energy balance and shaking are priced as effects of the engine; here is what else may be asked for.
 """
 
 from collections.abc import Callable
@@ -8,15 +8,14 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 from silostudy.accuracy.optional_parts import OptionalPart, Work, ready
+from silostudy.accuracy.optional_scenes import look, ran
 from silostudy.accuracy.profile import profile_cube
 from silostudy.accuracy.stability import stability_cube
-from silostudy.compute.dem import carry_through, run_of, scene_model
 from silostudy.compute.dem_cube import cube_of
 from silostudy.compute.grains import grains_cube
 from silostudy.compute.motion import motion_cube
 from silostudy.compute.packing import packing_cube
 from silostudy.compute.paraview import export
-from silostudy.config.dem import DemScene
 from silostudy.tables.kiyama_1983 import DENSITY, DISC_FRICTION, NORMAL_STIFFNESS, RADIUS, SLIT_WIDTH, WALL_FRICTION
 
 CONTACT = {"normal_stiffness_N_m2": NORMAL_STIFFNESS, "damping_ratio": 0.7, "sliding_friction": DISC_FRICTION}
@@ -65,23 +64,7 @@ SILO = {"steps_ms": [0.05], "reference_step_ms": 0.025, "fillings": 2, "rest_s":
 
 def recorded(then: Callable = cube_of, **record) -> Callable[[], Work]:
     """Makes ready a run of the scene that records what is named, into a cube or whatever `then` makes of (run, scene)."""
-
-    def prepare() -> Work:
-        scene = DemScene.model_validate(SCENE | {"record": record})
-
-        def work() -> None:
-            with TemporaryDirectory() as folder:
-                run = run_of(scene, scene_model(scene, Path()))
-                carry_through(run, scene, Path(folder, "checkpoint") if scene.record.checkpoint_every_s else None, _nothing)
-                then(run, scene)
-
-        return work
-
-    return prepare
-
-
-def _nothing(step: int) -> None:
-    pass
+    return ran(SCENE | {"record": record}, then)
 
 
 def _exported(run, scene) -> None:
@@ -90,17 +73,28 @@ def _exported(run, scene) -> None:
         export(run, Path(folder))
 
 
-PARTS = (
+SCENES = (
+    look("disc", ROOM),
+    OptionalPart(
+        "steps that follow the contacts", ROOM, ran(SCENE | {"march": SCENE["march"] | {"step": "follow"}}), ran(SCENE)
+    ),
     OptionalPart("49 snapshots", ROOM, recorded(snapshots_s=TIMES), recorded()),
     OptionalPart(
-        "49 snapshots also for ParaView", ROOM,
-        recorded(_exported, snapshots_s=TIMES, paraview=True), recorded(snapshots_s=TIMES),
+        "49 snapshots also for ParaView",
+        ROOM,
+        recorded(_exported, snapshots_s=TIMES, paraview=True),
+        recorded(snapshots_s=TIMES),
     ),
     OptionalPart(
-        "fields in 10 by 20 cells, 50 times", ROOM,
-        recorded(fields={"cells": (10, 20), "every_s": 0.01}), recorded(),
+        "fields in 10 by 20 cells, 50 times",
+        ROOM,
+        recorded(fields={"cells": (10, 20), "every_s": 0.01}),
+        recorded(),
     ),
     OptionalPart("50 checkpoints", ROOM, recorded(checkpoint_every_s=0.01), recorded()),
+)
+PARTS = (
+    *SCENES,
     OptionalPart(
         "shaken discs: 3 cycles waited for", ROOM,
         ready(GRAINS, grains_cube), ready(GRAINS | {"waited_cycles": 0}, grains_cube),

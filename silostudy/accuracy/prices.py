@@ -7,7 +7,8 @@ steps that are timed are so short that nothing moves: contacts, lists and forces
 import time
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
-from typing import Any
+from itertools import chain
+from typing import Any, TypeAlias
 
 import numpy as np
 
@@ -21,6 +22,9 @@ READING = 0.02  # CPU seconds that a reading lasts about
 SETTLING = 4e7  # particle-steps in which a loose lattice of spheres falls together: a second or two
 SHORT = 1e-12  # s: a step in which nothing moves
 APART = 1e-9  # relative difference of radii that makes discs of several sizes of equal ones
+FRICTION = "friction, rotation, history"
+LAW_EFFECTS = {"rolling": "rolling resistance", "cohesion": "cohesion", "twisting": "twisting resistance"}  # by family
+Pair: TypeAlias = tuple[Model, Model]  # with an effect and without it
 
 
 @dataclass(frozen=True)
@@ -33,19 +37,19 @@ class Price:
     memory: float
 
 
-def without(model: Model) -> dict[str, tuple[Model, Model]]:
+def without(model: Model) -> dict[str, Pair]:
     """Pairs of models with and without one effect, for the effects that a model has; both of the same places."""
     measured, (pair, wall) = {}, (model.between(0, 0), model.at_wall(0, 0))
     if model.pieces.turns:
-        measured["friction, rotation, history"] = (
-            model,
-            replace(model, pair_contact=_bare(pair), wall_contact=_bare(wall)),
-        )
-    for family, name in (("rolling", "rolling resistance"), ("cohesion", "cohesion"), ("twisting", "twisting resistance")):
+        measured[FRICTION] = (model, replace(model, pair_contact=_bare(pair), wall_contact=_bare(wall)))
+    for family, name in LAW_EFFECTS.items():
         if getattr(model.pair_contact.laws, family).acts:
             measured[name] = (model, replace(model, pair_contact=_less(pair, family), wall_contact=_less(wall, family)))
     if isinstance(model.wall_contact, Varied):
         measured["walls of several coefficients"] = (model, replace(model, wall_contact=wall))
+    if isinstance(model.pair_contact, Varied):
+        alike = replace(model, kind=None, pair_contact=pair, wall_contact=wall)
+        measured[f"several kinds of {model.space.body}s"] = (model, alike)
     if model.unequal:
         equal = np.full(len(model.x), model.radius.mean())
         hardly = equal * (1.0 + APART * (np.arange(len(equal)) % 2))
@@ -54,8 +58,10 @@ def without(model: Model) -> dict[str, tuple[Model, Model]]:
         measured["shaking"] = (model, replace(model, quake=None))
     if model.watched:
         measured["wall forces every step"] = (model, replace(model, watched=False))
+    if model.moving:
+        measured["walls that move"] = (model, replace(model, moving=False))
     if model.booked:
-        measured["energy ledger"] = (model, replace(model, booked=False))
+        measured["energy balance"] = (model, replace(model, booked=False))
     return measured
 
 
@@ -87,20 +93,35 @@ def price_of_step(model: Model, turns: int = TURNS) -> tuple[float, float]:
 
 
 def prices(model: Model, turns: int = TURNS) -> tuple[float, dict[str, Price]]:
-    """CPU seconds of a step of the whole model, and the price of each of its effects; readings of all variants in turn."""
+    """CPU seconds of a step of the whole model, and the price of each of its effects."""
     model = still(model)
     pairs = without(model)
-    engines = {id(priced): Engine(priced) for priced in (model, *(priced for pair in pairs.values() for priced in pair))}
+    stepped = _stepped((model, *chain(*pairs.values())), turns)
+    return float(np.median(stepped[id(model)][0])), _compared(pairs, stepped)
+
+
+def prices_of(pairs: dict[str, Pair], turns: int = TURNS) -> dict[str, Price]:
+    """Price of each effect from models near rest with it and without it."""
+    return _compared(pairs, _stepped(chain(*pairs.values()), turns))
+
+
+def _stepped(models: Iterable[Model], turns: int) -> dict[int, tuple[list[float], int]]:
+    """CPU seconds of a step in every turn, and memory (bytes), of each model by its id; all are read in turn."""
+    engines = {id(model): Engine(model) for model in models}
     steps = {key: _steps(engine) for key, engine in engines.items()}
     readings: dict[int, list[float]] = {key: [] for key in engines}
     for _ in range(turns):
         for key, engine in engines.items():
             readings[key].append(_seconds_a_step(engine, steps[key]))
-    measured = {}
+    return {key: (readings[key], engine.nbytes) for key, engine in engines.items()}
+
+
+def _compared(pairs: dict[str, Pair], stepped: dict[int, tuple[list[float], int]]) -> dict[str, Price]:
+    compared = {}
     for name, (whole, less) in pairs.items():
-        memory = 1.0 - engines[id(less)].nbytes / engines[id(whole)].nbytes
-        measured[name] = price(readings[id(whole)], readings[id(less)], memory)
-    return float(np.median(readings[id(model)])), measured
+        (seconds, memory), (seconds_less, memory_less) = stepped[id(whole)], stepped[id(less)]
+        compared[name] = price(seconds, seconds_less, 1.0 - memory_less / memory)
+    return compared
 
 
 def price(whole: Iterable[float], less: Iterable[float], memory: float) -> Price:

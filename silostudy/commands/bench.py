@@ -7,6 +7,7 @@ from pathlib import Path
 # one call of 200,000 pressures, a sweep of usual size
 DEPTHS = 50
 CASES = 4000
+OUTPUTS = {"discs": "accuracy.csv", "spheres": "accuracy_of_spheres.csv"}  # of `bench accuracy`, where it is not told
 PEER_CASES = 40  # the scalar loop is timed on fewer
 
 
@@ -39,8 +40,15 @@ def add(sub) -> None:
         default="discs",
         help="discs: static wall forces; spheres: means over fillings",
     )
-    accuracy.add_argument("--output", type=Path, default=Path("results/bench/accuracy.csv"))
+    accuracy.add_argument(
+        "--output", type=Path, help="of discs results/bench/accuracy.csv if not told, of spheres accuracy_of_spheres.csv there"
+    )
     accuracy.set_defaults(run=run_accuracy)
+    effects = what.add_parser(
+        "effects", help="price of every effect and optional part in time, instructions, memory: half an hour"
+    )
+    effects.add_argument("--output", type=Path, default=Path("results/bench/effects.csv"))
+    effects.set_defaults(run=run_effects)
     certificate = what.add_parser(
         "certificate", help="the front alone, runs that find out their own error, or both: met and cost; some minutes"
     )
@@ -57,7 +65,14 @@ def run_certificate(chosen) -> None:
 def run_accuracy(chosen) -> None:
     from silostudy.commands import bench_accuracy, bench_means
 
+    chosen.output = chosen.output or Path("results/bench", OUTPUTS[chosen.grains])
     {"discs": bench_accuracy, "spheres": bench_means}[chosen.grains].run(chosen)
+
+
+def run_effects(chosen) -> None:
+    from silostudy.commands.bench_effects import run
+
+    run(chosen)
 
 
 def run_dem(chosen) -> None:

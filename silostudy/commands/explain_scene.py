@@ -45,7 +45,7 @@ def explanation(row) -> list[str]:
 
 
 def scene_explanation(name: str) -> list[str]:
-    """Each effect of a discrete-element scene: on or off, why, and of discs its measured share of a step; what it costs."""
+    """Each effect of a discrete-element scene: on or off, why, and its measured share of a step; what it costs."""
     from silostudy.choice.dem import load
     from silostudy.compute.dem import scene_model
     from silostudy.config.spheres import SphereScene
@@ -75,7 +75,8 @@ def _of_spheres(scene, model) -> list[str]:
     )
     price, memory = price_of_step(sample(model))
     lines.append(f"  {run_cost(scene, model, price, memory)}")
-    lines += [f"  {effect.name:30}{'on ' if effect.on else 'off'}  {effect.why}" for effect in sphere_effects(scene)]
+    for effect in sphere_effects(scene):
+        lines.append(f"  {effect.name:30}{'on ' if effect.on else 'off'}  {listed(effect):42}{effect.why}")
     return lines + [f"  warning: {line}" for line in warnings(scene, model)]
 
 
@@ -120,6 +121,17 @@ def _of_discs(scene, model) -> list[str]:
         price = priced(share.get(effect.name))
         lines.append(f"  {effect.name:30}{'on ' if effect.on else 'off'}  {price:42}{effect.why}")
     return lines
+
+
+def listed(effect) -> str:
+    """Share of a step's instructions and of memory of an effect of spheres, by the shipped list; nothing where it is off."""
+    from silostudy.accuracy.priced_effects import SPHERES, label
+    from silostudy.tables.effect_prices import EFFECT_PRICES
+
+    price = EFFECT_PRICES.get(label(effect.name, effect.law) + SPHERES) if effect.on else None
+    if price is None:
+        return ""
+    return f"{price.instructions:6.1%} of instructions, {price.memory:.0%} of memory"
 
 
 def priced(price) -> str:

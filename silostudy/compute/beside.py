@@ -7,11 +7,11 @@ import numpy as np
 import xarray as xr
 
 from silostudy.compute.axes import axis_coordinates, axis_names
-from silostudy.compute.beside_areas import AVERAGED, largest_mean, of_profile, step_of
 from silostudy.compute.beside_around import around, zones
 from silostudy.compute.beside_codes import PHASES, at_depths, by_phase, matched, profiles
 from silostudy.compute.beside_hopper import compared_in_hopper, in_cone
 from silostudy.compute.beside_plan import Plan, plan_of
+from silostudy.cube.areas import AVERAGED, largest_mean, of_profile, step_of
 from silostudy.cube.assemble import Sweep, assemble
 from silostudy.cube.contract import variable
 from silostudy.scene.expand import Expansion

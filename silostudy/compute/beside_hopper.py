@@ -3,8 +3,8 @@
 import numpy as np
 import xarray as xr
 
-from silostudy.compute.beside_areas import step_of
 from silostudy.compute.beside_codes import by_phase
+from silostudy.cube.areas import step_of
 
 
 def in_cone(grains: xr.Dataset) -> dict[str, xr.DataArray]:

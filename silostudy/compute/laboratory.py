@@ -8,27 +8,18 @@ from typing import Any
 import numpy as np
 
 from silostudy.compute.dem import run_of, scene_model
-from silostudy.compute.laboratory_readings import Readings, crater_angle, heap_angle, rebound, solid_fraction
+from silostudy.compute.laboratory_discs import DISCS
+from silostudy.compute.laboratory_readings import SPHERES, Reader, Readings
+from silostudy.config.grain_scenes import AnyScene
 from silostudy.config.laboratory import LaboratoryStudy
-from silostudy.config.spheres import SphereScene
+from silostudy.config.laboratory_scenes import DiscLaboratory
 from silostudy.dem.branch import end_of
 from silostudy.dem.integrate import INTEGRATORS
 from silostudy.dem.run import Run
 from silostudy.errors import BadInput
-from silostudy.scene.laboratory_cell import KPA, LaboratoryCase
-from silostudy.scene.laboratory_scenes import (
-    BORNE,
-    SHEAR_WINDOWS,
-    SHEARING,
-    SLIDING,
-    draining,
-    dropping,
-    filling,
-    heaping,
-    pressing,
-    shearing,
-)
-from silostudy.scene.spheres import material_of
+from silostudy.scene.laboratory import TESTS
+from silostudy.scene.laboratory_cell import KPA
+from silostudy.scene.laboratory_scenes import BORNE, SHEAR_WINDOWS
 from silostudy.tables.constants import ROUNDED_GRAVITY
 
 PATH = 100  # points of the compression path
@@ -36,6 +27,7 @@ SMOOTHED = 3  # windows in the running mean that the peak is taken of: 1/20 of t
 OFF = 0.02  # of a force: by which balances and stresses may be missed
 SOURCES = ("en1991_4_2006",)
 Numbers = dict[str, np.ndarray]
+READERS: dict[str, Reader] = {"discs": DISCS, "spheres": SPHERES}
 
 
 def coordinates(study: LaboratoryStudy) -> dict[str, Any]:
@@ -49,31 +41,33 @@ def coordinates(study: LaboratoryStudy) -> dict[str, Any]:
         "row_horizontal_stress": np.array(KPA * study.horizontal),
         "row_solid": np.array(study.solid.key),
         "row_grain": np.array(study.solid.grain),
+        "row_remark": np.array(READERS[study.scene.grains].remark),
     }
 
 
 def sources(study: LaboratoryStudy) -> list[str]:
     """References of the tests, and of the laws that the base scene names."""
-    laws = [law for touch in (study.scene.spheres, study.scene.walls) for law in touch.laws.values()]
+    between = study.scene.discs if isinstance(study.scene, DiscLaboratory) else study.scene.spheres
+    laws = [law for touch in (between, study.scene.walls) for law in touch.laws.values()]
     plain = next(row.source for row in INTEGRATORS.values())
     return sorted({*SOURCES, plain, *(law.source for law in laws if law.acts)})
 
 
-def measure(study: LaboratoryStudy, case: LaboratoryCase) -> Numbers:
+def measure(study: LaboratoryStudy, case: Any) -> Numbers:
     """The numbers of one cell, by the names of the contract; BadInput where a test does not come to its end, or balance."""
-    run = _carried(filling(case), None, "filling")
+    tests, reader = TESTS[case.config.grains], READERS[case.config.grains]
+    run = _carried(tests.filling(case), None, "filling")
     lists: dict[str, list] = {}
-    loose = _unit_weight(case, run, float(np.quantile(run.engine.places[:, 2], 0.95)))
-    repose = heap_angle(_carried(heaping(case), None, "pouring of a heap"), case)
-    drawn = crater_angle(_carried(draining(case), None, "draining of a tray", spills=True), case)
-    drop = dropping(case)
-    back = rebound(_carried(drop, None, "drop of a grain"), drop.filling.speed_m_s)
+    loose = _unit_weight(case, run, float(np.quantile(run.engine.places[:, -1], 0.95)))
+    repose, drawn = reader.slopes(case, _carried)
+    back = reader.rebound(case, _carried)
     pressed: list[Readings] = []
     for stress in case.stresses:
-        scene = pressing(case, stress, run.engine.time)
+        scene = tests.pressing(case, stress, run.engine.time)
         run = _carried(scene, end_of(run), f"pressing to {stress / KPA:g} kPa")
-        pressed.append(Readings.of(run, scene, case))
-        numbers = _pressed(case, run, pressed, stress) | _sheared(case, run, stress)
+        pressed.append(reader.readings(run, scene, case))
+        weight = -scene.gravity_m_s2[-1] * float(run.engine.mass.sum())
+        numbers = _pressed(case, run, pressed, stress, weight) | _sheared(case, run, stress)
         for name, value in numbers.items():
             lists.setdefault(name, []).append(value)
     return {
@@ -89,7 +83,7 @@ def measure(study: LaboratoryStudy, case: LaboratoryCase) -> Numbers:
     }
 
 
-def _carried(scene: SphereScene, end: Mapping[str, Any] | None, test: str, *, spills: bool = False) -> Run:
+def _carried(scene: AnyScene, end: Mapping[str, Any] | None, test: str, *, spills: bool = False) -> Run:
     """The finished run of a test, which goes on from an end; BadInput where it does not come to its stop, or loses grains.
 
     spills: whether grains are to leave.
@@ -106,17 +100,15 @@ def _carried(scene: SphereScene, end: Mapping[str, Any] | None, test: str, *, sp
     return run
 
 
-def _unit_weight(case: LaboratoryCase, run: Run, top: float) -> float:
+def _unit_weight(case: Any, run: Run, top: float) -> float:
     """Unit weight (N/m3) of the inner part of the cell, below a top (m)."""
-    inner = solid_fraction(run.engine.places, np.asarray(run.engine.model.radius), 0.5 * case.width, top, case.grain)
-    return ROUNDED_GRAVITY * material_of(case.config.grain).density * inner
+    return ROUNDED_GRAVITY * case.density * READERS[case.config.grains].solid_fraction(run, case, top)
 
 
-def _pressed(case: LaboratoryCase, run: Run, pressed: list[Readings], stress: float) -> Numbers:
-    """Unit weight and lateral pressure ratio at a stress (Pa), and how far the cell's forces are from balance."""
+def _pressed(case: Any, run: Run, pressed: list[Readings], stress: float, weight: float) -> Numbers:
+    """Unit weight and lateral pressure ratio at a stress (Pa), and how far forces and a weight (N) are from balance."""
     last, late, (vertical, horizontal) = pressed[-1], slice(-BORNE, None), _loading(pressed)
     part = (vertical >= 0.5 * stress) & (vertical <= (1.0 + OFF) * stress)
-    weight = ROUNDED_GRAVITY * float(run.engine.mass.sum())
     return {
         "tested_unit_weight": np.array(_unit_weight(case, run, last.height[-1])),
         "tested_lateral_pressure_ratio": np.array(np.polyfit(vertical[part], horizontal[part], 1)[0]),
@@ -126,22 +118,21 @@ def _pressed(case: LaboratoryCase, run: Run, pressed: list[Readings], stress: fl
     }
 
 
-def _sheared(case: LaboratoryCase, run: Run, stress: float) -> Numbers:
+def _sheared(case: Any, run: Run, stress: float) -> Numbers:
     """Shear over normal stress of the solid in itself and on the plate of the wall, at a stress (Pa)."""
     end, measured = end_of(run), Numbers()
-    for name, surfaces in (("internal", SHEARING), ("wall", SLIDING)):
+    tests, reader = TESTS[case.config.grains], READERS[case.config.grains]
+    for name, plates in tests.plates.items():
         test = f"{name} shear at {stress / KPA:g} kPa"
-        scene = shearing(case, stress, run.engine.time, surfaces)
-        read = Readings.of(_carried(scene, end, test), scene, case)
-        # a solid yields under its lid, where it is pressed least; it slides on the plate under its own weight too
-        normal = read.vertical if name == "internal" else read.normal / case.area
-        ratio, late = read.shear / normal, slice(-(SHEAR_WINDOWS // 3), None)
+        scene = tests.shearing(case, stress, run.engine.time, plates)
+        read = reader.readings(_carried(scene, end, test), scene, case)
+        ratio, late = read.inside if name == "internal" else read.along, slice(-(SHEAR_WINDOWS // 3), None)
         smooth = np.convolve(ratio, np.full(SMOOTHED, 1.0 / SMOOTHED), "valid")
         measured |= {
             f"{name}_shear_ratio": ratio[:SHEAR_WINDOWS],
             f"{name}_peak_shear_ratio": np.array(smooth.max()),
             f"{name}_steady_shear_ratio": np.array(ratio[late].mean()),
-            f"{name}_torque_imbalance": _small("lid + floor + wall torque", read.twist(late), f"of the floor's in {test}"),
+            f"{name}_torque_imbalance": _small("shear on lid + floor + walls", read.twist(late), f"of the floor's in {test}"),
             f"{name}_stress_error": _small("lid stress", read.vertical[late].mean() / stress - 1.0, f"of the stress of {test}"),
         }
     return measured

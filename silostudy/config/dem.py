@@ -67,14 +67,25 @@ class EventConfig(MovingEvent):
         "remove_disc": Takes(may=("disc", "near_m")),
         "set_gravity": Takes(("gravity_m_s2",)),
         "set_friction": Takes(may=("disc_friction", "wall_friction", "surfaces")),
+        "run_belt": Takes(("speed_m_s", "surfaces")),
     }
 
     do: Literal[
-        "open_slit", "remove_disc", "set_gravity", "set_friction", "lower_lid", "press_lid", "move_lid", "feed", "stop"
+        "open_slit",
+        "remove_disc",
+        "set_gravity",
+        "set_friction",
+        "lower_lid",
+        "press_lid",
+        "move_lid",
+        "run_belt",
+        "feed",
+        "stop",
     ] = described("what happens", "")
     speed_m_s: float | None = described(
         "move_lid: downward, negative lifts the lid, 0 stops it; press_lid: where nothing resists, null: 0.1; open_slit: at "
-        "which an outlet's width grows from none to all, from its middle, in a floor at rest; null: at once",
+        "which an outlet's width grows from none to all, from its middle, in a floor at rest, null: at once; run_belt: at "
+        "which a wall's face runs along it, counter-clockwise around the discs, negative the other way, 0 stops it",
         "m s-1",
         default=None,
     )
@@ -85,7 +96,10 @@ class EventConfig(MovingEvent):
     disc_friction: float | None = described("new friction between discs", ge=0, default=None)
     wall_friction: float | None = described("new friction at all walls, or at surfaces", ge=0, default=None)
     surfaces: tuple[str, ...] = described(
-        "set_friction: where wall_friction changes, by names as in the scene's surfaces; none: all walls", "", default=()
+        "set_friction: where wall_friction changes, by names as in the scene's surfaces, none: all walls; run_belt: walls "
+        "that stay where they are while their face runs along them and drags what touches it",
+        "",
+        default=(),
     )
 
     @model_validator(mode="after")
@@ -94,7 +108,7 @@ class EventConfig(MovingEvent):
             raise ValueError("remove_disc needs either disc or near_m")
         if self.do == "set_friction" and self.disc_friction is None and self.wall_friction is None:
             raise ValueError("set_friction needs disc_friction or wall_friction")
-        if self.surfaces and self.wall_friction is None:
+        if self.do == "set_friction" and self.surfaces and self.wall_friction is None:
             raise ValueError("surfaces are where a wall_friction changes: give that too")
         return self
 

@@ -26,3 +26,4 @@ class ShakenSpheres(Strict):
     walls: TouchConfig = described("contact of spheres with wall and floor", "", default=TouchConfig())
     sizes: SizesConfig = described("sizes of the spheres", "")
     shaking: Shaking = described("horizontal acceleration of the silo", "")
+    step_factor: float = described("time step over the one that the engine chooses", gt=0, le=1, default=1.0)

@@ -1,48 +1,20 @@
-"""A virtual laboratory as a user writes it: grains as in a scene of spheres, a wall, stresses, cells and fillings."""
+"""A virtual laboratory as a user writes it: grains and wall, stresses, cells and fillings."""
 
 from itertools import pairwise
-from typing import Annotated, Any, ClassVar, Literal, Self
+from typing import Annotated, Any, Literal, Self
 
 from pydantic import Field, model_validator
 
-from silostudy.catalogue import Family
-from silostudy.config.elastic import GrainConfig, MaterialConfig, TouchConfig
 from silostudy.config.fields import Strict, described
-from silostudy.config.mixture import SizesConfig
-from silostudy.config.own import OwnMethods
+from silostudy.config.laboratory_scenes import LEAST_CELL, AnyLaboratory
 from silostudy.config.study import SweepStudy
-from silostudy.contact import SPHERE_LAWS
 from silostudy.tables.solids import GRAINS
 
-LEAST_CELL = 5.0  # mean diameters: EN 1991-4's rule for the uniaxial cell, from memory
 # axes that every laboratory has
 CELL = "cell"
 FILLING = "filling"
 Stress = Annotated[float, Field(gt=0, le=1e4)]
-Width = Annotated[float, Field(ge=LEAST_CELL, le=200)]
-
-
-class LaboratoryScene(OwnMethods):
-    """One filling of one cell: grains, the wall that they are tested against, and how fast the tests are."""
-
-    joins: ClassVar[tuple[Family, ...]] = tuple(SPHERE_LAWS.values())
-
-    grains: Literal["spheres"] = described("spheres; discs have no plate that moves along itself, so none can be sheared", "")
-    grain: GrainConfig = described("material of the spheres", "")
-    wall: MaterialConfig = described("material of the silo's wall, of which the tested plate is made", "")
-    spheres: TouchConfig = described("contact between spheres", "", default=TouchConfig())
-    walls: TouchConfig = described("contact of spheres and the wall's material", "", default=TouchConfig())
-    sizes: SizesConfig = described("sizes of the spheres", "")
-    cell_grains: float = described("width of the cell over the mean diameter", ge=LEAST_CELL, le=200, default=16.0)
-    height_grains: float = described("height of the filling over the mean diameter", ge=LEAST_CELL, le=200, default=8.0)
-    inertial_number: float = described(
-        "strain rate times mean diameter times root of density over stress, at which cells are pressed and sheared: how fast "
-        "the tests are; 0.001 and below counts as quasi-static",
-        gt=0,
-        le=0.01,
-        default=0.001,
-    )
-    seed: int = described("seed of the filling", ge=0, le=2**53, default=0)
+Width = Annotated[float, Field(ge=LEAST_CELL, le=400)]
 
 
 class SolidConfig(Strict):
@@ -56,7 +28,7 @@ class LaboratoryStudy(SweepStudy):
     """Tests of grains in virtual cells: unit weight, lateral pressure ratio, internal friction and wall friction."""
 
     kind: Literal["laboratory"] = described("laboratory: a bulk solid's properties by tests on its grains", "")
-    scene: LaboratoryScene = described("grains and wall", "")
+    scene: AnyLaboratory = described("grains and wall", "")
     solid: SolidConfig = described("row of the solid that the tests give", "")
     stresses_kPa: tuple[Stress, ...] = described(
         "normal stresses of all tests, rising: cells are pressed from one to the next, and sheared at each", "kPa", min_length=1
@@ -71,7 +43,12 @@ class LaboratoryStudy(SweepStudy):
         "kPa",
         default=None,
     )
-    shear_strain: float = described("way of the turning plate, at its mean radius, over the height", gt=0, le=10, default=0.6)
+    shear_strain: float = described(
+        "way of the turning plate, at its mean radius, over the height; of discs, of the lid past the floor",
+        gt=0,
+        le=10,
+        default=0.6,
+    )
     cells: tuple[Width, ...] = described("widths of the cells over the mean diameter, rising; the row is the last one's",
                                          min_length=1)  # fmt: skip
     fillings: int = described("fillings of each cell: seeds 0, 1, ...; two at least, for a scatter", ge=2, le=1000)

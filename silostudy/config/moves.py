@@ -11,6 +11,7 @@ from silostudy.config.run import Waiting
 from silostudy.dem.events import TRIGGERS
 
 OF_LID = ("lower_lid", "press_lid", "move_lid")
+EITHER_WAY = ("move_lid", "run_belt")  # whose speed may be 0 or less
 
 
 @dataclass(frozen=True)
@@ -79,6 +80,6 @@ class MovingEvent(Waiting):
                 raise ValueError(f"{self.do} needs {name}")
         for name in sorted(given - {*taken.needs, *taken.may}):
             raise ValueError(f"{self.do} takes no {name}; it takes {', '.join((*taken.needs, *taken.may)) or 'nothing'}")
-        if self.do != "move_lid" and self.speed_m_s is not None and not self.speed_m_s > 0.0:
+        if self.do not in EITHER_WAY and self.speed_m_s is not None and not self.speed_m_s > 0.0:
             raise ValueError(f"{self.do} needs a speed_m_s above 0")
         return self

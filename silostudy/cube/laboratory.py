@@ -88,7 +88,8 @@ class MeasuredSolid:
             "a_mu": self.wall_friction.factor,
             "source": f"virtual laboratory of silostudy, study {cube.attrs['study_hash']}",
             "locator": f"{fillings} fillings of a cell {width:g} grains wide",
-            "remark": f"at {vertical:g} kPa, wall friction steady at {horizontal:g} kPa; lower unit weight as filled; "
+            "remark": f"{cube['row_remark'].item()}; at {vertical:g} kPa, wall friction steady at {horizontal:g} kPa; "
+            f"lower unit weight as filled; "
             f"factors 1 + {FRACTILE} deviation/mean",
         }
 

@@ -83,8 +83,8 @@ class Memory(NamedTuple):
 
 
 class Walls(NamedTuple):
-    """Walls. shape (n, 20): start x, y (m), unit direction, length (m), kinds of the ends, speed of rise (m/s), of each end the
-    unit direction of the wall that it meets, and how far (m) the wall reaches beyond its ends (columns of `walls`).
+    """Walls. shape (n, 21): start x, y (m), unit direction, length (m), kinds of the ends, speed of rise (m/s), of each end the
+    unit direction of the wall that it meets, how far (m) the wall reaches beyond its ends, speed along it (columns of `walls`).
 
     The solid lies left of the direction.
     """

@@ -5,7 +5,21 @@ from dataclasses import dataclass
 from silostudy.catalogue import Entry, Family
 from silostudy.errors import BadInput
 
-ACTIONS = ("open", "open holes", "take away", "remove", "gravity", "friction", "lower", "press", "move", "turn", "feed", "stop")
+ACTIONS = (
+    "open",
+    "open holes",
+    "take away",
+    "remove",
+    "gravity",
+    "friction",
+    "lower",
+    "press",
+    "move",
+    "turn",
+    "run",
+    "feed",
+    "stop",
+)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -42,7 +56,7 @@ class Event:
     action: open (wall, walls that replace it), open holes (wall, names of its holes, speed), take away (walls), remove (label
     or x, y),
     gravity (x, y), friction (pair, wall, names of walls; none: all), stop; of walls that move lower (), press (load, mass,
-    speed, lowest), move (speed, force, height), turn (spin, walls); feed (rate).
+    speed, lowest), move (speed, force, height), turn (spin, walls), run (speed, walls); feed (rate).
     """
 
     trigger: str

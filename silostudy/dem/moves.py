@@ -1,4 +1,4 @@
-"""Moves of walls that begin between two steps: a lid put down, pressed or moved, surfaces that turn."""
+"""Moves of walls that begin between two steps: a lid put down, pressed or moved, surfaces that turn or run as belts."""
 
 from collections.abc import Callable
 
@@ -8,6 +8,7 @@ from silostudy.dem.drive import DRAG, HELD, LOAD, MASS, STOP_FORCE, STOP_HEIGHT,
 from silostudy.dem.engine import Engine
 from silostudy.dem.events import Event
 from silostudy.dem.space.surfaces import TURN
+from silostudy.dem.walls import BELT
 
 CALM = 0.01  # of the load, and of the speed that nothing resists: a lid under less is at rest
 
@@ -41,7 +42,14 @@ def turn_walls(engine: Engine, spin: float, *names: str) -> None:
     engine.walls.shape[[engine.model.wall_number(name) for name in names], TURN] = spin
 
 
-MOVES: dict[str, Callable[..., None]] = {"lower": lower_lid, "press": press_lid, "move": move_lid, "turn": turn_walls}
+def run_belts(engine: Engine, speed: float, *names: str) -> None:
+    """Run the faces of lines along them at a speed (m/s), with the solid on their left: counter-clockwise around it."""
+    engine.walls.shape[[engine.model.wall_number(name) for name in names], BELT] = speed
+
+
+MOVES: dict[str, Callable[..., None]] = {
+    "lower": lower_lid, "press": press_lid, "move": move_lid, "turn": turn_walls, "run": run_belts
+}  # fmt: skip
 OF_LID = ("lower", "press", "move")
 
 

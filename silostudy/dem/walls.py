@@ -44,6 +44,7 @@ OWN_LENGTH = 13  # its own length (m)
 LEAVES = 14  # how far it reaches beyond either end (m)
 GROWTH = 16  # how fast that is drawn back (m/s)
 OPENED = 18  # kinds of the ends once it is
+BELT = 20  # speed (m/s) at which its face runs along it, as a belt's: it stays where it is
 
 
 @register_jitable
@@ -105,16 +106,19 @@ def gather_walls(rows, shape, disc, wall, start, count, lanes):
 
 @register_jitable
 def gather_moving_walls(rows, shape, disc, wall, start, count, lanes):
-    """Lanes of discs near walls, of which some rise."""
+    """Lanes of discs near walls, of which some rise, or run along themselves."""
     gather_walls(rows, shape, disc, wall, start, count, lanes)
     for k in range(count):
-        lanes[DV, k] -= shape[wall[start + k], RISE]
+        q = wall[start + k]
+        lanes[DU, k] -= shape[q, BELT] * shape[q, 2]
+        lanes[DV, k] -= shape[q, RISE] + shape[q, BELT] * shape[q, 3]
 
 
 @register_jitable
 def wall_power(rows, shape, i, wall, force, moment):
     """Power (W/m) that a wall which moves gives a disc that it pushes with a force (N/m)."""
-    return force[1] * shape[wall, RISE]
+    along = force[0] * shape[wall, 2] + force[1] * shape[wall, 3]
+    return force[1] * shape[wall, RISE] + along * shape[wall, BELT]
 
 
 @register_jitable
@@ -124,8 +128,8 @@ def height_of(shape, wall):
 
 
 def motion_of(shape: np.ndarray) -> np.ndarray:
-    """Motion of every wall (n, 2): height (m) of its start, speed upward (m/s)."""
-    return shape[:, [LOW, RISE]].copy()
+    """Motion of every wall (n, 3): height (m) of its start, speed upward (m/s), speed along itself (m/s)."""
+    return shape[:, [LOW, RISE, BELT]].copy()
 
 
 @register_jitable
@@ -196,7 +200,7 @@ def walls_of(walls) -> Walls:
 
 def shape_of(walls) -> np.ndarray:
     """Start, direction, length (m), the kinds of both ends, a speed of none, what the ends meet and reach, a row a wall."""
-    rows = np.zeros((len(walls), OPENED + 2))
+    rows = np.zeros((len(walls), BELT + 1))
     for row, wall in zip(rows, walls, strict=True):
         (x0, y0), (x1, y1) = wall.start, wall.end
         length = hypot(x1 - x0, y1 - y0)

@@ -3,7 +3,7 @@
 The first point of the axis is the setting that all others are held against; each of them changes one thing.
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from pathlib import Path
 
 import numpy as np
@@ -12,10 +12,12 @@ import xarray as xr
 from scipy.stats import t as student
 
 from silostudy.errors import BadInput
+from silostudy.figures.ladder_rungs import setting_label
 from silostudy.figures.style import BLUE, TALLEST, VERMILION, WIDTH, foot, headline, plt, save
 
 AXES = ("setting", "filling")
 TITLE = "setting_title"
+FIRST = "as the others are held against"  # setting, where settings have no titles
 SURE = 0.95
 QUANTITIES = {
     "body_normal_force_at_rest": "wall force at rest",
@@ -27,36 +29,43 @@ ROW = 0.26  # inches
 
 
 def draw(cube: xr.Dataset, stem: Path) -> None:
-    """Writes the figure and its numbers: a row for each setting, a panel for each quantity."""
-    table = ladders(cube)
+    """Writes the figure and its numbers."""
+    draw_ladders(cube, stem, dict(quantities(cube)), QUANTITIES)
+
+
+def draw_ladders(cube: xr.Dataset, stem: Path, values: Mapping[str, np.ndarray], titles: Mapping[str, str]) -> None:
+    """Writes a figure of quantities (setting, filling) under their titles, a panel each, a row a setting; its numbers too."""
+    table = ladders(cube, values)
     names, shown = list(dict.fromkeys(table["setting"])), list(dict.fromkeys(table["quantity"]))
     size = WIDTH, min(TALLEST, 2.2 + ROW * len(names))
     figure, panels = plt.subplots(1, len(shown), sharey=True, squeeze=False, figsize=size)
     for panel, quantity in zip(panels[0], shown, strict=True):
         handles = _draw_panel(panel, table[table["quantity"] == quantity], names)
-        panel.set(xlabel=f"{QUANTITIES[quantity]}:\nchange (%)")
+        panel.set(xlabel=f"{titles[quantity]}:\nchange (%)")
     panels[0, 0].set_yticks(range(len(names)), names)
     panels[0, 0].set_ylim(len(names) - 0.5, -0.5)
-    headline(figure, _message(table))
-    told = f"Bars: 95 % intervals of means of {cube.sizes['filling']} fillings. Band: how far contact laws are apart."
-    foot(figure, str(cube.attrs["title"]), told, *_unseen(table), handles=handles)
+    headline(figure, _message(table, titles))
+    band = " Band: how far contact laws are apart." if table["model"].any() else ""
+    told = f"Bars: 95 % intervals of means of {cube.sizes['filling']} fillings.{band}"
+    first = "" if TITLE in cube else f" Held against: {setting_label(cube, 0)}."
+    foot(figure, str(cube.attrs["title"]), told + first, *_unseen(table, titles), handles=handles)
     save(figure, table, stem)
 
 
-def _message(table: pd.DataFrame) -> str:
+def _message(table: pd.DataFrame, titles: Mapping[str, str]) -> str:
     """Sentence on how much settings and laws change each quantity at most."""
     most = 100.0 * table["change"].abs().groupby([table["model"], table["quantity"]], sort=False).max()
     told = [
-        ", ".join(f"the {QUANTITIES[name]} by {value:.2g} %" for name, value in most[model].items())
+        ", ".join(f"the {titles[name]} by {value:.2g} %" for name, value in most[model].items())
         for model in most.index.unique(0)
     ]
     return "; ".join(f"{what} at most {text}" for what, text in zip(("Settings change", "contact laws"), told, strict=False))
 
 
-def _unseen(table: pd.DataFrame) -> list[str]:
+def _unseen(table: pd.DataFrame, titles: Mapping[str, str]) -> list[str]:
     """Line that names the settings whose fillings do not show every quantity; none where all do."""
     missing = table[table["change"].isna()].groupby("setting", sort=False)["quantity"].agg(list)
-    told = [f"{name} ({', '.join(QUANTITIES[quantity] for quantity in of)})" for name, of in missing.items()]
+    told = [f"{name} ({', '.join(titles[quantity] for quantity in of)})" for name, of in missing.items()]
     return [f"Not come to rest, or not flowing in time: {'; '.join(told)}."] if told else []
 
 
@@ -77,12 +86,12 @@ def _draw_panel(panel, part: pd.DataFrame, names: list[str]) -> list:
     return handles
 
 
-def ladders(cube: xr.Dataset) -> pd.DataFrame:
+def ladders(cube: xr.Dataset, values: Mapping[str, np.ndarray]) -> pd.DataFrame:
     """Change of each quantity's mean over the fillings against the first setting, and half its interval, by setting."""
     rows = []
-    for quantity, values in quantities(cube):
+    for quantity, of in values.items():
         for place, (name, model) in enumerate(labels(cube)):
-            change, half = changed(values[place], values[0]) if place else (0.0, _half(values[0]))
+            change, half = changed(of[place], of[0]) if place else (0.0, half_interval(of[0]))
             rows.append(
                 {
                     "setting": name,
@@ -94,7 +103,7 @@ def ladders(cube: xr.Dataset) -> pd.DataFrame:
                 }
             )
     if not rows:
-        raise BadInput("outputs", "ladders", f"none of {', '.join(QUANTITIES)} was seen in the first setting")
+        raise BadInput("outputs", "ladders", "no quantity was seen in the first setting")
     return pd.DataFrame(rows)
 
 
@@ -109,10 +118,11 @@ def quantities(cube: xr.Dataset) -> Iterator[tuple[str, np.ndarray]]:
 
 
 def labels(cube: xr.Dataset) -> list[tuple[str, bool]]:
-    """Title of each setting, and whether it changes a law of the first's."""
+    """Title of each setting, or what it changes, and whether that is a law of the first's."""
     columns = [cube[name].values for name in map(str, cube.coords) if name.startswith("setting_") and name != TITLE]
     laws = [values for values in columns if values.dtype.kind not in "iuf"]
-    titles = map(str, cube[TITLE].values)
+    own = [FIRST, *(setting_label(cube, place) for place in range(1, cube.sizes["setting"]))]
+    titles = map(str, cube[TITLE].values) if TITLE in cube else own
     return [(title, any(values[place] != values[0] for values in laws)) for place, title in enumerate(titles)]
 
 
@@ -127,7 +137,7 @@ def changed(values: np.ndarray, base: np.ndarray) -> tuple[float, float]:
     return float(own.mean() / other.mean() - 1.0), float(half / abs(other.mean()))
 
 
-def _half(values: np.ndarray) -> float:
+def half_interval(values: np.ndarray) -> float:
     """Half the relative interval (1) of a mean."""
     seen = values[np.isfinite(values)]
     return float(student.ppf(0.5 + SURE / 2, len(seen) - 1) * seen.std(ddof=1) / np.sqrt(len(seen)) / abs(seen.mean()))

@@ -13,6 +13,7 @@ import xarray as xr
 from matplotlib.artist import Artist
 
 from silostudy.errors import BadInput
+from silostudy.figures.ladder_rungs import LADDERS, rungs_of
 from silostudy.figures.ladders import QUANTITIES, changed, labels, quantities
 from silostudy.figures.style import REST, WIDTH, foot, headline, save, series
 
@@ -20,8 +21,7 @@ MARKED = (0.1, 0.05, 0.02)
 ASKED = np.unique([*np.geomspace(0.01, 0.2, 60), *MARKED])[::-1]
 MOST = 1000  # fillings: an error that asks for more counts as out of reach
 NORMAL = 1.96  # standard deviations within which 95 % of means lie
-# what a ladder varies, and whether its finest rung is the largest
-LADDERS = {"setting_step_factor": False, "setting_softened_modulus": True, "setting_diameter": False}
+NUMERICAL = tuple(column for column, ladder in LADDERS.items() if ladder.end)  # whose finest rung is the best
 
 
 def draw(cube: xr.Dataset, stem: Path) -> None:
@@ -65,7 +65,7 @@ def prices(cube: xr.Dataset) -> pd.DataFrame:
                     break
                 rows.append((quantity, asked, name, off, doubt, fillings, fillings * steps[place], asked >= doubt))
     if not rows:
-        asked_for = ", ".join(name.removeprefix("setting_") for name in LADDERS)
+        asked_for = ", ".join(name.removeprefix("setting_") for name in NUMERICAL)
         raise BadInput("outputs", "price_of_means", f"the axis `setting` varies none of {asked_for}, or no quantity was seen")
     columns = ["quantity", "asked", "setting", "surely_off", "doubt", "fillings", "particle_steps", "told"]
     table = pd.DataFrame(rows, columns=columns)
@@ -84,7 +84,7 @@ def rungs(cube: xr.Dataset, values: np.ndarray) -> dict[int, tuple[float, float,
 
     A rung stands on the first setting in all that its own ladder does not vary, so it is off by that one's errors there too.
     """
-    ladders = {column: _ladder(cube, column, largest) for column, largest in LADDERS.items() if column in cube}
+    ladders = {column: rungs_of(cube, column) for column in NUMERICAL if column in cube}
     off = {
         column: {place: _off(values[place], values[finest], place == finest) for place, finest in ladder}
         for column, ladder in ladders.items()
@@ -101,20 +101,6 @@ def _off(own: np.ndarray, finest: np.ndarray, alone: bool) -> tuple[float, float
     """Relative difference (1) of two means beyond chance, and half the interval of it; of the finest alone that of its mean."""
     change, half = changed(own, finest)
     return (0.0, half / 2**0.5) if alone else (max(0.0, abs(change) - half), half)
-
-
-def _ladder(cube: xr.Dataset, column: str, largest: bool) -> list[tuple[int, int]]:
-    """Places of a ladder's rungs, each with that of its finest: the settings that differ from the first in nothing else.
-
-    Coarser grains of equal mass are fewer: their number goes with their size.
-    """
-    names = [name for name in map(str, cube.coords) if name.startswith("setting_") and name != "setting_title"]
-    free = {column, "setting_count"} if column == "setting_diameter" else {column}
-    fixed = [cube[name].values for name in names if name not in free]
-    places = [k for k in range(cube.sizes["setting"]) if all(values[k] == values[0] for values in fixed)]
-    worth = cube[column].values[places]
-    finest = places[int(np.argmax(worth) if largest else np.argmin(worth))]
-    return [(place, finest) for place in places]
 
 
 def _draw_panel(panel, part: pd.DataFrame, best: list[str]) -> dict[str, Artist]:

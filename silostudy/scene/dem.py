@@ -31,11 +31,12 @@ DEEPEST = 0.1  # of a radius: overlap that a start may have (a packing at rest h
 
 @dataclass(frozen=True)
 class Effect:
-    """One thing that can be compiled in: whether this scene calls for it, and why."""
+    """One thing that can be compiled in: whether this scene calls for it, and why; of a family of laws the one that acts."""
 
     name: str
     on: bool
     why: str
+    law: str = ""
 
 
 def plane_silo_of(scene: DemScene, where: str = "") -> PlaneSilo:
@@ -134,12 +135,14 @@ def events_of(scene: DemScene, mass: float, where: str = "") -> tuple[Event, ...
         if action == "friction":
             _check_friction(scene, what, f"events.{number}", where)
             what = (*what, walls_of_event(event.surfaces, wall_names(scene), number, where))
+        elif action == "run":
+            what = (*what, *walls_of_event(event.surfaces, wall_names(scene), number, where))
         events.append(Event(event.when, event.value * TRIGGERS[event.when].scale, action, what))
     return tuple(events)
 
 
 def walls_of_event(surfaces: tuple[str, ...], names: Sequence[str], number: int, where: str) -> tuple[str, ...]:
-    """Names of the walls whose friction an event changes; none stands for all."""
+    """Names of the walls that an event is about."""
     return tuple(wall for surface in surfaces for wall in parts_of(surface, names, f"events.{number}.surfaces", where))
 
 
@@ -175,6 +178,8 @@ def _action(event: EventConfig, scene: DemScene, beside: tuple[str, ...], mass: 
         return "friction", (event.disc_friction, event.wall_friction)
     if event.do == "feed":
         return "feed", (event.rate_kg_s,)
+    if event.do == "run_belt":
+        return "run", (event.speed_m_s,)
     if event.do in OF_LID:
         silo = plane_silo_of(scene)
         return lid_action(event, silo.width, mass, silo.bottom, silo.bottom + silo.height)
@@ -225,7 +230,8 @@ def law_effect(name: str, family: str, contacts: Mapping[str, Contact | Varied])
     """The effect of a family of laws, which discs or walls or both may call for."""
     rows = {where: getattr(contact.laws, family) for where, contact in contacts.items()}
     said = ", ".join(f"{where}.{family}: {row.key}" for where, row in rows.items())
-    return Effect(name, any(row.acts for row in rows.values()), said)
+    acting = [row.key for row in rows.values() if row.acts]
+    return Effect(name, bool(acting), said, *acting[:1])
 
 
 def surfaces_effect(scene: AnyScene) -> Effect:
@@ -268,7 +274,9 @@ def effects(scene: DemScene) -> tuple[Effect, ...]:
         ),
         Effect("hopper", scene.silo.hopper_half_angle_deg is not None, "silo.hopper_half_angle_deg"),
         Effect("inserts", bool(scene.inserts), f"inserts: {len(scene.inserts)}"),
-        Effect("walls that move", moves(scene.events), "events: lower_lid, press_lid, move_lid, open_slit at a speed"),
+        Effect(
+            "walls that move", moves(scene.events), "events: lower_lid, press_lid, move_lid, run_belt, open_slit at a speed"
+        ),
         Effect("events", len(scene.events) > 1, ", ".join(event.do for event in scene.events)),
         *reading_effects(scene),
     )

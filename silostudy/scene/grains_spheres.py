@@ -25,8 +25,8 @@ def filling_scene(config: ShakenSpheres, seed: int) -> SphereScene:
         "kind": "dem", "grains": config.grains, "title": "a silo that will be shaken",
         "silo": {"plan": "circular", "diameter_m": width, "cylinder_depth_m": ROOM * height}, "filling": rain,
         "grain": config.grain, "wall": config.wall, "spheres": config.spheres, "walls": config.walls, "sizes": config.sizes,
-        "seed": seed, "march": {"limit_s": pours + BEYOND}, "events": [{"when": "rest", "do": "stop"}],
-        "record": {"wall_force_window_s": pours, "pressure_cells": [1, AROUND]},
+        "seed": seed, "march": {"limit_s": pours + BEYOND, "step_factor": config.step_factor},
+        "events": [{"when": "rest", "do": "stop"}], "record": {"wall_force_window_s": pours, "pressure_cells": [1, AROUND]},
     }  # fmt: skip
     return SphereScene.model_validate(content)
 

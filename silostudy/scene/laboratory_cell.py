@@ -1,13 +1,14 @@
-"""One cell of a laboratory with its filling: sizes and speeds in SI."""
+"""One round cell of a laboratory with its filling of spheres: sizes and speeds in SI, and what plane cells share with it."""
 
 from dataclasses import dataclass
 from functools import cached_property
 from math import nan, pi, sqrt
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
-from silostudy.config.laboratory import LaboratoryScene
+from silostudy.config.laboratory_scenes import LaboratoryScene
 from silostudy.packing.sizes import SIZES
 from silostudy.scene.spheres import MPA, material_of
 from silostudy.tables.materials import PAIRS
@@ -21,10 +22,13 @@ LOOSE = 0.57  # about the solid fraction of a filling: it sets how many grains m
 
 
 @dataclass(frozen=True)
-class LaboratoryCase:
-    """One cell with its filling: the configuration, the stresses (Pa) and shear strain (1) of its tests."""
+class Cell:
+    """One cell with its filling: the configuration, the stresses (Pa) and shear strain (1) of its tests.
 
-    config: LaboratoryScene
+    Each sort of grains says its mean diameter `grain` (m) and its `density` (kg/m3).
+    """
+
+    config: Any
     folder: Path
     stresses: tuple[float, ...]
     shear_strain: float
@@ -33,6 +37,37 @@ class LaboratoryCase:
     def files(self) -> tuple[Path, ...]:
         """The user's own files that the grains' laws come from."""
         return own_files(self.folder, self.config.methods_from)
+
+    @property
+    def grain(self) -> float:
+        """Mean diameter (m) of the grains."""
+        raise NotImplementedError
+
+    @property
+    def density(self) -> float:
+        """Density (kg/m3) of the grains."""
+        raise NotImplementedError
+
+    @property
+    def width(self) -> float:
+        """Width (m) of the cell."""
+        return self.config.cell_grains * self.grain
+
+    @property
+    def height(self) -> float:
+        """Height (m) of the filling, about."""
+        return self.config.height_grains * self.grain
+
+    def speed(self, stress: float) -> float:
+        """Speed (m/s) of an end at which the strain rate has the inertial number under a stress (Pa)."""
+        return self.config.inertial_number * self.height / self.grain * sqrt(stress / self.density)
+
+
+@dataclass(frozen=True)
+class LaboratoryCase(Cell):
+    """One round cell with its filling of spheres."""
+
+    config: LaboratoryScene
 
     @cached_property
     def radii(self) -> np.ndarray:
@@ -45,14 +80,9 @@ class LaboratoryCase:
         return 2.0 * float(self.radii.mean())
 
     @property
-    def width(self) -> float:
-        """Width (m) of the cell."""
-        return self.config.cell_grains * self.grain
-
-    @property
-    def height(self) -> float:
-        """Height (m) of the filling, about."""
-        return self.config.height_grains * self.grain
+    def density(self) -> float:
+        """Density (kg/m3) of the grains; NaN where their material has none."""
+        return material_of(self.config.grain).density
 
     @property
     def area(self) -> float:
@@ -95,8 +125,3 @@ class LaboratoryCase:
         known = PAIRS.get(frozenset((self.config.grain.material, self.config.wall.material)))
         asked = self.config.walls.restitution
         return asked if asked is not None else known.restitution if known else nan
-
-    def speed(self, stress: float) -> float:
-        """Speed (m/s) of an end at which the strain rate has the inertial number under a stress (Pa)."""
-        density = material_of(self.config.grain).density
-        return self.config.inertial_number * self.height / self.grain * sqrt(stress / density)

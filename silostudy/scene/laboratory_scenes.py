@@ -15,6 +15,7 @@ from silostudy.config.spheres import SphereScene
 from silostudy.contact.rolling import spring_slider
 from silostudy.scene.laboratory_cell import KPA, LOOSE, LaboratoryCase
 from silostudy.scene.space_silo import FLOOR, LID, WALL
+from silostudy.scene.spheres import contacts_of
 from silostudy.tables.constants import ROUNDED_GRAVITY
 
 ROOM = 1.8  # height of the cell over that of the filling: what rains in needs room
@@ -37,14 +38,14 @@ ROUGH = 5.0  # sliding and rolling friction of what holds grains fast
 SMOOTH = 0.0  # of what lets them slide
 
 
-def _like(friction: float) -> dict[str, float]:
+def like(friction: float) -> dict[str, float]:
     """A surface of a sliding and rolling friction."""
     return {"sliding_friction": friction, spring_slider.FRICTION.field: friction}
 
 
-PRESSING = {WALL: _like(SMOOTH), FLOOR: _like(SMOOTH), LID: _like(SMOOTH)}
-SHEARING = {WALL: _like(SMOOTH), FLOOR: _like(ROUGH), LID: _like(ROUGH)}
-SLIDING = {WALL: _like(SMOOTH), LID: _like(ROUGH)}  # the floor is the plate of the silo's wall
+PRESSING = {WALL: like(SMOOTH), FLOOR: like(SMOOTH), LID: like(SMOOTH)}
+SHEARING = {WALL: like(SMOOTH), FLOOR: like(ROUGH), LID: like(ROUGH)}
+SLIDING = {WALL: like(SMOOTH), LID: like(ROUGH)}  # the floor is the plate of the silo's wall
 
 
 def filling(case: LaboratoryCase) -> SphereScene:
@@ -127,7 +128,7 @@ def _scene(
         "kind": "dem", "grains": config.grains, "title": "a cell of the laboratory", "methods_from": config.methods_from,
         "silo": silo or cell(case), "lid": True, "filling": rain or cell_rain(case),
         "grain": config.grain, "wall": config.wall, "spheres": config.spheres, "walls": plate(case), "surfaces": surfaces,
-        "sizes": config.sizes, "seed": config.seed, "march": {"limit_s": limit},
+        "sizes": config.sizes, "seed": config.seed, "march": {"limit_s": limit, "step_factor": config.step_factor},
         "outlets": outlets, "gravity_m_s2": gravity, "events": [*events, {"when": "after", "value": lasts, "do": "stop"}],
         "record": {"wall_force_window_s": window, "pressure_cells": [1, 1]},
     }  # fmt: skip
@@ -142,6 +143,11 @@ def cell(case: LaboratoryCase) -> dict[str, Any]:
 def cell_rain(case: LaboratoryCase) -> dict[str, Any]:
     """Rain of grains into the cell."""
     return column_rain(case.count, case.height)
+
+
+def check(case: LaboratoryCase, where: str) -> None:
+    """BadInput for contacts that neither sections nor tables tell of."""
+    contacts_of(filling(case), where)
 
 
 def column_rain(count: int, height: float) -> dict[str, Any]:

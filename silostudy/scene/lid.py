@@ -9,7 +9,7 @@ from silostudy.errors import BadInput
 
 KPA = 1e3  # Pa
 SPEED = 0.1  # m/s: of a lid that is pressed and meets nothing, where a scene does not say
-MOVING = (*OF_LID, "rotate")
+MOVING = (*OF_LID, "rotate", "run_belt")
 
 
 def moves(events: Sequence[MovingEvent]) -> bool:

@@ -1,6 +1,6 @@
 """Kernels for discs of one size, written out by hand without friction and with it: what the built ones must not cost more.
 
-Neither knows of several sizes, recorded wall forces, shaking, an energy ledger, rolling resistance or cohesion.
+Neither knows of several sizes, recorded wall forces, shaking, an energy balance, rolling resistance or cohesion.
 """
 
 from functools import cache

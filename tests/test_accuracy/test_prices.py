@@ -5,14 +5,23 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from silostudy.accuracy import priced_effects
+from silostudy.accuracy.bin_of_spheres import Bin, bin_of_spheres
 from silostudy.accuracy.instructions import count, missing
-from silostudy.accuracy.price_table import scenes_of_spheres
-from silostudy.accuracy.prices import prices, still, without
+from silostudy.accuracy.price_table import COUNTED, PARTS
+from silostudy.accuracy.priced_effects import SPHERES
+from silostudy.accuracy.prices import FRICTION, LAW_EFFECTS, prices, still, without
 from silostudy.accuracy.silo import silo_of_rows
+from silostudy.commands.explain_scene import listed
+from silostudy.contact import SPHERE_LAWS
 from silostudy.dem.engine import Engine
+from silostudy.scene.spheres_about import sphere_effects
+from silostudy.tables.effect_prices import EFFECT_PRICES
+from silostudy.tables.kiyama_1983 import ACTIVE
 from tests.conftest import ROOT
 from tests.test_accuracy import by_hand_spheres
 from tests.test_accuracy.by_hand import engines, silos
+from tests.test_spheres.small import scene_of as spheres_scene
 
 MOST = 0.02  # of the instructions by hand
 
@@ -91,15 +100,54 @@ def test_instructions_of_spheres_beside_a_kernel_by_hand():
     assert counted["spheres, built"] / counted["spheres, by hand"] < 1.0 + MOST
 
 
-def test_every_family_of_laws_of_spheres_has_a_price():
-    effects = set().union(*(without(model) for model in scenes_of_spheres()))
-    laws = {"rolling resistance", "cohesion", "twisting resistance"}
-    assert effects == {"friction, rotation, history", "wall forces every step", *laws}
-    for model in scenes_of_spheres():
-        for name, (whole, less) in without(model).items():
-            acting = [sum(row.acts for row in one.pair_contact.rows) for one in (whole, less)]
-            assert acting[1] < acting[0] or name == "wall forces every step"
-            assert np.array_equal(whole.place, less.place)
+@pytest.fixture
+def pairs(monkeypatch):
+    """What is priced, of grains that have not been brought to rest."""
+    loose = {"disc": silo_of_rows(ACTIVE, 4)[0], "sphere": bin_of_spheres(Bin(count=200, wide=0.03))}
+    monkeypatch.setattr(priced_effects, "base", loose.__getitem__)
+    return priced_effects.priced_effects()
+
+
+def test_every_law_of_spheres_has_a_price(pairs):
+    for family, effect in LAW_EFFECTS.items():
+        for law in SPHERE_LAWS[family].values():
+            if law.acts:
+                whole, less = (getattr(one.pair_contact.laws, family) for one in pairs[f"{effect}: {law.key}{SPHERES}"])
+                assert whole.key == law.key
+                assert not less.acts
+
+
+def test_what_is_priced_differs_in_nothing_else(pairs):
+    """Without the effect the kernel is that of friction alone, and the grains stand where they do with it."""
+    for name, (whole, less) in pairs.items():
+        base = priced_effects.base("sphere" if name.endswith(SPHERES) else "disc").pieces
+        assert np.array_equal(whole.place, less.place), name
+        if name.startswith(FRICTION):
+            assert whole.pieces.turns
+            assert not less.pieces.turns
+        else:
+            assert less.pieces == base != whole.pieces, name
+
+
+def test_the_shipped_list_has_every_effect_and_part(pairs):
+    listed = [*pairs, *(part.name for part in PARTS)]
+    uncounted = {part.name for part in PARTS if part not in COUNTED}
+    assert list(EFFECT_PRICES) == listed
+    for name, price in EFFECT_PRICES.items():
+        assert np.isfinite(price.instructions) == (name not in uncounted), name
+
+
+def test_effects_of_a_scene_of_spheres_are_in_the_list():
+    """Those that are compiled in; a scene's outlets, inserts and events cost what bodies meet there."""
+    scene = spheres_scene(record__energy=True, spheres__rolling="constant-torque", spheres__rolling_friction=0.1)
+    on = [effect for effect in sphere_effects(scene) if effect.on]
+    told = {effect.name: listed(effect) for effect in on}
+    assert {name for name, text in told.items() if "of instructions" in text} == {
+        FRICTION,
+        "rolling resistance",
+        "wall forces every step",
+        "energy balance",
+    }
 
 
 def two_sums():

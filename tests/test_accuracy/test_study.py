@@ -10,9 +10,17 @@ from silostudy.accuracy import price_table as prices
 from silostudy.accuracy.cube import accuracy_cube, points_of
 from silostudy.accuracy.front import lasting_error
 from silostudy.accuracy.measure import Rung
+from silostudy.accuracy.silo import silo_of_rows
 from silostudy.cube.io import read, write
 from silostudy.errors import BadInput
-from silostudy.figures import accuracy_earthquake, accuracy_formulas, accuracy_summary, effect_prices, work_precision
+from silostudy.figures import (
+    accuracy_earthquake,
+    accuracy_formulas,
+    accuracy_summary,
+    effect_prices,
+    sphere_prices,
+    work_precision,
+)
 from tests.conftest import expanded
 from tests.test_figures.content import told as words_of
 
@@ -131,20 +139,16 @@ def test_share_of_instructions_or_why_there_is_none(monkeypatch):
 
 
 def test_instructions_are_counted_of_steps_with_every_effect_and_without(monkeypatch):
-    monkeypatch.setattr(prices, "ACTIVE", 4)
-    monkeypatch.setattr(prices, "LEVELS", 4)
-    monkeypatch.setattr(prices, "still", lambda model: model)
-    work = prices.counted_work()
-    for note, model in prices.full_scenes():
-        for name in prices.without(model):
-            label = prices._label(name, note)
-            assert {f"with {label}", f"without {label}"} <= work.keys()
-    assert len(work) == 2 * (8 + 5)  # of discs and of spheres
+    models = silo_of_rows(4, 4)[0], silo_of_rows(4, 4)[0]
+    monkeypatch.setattr(prices, "priced_effects", lambda: {"an effect": models})
+    monkeypatch.setattr(prices, "COUNTED", prices.COUNTED[2:4])
+    names = ["an effect", *(part.name for part in prices.COUNTED)]
+    assert list(prices.counted_work()) == [f"{end} {name}" for name in names for end in ("with", "without")]
 
 
 @pytest.mark.parametrize("part", prices.PARTS, ids=lambda part: part.name)
 def test_the_studies_of_every_part_are_sound(part):
-    assert part.room in effect_prices.ROOMS
+    assert part.room in effect_prices.ROOMS + sphere_prices.ROOMS
     assert callable(part.whole())
     assert callable(part.less())
 

@@ -298,3 +298,12 @@ def test_compare_tells_the_load_cases_beside_the_symmetric_ones(capsys, tmp_path
     study["scene"]["silo"] = {"plan": "square", "width_m": 5.0, "cylinder_depth_m": 18.0}
     (tmp_path / "study.yaml").write_text(yaml.safe_dump(study | {"phases": ["filling"]}))
     assert "band of pressure all round" in said(capsys, "compare", tmp_path / "study.yaml")
+
+
+def test_benches_of_accuracy_write_files_of_their_own(monkeypatch):
+    written = []
+    for module in ("bench_accuracy", "bench_means"):
+        monkeypatch.setattr(f"silostudy.commands.{module}.run", lambda chosen: written.append(chosen.output))
+    for more in ([], ["--grains", "spheres"], ["--grains", "spheres", "--output", "own.csv"]):
+        assert main(["bench", "accuracy", *more]) == 0
+    assert written == [Path("results/bench/accuracy.csv"), Path("results/bench/accuracy_of_spheres.csv"), Path("own.csv")]

@@ -9,9 +9,9 @@ import yaml
 
 from silostudy.choice.expand import expand_file
 from silostudy.compute.beside import _stagnant, beside_cube
-from silostudy.compute.beside_areas import AVERAGED, largest_mean, of_profile
 from silostudy.compute.pressure import pressure_cube
 from silostudy.config.load import read_yaml
+from silostudy.cube.areas import AVERAGED, largest_mean, of_profile
 from silostudy.errors import BadInput
 from tests.conftest import ROOT
 from tests.test_compute.made_walls import FLOWS, GAMMA, MU, PATCH, K, made_walls

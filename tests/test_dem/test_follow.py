@@ -2,6 +2,7 @@
 
 import pickle
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -11,7 +12,8 @@ from silostudy.compute.dem_cube import cube_of
 from silostudy.compute.scenes_windows import whole_windows
 from silostudy.dem.engine import Engine
 from silostudy.dem.follow import steps_made
-from silostudy.dem.lanes import V, Y
+from silostudy.dem.lanes import U, V, Y
+from silostudy.dem.ledger import BASE, balance
 from silostudy.dem.pace import FIXED, TICKS, Pace, following
 from silostudy.errors import BadInput
 from silostudy.tables.constants import ROUNDED_GRAVITY as GRAVITY
@@ -23,9 +25,15 @@ FOLLOWS = {"step": "follow", "limit_s": 1.0}
 TICK = 1e-6
 
 
-@pytest.fixture(scope="module")
-def scene():
-    return scene_of(march=FOLLOWS)
+@pytest.fixture(scope="module", params=["still", "shaken"])
+def scene(request, tmp_path_factory):
+    if request.param == "still":
+        return scene_of(march=FOLLOWS)
+    time = np.linspace(0.0, 1.0, 501)
+    record = np.column_stack([time, 2.0 * np.sin(2.0 * np.pi * 10.0 * time), np.sin(2.0 * np.pi * 7.0 * time)])
+    path = tmp_path_factory.mktemp("shaken") / "base.csv"
+    np.savetxt(path, record, delimiter=",", header="time_s,x_m_s2,y_m_s2", comments="")
+    return scene_of(march=FOLLOWS, quake={"file": str(path)})
 
 
 @pytest.fixture(scope="module")
@@ -34,7 +42,7 @@ def through(scene):
 
 
 def started(scene, **how):
-    run = run_of(scene, scene_model(scene, "."), threads=how.pop("threads", 1))
+    run = run_of(scene, scene_model(scene, Path()), threads=how.pop("threads", 1))
     if how:
         run.engine = Engine(run.engine.model, **how)
     return run
@@ -97,6 +105,14 @@ def test_the_cube_tells_the_steps(through, scene):
     assert (spans / cube["step_from_then"].values).sum() == pytest.approx(cube.attrs["steps"], rel=1e-9)
 
 
+def test_the_energy_balance_holds_where_steps_change(scene):
+    booked = carried(scene.model_copy(update={"record": scene.record.model_copy(update={"energy": True})}))
+    energy = np.array(booked.recording.energy)
+    assert len(booked.recording.steps) > 1
+    assert np.ptp([balance(entries) for entries in energy]) < 1e-12 * np.abs(energy).max()
+    assert (np.abs(energy[:, BASE]).max() > 1e-3) == (scene.quake is not None)
+
+
 def test_a_scene_that_does_not_ask_keeps_its_step():
     run = started(scene_of())
     run.go(until=400)
@@ -115,6 +131,20 @@ def test_velocity_verlet_falls_exactly_whatever_its_steps():
     assert engine.step > 9590  # it ends with a step
     assert engine.column(Y)[0] == pytest.approx(-0.5 * GRAVITY * engine.time**2, rel=1e-12)
     assert engine.column(V)[0] == pytest.approx(-GRAVITY * engine.time, rel=1e-12)
+
+
+def test_a_step_takes_the_base_motion_of_when_it_begins():
+    """A disc alone in a box that rings: its speed is the sum of the accelerations that its steps began with."""
+    quake = np.random.default_rng(1).normal(size=(3001, 2))
+    engine = Engine(free([0.0], [0.0], dt=TICK, quake=quake, pace=Pace(0.5, 8, 40)))
+    gained, tick = np.zeros(2), 0
+    for ticks, stop in ((8, 800), (21, 1640), (3, 1940), (40, 2940)):
+        engine.take_steps_of(ticks)
+        engine.step_to(stop)
+        gained -= ticks * TICK * quake[tick:stop:ticks].sum(axis=0)
+        tick = stop
+    assert engine.step == tick
+    assert [engine.column(lane)[0] for lane in (U, V)] == pytest.approx(gained, rel=1e-12)
 
 
 def test_a_spring_stretches_by_the_way_of_the_step_before():

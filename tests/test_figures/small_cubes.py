@@ -11,6 +11,7 @@ from silostudy.accuracy import cube as accuracy
 from silostudy.choice.expand import expand
 from silostudy.compute.axes import sweep_of
 from silostudy.compute.dem_cube import cube_of as dem_cube
+from silostudy.compute.grains import CARRIERS
 from silostudy.compute.observers import grid_of
 from silostudy.compute.published import coordinates as published_coordinates
 from silostudy.compute.published import sources
@@ -28,16 +29,16 @@ from tests.test_dem.small import scene_of as discs_of
 from tests.test_laboratory.made_up import cube_of as made_up
 from tests.test_spheres.small import run, scene_of
 
-# of two parts, in place of those that take minutes to measure
+# of two parts and two of spheres, in place of those that take minutes to measure
 PRICES = {
-    "effect": ["a part", "another"],
-    "effect_room": ["pressures", "earthquake"],
-    "effect_time_share": [0.5, 0.1],
-    "effect_time_share_low": [0.45, 0.05],
-    "effect_time_share_high": [0.6, 0.12],
-    "effect_instruction_share": [0.4, np.nan],
-    "effect_memory_share": [0.3, 0.0],
-    "effect_uncounted": ["", "no valgrind"],
+    "effect": ["a part", "another", "a law, of spheres", "a record, of spheres"],
+    "effect_room": ["pressures", "earthquake", "spheres", "scenes of spheres"],
+    "effect_time_share": [0.5, 0.1, 0.2, 0.3],
+    "effect_time_share_low": [0.45, 0.05, 0.18, 0.28],
+    "effect_time_share_high": [0.6, 0.12, 0.22, 0.33],
+    "effect_instruction_share": [0.4, np.nan, 0.15, 0.25],
+    "effect_memory_share": [0.3, 0.0, 0.1, 0.2],
+    "effect_uncounted": ["", "no valgrind", "", ""],
 }
 # in place of the laboratory's row, which is made by a run of the whole pipeline
 ROUND = {"plan": "circular", "diameter_m": 0.1, "cylinder_depth_m": 0.1}
@@ -217,7 +218,32 @@ def ladder_cube(study: str) -> xr.Dataset:
                "body_normal_force_at_rest": 3.0 * (1.0 - off)[..., None] * np.ones(3),
                "grains_at_start": np.full(shape, 2000.0), "end_time": np.full(shape, 0.5),
                "time_step": 1e-5 * np.sqrt(np.arange(1.0, shape[0] + 1.0))[:, None] * np.ones(shape)}  # fmt: skip
+    numbers |= _ladder_walls(off, coordinates(expansion.study))
     return assemble(expansion.study, "scenes", numbers | coordinates(expansion.study), sources=[], sweep=sweep_of(expansion))
+
+
+def shaken_ladder_cube(study: str) -> xr.Dataset:
+    """The cube of shaken spheres whose wall carries 0.8, and 1 % less with each further setting, 0.1 % more each filling."""
+    expansion = expansion_of(study)
+    fillings = np.array(expansion.study.seeds)
+    off = 1.0 - 0.01 * np.arange(expansion.shape[0])[:, None] + 0.001 * fillings
+    numbers = {"carried_in_phase": off[..., None] * [0.8, 0.2, 1.0], "contents_damping": 0.1 * off, "ring_share": 0.3 * off}
+    own = {"filling": fillings, "carrier": list(CARRIERS)}
+    return assemble(expansion.study, "grains", numbers | own, sources=[], sweep=sweep_of(expansion))
+
+
+def _ladder_walls(off: np.ndarray, own: dict[str, np.ndarray]) -> dict[str, np.ndarray]:
+    """Pressures that fall with the height to none at 0.25 m; in flow one lowest cell bears five times that."""
+    levels, turns, windows = (len(own[name]) for name in ("wall_level", "wall_turn", "flow_window"))
+    height = 0.3 * (np.arange(levels) + 0.5) / levels
+    rest = 4e3 * np.maximum(0.25 - height, 0.0)[:, None] * np.ones((*off.shape, levels, turns)) * (1.0 - off)[..., None, None]
+    flow = np.repeat(rest[:, :, None], windows, axis=2)
+    flow[:, :, -1, 0, 0] *= 5.0
+    top = {
+        "filled_height_at_rest": np.full(off.shape, 0.25),
+        "wall_level_height": np.broadcast_to(height, (*off.shape, levels)),
+    }
+    return {"wall_pressure_at_rest": rest, "wall_pressure_in_flow": flow, **top}
 
 
 def _nothing(*_: object) -> None:
@@ -301,8 +327,11 @@ def cubes_of(output: str) -> list[xr.Dataset]:
     if OUTPUTS[output].stage == "dem":
         return [bin_cube()]
     if OUTPUTS[output].stage == "scenes":
-        made = {"certificates": certified_cube, "ladders": ladder_cube, "price_of_means": ladder_cube}.get(output, flow_cube)
+        ladders = dict.fromkeys(("ladders", "ladder_walls", "price_of_means"), ladder_cube)
+        made = (ladders | {"certificates": certified_cube}).get(output, flow_cube)
         return [made(study_of(output))]
+    if output == "shaken_ladders":
+        return [shaken_ladder_cube(study_of(output))]
     if OUTPUTS[output].stage == "laboratory":
         return [made_up(expansion_of(study_of(output)))]
     row, study = OUTPUTS[output], study_of(output)

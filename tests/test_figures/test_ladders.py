@@ -1,15 +1,23 @@
 """What settings change in means of fillings, found again in cubes that were made so."""
 
 import numpy as np
+import pandas as pd
 import pytest
 
-from silostudy.figures.ladders import _unseen, changed, ladders
-from tests.test_figures.small_cubes import ladder_cube
+from silostudy.figures import laboratory_ladders, shaken_ladders
+from silostudy.figures.ladder_rungs import setting_label
+from silostudy.figures.ladders import QUANTITIES, _unseen, changed, ladders, quantities
+from tests.test_figures.small_cubes import expansion_of, ladder_cube, shaken_ladder_cube
+from tests.test_laboratory.made_up import cube_of as made_up
+
+
+def shown(cube):
+    return ladders(cube, dict(quantities(cube)))
 
 
 @pytest.fixture
 def table():
-    return ladders(ladder_cube("spheres-ladders"))
+    return shown(ladder_cube("spheres-ladders"))
 
 
 def test_a_change_is_that_of_the_means_with_its_interval():
@@ -38,7 +46,29 @@ def test_every_setting_stands_in_every_panel_and_laws_apart(table):
 def test_a_setting_that_shows_nothing_is_named(table):
     made = ladder_cube("spheres-ladders").copy(deep=True)
     made["mean_mass_flow"][3] = np.nan
-    seen = ladders(made)
-    assert _unseen(table) == []
-    assert _unseen(seen) == ["Not come to rest, or not flowing in time: an eighth of the step (mass flow)."]
+    seen = shown(made)
+    assert _unseen(table, QUANTITIES) == []
+    assert _unseen(seen, QUANTITIES) == ["Not come to rest, or not flowing in time: an eighth of the step (mass flow)."]
     assert seen["change"].isna().sum() == 1
+
+
+def test_changes_of_shaken_spheres_by_what_their_settings_change(tmp_path):
+    shaken_ladders.draw(shaken_ladder_cube("shaken-spheres-ladders"), tmp_path / "figure")
+    table = pd.read_csv(tmp_path / "figure.csv")
+    walls = table[table["quantity"] == "walls"].set_index("setting")["change"]
+    assert list(walls.index[1:4]) == ["time step 0.5 of the chosen", "time step 0.25 of the chosen", "softened modulus 1 MPa"]
+    assert walls.index[-1] == "size of grains 3.75 mm"
+    assert walls.index[0] == "as the others are held against"
+    base = setting_label(shaken_ladder_cube("shaken-spheres-ladders"), 0)
+    assert base == "time step 1 of the chosen, softened modulus 10 MPa, size of grains 5 mm"
+    assert walls.values == pytest.approx(-0.01 * np.arange(10) / 1.003, abs=1e-6)
+
+
+def test_changes_in_the_laboratory_are_of_angles(tmp_path):
+    cube = made_up(expansion_of("laboratory-ladders"))
+    cube["internal_peak_shear_ratio"][1] *= 1.1
+    laboratory_ladders.draw(cube, tmp_path / "figure")
+    table = pd.read_csv(tmp_path / "figure.csv").set_index(["quantity", "setting"])["change"]
+    other = "time step 0.5 of the chosen"
+    assert table["tested_lateral_pressure_ratio", other] == pytest.approx(0.0, abs=1e-9)
+    assert table["internal_friction_angle", other] == pytest.approx(np.arctan(0.55) / np.arctan(0.5) - 1.0, rel=1e-3)

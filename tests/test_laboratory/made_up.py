@@ -36,6 +36,22 @@ CONTENT: dict[str, Any] = {
     "fillings": 3,
 }
 
+DISCS: dict[str, Any] = CONTENT | {
+    "scene": {
+        "grains": "discs",
+        "radius_m": 0.004,
+        "radius_spread": 0.1,
+        "density_kg_m3": 1350,
+        "discs": {"normal_stiffness_N_m2": 2e6, "restitution": 0.5, "sliding_friction": 0.45},
+        "walls": {"normal_stiffness_N_m2": 4e6, "restitution": 0.5, "sliding_friction": 0.25},
+        "height_grains": 8,
+        "inertial_number": 1e-3,
+    },
+    "solid": {"key": "small_discs", "grain": "coarse_grain"},
+    "stresses_kPa": [1, 2],
+    "cells": [32, 48],
+}
+
 
 def content(**changes: Any) -> dict[str, Any]:
     """The small laboratory with other values; `scene__walls` is the key `walls` of its scene."""
@@ -45,6 +61,11 @@ def content(**changes: Any) -> dict[str, Any]:
 def expansion(**changes: Any) -> Expansion:
     """Its cells."""
     return expand(content(**changes), "small", "small.yaml", Path())
+
+
+def of_discs(**changes: Any) -> Expansion:
+    """The cells of a small laboratory of discs, with other values."""
+    return expand(with_changes(DISCS, changes), "small", "small.yaml", Path())
 
 
 def cube_of(found: Expansion, ratio=0.45, inside=0.5, wall=0.3) -> xr.Dataset:

@@ -25,7 +25,7 @@ WITHOUT_WALL = {key: value for key, value in CONTENT["scene"].items() if key != 
         ({"cells": [8, 6]}, "must all rise|cells must rise"),
         ({"fillings": 1}, "fillings = 1: must be greater than or equal to 2"),
         ({"scene": WITHOUT_WALL}, "scene.wall: is missing"),
-        ({"scene__grains": "discs"}, "scene.grains = 'discs': must be 'spheres'"),
+        ({"scene__grains": "cubes"}, "scene.grains = 'cubes': must be 'spheres' or 'discs'"),
         ({"scene__height_grains": 3}, "scene.height_grains = 3: must be greater than or equal to 5"),
         (
             {"scene__grain": {"youngs_modulus_MPa": 10, "poissons_ratio": 0.3}},
@@ -53,6 +53,12 @@ def test_a_further_filling_leaves_the_computed_ones_alone():
     few, many = (expansion(fillings=count, cells=[6]) for count in (2, 3))
     assert case_keys(many)[:2] == case_keys(few)
     assert case_keys(expansion(fillings=2, cells=[6], stresses_kPa=[10, 30])) != case_keys(few)
+
+
+def test_every_test_takes_the_step_factor():
+    case = expansion(scene__step_factor=0.5).cases[0].scene
+    scenes = filling(case), pressing(case, 1e4, 1.0), shearing(case, 1e4, 1.0, SHEARING)
+    assert [scene.march.step_factor for scene in scenes] == [0.5] * 3
 
 
 def test_stresses_of_the_row_are_the_largest_and_about_its_half():

@@ -10,7 +10,7 @@ from silostudy.compute.laboratory_readings import Readings
 def pressed(vertical, horizontal) -> Readings:
     """Readings of which only the stresses are looked at."""
     nothing = np.zeros(len(vertical))
-    return Readings(nothing, np.array(vertical), np.array(horizontal), *[nothing] * 5)
+    return Readings(nothing, np.array(vertical), np.array(horizontal), *[nothing] * 6)
 
 
 def test_only_windows_that_press_harder_than_any_before_count():

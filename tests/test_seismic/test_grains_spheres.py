@@ -31,6 +31,8 @@ CONTENT = {
     "outputs": ["grains_effective_mass"],
 }
 
+HALF = {"scene__step_factor": 0.5}
+
 
 def content(**changes):
     """The small study with other values; `scene__box` is the key `box` of its scene."""
@@ -55,6 +57,11 @@ def test_pushes_of_patterns_by_hand():
     floor[:, 0], floor[:, 1], floor[:, 2] = 11.0, 5.0 * np.cos(turn), 1.0 * np.sin(turn)
     half = AROUND / 2
     assert pushes(config, model, window) == pytest.approx((-5.0 * half, 4.0 * half, 7.0 * AROUND), rel=1e-12)
+
+
+def test_a_step_factor_shortens_the_step():
+    whole, half = (shaken_box_model(expanded(content(**more)).cases[0].scene.config, 1) for more in ({}, HALF))
+    assert half.dt == pytest.approx(0.5 * whole.dt, rel=1e-12)
 
 
 def test_force_is_inertia_but_for_the_width_of_cells(cube):

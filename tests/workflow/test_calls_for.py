@@ -26,6 +26,7 @@ CALLED = {
     "discharge-slit": {"part", "merge", "verdict"},
     "wheat-laboratory": {"part", "merge", "verdict"},
     "spheres-laboratory": {"part", "merge", "verdict"},
+    "discs-laboratory": {"part", "merge", "verdict"},
     "wheat-laboratory-silo": {"pressure"},
     "silo-of-spheres-codes": {"pressure"},
     "silo-of-spheres": {"part", "merge", "verdict", "beside"},
