@@ -12,6 +12,7 @@ import xarray as xr
 from silostudy.choice.expand import expand_file
 from silostudy.choice.promise import promises
 from silostudy.compute.axes import axis_coordinates, axis_names
+from silostudy.config.own import OwnMethods
 from silostudy.cube.assemble import Sweep, assemble
 from silostudy.cube.contract import variable
 from silostudy.cube.variables import attributes, flags
@@ -66,7 +67,9 @@ def merge(path: Path, folder: Path, output: Path, memory: float = MEMORY) -> tup
         raise BadInput("plan", str(folder), f"has {len(records.keys)} case(s) in place of {prod(expansion.shape)}")
     parts = parts_of(study)
     sweep = Sweep(axis_names(study), axis_coordinates(study))
-    notes = (_promise(path, len(records.keys)) if expansion.asks else {}) | study.scene.own_methods
+    notes = _promise(path, len(records.keys)) if expansion.asks else {}
+    if isinstance(study.scene, OwnMethods):  # a published case names a scene file, which may join rows itself
+        notes |= study.scene.own_methods
     coordinates, sources = parts.call("coordinates", study), parts.call("sources", study)
     frame = assemble(study, study.kind, coordinates, sources=sources, notes=notes, sweep=sweep)
     slabs = _slabs(records.pattern(), frame)

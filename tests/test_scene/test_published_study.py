@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+import xarray as xr
 
 from silostudy.choice.expand import expand_file
 from silostudy.compute.expected import Verdict
@@ -11,9 +12,11 @@ from silostudy.errors import BadInput
 from silostudy.figures.published_cases import verdict, verdicts
 from silostudy.scene.published import check_numbers
 from silostudy.scene.scenes import scene_in
+from silostudy.sweep.merge import merge
 from silostudy.tables.published_cases import published_numbers, published_of
 from tests.conftest import ROOT
 from tests.test_figures.small_cubes import published_cube
+from tests.test_sweep.sweeps import compute
 
 STUDY = ROOT / "config/studies/published-cases.yaml"
 
@@ -47,6 +50,15 @@ def test_every_filling_has_its_seed_and_watches_its_scene_file():
 def test_misses_are_in_tolerances():
     number = Verdict(OUTCOMES["heap-height"], 0.26, 0.02, 0.23, "a source")
     assert misses([number])["off_published"] == pytest.approx([-1.5, np.nan], nan_ok=True)
+
+
+def test_fillings_are_merged_into_one_cube(tmp_path, monkeypatch):
+    off = {"off_published": np.array([0.5, np.nan]), "end_time": np.array(1.0)}
+    monkeypatch.setattr("silostudy.compute.published.measure", lambda study, case: off)
+    compute(STUDY, tmp_path)
+    assert merge(STUDY, tmp_path, tmp_path / "published.nc") == (12, 0)
+    with xr.open_dataset(tmp_path / "published.nc") as cube:
+        assert (cube.off_published.sel(expectation=0) == 0.5).all()
 
 
 @pytest.mark.parametrize(
