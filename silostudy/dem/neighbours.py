@@ -55,11 +55,11 @@ def recall(contacts, place, key, memory, count, spot):
     while spot < count and memory.key[spot] < key:
         spot += 1
     same = spot < count and memory.key[spot] == key
-    at = spot if same else 0
-    hand_over(memory.stored, at, contacts.stored, place, same)
-    hand_over(memory.rolled, at, contacts.rolled, place, same)
-    hand_over(memory.twisted, at, contacts.twisted, place, same)
-    hand_over(memory.touched, at, contacts.touched, place, same)
+    row = spot if same else 0
+    hand_over(memory.stored, row, contacts.stored, place, same)
+    hand_over(memory.rolled, row, contacts.rolled, place, same)
+    hand_over(memory.twisted, row, contacts.twisted, place, same)
+    hand_over(memory.touched, row, contacts.touched, place, same)
     return spot + same
 
 

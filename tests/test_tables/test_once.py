@@ -17,6 +17,7 @@ OF_THE_SOURCE = {
     kiyama.NORMAL_STIFFNESS, kiyama.NORMAL_DAMPING, kiyama.YOUNGS_MODULUS / 1e6, kiyama.CONTACT_LOAD, kiyama.DENSITY,
     kiyama.DISC_FRICTION, kiyama.WALL_FRICTION, *kiyama.GAPS.values(), 364, 0.153,
 }  # fmt: skip
+EQUAL_BY_CHANCE = {("laboratory_scenes.py", 3e-4)}  # the speed of a laboratory's tests, and a gap in metres
 BUILDERS = {"plane_silo.py", "inserts.py", "stability.py", "dem_impact.py"}  # the last three: walls that are no silo's
 
 
@@ -34,7 +35,7 @@ def test_gravity_stands_once():
 
 
 def test_numbers_of_the_source_stand_in_its_table():
-    assert not [(path.name, value) for path, value in numbers() if value in OF_THE_SOURCE]
+    assert {(path.name, value) for path, value in numbers() if value in OF_THE_SOURCE} == EQUAL_BY_CHANCE
 
 
 def test_one_place_builds_walls_of_a_silo():
