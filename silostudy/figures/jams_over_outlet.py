@@ -29,7 +29,7 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     others, numbers = [axis for axis in cube.attrs["sweep_axes"].split() if axis not in OWN], []
     for number, (setting, case) in enumerate(settings(cube.assign_attrs(sweep_axes=" ".join(others)))):
         table = over_outlet(case).assign(**setting)
-        numbers.append(_panels(jams, flows, table, told(setting), number))
+        numbers.append(_panels(jams, flows, table, told(setting, case), number))
     jams.set(xlabel="width of the slot over the discs' diameter", ylabel="share of the fillings that jam", ylim=(-0.03, 1.03))
     flows.set(xlabel="width of the slot over the discs' diameter", ylabel="mean flow (kg m⁻¹ s⁻¹)")
     flows.set(xscale="log", yscale="log")
