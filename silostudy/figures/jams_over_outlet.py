@@ -46,8 +46,9 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
 def _panels(jams: Axes, flows: Axes, table: pd.DataFrame, name: str, number: int) -> pd.DataFrame:
     """Draws a setting in both panels; its table with the powers of its flows."""
     style, place = series(number), table["outlet_diameters"]
+    table = table.assign(drawn_at_diameters=place + ASIDE * number)
     spread = [table["share_jammed"] - table["low_95"], table["high_95"] - table["share_jammed"]]
-    jams.errorbar(place + ASIDE * number, table["share_jammed"], yerr=spread, capsize=3, **style)
+    jams.errorbar(table["drawn_at_diameters"], table["share_jammed"], yerr=spread, capsize=3, **style)
     for column, of, look in FLOWS:
         grows = power(table, column)
         flows.plot(place, table[column], label=f"{name}, {of}: power {grows:.2f}", **style | look)
