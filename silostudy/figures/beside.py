@@ -10,6 +10,11 @@ import xarray as xr
 from scipy.stats import t as student
 
 SURE = 0.95  # share of the intervals that hold the mean of all fillings
+# verdicts on a method's pressure over the grains' peak
+COVERS = "covers it"
+MAY_COVER = "may cover it"
+SHORT = "does not cover it"
+NO_INTERVAL = "no interval: too few fillings reach there"
 
 
 def settings(cube: xr.Dataset) -> Iterator[tuple[dict[str, Any], xr.Dataset]]:
@@ -49,6 +54,23 @@ def row(values: xr.DataArray, **about: Any) -> dict[str, Any]:
     fillings = values.values.ravel()
     mean, low, high = interval(fillings)
     return {**about, "mean": mean, "low_95": low, "high_95": high, "fillings": int(np.isfinite(fillings).sum())}
+
+
+def verdict(low: float, high: float) -> str:
+    """A plain word for the ends of the interval of a method's pressure over the grains' peak."""
+    if not np.isfinite([low, high]).all():
+        return NO_INTERVAL
+    if low >= 1.0:
+        return COVERS
+    return SHORT if high < 1.0 else MAY_COVER
+
+
+def hopper_rise(silo: xr.Dataset) -> tuple[xr.DataArray, xr.DataArray]:
+    """Largest pressure around the hopper in flow over that at rest (1) of each filling, and its height over the transition's."""
+    factor = silo["hopper_switch_factor"]
+    place = silo["hopper_level_position"].isel(wall_level=factor.fillna(-1.0).argmax("wall_level"))
+    most = factor.max("wall_level")
+    return most, (1.0 - place).where(most.notnull())
 
 
 def methods_of(silo: xr.Dataset, phase: str) -> list[str]:

@@ -1,6 +1,7 @@
 """Wall pressure over depth: what the grains did, at rest and in flow, and what theories and codes say of the same silo.
 
-In colour stand the methods that cover what the grains do in flow all around; the third panel of a row names and ranks all.
+In colour stand the methods that cover what the grains do in flow all around, or may, by the verdict of the table of findings;
+the third panel of a row names and ranks all.
 """
 
 from pathlib import Path
@@ -11,9 +12,20 @@ import pandas as pd
 import xarray as xr
 from matplotlib.axes import Axes
 
-from silostudy.figures.beside import interval, methods_of, profile, settings, told
+from silostudy.figures.beside import (
+    COVERS,
+    MAY_COVER,
+    NO_INTERVAL,
+    SHORT,
+    interval,
+    methods_of,
+    profile,
+    settings,
+    told,
+    verdict,
+)
 from silostudy.figures.steps import over_depth
-from silostudy.figures.style import BLACK, REST, WIDTH, foot, headline, look, plt, save, title
+from silostudy.figures.style import BLACK, WIDTH, foot, headline, look, plt, save, title
 
 MOST = 2  # rows of panels: of more settings the first and the last are shown that are deep enough for ratios
 KPA = 1e3
@@ -23,6 +35,13 @@ LINES: dict[str, tuple[str, str, dict[str, Any]]] = {  # area, or mean of all wi
     "ring": ("discharge", "grains, largest mean around in a window", {"linewidth": 1.6, "linestyle": (0, (4, 2))}),
     "1x1": ("filling discharge", "grains, largest on one cell in a window", {"linewidth": 1.6, "linestyle": (0, (1, 1))}),
 }
+VERDICTS: dict[str, dict[str, Any]] = {  # verdict on the largest mean around -> look in place of the method's own
+    COVERS: {"linestyle": "-"},
+    MAY_COVER: {"linestyle": (0, (5, 2))},
+    NO_INTERVAL: {"linestyle": (0, (1, 1))},
+    SHORT: {"color": "0.65", "linestyle": "-", "zorder": 1},
+}
+UNRANKED = VERDICTS[SHORT] | {"markerfacecolor": "white"}  # look of a method that says nothing of flow
 FEW = "no level is half a\ndiameter deep: no ratios"
 
 
@@ -43,9 +62,16 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
         _draw_ranks(rank, silo, ranks)
         ranked.append(ranks.assign(**setting, phase="discharge"))
     headline(figure, _message(ranked))
-    handles = {text: line for panel in panels[:, 1] for line, text in zip(*panel.get_legend_handles_labels(), strict=True)}
-    about = "In colour: methods that cover the grains' largest mean around, half a diameter deep and deeper; grey: all others. "
-    about += "Right: filled over that mean, hollow over the grains' largest on one cell."
+    handles = {
+        text: line for panel in panels[:, :2].flat for line, text in zip(*panel.get_legend_handles_labels(), strict=True)
+    }
+    about = (
+        "Methods, named by their marks on the right: solid where they cover the grains' largest mean around, half a diameter "
+    )
+    about += (
+        "deep and deeper, by its interval; dashed where they may; grey where they do not; dotted where fillings are too few to "
+    )
+    about += "tell. Right: filled over that mean, hollow over the grains' largest on one cell."
     fillings = f"Bands: least and largest of {cube.sizes['filling']} fillings; bars: interval of their mean, 95 %."
     foot(figure, f"{cube.attrs['title']}.", about, fillings, handles=handles.values())
     save(figure, pd.concat([*numbers, *ranked], ignore_index=True), stem)
@@ -63,21 +89,29 @@ def _ranks(silo: xr.Dataset) -> pd.DataFrame:
     rows = []
     for method in methods_of(silo, "discharge"):
         ratios = silo["code_over_grains_peak"].sel(pressure_method=method, phase="discharge")
-        ring, low, high = interval(ratios.sel(averaging="ring").values)
-        cell = interval(ratios.sel(averaging="1x1").values)[0]
-        rows.append({"of": method, "over_ring_peak": ring, "low_95": low, "high_95": high, "over_cell_peak": cell})
-    ranks = pd.DataFrame(rows, columns=["of", "over_ring_peak", "low_95", "high_95", "over_cell_peak"])
-    return ranks.sort_values("over_ring_peak", ignore_index=True)
+        ring, *ends = interval(ratios.sel(averaging="ring").values)
+        cell, *cell_ends = interval(ratios.sel(averaging="1x1").values)
+        rows.append((method, ring, *ends, verdict(*ends), cell, verdict(*cell_ends)))
+    names = ["of", "over_ring_peak", "low_95", "high_95", "verdict", "over_cell_peak", "verdict_on_cell"]
+    return pd.DataFrame(rows, columns=names).sort_values("over_ring_peak", ignore_index=True)
+
+
+def _look(silo: xr.Dataset, method: str, ranks: pd.DataFrame) -> dict[str, Any]:
+    """Look of a method: its own marker, and colour and line by the verdict on it; a name where it has no rank."""
+    told_of = dict(zip(ranks["of"], ranks["verdict"], strict=True))
+    own = look(silo, method) | {"linewidth": 1.3}
+    if method in told_of:
+        return own | VERDICTS[told_of[method]]
+    return own | UNRANKED | {"label": f"{title(silo, method)}, at rest alone"}
 
 
 def _panel(panel: Axes, silo: xr.Dataset, phase: str, ranks: pd.DataFrame) -> list[pd.DataFrame]:
     """Draws a phase of a setting; the tables that it shows."""
-    covering = set(ranks["of"][~(ranks["over_ring_peak"] < 1.0)])
     tables = []
     for method in methods_of(silo, phase):
         said = silo["code_wall_profile"].sel(pressure_method=method, phase=phase).values
         table = pd.DataFrame({"of": method, "depth_m": silo["code_profile_depth"].values, "pressure_Pa": said}).dropna()
-        style = look(silo, method) | {"linewidth": 1.3, "markersize": 5, "markevery": 20} if method in covering else REST
+        style = _look(silo, method, ranks) | {"markersize": 5, "markevery": 20}
         over_depth(panel, table["pressure_Pa"].to_numpy() / KPA, table["depth_m"].to_numpy(), **style)
         tables.append(table)
     for area, (phases, name, style) in LINES.items():
@@ -107,12 +141,12 @@ def _draw_ranks(panel: Axes, silo: xr.Dataset, ranks: pd.DataFrame) -> None:
             panel.plot(0.9, place, **look(silo, method), markersize=6, transform=panel.get_yaxis_transform())
         return
     for place, row in ranks.iterrows():
-        style = look(silo, row["of"]) if row["over_ring_peak"] >= 1.0 else {"color": "0.6", "marker": "o"}
+        style = _look(silo, row["of"], ranks) | {"markersize": 6, "linestyle": "none"}
         panel.hlines(place, row["low_95"], row["high_95"], color="0.7", linewidth=2.5, zorder=1)
-        panel.plot(row["over_ring_peak"], place, **style, markersize=6, linestyle="none")
-        panel.plot(row["over_cell_peak"], place, **style, markersize=6, linestyle="none", markerfacecolor="white")
+        panel.plot(row["over_ring_peak"], place, **style)
+        panel.plot(row["over_cell_peak"], place, **style, markerfacecolor="white")
     panel.axvline(1.0, color=BLACK, linewidth=1.0)
-    panel.set_xlim(0.0, 1.05 * float(np.nanmax(ranks.drop(columns="of"))))
+    panel.set_xlim(0.0, 1.05 * float(np.nanmax(ranks.select_dtypes("number"))))
 
 
 def _message(ranked: list[pd.DataFrame]) -> str:
@@ -120,13 +154,20 @@ def _message(ranked: list[pd.DataFrame]) -> str:
     known = [ranks for ranks in ranked if ranks["over_ring_peak"].notna().any()]
     if not known:
         return "No silo is deep enough for ratios of codes to grains"
-    ring, cell, all_of = ([int(count) for count in counts] for counts in zip(*map(_counts, known), strict=True))
-    around = f"In flow {_range(ring)} of {_range(all_of)} methods cover the grains' largest mean around the wall"
-    return f"{around}, {_range(cell)} that on one cell"
+    methods = _range([len(ranks) for ranks in known])
+    (covers, and_may), (on_cell, may_on_cell) = (
+        _verdicts([ranks[of] for ranks in known]) for of in ("verdict", "verdict_on_cell")
+    )
+    around = f"In flow {covers} of {methods} methods cover the grains' largest mean around the wall{and_may}"
+    return f"{around}, {on_cell} that on one cell{may_on_cell}"
 
 
-def _counts(ranks: pd.DataFrame) -> tuple[int, int, int]:
-    return (ranks["over_ring_peak"] >= 1.0).sum(), (ranks["over_cell_peak"] >= 1.0).sum(), len(ranks)
+def _verdicts(told_of: list[pd.Series]) -> tuple[str, str]:
+    """Number of methods that cover something, and in brackets of those that may and of those of which nobody can tell."""
+    counts = {word: [int((verdicts == word).sum()) for verdicts in told_of] for word in VERDICTS}
+    words = {MAY_COVER: "{} more may", NO_INTERVAL: "of {} fillings are too few to tell"}
+    said = [words[word].format(_range(counts[word])) for word in words if any(counts[word])]
+    return _range(counts[COVERS]), f" ({', '.join(said)})" if said else ""
 
 
 def _range(counts: list[int]) -> str:

@@ -32,12 +32,17 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     for panel in panels.flat[len(every) :]:
         panel.set_axis_off()
     for panel in panels[-1]:
-        panel.set_xlabel("angle from the outlet's side (°)")
+        panel.set_xlabel("angle from the outlet's side (°)" if _off_axis(cube) else "angle around the wall (°)")
     handles = {text: line for panel in panels.flat for line, text in zip(*panel.get_legend_handles_labels(), strict=True)}
     headline(figure, _message(cube))
     about = "Band: 95 % interval of the mean of fillings; percentages: root mean square of single cells."
     foot(figure, f"{cube.attrs['title']}.", about, handles=handles.values())
     save(figure, pd.concat(numbers, ignore_index=True), stem)
+
+
+def _off_axis(cube: xr.Dataset) -> bool:
+    """Whether codes know an outlet off the axis: a channel of theirs flows at one side."""
+    return "code_channel_pressure" in cube and bool(cube["code_channel_pressure"].notnull().any())
 
 
 def _message(cube: xr.Dataset) -> str:

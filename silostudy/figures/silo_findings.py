@@ -7,7 +7,7 @@ import numpy as np
 import pandas as pd
 import xarray as xr
 
-from silostudy.figures.beside import methods_of, row, settings
+from silostudy.figures.beside import hopper_rise, methods_of, row, settings, verdict
 from silostudy.figures.style import save_table
 
 PHASES = ("filling", "discharge")
@@ -41,7 +41,7 @@ def _grains(silo: xr.Dataset, setting: dict[str, Any]) -> list[dict[str, Any]]:
     lines += _around(silo, setting)
     if silo["hopper_switch_factor"].notnull().any():
         quantity = "largest ring mean on the hopper in flow over that at rest"
-        lines.append(row(silo["hopper_switch_factor"].max("wall_level"), **setting, of="grains", quantity=quantity))
+        lines.append(row(hopper_rise(silo)[0], **setting, of="grains", quantity=quantity))
         lines += _switch(silo, setting)
     return lines
 
@@ -66,12 +66,11 @@ def _around(silo: xr.Dataset, setting: dict[str, Any]) -> list[dict[str, Any]]:
 
 
 def _switch(silo: xr.Dataset, setting: dict[str, Any]) -> list[dict[str, Any]]:
-    """Place on the hopper where the rise is largest, and when its outlet and its transition feel most."""
-    time, factor = silo["hopper_switch_time"], silo["hopper_switch_factor"]
-    place = silo["hopper_level_position"].isel(wall_level=factor.fillna(-1.0).argmax("wall_level"))
+    """Height on the hopper where the rise is largest, and when its outlet and its transition feel most."""
+    time = silo["hopper_switch_time"]
     about = {**setting, "of": "grains"}
     return [
-        row(place, **about, quantity="place of the largest rise: 0 transition, 1 outlet"),
+        row(hopper_rise(silo)[1], **about, quantity="height of the largest rise over the transition's"),
         row(time.isel(wall_level=0), **about, quantity="time at which the outlet feels most (s)"),
         row(time.isel(wall_level=-1), **about, quantity="time at which the transition feels most (s)"),
     ]
@@ -108,12 +107,3 @@ def _in_hopper(silo: xr.Dataset, setting: dict[str, Any]) -> list[dict[str, Any]
                         quantity="hopper pressure at the transition over the grains' largest window there")  # fmt: skip
             lines.append({**cover, "verdict": verdict(cover["low_95"], cover["high_95"])})
     return lines
-
-
-def verdict(low: float, high: float) -> str:
-    """A plain word for the ends of the interval of a method's pressure over the grains' peak."""
-    if not np.isfinite([low, high]).all():
-        return "no interval: too few fillings reach there"
-    if low >= 1.0:
-        return "covers it"
-    return "does not cover it" if high < 1.0 else "may cover it"

@@ -8,7 +8,7 @@ import pandas as pd
 import xarray as xr
 from matplotlib.axes import Axes
 
-from silostudy.figures.beside import settings, span, told
+from silostudy.figures.beside import hopper_rise, settings, span, told
 from silostudy.figures.grains_beside_codes import KPA
 from silostudy.figures.steps import over_depth
 from silostudy.figures.style import BLACK, PHASE_LINES, WIDTH, foot, headline, look, plt, save, title
@@ -30,8 +30,8 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     numbers = []
     for panel, (setting, silo) in zip(panels.flat, every, strict=False):
         numbers += [table.assign(**setting) for table in (*_codes(panel, silo), *_grains(panel, silo))]
-        factor = silo["hopper_switch_factor"].mean("filling")
-        rise = f"largest over rest: {float(factor.max()):.2g}" if factor.notnull().any() else "nothing felt"
+        most = hopper_rise(silo)[0]
+        rise = f"largest over rest: {float(most.mean()):.2g}" if most.notnull().any() else "nothing felt"
         panel.set(
             title=f"{told(setting, silo)}\n{rise}", xlabel="pressure on the hopper (kPa)", xlim=(0.0, None), ylim=(0.0, 1.0)
         )
@@ -42,28 +42,28 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     headline(figure, _message(cube))
     handles = {text: line for panel in panels.flat for line, text in zip(*panel.get_legend_handles_labels(), strict=True)}
     about = (
-        "Height above the outlet over that of the transition; grains: means around, bands of least and largest of the fillings."
+        "Height above the outlet over that of the transition; grains: means around, bands of least and largest of fillings. "
     )
+    about += "Largest over rest: of each filling by itself, then their mean."
     foot(figure, f"{cube.attrs['title']}.", about, handles=handles.values())
     save(figure, pd.concat(numbers, ignore_index=True), stem)
 
 
 def _message(cube: xr.Dataset) -> str:
     """Message: how far the pressure around the hopper rises over rest at most, and how high above the outlet."""
-    rises = cube["hopper_switch_factor"].mean("filling")
-    if not rises.notnull().any():
+    felt = [(most.mean().item(), height.mean().item()) for most, height in (hopper_rise(silo) for _, silo in settings(cube))]
+    largest = [most for most, _ in felt if np.isfinite(most)]
+    if not largest:
         return "The grains were not felt on the hopper"
-    largest = [silo["hopper_switch_factor"].mean("filling").max().item() for _, silo in settings(cube)]
-    most = {dim: k.item() for dim, k in rises.argmax(...).items()}
-    height = 1.0 - float(cube["hopper_level_position"].mean("filling").isel(most))
-    low, high = np.nanmin(largest), np.nanmax(largest)
+    height = max((most, height) for most, height in felt if np.isfinite(most))[1]
+    low, high = min(largest), max(largest)
     where = f"the largest at {height:.2f} of the transition's height"
     return f"In flow the pressure around the hopper rises to {span(low, high)} times that at rest, {where}"
 
 
 def _grains(panel: Axes, silo: xr.Dataset) -> list[pd.DataFrame]:
     """Draws what the grains did; the tables that it shows."""
-    place = 1.0 - silo["hopper_level_position"].mean("filling")
+    height = 1.0 - silo["hopper_level_position"].mean("filling")
     felt = {
         "at rest": silo["hopper_ring_pressure"].sel(phase="filling"),
         "mean in flow": silo["hopper_ring_pressure"].sel(phase="discharge"),
@@ -72,10 +72,11 @@ def _grains(panel: Axes, silo: xr.Dataset) -> list[pd.DataFrame]:
     tables = []
     for name, pressure in felt.items():
         mean, low, high = (getattr(pressure, what)("filling") for what in ("mean", "min", "max"))
-        panel.plot(mean / KPA, place, color=BLACK, markersize=4, label=f"grains, {name}", **LOOKS[name])
-        panel.fill_betweenx(place, low / KPA, high / KPA, color="0.3", alpha=0.15, linewidth=0)
-        tables.append(pd.DataFrame({"of": f"grains, {name}", "place": place, "pressure_Pa": mean, "least_Pa": low,
-                                    "largest_Pa": high}))  # fmt: skip
+        panel.plot(mean / KPA, height, color=BLACK, markersize=4, label=f"grains, {name}", **LOOKS[name])
+        panel.fill_betweenx(height, low / KPA, high / KPA, color="0.3", alpha=0.15, linewidth=0)
+        tables.append(pd.DataFrame({
+            "of": f"grains, {name}", "height_over_transition": height, "pressure_Pa": mean, "least_Pa": low, "largest_Pa": high,
+        }))  # fmt: skip
     return tables
 
 
@@ -83,7 +84,7 @@ def _codes(panel: Axes, silo: xr.Dataset) -> list[pd.DataFrame]:
     """Draws what theories and codes say, hollow and dashed after filling; the tables that it shows."""
     if "code_hopper_profile" not in silo:
         return []
-    place, tables = 1.0 - silo["hopper_position"].values, []
+    height, tables = 1.0 - silo["hopper_position"].values, []
     for method in map(str, silo["pressure_method"].values):
         for phase in map(str, silo["phase"].values):
             said = silo["code_hopper_profile"].sel(pressure_method=method, phase=phase).values
@@ -96,6 +97,10 @@ def _codes(panel: Axes, silo: xr.Dataset) -> list[pd.DataFrame]:
                     "markevery": 12,
                 }
                 style |= {"markerfacecolor": "white"} if phase == "filling" else {}
-                over_depth(panel, said[known] / KPA, place[known], label=f"{title(silo, method)}, {phase}", **style)
-                tables.append(pd.DataFrame({"of": method, "phase": phase, "place": place[known], "pressure_Pa": said[known]}))
+                over_depth(panel, said[known] / KPA, height[known], label=f"{title(silo, method)}, {phase}", **style)
+                tables.append(
+                    pd.DataFrame(
+                        {"of": method, "phase": phase, "height_over_transition": height[known], "pressure_Pa": said[known]}
+                    )
+                )
     return tables
