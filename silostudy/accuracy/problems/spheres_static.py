@@ -20,7 +20,7 @@ WIDE = 0.014  # m, radius of the bin: 3.5 diameters
 OUTLET = 0.02  # m, closed
 REST = 0.5  # s to rest
 MODULI = {"10 MPa": 1e7, "1 GPa": 1e9}  # Pa
-STEPS = {"10 MPa": (2e-5, 1e-5, 5e-6, 2.5e-6), "1 GPa": (2e-6, 1e-6)}  # s
+STEPS = {"10 MPa": (2e-5, 1e-5, 5e-6), "1 GPa": (2e-6,)}  # s
 LADDERS = STEPS | {f"{modulus}, {SINGLE}": steps for modulus, steps in STEPS.items()}
 
 
