@@ -12,8 +12,8 @@ from silostudy.scene.space_silo import FLOOR
 SIZES = {"5 thousand": (5_000, 0.05, 30_000, 1_000), "50 thousand": (50_000, 0.108, 30_000, 100)}
 # spheres and radius of the bin (m) that fill it equally deep; steps before, steps a turn
 DEEP = ((1_000_000, 0.33), (10_000, 0.033))  # spheres, and radius (m) of the bin that they fill equally deep
-DEEP_STEPS = (1_000, 20)  # steps before the clock runs, steps a turn
-MOST = {"500 thousand": (500_000, 0.233, 3_000, 10)}  # still falling together: it would take hours to settle
+DEEP_STEPS = (20_000, 20)  # steps that settle, steps a turn
+MOST = {"500 thousand": (500_000, 0.233, 30_000, 10)}
 FLOWING = 3  # turns between the opening of the outlet and the first reading
 SKINS = (0.1, 0.2)  # of a diameter: of the peer's lists; the best of them counts
 CHEAPER = "gran/hertz/history"  # a law of the peer without a restitution
@@ -120,7 +120,7 @@ def million() -> list[dict]:
     codes = {f"silostudy, {count} spheres": OwnProcess(ours_of, Bin(count=count, wide=wide)) for count, wide in DEEP}
     for code in codes.values():
         code.step(DEEP_STEPS[0])
-    rows = in_turn(codes, "falling", DEEP_STEPS[1], OwnProcess.step)
+    rows = in_turn(codes, "settled", DEEP_STEPS[1], OwnProcess.step)
     for line, code in zip(rows, codes.values(), strict=True):
         line["ratio"] = rows[-1]["particle_steps_per_s"] / line["particle_steps_per_s"]
         line["listed_pairs_per_sphere"], line["bytes_per_sphere"] = code.get("contacts"), code.get("nbytes") / code.grains

@@ -81,6 +81,15 @@ class Memory(NamedTuple):
         columns = (column[..., which] if column.shape[-1] else column for column in self[1:])
         return Memory(self.key[which] if key is None else key, *columns)
 
+    @staticmethod
+    def joined(memories: tuple["Memory", ...]) -> "Memory":
+        """A copy of several as one; an entry that two of them have is kept once."""
+        if len(memories) == 1:
+            return Memory(*(column.copy() for column in memories[0]))
+        key = np.concatenate([memory.key for memory in memories])
+        _, order = np.unique(key, return_index=True)
+        return Memory(*(np.concatenate(columns, axis=-1) for columns in zip(*memories, strict=True))).picked(order)
+
 
 class Walls(NamedTuple):
     """Walls. shape (n, 21): start x, y (m), unit direction, length (m), kinds of the ends, speed of rise (m/s), of each end the

@@ -8,6 +8,7 @@ from silostudy.dem.engine import Engine
 from silostudy.dem.ledger import carry_in
 from silostudy.dem.neighbours import LOW, SHIFT
 from silostudy.dem.snapshot import from_walls, length
+from silostudy.dem.thin import thin_wide
 from silostudy.dem.varied import Varied
 
 
@@ -16,17 +17,19 @@ def keep_discs(engine: Engine, staying: np.ndarray) -> None:
     pairs, near = engine.take_memories()
     number = np.cumsum(staying) - 1
     first, second = pairs.key >> SHIFT, pairs.key & LOW
-    stay = staying[first] & staying[second]
-    pairs = pairs.picked(stay, (number[first] << SHIFT | number[second])[stay])
+    stay = np.flatnonzero(staying[first] & staying[second])
+    pairs = pairs.picked(stay, number[first[stay]] << SHIFT | number[second[stay]])
     disc, wall = near.key >> SHIFT, near.key & LOW
-    stay = staying[disc]
-    near = near.picked(stay, (number[disc] << SHIFT | wall)[stay])
-    left = int(staying.sum())
+    stay = np.flatnonzero(staying[disc])
+    near = near.picked(stay, number[disc[stay]] << SHIFT | wall[stay])
+    left, wide_holds = int(staying.sum()), engine.threads == 1 and np.isfinite(engine.blocks.wide_travel[0])
+    if wide_holds:  # several threads share the bodies that are left anew
+        thin_wide(engine.blocks, engine.parts[0].scratch, staying, number, engine.n)
     for column in engine.bodies:
         if len(column) >= engine.n:
             column[:left] = column[: engine.n][staying]
     engine.n = left
-    engine.give_memories(pairs, near)
+    engine.give_memories(pairs, near, wide_holds=wide_holds)
 
 
 def add_bodies(engine: Engine, labels: np.ndarray, places: np.ndarray, velocity: tuple[float, ...]) -> None:

@@ -277,17 +277,15 @@ class Engine:
             if self.said[part.number] in (FRESH, STALE, EXPLODED):
                 harvest(part.pairs, part.near, *part.memories, part.scratch, self.blocks_of(part), self.base(part))
                 self.said[part.number] = REMEMBERED
-        return self._joined(0, KEPT_PAIRS), self._joined(1, KEPT_WALLS)
+        filled = ((part.memories, part.scratch.counts[[KEPT_PAIRS, KEPT_WALLS]]) for part in self.parts)
+        of_parts = [[memory.picked(slice(count)) for memory, count in zip(*part, strict=True)] for part in filled]
+        pairs, near = zip(*of_parts, strict=True)
+        return Memory.joined(pairs), Memory.joined(near)
 
-    def _joined(self, which: int, counter: int) -> Memory:
-        """The parts' memories as one: a pair that two threads share is kept once, its histories being the same."""
-        memories = [part.memories[which].picked(slice(part.scratch.counts[counter])) for part in self.parts]
-        key = np.concatenate([memory.key for memory in memories])
-        _, order = np.unique(key, return_index=True)
-        return Memory(*(np.concatenate(columns, axis=-1) for columns in zip(*memories, strict=True))).picked(order)
-
-    def give_memories(self, pair_memory: Memory, wall_memory: Memory) -> None:
-        """Go on with these histories: the next list is made with them."""
+    def give_memories(self, pair_memory: Memory, wall_memory: Memory, *, wide_holds: bool = False) -> None:
+        """Go on with these histories: the next list is made with them, and the wide list unless it still holds."""
+        if not wide_holds:
+            self.blocks.wide_travel[:] = np.inf
         for part in self.parts:
             part.load(pair_memory, wall_memory)
         self.said[:] = REMEMBERED

@@ -17,7 +17,7 @@ class Part:
 
     def __init__(self, engine, number: int):
         self.number, self.engine = number, engine
-        self.room, self.wall_room = 3 * BLOCK * WIDTH + int(2.7 * engine.most), 64 + engine.most // 16
+        self.room, self.wall_room = 3 * BLOCK * WIDTH + int(2.7 * engine.most), 64 + 4 * int(engine.most ** (2 / 3))
         self.near_room = NEAR_ROOM
         self.ghost_room = 0 if engine.threads == 1 else 1024 + 8 * int(engine.most**0.5)
         self.laws = engine.model.pair_contact.laws, engine.model.wall_contact.laws
@@ -95,7 +95,6 @@ class Part:
 
     def load(self, pair_memory: Memory, wall_memory: Memory):
         """Take histories from outside; the next lists are made with them."""
-        self.engine.blocks.wide_travel[:] = np.inf
         rooms = max(self.room, len(pair_memory.key) + 1), max(self.wall_room, len(wall_memory.key) + 1)
         if rooms != (self.room, self.wall_room):
             self.room, self.wall_room = rooms
