@@ -28,4 +28,6 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
 
 def _of(tested: xr.Dataset, name: str) -> xr.DataArray:
     """A quantity by its name; an angle (rad) is that of a peak ratio of shear to normal stress."""
-    return tested[name] if name in tested else np.arctan(tested[name.replace("friction_angle", "peak_shear_ratio")])
+    if name in tested:
+        return tested[name]
+    return xr.apply_ufunc(np.arctan, tested[name.replace("friction_angle", "peak_shear_ratio")])
