@@ -44,8 +44,13 @@ def show(rows: list[dict], output: Path) -> None:
     from silostudy.figures.style import save_table
 
     table = pd.DataFrame(rows)
-    print(table.to_string(index=False, float_format=lambda value: f"{value:.4g}"))
+    print(table.to_string(index=False, float_format=digits))
     save_table(table, output)
+
+
+def digits(value: float) -> str:
+    """A number in four digits, a count of up to a million in all of its own."""
+    return f"{value:.0f}" if 1e4 <= abs(value) < 1e6 else f"{value:.4g}"
 
 
 class OwnDiscs:

@@ -20,13 +20,16 @@ def settings(cube: xr.Dataset) -> Iterator[tuple[dict[str, Any], xr.Dataset]]:
         yield {axis: silo.get(f"{axis}_title", silo[axis]).item() for axis in axes}, silo
 
 
-def told(setting: dict[str, Any]) -> str:
-    """Settings of the axes, in words."""
-    return ", ".join(_worded(name, value) for name, value in setting.items()) or "the silo"
+def told(setting: dict[str, Any], case: xr.Dataset) -> str:
+    """Settings of the axes of a cube's case, in words with their units."""
+    return ", ".join(_worded(name, value, case) for name, value in setting.items()) or "the silo"
 
 
-def _worded(name: str, value: Any) -> str:
-    return value if isinstance(value, str) else f"{name.replace('_', ' ')} {value:.4g}"
+def _worded(name: str, value: Any, case: xr.Dataset) -> str:
+    if isinstance(value, str):
+        return value
+    unit = case[name].attrs.get("units", "1")
+    return f"{name.replace('_', ' ')} {value:.4g}{'' if unit == '1' else f' {unit}'}"
 
 
 def interval(values: np.ndarray) -> tuple[float, float, float]:

@@ -14,6 +14,8 @@ from silostudy.errors import BadInput
 from silostudy.figures.style import AID
 
 WALLS = ("wall", "hopper")  # surfaces whose names begin so are walls
+EARLY = 0.25  # share of the solid: what figures call discharge ends when so much is out, since an empty bin presses on nothing
+EARLY_WORDS = "in discharge: until a quarter of the solid is out"
 
 
 def opened_at(cube: xr.Dataset) -> float:
@@ -22,6 +24,15 @@ def opened_at(cube: xr.Dataset) -> float:
         time for time, action in zip(cube["event_time"].values, cube["event_action"].values, strict=True) if "open" in action
     ]
     return float(min(opens, default=np.inf))
+
+
+def in_discharge(cube: xr.Dataset, after: np.ndarray, time: np.ndarray) -> np.ndarray:
+    """Numbers of readings after the opening (mask) that end (s) before EARLY of the solid is out, and of the first."""
+    flow = np.flatnonzero(after)
+    if "outflow_mass" not in cube:
+        return flow
+    late = cube["outflow_time"].values[cube["outflow_mass"].values > EARLY * float(cube["grain_mass"].sum())]
+    return flow[(time[flow] <= min(late, default=np.inf)) | (flow == flow[:1])]
 
 
 def outline_of(cube: xr.Dataset) -> np.ndarray:
@@ -56,11 +67,11 @@ def outline(panel: Axes, cube: xr.Dataset) -> list[tuple[Line2D, float]]:
 def phases(cube: xr.Dataset) -> pd.DataFrame:
     """A row a wall cell: surface, place, area, and pressure (Pa) at rest, in discharge on average and at most.
 
-    At rest: the last whole window before the outlet opened, or of the run; discharge: all windows that began after.
+    At rest: the last whole window before the outlet opened, or of the run; discharge: see in_discharge.
     """
     time, opened = cube["window_time"].values, opened_at(cube)
     begun = np.append(0.0, time[:-1])
-    rest, flow = np.flatnonzero(time <= opened), np.flatnonzero(begun >= opened)
+    rest, flow = np.flatnonzero(time <= opened), in_discharge(cube, begun >= opened, time)
     if not len(rest):
         raise BadInput("record.wall_force_window_s", float(time[0]), "must be short enough for a window at rest")
     names = cube["wall_name"].values.astype(str)

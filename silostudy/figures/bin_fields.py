@@ -29,9 +29,9 @@ PHASES = ("at rest", "in discharge")
 def draw(cube: xr.Dataset, stem: Path) -> None:
     """Writes the figure and the fields of both phases as CSV."""
     cells = phases(cube)
-    figure, panels = plt.subplots(1, len(SHOWN), figsize=(WIDTH, 7.0), sharey=True)
     half, top = (float(cube.attrs[name]) * CM for name in ("half_width_m", "top_height_m"))
     high = min(top, 1.1 * float(cells["height_cm"][cells["solid_fraction"].notna()].max()))
+    figure, panels = plt.subplots(1, len(SHOWN), figsize=(WIDTH, min(7.0, 2.7 + 2.25 * high / (2.0 * half))), sharey=True)
     for panel, (name, (label, colours)) in zip(panels, SHOWN.items(), strict=True):
         mesh = _halves(panel, cells, name, colours, bins.outline_of(cube))
         bins.outline(panel, cube)
@@ -44,19 +44,19 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     panels[0].set_ylabel("height above the outlet (cm)")
     headline(figure, _message(cube, cells))
     fade = f"Within {_reach(cube):.1f} cm of walls and surface the kernel reaches beyond them: fields fade."
-    foot(figure, f"{cube.attrs['title']}.", fade)
+    foot(figure, f"{cube.attrs['title']}; {bins.EARLY_WORDS}.", fade)
     save(figure, cells, stem)
 
 
 def phases(cube: xr.Dataset) -> pd.DataFrame:
     """A row a cell and phase: place, solid fraction, speed, vertical stress, lateral over vertical stress.
 
-    At rest: the last reading before the outlet opened, or of the run; discharge: the mean of all readings after.
+    At rest: the last reading before the outlet opened, or of the run; discharge: the mean of the readings in it.
     """
     if "field_r" not in cube:
         raise BadInput("record.fields.cells", "three numbers", "must be two, of distance and height, for this figure")
     time, opened = cube["field_time"].values, bins.opened_at(cube)
-    rest, flow = np.flatnonzero(time <= opened)[-1:], np.flatnonzero(time > opened)
+    rest, flow = np.flatnonzero(time <= opened)[-1:], bins.in_discharge(cube, time > opened, time)
     if not len(rest):
         raise BadInput("record.fields.every_s", float(time[0]), "must be short enough for a reading at rest")
     tables = [_phase(cube.isel(field_time=rest), PHASES[0])]

@@ -35,7 +35,7 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     figure.colorbar(mesh, ax=panels[0, : len(shown)], location="bottom", shrink=0.7, label="normal pressure (kPa)")
     table = _profiles(panels[0, -1], cube, cells)
     headline(figure, _message(cells, table))
-    foot(figure, f"{cube.attrs['title']}.", handles=panels[0, -1].get_legend_handles_labels()[0])
+    foot(figure, f"{cube.attrs['title']}; {bins.EARLY_WORDS}.", handles=panels[0, -1].get_legend_handles_labels()[0])
     save(figure, pd.concat([cells.assign(kind="cell"), table], ignore_index=True), stem)
 
 

@@ -36,7 +36,7 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
         ranks = _ranks(silo)
         for panel, (phase, words) in zip((rest, flow), PANELS.items(), strict=True):
             numbers += [table.assign(**setting, phase=phase) for table in _panel(panel, silo, phase, ranks)]
-            panel.set(title=f"{told(setting)}: {words}", xlabel="pressure on the wall (kPa)", xlim=(0.0, None))
+            panel.set(title=f"{told(setting, silo)}: {words}", xlabel="pressure on the wall (kPa)", xlim=(0.0, None))
         flow.sharey(rest)
         flow.tick_params(labelleft=False)
         rest.set(ylabel="depth below the level surface (m)", ylim=(float(silo["code_profile_depth"].max()), 0.0))

@@ -17,8 +17,9 @@ FREE = "flow_kg_m_s"  # column: mean flow of fillings that do not jam
 WITH_JAMS = "flow_with_jams_kg_m_s"  # column: mean flow of all
 FLOWS: tuple[tuple[str, str, dict], ...] = (  # column, whose mean it is, how its curve differs
     (FREE, "fillings that do not jam", {}),
-    (WITH_JAMS, "all", {"linestyle": ":", "markerfacecolor": "none"}),
+    (WITH_JAMS, "all fillings", {"linestyle": ":", "markerfacecolor": "none"}),
 )
+ASIDE = 0.05  # diameters by which the marks of a setting stand beside those of the one before
 OWN = ("outlet_width", "filling")  # axes that the panels show
 
 
@@ -28,7 +29,7 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     others, numbers = [axis for axis in cube.attrs["sweep_axes"].split() if axis not in OWN], []
     for number, (setting, case) in enumerate(settings(cube.assign_attrs(sweep_axes=" ".join(others)))):
         table = over_outlet(case).assign(**setting)
-        numbers.append(_panels(jams, flows, table, told(setting), number))
+        numbers.append(_panels(jams, flows, table, told(setting, case), number))
     jams.set(xlabel="width of the slot over the discs' diameter", ylabel="share of the fillings that jam", ylim=(-0.03, 1.03))
     flows.set(xlabel="width of the slot over the discs' diameter", ylabel="mean flow (kg m⁻¹ s⁻¹)")
     flows.set(xscale="log", yscale="log")
@@ -37,7 +38,7 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
         axis.set_minor_formatter(ScalarFormatter())
     shown = pd.concat(numbers, ignore_index=True)
     headline(figure, _message(shown))
-    read = f"{cube.attrs['title']}; bars: 95 % of Clopper and Pearson; dotted: mean over all fillings, a jam's time counted"
+    read = f"{cube.attrs['title']}; bars: 95 % intervals by Clopper and Pearson, set side by side; dotted: a jam's time counted"
     foot(figure, read, handles=flows.get_legend_handles_labels()[0])
     save(figure, shown, stem)
 
@@ -45,12 +46,10 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
 def _panels(jams: Axes, flows: Axes, table: pd.DataFrame, name: str, number: int) -> pd.DataFrame:
     """Draws a setting in both panels; its table with the powers of its flows."""
     style, place = series(number), table["outlet_diameters"]
+    table = table.assign(drawn_at_diameters=place + ASIDE * number)
     spread = [table["share_jammed"] - table["low_95"], table["high_95"] - table["share_jammed"]]
-    jams.errorbar(place, table["share_jammed"], yerr=spread, capsize=3, **style)
-    for column, of, look in (
-        (FREE, "fillings that do not jam", {}),
-        (WITH_JAMS, "all", {"linestyle": ":", "markerfacecolor": "none"}),
-    ):
+    jams.errorbar(table["drawn_at_diameters"], table["share_jammed"], yerr=spread, capsize=3, **style)
+    for column, of, look in FLOWS:
         grows = power(table, column)
         flows.plot(place, table[column], label=f"{name}, {of}: power {grows:.2f}", **style | look)
         table = table.assign(**{f"power_of_{column}": grows})

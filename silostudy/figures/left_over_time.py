@@ -21,15 +21,23 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
         panel.fill_between(
             table["time_s"], table["least_left"], table["most_left"], color=style["color"], alpha=0.2, linewidth=0
         )
-        panel.plot(table["time_s"], table["share_left"], label=told(setting), markevery=0.1, **style)
+        panel.plot(table["time_s"], table["share_left"], label=told(setting, case), markevery=0.1, **style)
         numbers.append(table.assign(**setting))
-    panel.set(xlabel="time from the opening (s)", ylabel="share of the spheres that is left", xlim=(0.0, None), ylim=(0.0, 1.0))
+    panel.set(xlabel="time from the opening (s)", ylabel="share of the spheres that is left", ylim=(0.0, 1.0))
     shown = pd.concat(numbers, ignore_index=True)
-    widest = float((shown["most_left"] - shown["least_left"]).max())
-    headline(figure, f"At any moment fillings differ by {100.0 * widest:.2g} % of all spheres at most")
+    panel.set_xlim(0.0, shown["time_s"].max())
+    headline(figure, _message(numbers))
     read = f"{cube.attrs['title']}; line: mean of the fillings, band: least to largest"
     foot(figure, read, handles=panel.get_legend_handles_labels()[0])
     save(figure, shown, stem)
+
+
+def _message(numbers: list[pd.DataFrame]) -> str:
+    """Sentence on what the figure says: what is left in the end, and how far fillings are apart."""
+    ends = [100.0 * float(table["share_left"].iloc[-1]) for table in numbers]
+    apart = max(100.0 * float((table["most_left"] - table["least_left"]).max()) for table in numbers)
+    left_over = f"{min(ends):.0f} to {max(ends):.0f} %" if len(ends) > 1 else f"{ends[0]:.0f} %"
+    return f"In the end {left_over} of the spheres are left; fillings differ by {apart:.2g} % of all spheres at most"
 
 
 def left(case: xr.Dataset) -> pd.DataFrame:

@@ -46,7 +46,7 @@ def _grains(panel: Axes, setting: dict, silo: xr.Dataset, number: int) -> pd.Dat
     if table["factor"].notna().any():
         spread = np.abs(table[["low_95", "high_95"]].to_numpy().T - table["factor"].to_numpy())
         place = np.arange(len(areas)) + ASIDE * ((number + 1) // 2) * (-1) ** number
-        panel.errorbar(place, table["factor"], yerr=spread, capsize=3, linewidth=1.6, label=f"grains, {told(setting)}",
+        panel.errorbar(place, table["factor"], yerr=spread, capsize=3, linewidth=1.6, label=f"grains, {told(setting, silo)}",
                        **series(number))  # fmt: skip
     side = silo["averaging_side"].mean("filling").values
     return table.assign(side_over_diameter=side, averaging=areas, of="grains", **setting)

@@ -27,7 +27,7 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     for panel, (setting, case) in zip(panels.flat, every, strict=False):
         numbers += [table.assign(**setting) for table in (*_grains(panel, case), *_codes(panel, case))]
         off = 100.0 * float(case["deviation_around"].sel(phase=PHASE).mean())
-        panel.set(title=f"{told(setting)}: {off:.0f} % off the mean in flow", ylim=(0.0, None))
+        panel.set(title=f"{told(setting, case)}: {off:.0f} % off the mean in flow", ylim=(0.0, None))
         panel.set(xlim=(-180, 180), xticks=range(-180, 181, 90), ylabel="wall pressure (kPa)")
     for panel in panels.flat[len(every) :]:
         panel.set_axis_off()

@@ -1,5 +1,6 @@
 """Published cases over several fillings: how far each came out off the published number, in its tolerance."""
 
+from math import floor, log10
 from pathlib import Path
 from textwrap import fill
 from typing import Any
@@ -14,6 +15,7 @@ from silostudy.figures.style import GREEN, INK, ORANGE, VERMILION, WIDTH, foot, 
 from silostudy.tables.published_cases import published_of
 
 COLOURS = {"met": GREEN, "not met": VERMILION, "mean met, not every filling": ORANGE, "not seen": INK}
+UNITS = {"degree": "degrees", "kg s-1": "kg/s"}  # in words
 
 
 def draw(cube: xr.Dataset, stem: Path) -> None:
@@ -28,15 +30,26 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     panel.set_ylim(len(table) - 0.4, -0.8)
     ends = [*table["low_95"], *table["high_95"], *(value for values in fillings for value in values)]
     reach = max(3.0, 1.15 * float(np.nanmax(np.abs([0.0, *ends]))))
-    panel.set(xlim=(-reach, reach), xlabel="off the published number over its tolerance")
-    met = int((table["verdict"] == "met").sum())
-    headline(figure, f"{met} of {len(table)} published numbers are met by every filling")
+    panel.set(xlim=(-reach, reach), xlabel="distance from the published number, in its tolerances")
+    headline(figure, message(table))
     foot(
         figure,
         f"{cube.attrs['title']}; dots: fillings, diamond: their mean with its 95 % interval; green: within the tolerance",
     )
-    dots = pd.DataFrame([{"place": place, "off_tolerances": off} for place, values in enumerate(fillings) for off in values])
-    save(figure, pd.concat([table.assign(place=range(len(table)), of="mean"), dots.assign(of="filling")]), stem)
+    save(figure, _numbers(table, fillings), stem)
+
+
+def message(table: pd.DataFrame) -> str:
+    """Sentence on what the figure says: how many numbers every filling meets, and how many the mean of the fillings."""
+    every, means = int((table["verdict"] == "met").sum()), int((table["off_tolerances"].abs() <= 1.0).sum())
+    return f"Of {len(table)} published numbers, {means} are met by the mean of the fillings and {every} by every filling"
+
+
+def _numbers(table: pd.DataFrame, fillings: list[np.ndarray]) -> pd.DataFrame:
+    """A row a published number, of the mean, and a row a filling of it."""
+    what = table[["case", "title", "quantity"]].to_dict("records")
+    dots = [row | {"off_tolerances": off} for row, values in zip(what, fillings, strict=True) for off in values]
+    return pd.concat([table.assign(of="mean"), pd.DataFrame(dots).assign(of="filling")])
 
 
 def _row(panel: Axes, place: int, row: Any, values: np.ndarray) -> None:
@@ -45,7 +58,8 @@ def _row(panel: Axes, place: int, row: Any, values: np.ndarray) -> None:
     panel.plot(values, np.full(len(values), place), "o", color=colour, alpha=0.4, markersize=5)
     ends = [[row.off_tolerances - row.low_95], [row.high_95 - row.off_tolerances]]
     panel.errorbar(row.off_tolerances, place, xerr=ends, fmt="D", color=colour, capsize=4)
-    words = f"{row.mean:.4g} {row.unit} ({row.published:g} ± {row.tolerance:g}): {row.verdict}"
+    unit, digits = UNITS.get(row.unit, row.unit), max(0, 1 - floor(log10(row.tolerance)))
+    words = f"{row.mean:.{digits}f} {unit} ({row.published:g} ± {row.tolerance:g}): {row.verdict}"
     panel.annotate(words, (0.99, place), xycoords=("axes fraction", "data"), xytext=(0, 12), textcoords="offset points",
                    ha="right", fontsize="small")  # fmt: skip
 

@@ -32,7 +32,9 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
         numbers += [table.assign(**setting) for table in (*_codes(panel, silo), *_grains(panel, silo))]
         factor = silo["hopper_switch_factor"].mean("filling")
         rise = f"largest over rest: {float(factor.max()):.2g}" if factor.notnull().any() else "nothing felt"
-        panel.set(title=f"{told(setting)}\n{rise}", xlabel="pressure on the hopper (kPa)", xlim=(0.0, None), ylim=(0.0, 1.0))
+        panel.set(
+            title=f"{told(setting, silo)}\n{rise}", xlabel="pressure on the hopper (kPa)", xlim=(0.0, None), ylim=(0.0, 1.0)
+        )
     for panel in panels.flat[len(every) :]:
         panel.set_visible(False)
     for panel in panels[:, 0]:

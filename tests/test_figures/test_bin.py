@@ -5,7 +5,7 @@ import pandas as pd
 import pytest
 import xarray as xr
 
-from silostudy.figures.bin import Column, column, janssen, opened_at, phases, profile
+from silostudy.figures.bin import Column, column, in_discharge, janssen, opened_at, phases, profile
 from silostudy.pressure.janssen import normal_pressure
 from tests.test_figures.small_cubes import bin_cube
 
@@ -20,6 +20,19 @@ def test_phases_lie_before_and_after_the_opening():
     assert np.array_equal(cells["pressure_rest_Pa"], mean[1])
     assert np.allclose(cells["pressure_discharge_Pa"], mean[2:].mean(axis=0))
     assert np.array_equal(cells["peak_discharge_Pa"], most[2:].max(axis=0))
+
+
+def test_discharge_ends_when_a_quarter_is_out():
+    """Of ten grains of 1 kg three are out at 0.25 s: the readings from then on show a bin that empties."""
+    cube = xr.Dataset(
+        {"event_time": ("event", [0.1]), "event_action": ("event", ["rest: open"]), "grain_mass": ("grain", np.ones(10)),
+         "outflow_time": ("out", [0.15, 0.2, 0.25, 0.3]), "outflow_mass": ("out", [1.0, 2.0, 3.0, 4.0])}
+    )  # fmt: skip
+    time = np.array([0.1, 0.2, 0.25, 0.3])
+    assert in_discharge(cube, time > 0.1, time).tolist() == [1, 2]
+    assert in_discharge(cube, time > 0.25, time).tolist() == [3]
+    assert in_discharge(cube, time > 0.3, time).tolist() == []
+    assert in_discharge(cube.drop_vars("outflow_mass"), time > 0.1, time).tolist() == [1, 2, 3]
 
 
 def test_means_over_the_angle_are_weighted_by_area():

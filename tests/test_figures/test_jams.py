@@ -5,6 +5,7 @@ import pandas as pd
 import pytest
 import xarray as xr
 
+from silostudy.figures.beside import told
 from silostudy.figures.jams_over_outlet import over_outlet, power, share_interval
 from tests.test_figures.small_cubes import jam_cube
 
@@ -40,3 +41,9 @@ def test_the_shipped_study_is_read_by_its_axes():
     cube = jam_cube("slot-of-discs")
     assert cube.sizes["friction"] == 2
     assert cube["friction_title"].values.tolist() == ["without friction", "friction of 0.5"]
+
+
+def test_settings_are_told_with_their_units():
+    case = xr.Dataset(coords={"outlet_width": ((), 0.06, {"units": "m"}), "slenderness": ((), 2.0, {"units": "1"})})
+    assert told({"outlet_width": 0.06, "slenderness": 2.0, "material": "M1"}, case) == "outlet width 0.06 m, slenderness 2, M1"
+    assert told({}, case) == "the silo"

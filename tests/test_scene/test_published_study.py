@@ -1,6 +1,7 @@
 """Published cases: the table and the scenes say the same, misses are told in tolerances, verdicts in plain words."""
 
 import numpy as np
+import pandas as pd
 import pytest
 import xarray as xr
 
@@ -9,7 +10,7 @@ from silostudy.compute.expected import Verdict
 from silostudy.compute.published import misses
 from silostudy.dem.outcomes import OUTCOMES
 from silostudy.errors import BadInput
-from silostudy.figures.published_cases import verdict, verdicts
+from silostudy.figures.published_cases import draw, message, verdict, verdicts
 from silostudy.scene.published import check_numbers
 from silostudy.scene.scenes import scene_in
 from silostudy.sweep.merge import merge
@@ -79,3 +80,12 @@ def test_the_table_gives_numbers_back_in_their_units():
     assert len(table) == len(published_numbers())
     assert [len(values) for values in fillings] == [3] * len(table)
     assert table["locator"].tolist()[-2:] == [number.locator for number in published_of("draw-down")]
+
+
+def test_the_figure_says_how_many_numbers_are_met_and_keeps_every_filling(tmp_path):
+    cube = published_cube("published-cases", off=(0.5, 1.3, 0.9))
+    assert message(verdicts(cube)[0]) == "Of 5 published numbers, 5 are met by the mean of the fillings and 0 by every filling"
+    draw(cube, tmp_path / "cases")
+    shown = pd.read_csv(tmp_path / "cases.csv")
+    drum = shown[(shown["case"] == "drum") & (shown["of"] == "filling")]
+    assert drum["off_tolerances"].tolist() == [0.5, 1.3, 0.9]
