@@ -3,37 +3,21 @@
 import numpy as np
 import xarray as xr
 
-from silostudy.compute.beside_plan import plan_of
 from silostudy.errors import BadInput
+from silostudy.scene.beside import PHASES
 from silostudy.scene.expand import Expansion
 
-PHASES = ("filling", "discharge")
-SAME = 0.01  # share by which diameters of the same silo may differ
 AS_FULL = 0.15  # share by which the depths of the solid may
 
 
 def matched(expansion: Expansion, codes: xr.Dataset | None, scenes: xr.Dataset) -> xr.Dataset:
-    """The cube of pressures for every setting of the scenes; BadInput where it is none of the same silos.
+    """The cube of pressures for every setting of the scenes; BadInput where its silos are not as full.
 
     Axes of one name belong together position by position: the scenes' walls stand higher than the solid.
     """
     name = expansion.study.codes.study
     if codes is None:
         raise BadInput("codes", name, "needs the pressure cube of that study")
-    for axis in codes.attrs["sweep_axes"].split():
-        if axis not in scenes.dims:
-            raise BadInput("codes", name, f"has the axis {axis}, which the scenes have not")
-        if codes.sizes[axis] != scenes.sizes[axis]:
-            raise BadInput(f"codes, axis {axis}", codes.sizes[axis], f"value(s), where the scenes' has {scenes.sizes[axis]}")
-    if lacking := [phase for phase in PHASES if phase not in codes["phase"].values]:
-        raise BadInput("codes", name, f"must have the phases {', '.join(PHASES)}; lacks {', '.join(lacking)}")
-    plan = plan_of(expansion.study)
-    for given, expected, told in (
-        ("given_diameter", plan.width, "m wide, where the scenes' silo is {:g} m"),
-        ("hydraulic_radius", plan.hydraulic_radius, "m of hydraulic radius, where that of the scenes' plan is {:g} m"),
-    ):
-        if not np.allclose(codes[given], expected, rtol=SAME):
-            raise BadInput("codes", float(codes[given].values.ravel()[0]), told.format(expected))
     shared = [axis for axis in codes.attrs["sweep_axes"].split() if axis in codes.coords]
     return _as_full(codes.sel(phase=list(PHASES)).drop_vars(shared), scenes)
 

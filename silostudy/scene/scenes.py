@@ -8,6 +8,7 @@ from typing import Any
 from silostudy.config.grain_scenes import AnyScene, scene_class
 from silostudy.config.load import own_validated, read_yaml
 from silostudy.config.scenes import ScenesStudy
+from silostudy.scene.beside import check_codes
 from silostudy.tables.references import own_files
 
 
@@ -43,7 +44,8 @@ def files_of_scene(path: Path) -> tuple[Path, ...]:
 
 
 def scenes_builder(study: ScenesStudy, folder: Path, where: str) -> Callable[[AnyScene, dict], SceneCase]:
-    """Builds the cases of a sweep."""
+    """Builds the cases of a sweep; BadInput where theories and codes that are to stand beside it are of other silos."""
+    check_codes(study, folder, where)
 
     def build_one(config: AnyScene, settings: dict[str, Any]) -> SceneCase:
         return SceneCase(config, folder)

@@ -125,7 +125,7 @@ def test_sides_of_areas_are_those_of_the_cells(beside):
 @pytest.mark.parametrize(
     ("codes", "told"),
     [
-        (codes_of(depths=(0.1, 0.2, 0.3)), "codes, axis silo = 3: value(s), where the scenes' has 2"),
+        (codes_of(depths=(0.1, 0.2, 0.3)), "has 3 position(s) on the axis silo, where the scenes have 2"),
         (codes_of(depths=(0.1, 0.3)), "codes = 0.3: m deep, where the grains fill 0.2 m"),
         (codes_of(sweep=[{"axis": "other", "values": {"silo.cylinder_depth_m": [0.1, 0.2]}}]), "has the axis other"),
         (codes_of(phases=["filling"]), "lacks discharge"),
@@ -137,10 +137,41 @@ def test_codes_of_other_silos_are_refused(codes, told, tmp_path):
     assert told in str(caught.value)
 
 
+@pytest.mark.parametrize(
+    ("silo", "told"),
+    [
+        (
+            {"hopper": {"half_angle_deg": 30, "outlet_width_m": 0.05}},
+            "half_angle_deg of codes = 30.0: must be as scene.silo.hopper",
+        ),
+        ({"hopper": {"half_angle_deg": 20, "outlet_width_m": 0.03}}, "outlet_width_m of codes = 0.03: must be as"),
+        ({"hopper": None}, "half_angle_deg of codes = None: must be as"),
+        ({"plan": "square", "width_m": 0.1, "diameter_m": None}, "scene.silo.plan of codes = 'square': must be circular"),
+    ],
+)
+def test_codes_of_another_hopper_or_plan_are_refused_before_any_work(silo, told, tmp_path):
+    codes = codes_of()
+    silos = codes["scene"]["silo"] | silo
+    codes["scene"]["silo"] = {key: value for key, value in silos.items() if value is not None}
+    with pytest.raises(BadInput) as caught:
+        swept(tmp_path, codes)
+    assert told in str(caught.value)
+
+
+def test_a_hopper_that_codes_do_not_sweep_is_refused(tmp_path):
+    content = copy.deepcopy(read_yaml(STUDY)) | {"outputs": [], "codes": {"study": "codes"}}
+    points = [{"silo.hopper.half_angle_deg": angle} for angle in (20, 50)]
+    content["sweep"] = [{"axis": "cone", "points": points}, {"axis": "filling", "values": {"seed": [1, 2]}}]
+    (tmp_path / "grains.yaml").write_text(yaml.safe_dump(content))
+    (tmp_path / "codes.yaml").write_text(yaml.safe_dump(codes_of(sweep=[])))
+    with pytest.raises(BadInput, match=r"half_angle_deg of codes = 20.0: must be as scene.silo.hopper.half_angle_deg = 50"):
+        expand_file(tmp_path / "grains.yaml")
+
+
 def test_walls_of_another_width_are_refused(tmp_path):
     codes = codes_of()
     codes["scene"]["silo"]["diameter_m"] = 0.12
-    with pytest.raises(BadInput, match=r"m wide, where the scenes' silo is 0\.1 m"):
+    with pytest.raises(BadInput, match=r"scene\.silo\.diameter_m of codes = 0\.12: must be as scene\.silo\.diameter_m = 0\.1"):
         beside_cube(*swept(tmp_path, codes))
 
 

@@ -177,7 +177,8 @@ def test_a_round_silo_is_none_of_the_same(tmp_path):
     codes = slot()
     codes["scene"]["silo"] = {"plan": "circular", "diameter_m": WIDE, "cylinder_depth_m": DEEP}
     codes.pop("hopper_position")
-    with pytest.raises(BadInput, match=r"0\.075: m of hydraulic radius, where that of the scenes' plan is 0\.15 m"):
+    codes["hopper_position"] = [0.0, 1.0]
+    with pytest.raises(BadInput, match=r"scene\.silo\.plan of codes = 'circular': must be slot, as of the scenes"):
         beside_of(tmp_path, codes)
 
 
