@@ -83,12 +83,14 @@ def wheat():
 
 
 def with_changes(content: dict, changes: dict) -> dict:
-    """A copy of a content with other values; `scene__walls` is the key `walls` of its section `scene`."""
+    """A copy of a content with other values; `scene__walls` is the key `walls` of its section `scene`, None takes it out."""
     changed = copy.deepcopy(content)
     for key, value in changes.items():
         *parents, last = key.split("__")
         node = changed
         for parent in parents:
-            node = node[parent]
+            node = node.setdefault(parent, {})
         node[last] = value
+        if value is None:
+            del node[last]
     return changed

@@ -21,7 +21,7 @@ def add(sub) -> None:
     dem.add_argument("--output", type=Path, default=Path("results/bench/dem.csv"))
     dem.set_defaults(run=run_dem)
     spheres = what.add_parser("spheres", help="the same of spheres in a bin with a cone: minutes, with --most an hour")
-    spheres.add_argument("--most", action="store_true", help="half a million spheres too")
+    spheres.add_argument("--most", action="store_true", help="half a million and a million spheres too")
     spheres.add_argument("--output", type=Path, default=Path("results/bench/spheres.csv"))
     spheres.set_defaults(run=run_spheres)
     discharge = what.add_parser("discharge", help="spheres left in a bin that flows out, beside LAMMPS from the same fillings")

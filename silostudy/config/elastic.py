@@ -81,8 +81,9 @@ class TouchConfig(LawsConfig):
         taken = [
             (field, law) for law in laws for coefficient in law.coefficients for group in coefficient.fields for field in group
         ]
+        given = self.model_dump()  # with the fields that laws bring along
         for field, law in taken:
-            if field in type(self).model_fields and field not in OF_PAIR and getattr(self, field) is None:
+            if field not in OF_PAIR and given.get(field, law) is None:
                 raise ValueError(f"the law {law.key} needs the key {field}")
         if self.normal_stiffness_N_m is not None and "normal_stiffness_N_m" not in dict(taken):
             raise ValueError(f"normal_stiffness_N_m: no law here has linear springs: {self.normal} takes the materials' moduli")

@@ -2,7 +2,7 @@
 
 from typing import Annotated, Any, ClassVar, Literal, TypeAlias
 
-from pydantic import Discriminator, Tag, field_validator
+from pydantic import AfterValidator, Discriminator, Tag, field_validator
 
 from silostudy.catalogue import Family
 from silostudy.config.contact import ContactConfig
@@ -20,6 +20,13 @@ SPEED = (
 STEP = "time step over the one that the engine chooses"
 
 
+def _rubs(walls: ContactConfig | TouchConfig) -> ContactConfig | TouchConfig:
+    """The wall's contact; ValueError where it has no friction, which the tests look for."""
+    if walls.sliding_friction == 0.0:
+        raise ValueError("sliding_friction must be above 0: the friction of this wall is tested")
+    return walls
+
+
 class LaboratoryScene(OwnMethods):
     """One filling of one round cell: spheres, the wall that they are tested against, and how fast the tests are."""
 
@@ -29,7 +36,9 @@ class LaboratoryScene(OwnMethods):
     grain: GrainConfig = described("material of the spheres", "")
     wall: MaterialConfig = described("material of the silo's wall, of which the tested plate is made", "")
     spheres: TouchConfig = described("contact between spheres", "", default=TouchConfig())
-    walls: TouchConfig = described("contact of spheres and the wall's material", "", default=TouchConfig())
+    walls: Annotated[TouchConfig, AfterValidator(_rubs)] = described(
+        "contact of spheres and the wall's material", "", default=TouchConfig()
+    )
     sizes: SizesConfig = described("sizes of the spheres", "")
     cell_grains: float = described("width of the cell over the mean diameter", ge=LEAST_CELL, le=200, default=16.0)
     height_grains: float = described("height of the filling over the mean diameter", ge=LEAST_CELL, le=200, default=8.0)
@@ -56,7 +65,7 @@ class DiscLaboratory(OwnMethods):
     radius_spread: float = described("radii lie between radius_m (1 - spread) and radius_m (1 + spread)", ge=0, le=0.5)
     density_kg_m3: float = described("density of the discs", "kg m-3", gt=0)
     discs: ContactConfig = described("contact between discs", "")
-    walls: ContactConfig = described("contact of discs and the wall's material", "")
+    walls: Annotated[ContactConfig, AfterValidator(_rubs)] = described("contact of discs and the wall's material", "")
     cell_grains: float = described(
         "width of the cell over the mean diameter; internal friction asks for four heights at least", ge=LEAST_CELL, le=400,
         default=64.0,

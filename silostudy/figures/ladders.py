@@ -3,7 +3,7 @@
 The first point of the axis is the setting that all others are held against; each of them changes one thing.
 """
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 
 import numpy as np
@@ -33,9 +33,14 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     draw_ladders(cube, stem, dict(quantities(cube)), QUANTITIES)
 
 
-def draw_ladders(cube: xr.Dataset, stem: Path, values: Mapping[str, np.ndarray], titles: Mapping[str, str]) -> None:
-    """Writes a figure of quantities (setting, filling) under their titles, a panel each, a row a setting; its numbers too."""
-    table = ladders(cube, values)
+def draw_ladders(
+    cube: xr.Dataset, stem: Path, values: Mapping[str, np.ndarray], titles: Mapping[str, str], further: Sequence[str] = ()
+) -> None:
+    """Writes a figure of quantities (setting, filling) under their titles, a panel each, a row a setting; its numbers too.
+
+    further: titles of what else was changed, whose values come after those of the settings.
+    """
+    table = ladders(cube, values, further)
     names, shown = list(dict.fromkeys(table["setting"])), list(dict.fromkeys(table["quantity"]))
     size = WIDTH, min(TALLEST, 2.2 + ROW * len(names))
     figure, panels = plt.subplots(1, len(shown), sharey=True, squeeze=False, figsize=size)
@@ -86,11 +91,12 @@ def _draw_panel(panel, part: pd.DataFrame, names: list[str]) -> list:
     return handles
 
 
-def ladders(cube: xr.Dataset, values: Mapping[str, np.ndarray]) -> pd.DataFrame:
+def ladders(cube: xr.Dataset, values: Mapping[str, np.ndarray], further: Sequence[str] = ()) -> pd.DataFrame:
     """Change of each quantity's mean over the fillings against the first setting, and half its interval, by setting."""
+    named = [*labels(cube), *((title, False) for title in further)]
     rows = []
     for quantity, of in values.items():
-        for place, (name, model) in enumerate(labels(cube)):
+        for place, (name, model) in enumerate(named):
             change, half = changed(of[place], of[0]) if place else (0.0, half_interval(of[0]))
             rows.append(
                 {

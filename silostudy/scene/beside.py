@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from silostudy.config.load import read_study
+from silostudy.config.pressure import PressureStudy
 from silostudy.config.scenes import ScenesStudy
 from silostudy.errors import BadInput
 
@@ -32,8 +33,8 @@ def check_codes(study: ScenesStudy, folder: Path, where: str) -> None:
     if study.codes is None:
         return
     name, path = study.codes.study, folder / f"{study.codes.study}.yaml"
-    codes: Any = read_study(path)
-    if codes.kind != "pressure":
+    codes = read_study(path)
+    if not isinstance(codes, PressureStudy):
         raise BadInput("codes.study", name, f"must be a study of pressures, not of kind {codes.kind}", where)
     if lacking := [phase for phase in PHASES if phase not in codes.phases]:
         raise BadInput("codes.study", name, f"must have the phases {', '.join(PHASES)}; lacks {', '.join(lacking)}", where)

@@ -1,5 +1,6 @@
 """One round cell of a laboratory with its filling of spheres: sizes and speeds in SI, and what plane cells share with it."""
 
+from abc import ABC, abstractmethod
 from dataclasses import dataclass
 from functools import cached_property
 from math import nan, pi, sqrt
@@ -22,7 +23,7 @@ LOOSE = 0.57  # about the solid fraction of a filling: it sets how many grains m
 
 
 @dataclass(frozen=True)
-class Cell:
+class Cell(ABC):
     """One cell with its filling: the configuration, the stresses (Pa) and shear strain (1) of its tests.
 
     Each sort of grains says its mean diameter `grain` (m) and its `density` (kg/m3).
@@ -39,14 +40,14 @@ class Cell:
         return own_files(self.folder, self.config.methods_from)
 
     @property
+    @abstractmethod
     def grain(self) -> float:
         """Mean diameter (m) of the grains."""
-        raise NotImplementedError
 
     @property
+    @abstractmethod
     def density(self) -> float:
         """Density (kg/m3) of the grains."""
-        raise NotImplementedError
 
     @property
     def width(self) -> float:

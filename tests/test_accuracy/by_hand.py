@@ -70,8 +70,26 @@ def rub(lanes, out, stored, a, b, count, dt, c, damping, drag_damping):
         out[2, k], out[3, k] = -drag * a, drag * b
 
 
-def step_by_hand(rough: bool):
-    """One step with friction or without; the flag is known when it is compiled."""
+@inlined
+def longest(count, motion, motion_bits):
+    """Longest way (m) of so many bodies, from its squares and their bits."""
+    most = np.uint64(0)
+    for k in range(count):
+        most = motion_bits[k] if motion_bits[k] > most else most
+    motion_bits[0] = most
+    return sqrt(motion[0])
+
+
+@inlined
+def travelled(blocks, b, way, stale):
+    """Note the longest way of a block's bodies; whether the lists still hold."""
+    blocks.peak[b] = way
+    blocks.travel[b] += way
+    return STALE if blocks.travel[b] > blocks.skin[b] else stale
+
+
+def lists_by_hand(rough: bool):
+    """Forces of both lists, with friction or without."""
     force = rub if rough else push
 
     @inlined
@@ -100,6 +118,12 @@ def step_by_hand(rough: bool):
             of_list(near, start, count, scratch, dt, c)
             scatter_walls(rows, near.first, start, count, scratch.force)
 
+    return pairs_of, walls_of
+
+
+def moves_by_hand(rough: bool):
+    """Moves of a block's discs, which turn or do not."""
+
     @inlined
     def moved(rows, begin, end, im, ii, gx, gy, dt, motion, motion_bits):
         for i in range(begin, end):
@@ -113,11 +137,14 @@ def step_by_hand(rough: bool):
                 rows[i, W] += rows[i, TORQUE] * ii * dt
             rows[i, FX], rows[i, FY], rows[i, TORQUE] = 0.0, 0.0, 0.0
             motion[i - begin] = du * du + dv * dv
-        most = np.uint64(0)
-        for k in range(end - begin):
-            most = motion_bits[k] if motion_bits[k] > most else most
-        motion_bits[0] = most
-        return sqrt(motion[0])
+        return longest(end - begin, motion, motion_bits)
+
+    return moved
+
+
+def step_by_hand(rough: bool):
+    """One step with friction or without; the flag is known when it is compiled."""
+    (pairs_of, walls_of), moved = lists_by_hand(rough), moves_by_hand(rough)
 
     @inlined
     def one_step(discs, pairs, near, walls, blocks, scratch, laws, hi, gravity, dt):
@@ -129,10 +156,7 @@ def step_by_hand(rough: bool):
             start, im, ii = b * BLOCK, discs.inverse_mass[0], discs.inverse_inertia[0]
             end = min(start + BLOCK, hi)
             way = moved(discs.rows, start, end, im, ii, gravity[0], gravity[1], dt, scratch.motion, scratch.motion_bits)
-            blocks.peak[b] = way
-            blocks.travel[b] += way
-            if blocks.travel[b] > blocks.skin[b]:
-                stale = STALE
+            stale = travelled(blocks, b, way, stale)
         return stale
 
     return one_step
@@ -191,10 +215,17 @@ def engines(model: Model) -> dict[str, Engine]:
     return found
 
 
+def steps_of(models, engines, steps):
+    """Steps of all engines on models that stand still, by name."""
+
+    def stepping(engine):
+        return lambda: engine.step_to(engine.step + steps)
+
+    return {
+        f"{name}, {how}": stepping(engine) for name, model in models.items() for how, engine in engines(still(model)).items()
+    }
+
+
 def work():
     """Steps of all engines on discs that stand still, for the counter of instructions."""
-
-    def steps(engine):
-        return lambda: engine.step_to(engine.step + STEPS)
-
-    return {f"{name}, {how}": steps(engine) for name, model in silos().items() for how, engine in engines(still(model)).items()}
+    return steps_of(silos(), engines, STEPS)

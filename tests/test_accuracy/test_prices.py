@@ -19,25 +19,40 @@ from silostudy.scene.spheres_about import sphere_effects
 from silostudy.tables.effect_prices import EFFECT_PRICES
 from silostudy.tables.kiyama_1983 import ACTIVE
 from tests.conftest import ROOT
-from tests.test_accuracy import by_hand_spheres
-from tests.test_accuracy.by_hand import engines, silos
+from tests.test_accuracy import by_hand, by_hand_spheres
 from tests.test_spheres.small import scene_of as spheres_scene
 
 MOST = 0.02  # of the instructions by hand
 
 
-SILOS = ("friction", "no friction")
+BY_HAND = ("friction", "no friction")
+
+
+def check_bits(built, by_hand):
+    """Both engines have brought their bodies to the same place, and those have moved."""
+    motion = slice(by_hand.space.motion)
+    rows, others = (engine.bodies.rows[: engine.n, motion] for engine in (built, by_hand))
+    assert np.abs(rows[:, list(built.space.velocity)]).max() > 0
+    assert np.array_equal(rows, others)
 
 
 @pytest.mark.long
-@pytest.mark.parametrize("name", SILOS)
-def test_by_hand_gives_the_same_bits(name):
-    pair = engines(silos(8, 12)[name])
+@pytest.mark.parametrize("name", BY_HAND)
+def test_discs_by_hand_give_the_same_bits(name):
+    pair = by_hand.engines(by_hand.silos(8, 12)[name])
     for engine in pair.values():
         engine.step_to(3000)
-    built, by_hand = (engine.bodies.rows[: engine.n] for engine in pair.values())
-    assert np.abs(built[:, 3]).max() > 0
-    assert np.array_equal(built, by_hand)
+    check_bits(*pair.values())
+
+
+@pytest.mark.long
+@pytest.mark.parametrize("name", BY_HAND)
+def test_spheres_by_hand_give_the_same_bits(name):
+    pair = by_hand_spheres.engines(by_hand_spheres.bins(500)[name])
+    for engine in pair.values():
+        engine.step_to(20_000)
+        assert engine.parts[0].pairs.begin.max() > 2 * engine.n  # they have fallen together
+    check_bits(*pair.values())
 
 
 @pytest.mark.long
@@ -73,31 +88,13 @@ def test_friction_has_a_price(watched):
 
 @pytest.mark.long
 @pytest.mark.skipif(bool(missing()), reason=missing() or "counted")
-def test_instructions_of_the_built_kernel_beside_the_one_by_hand():
-    counted = count("tests.test_accuracy.by_hand:work", ROOT)
-    assert counted.keys() == {f"{name}, {how}" for name in SILOS for how in ("built", "by hand")}
-    for name in SILOS:
+@pytest.mark.parametrize("module", [by_hand, by_hand_spheres], ids=["discs", "spheres"])
+def test_instructions_of_the_built_kernel_beside_the_one_by_hand(module):
+    counted = count(f"{module.__name__}:work", ROOT)
+    assert counted.keys() == {f"{name}, {how}" for name in BY_HAND for how in ("built", "by hand")}
+    for name in BY_HAND:
         assert counted[f"{name}, by hand"] > 1e7
         assert counted[f"{name}, built"] / counted[f"{name}, by hand"] < 1.0 + MOST
-
-
-@pytest.mark.long
-def test_spheres_by_hand_give_the_same_bits():
-    pair = by_hand_spheres.engines(by_hand_spheres.smooth_spheres(500))
-    for engine in pair.values():
-        engine.step_to(20_000)
-        assert engine.parts[0].pairs.begin.max() > 2 * engine.n  # they have fallen together
-    built, by_hand = (engine.bodies.rows[: engine.n, :9] for engine in pair.values())
-    assert np.abs(built[:, 5]).max() > 0
-    assert np.array_equal(built, by_hand)
-
-
-@pytest.mark.long
-@pytest.mark.skipif(bool(missing()), reason=missing() or "counted")
-def test_instructions_of_spheres_beside_a_kernel_by_hand():
-    counted = count("tests.test_accuracy.by_hand_spheres:work", ROOT)
-    assert counted["spheres, by hand"] > 1e7
-    assert counted["spheres, built"] / counted["spheres, by hand"] < 1.0 + MOST
 
 
 @pytest.fixture

@@ -6,11 +6,12 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
+from silostudy.accuracy.bin_of_spheres import Bin, bin_of_spheres
 from silostudy.accuracy.front import cheapest, on_front
 from silostudy.accuracy.measure import COMPARE, machine, measure
-from silostudy.accuracy.problems import beam_frequency, dem_impact, dem_static, history, strain_energy
-from silostudy.accuracy.problems.dem_static import step_rounded
+from silostudy.accuracy.problems import beam_frequency, dem_impact, dem_static, history, spheres_static, strain_energy
 from silostudy.accuracy.silo import silo_of_rows
+from silostudy.accuracy.single_precision import step_rounded
 from silostudy.dem.engine import Engine
 from silostudy.tables.problems import GROUPS, PROBLEMS
 
@@ -71,16 +72,29 @@ def test_a_finer_step_drowns_in_single_precision():
     assert rounded[-1] > 10.0 * double[-1]
 
 
-def test_rounding_is_all_that_sets_the_single_ladder_apart(monkeypatch):
-    model = silo_of_rows(4, 4)[0]
+GRAINS = {"discs": silo_of_rows(4, 4)[0], "spheres": bin_of_spheres(Bin(count=60, wide=0.014, outlet=0.02))}
+
+
+@pytest.mark.parametrize("model", GRAINS.values(), ids=GRAINS)
+def test_rounding_is_all_that_sets_the_single_ladder_apart(model, monkeypatch):
     whole, stepped, rounded = Engine(model), Engine(model), Engine(model)
-    whole.step_to(500)
-    step_rounded(rounded, 500)
+    whole.step_to(3000)
+    assert whole.parts[0].pairs.stored.any()
+    assert whole.parts[0].near.stored.any()
+    step_rounded(rounded, 3000)
     monkeypatch.setattr(np, "float32", np.float64)
-    step_rounded(stepped, 500)
+    step_rounded(stepped, 3000)
     assert np.array_equal(whole.bodies.rows, stepped.bodies.rows)
     apart = np.abs(rounded.places - whole.places).max()
     assert 1e-10 < apart < 1e-5
+
+
+@pytest.mark.long
+def test_spheres_in_single_precision_lie_elsewhere_and_as_high():
+    soft, single = (ladder for ladder in spheres_static.LADDERS if "10 MPa" in ladder)
+    double, rounded = (spheres_static.prepare(ladder, spheres_static.LADDERS[ladder][0], 2)() for ladder in (soft, single))
+    assert (rounded["wall_push"] != double["wall_push"]).all()
+    assert rounded["centre_height"] == pytest.approx(double["centre_height"], rel=0.03)
 
 
 @pytest.mark.parametrize(("problem", "quantity"), [("strain_energy", "wall_pressure"), ("shell_strength", "strength")])

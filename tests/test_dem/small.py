@@ -1,6 +1,5 @@
 """A small silo of discs as a user writes it, and how tests carry it through."""
 
-import copy
 from pathlib import Path
 
 import numpy as np
@@ -8,6 +7,7 @@ import numpy as np
 from silostudy.compute.dem import carry_through, run_of, scene_model
 from silostudy.config.dem import DemScene
 from silostudy.config.load import validated
+from tests.conftest import with_changes
 
 SMALL = {
     "kind": "dem",
@@ -25,14 +25,7 @@ SMALL = {
 
 
 def scene_of(**changes) -> DemScene:
-    content = copy.deepcopy(SMALL)
-    for path, value in changes.items():
-        node = content
-        *parents, last = path.split("__")
-        for key in parents:
-            node = node.setdefault(key, {})
-        node[last] = value
-    return validated(DemScene, content, "small.yaml")
+    return validated(DemScene, with_changes(SMALL, changes), "small.yaml")
 
 
 def carried(scene, checkpoint=None):

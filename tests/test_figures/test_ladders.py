@@ -67,8 +67,11 @@ def test_changes_of_shaken_spheres_by_what_their_settings_change(tmp_path):
 def test_changes_in_the_laboratory_are_of_angles(tmp_path):
     cube = made_up(expansion_of("laboratory-ladders"))
     cube["internal_peak_shear_ratio"][1] *= 1.1
+    cube["tested_unit_weight"][{"setting": 0, "cell": 0}] *= 0.9
     laboratory_ladders.draw(cube, tmp_path / "figure")
     table = pd.read_csv(tmp_path / "figure.csv").set_index(["quantity", "setting"])["change"]
     other = "time step 0.5 of the chosen"
     assert table["tested_lateral_pressure_ratio", other] == pytest.approx(0.0, abs=1e-9)
     assert table["internal_friction_angle", other] == pytest.approx(np.arctan(0.55) / np.arctan(0.5) - 1.0, rel=1e-3)
+    assert table["tested_unit_weight", "cell 7 grains wide, not 10"] == pytest.approx(-0.1)
+    assert table["tested_unit_weight", other] == pytest.approx(0.0, abs=1e-9)

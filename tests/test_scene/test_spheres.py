@@ -209,6 +209,7 @@ def test_the_example_scene_is_valid(capsys):
         ({"grain": {"material": "straw"}}, "grain.material = 'straw': must be 'dosta-m1'"),
         ({"spheres": {"sliding_friction": 0.5}}, "spheres.restitution = None: must be given: no table holds the pair"),
         ({"spheres__normal": "spring-dashpot"}, "spheres: the law spring-dashpot needs the key normal_stiffness_N_m"),
+        ({"spheres__cohesion": "jkr"}, "spheres: the law jkr needs the key work_of_adhesion_J_m2"),
         ({"sizes__diameter_mm": 45}, "sizes = 45.0: mm: does not pass the outlet, 40 mm"),
         ({"sizes__diameter_mm": 65}, "sizes = 65.0: mm: a sphere wider than the silo, 60 mm"),
         ({"sizes": {"kind": "uniform", "least_mm": 5, "largest_mm": 4}}, "sizes.largest_mm = 4.0: must not be below least_mm"),

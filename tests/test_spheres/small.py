@@ -1,31 +1,20 @@
 """A small bin of spheres as a user writes it, and how tests carry it through."""
 
-import copy
 import pickle
 from pathlib import Path
 
 import numpy as np
 
+from silostudy.accuracy.optional_spheres import SCENE as BIN
 from silostudy.compute.dem import run_of, scene_model
 from silostudy.config.load import validated
 from silostudy.config.spheres import SphereScene
+from tests.conftest import with_changes
 
 SAME = ("grain_x", "grain_spin_y", "outflow_time", "outflow_mass", "wall_pressure_max", "surface_cross_force_max",
         "contact_load_z", "field_contact_stress", "field_velocity", "contact_fabric", "contact_sliding")  # fmt: skip
-SMALL = {
-    "kind": "dem",
-    "grains": "spheres",
+SMALL = BIN | {
     "title": "a small bin",
-    "silo": {
-        "plan": "circular",
-        "diameter_m": 0.06,
-        "cylinder_depth_m": 0.1,
-        "hopper": {"half_angle_deg": 30, "outlet_width_m": 0.04},
-    },
-    "grain": {"youngs_modulus_MPa": 100, "poissons_ratio": 0.25, "density_kg_m3": 2500, "softened_modulus_MPa": 5},
-    "wall": {"youngs_modulus_MPa": 100, "poissons_ratio": 0.25},
-    "spheres": {"restitution": 0.3, "sliding_friction": 0.5},
-    "walls": {"restitution": 0.3, "sliding_friction": 0.3},
     "sizes": {"kind": "equal", "diameter_mm": 8},
     "filling": {"kind": "rain", "count": 150, "rate_1_s": 1500},
     "march": {"limit_s": 1.0},
@@ -43,16 +32,7 @@ SMALL = {
 
 def content(**changes) -> dict:
     """The bin with some keys changed; two underscores lead into a section, None takes a key out."""
-    found = copy.deepcopy(SMALL)
-    for path, value in changes.items():
-        node = found
-        *parents, last = path.split("__")
-        for key in parents:
-            node = node[key]
-        node[last] = value
-        if value is None:
-            del node[last]
-    return found
+    return with_changes(SMALL, changes)
 
 
 def scene_of(**changes) -> SphereScene:

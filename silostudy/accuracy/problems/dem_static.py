@@ -1,20 +1,16 @@
-"""A silo filled and come to rest: the forces on its walls by integrator, dashpot, stiffness, precision and neighbour skin.
-
-The engine knows double precision only.  The ladder of single precision rounds places, speeds and histories after every
-step and still computes forces in double: the least error that a single-precision engine would make.  Its cost is that of
-the same run in double precision, which such an engine might halve at best.
-"""
+"""A silo filled and come to rest: the forces on its walls by integrator, dashpot, stiffness, precision and neighbour skin."""
 
 from dataclasses import replace
+from functools import partial
 
 import numpy as np
 
+from silostudy.accuracy import single_precision
 from silostudy.accuracy.silo import STEP, silo_of_rows, softened, wall_force, with_dashpot
 from silostudy.contact.normal import spring_dashpot_implicit
 from silostudy.dem.engine import Engine
 from silostudy.dem.explosion import Explosion
 from silostudy.dem.integrate import PLAIN, SMOOTHED, VERLET
-from silostudy.dem.lanes import W
 from silostudy.tables.kiyama_1983 import RADIUS
 
 ACROSS = 8  # discs in a row
@@ -22,7 +18,7 @@ LEVELS = 12  # rows
 PARTS = 6  # of a wall
 REST = 0.6  # s to rest
 STEPS = (1.28e-4, 6.4e-5, 3.2e-5, 1.6e-5, 8e-6, 4e-6, 2e-6)
-SINGLE = "17-18, single precision (time of double)"
+SINGLE = f"17-18, {single_precision.SINGLE}"
 LADDERS = {
     PLAIN.key: STEPS,
     SMOOTHED.key: STEPS,
@@ -42,7 +38,7 @@ def prepare(ladder: str, setting: float):
     if ladder.startswith("skin"):
         return _run(replace(model, dt=STEP), setting * RADIUS)
     if ladder == SINGLE:
-        return _timed_in_double(replace(model, dt=setting))
+        return single_precision.timed_in_double(partial(_rested, replace(model, dt=setting), 0.0))
     integrator, *change = ladder.split(", ")
     if change == ["dashpot implicit"]:
         model = with_dashpot(model, spring_dashpot_implicit.ROW)
@@ -51,37 +47,18 @@ def prepare(ladder: str, setting: float):
     return _run(replace(model, integrator=integrator, dt=setting))
 
 
-def _run(model, skin: float = 0.0, march=Engine.step_to):
-    def run():
-        engine = Engine(model, skin=skin)
-        try:
-            march(engine, round(REST / model.dt))
-        except Explosion:
-            return {"wall_force": np.array(np.nan), "wall_push": np.nan}
-        force = wall_force(engine, PARTS)
-        return {"wall_force": force, "wall_push": force.sum()}
-
-    return run
+def _run(model, skin: float = 0.0):
+    return partial(_rested, model, skin, Engine.step_to)
 
 
-def _timed_in_double(model):
-    """Run in double precision that is timed; the rounded run's result is computed before the clock runs."""
-    forces, double = _run(model, march=step_rounded)(), _run(model)
-
-    def run():
-        double()
-        return forces
-
-    return run
-
-
-def step_rounded(engine: Engine, stop: int) -> None:
-    """Step an engine of one thread with all that it carries from step to step rounded to single precision."""
-    while engine.step < stop:
-        engine.step_to(engine.step + 1)
-        part = engine.parts[0]
-        for carried in (engine.bodies.rows[: engine.n, : W + 1], part.pairs.stored, part.near.stored):
-            carried[:] = carried.astype(np.float32)
+def _rested(model, skin: float, march):
+    engine = Engine(model, skin=skin)
+    try:
+        march(engine, round(REST / model.dt))
+    except Explosion:
+        return {"wall_force": np.array(np.nan), "wall_push": np.nan}
+    force = wall_force(engine, PARTS)
+    return {"wall_force": force, "wall_push": force.sum()}
 
 
 def reference():
