@@ -66,7 +66,7 @@ def verdict(low: float, high: float) -> str:
 
 
 def hopper_rise(silo: xr.Dataset) -> tuple[xr.DataArray, xr.DataArray]:
-    """Largest pressure around the hopper in flow over that at rest (1) of each filling, and how high on the hopper that is (1)."""
+    """Largest pressure around the hopper in flow over that at rest (1) of each filling, and how high on it that is (1)."""
     factor = silo["hopper_switch_factor"]
     place = silo["hopper_level_position"].isel(wall_level=factor.fillna(-1.0).argmax("wall_level"))
     most = factor.max("wall_level")
