@@ -6,7 +6,8 @@ import numpy as np
 import pandas as pd
 import xarray as xr
 from matplotlib.axes import Axes
-from matplotlib.ticker import ScalarFormatter
+from matplotlib.axis import Axis
+from matplotlib.ticker import LogLocator
 from scipy.stats import beta, linregress
 
 from silostudy.figures.beside import settings, told
@@ -34,38 +35,69 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     flows.set(xlabel="width of the slot over the discs' diameter", ylabel="mean flow (kg m⁻¹ s⁻¹)")
     flows.set(xscale="log", yscale="log")
     for axis in (flows.xaxis, flows.yaxis):
-        axis.set_major_formatter(ScalarFormatter())
-        axis.set_minor_formatter(ScalarFormatter())
+        _plain_numbers(axis)
     shown = pd.concat(numbers, ignore_index=True)
     headline(figure, _message(shown))
     read = f"{cube.attrs['title']}; bars: 95 % intervals by Clopper and Pearson, set side by side; dotted: a jam's time counted"
-    foot(figure, read, handles=flows.get_legend_handles_labels()[0])
+    left_out = "Widths at which nothing flows have no place on a logarithmic axis, and no part in a power."
+    foot(
+        figure,
+        read,
+        left_out if (shown[[FREE, WITH_JAMS]] == 0.0).any(axis=None) else "",
+        handles=flows.get_legend_handles_labels()[0],
+    )
     save(figure, shown, stem)
 
 
 def _panels(jams: Axes, flows: Axes, table: pd.DataFrame, name: str, number: int) -> pd.DataFrame:
     """Draws a setting in both panels; its table with the powers of its flows."""
     style, place = series(number), table["outlet_diameters"]
-    table = table.assign(drawn_at_diameters=place + ASIDE * number)
+    table = table.assign(setting=name, drawn_at_diameters=place + ASIDE * number)
     spread = [table["share_jammed"] - table["low_95"], table["high_95"] - table["share_jammed"]]
     jams.errorbar(table["drawn_at_diameters"], table["share_jammed"], yerr=spread, capsize=3, **style)
     for column, of, look in FLOWS:
         grows = power(table, column)
-        flows.plot(place, table[column], label=f"{name}, {of}: power {grows:.2f}", **style | look)
+        flows.plot(
+            place,
+            table[column].where(table[column] > 0.0),
+            label=f"{name}, {of}: {_power_told(grows, table[column])}",
+            **style | look,
+        )
         table = table.assign(**{f"power_of_{column}": grows})
     return table
 
 
+def _plain_numbers(axis: Axis) -> None:
+    """Writes the ticks of a logarithmic axis as plain numbers: 1, 2 and 5 alone where they span much more than a decade."""
+    low, high = axis.get_view_interval()
+    axis.set_major_formatter("{x:g}")
+    axis.set_minor_formatter("{x:g}")
+    if high > 20.0 * low:
+        axis.set_minor_locator(LogLocator(subs=(2.0, 5.0)))
+
+
+def _power_told(grows: float, flows: pd.Series) -> str:
+    """Words for the power of flows, and how many widths have no part in it."""
+    still = int((flows == 0.0).sum())
+    told = "no power of fewer than two flows" if np.isnan(grows) else f"power {grows:.2f}"
+    return f"{told}, {still} of no flow left out" if still else told
+
+
 def _message(table: pd.DataFrame) -> str:
-    """Sentence on what the figure says: the widest slot that jams, and the powers with jams and without."""
+    """Sentence on what the figure says: the widest slot that jams and in which setting, and the powers there."""
     jammed = table[table["jammed"] > 0]
     if jammed.empty:
         return f"No slot of {table['outlet_diameters'].min():g} diameters or more jams"
-    widest = jammed.loc[jammed["outlet_diameters"].idxmax()]
-    return (
-        f"Slots of up to {widest['outlet_diameters']:g} diameters jam; flows that do not jam grow with a power of "
-        f"{widest[f'power_of_{FREE}']:.1f}, means that count jams with one of {widest[f'power_of_{WITH_JAMS}']:.1f}"
-    )
+    widest, others = jammed.loc[jammed["outlet_diameters"].idxmax()], jammed["setting"].nunique() - 1
+    where, too = "", ""
+    if table["setting"].nunique() > 1:
+        where = f"{widest['setting']}: "
+        too = f" (in {others} other settings at most as wide ones)" if others else " (in no other setting any)"
+    means = {FREE: "flows that do not jam", WITH_JAMS: "means that count jams"}
+    powers = {whose: widest[f"power_of_{column}"] for column, whose in means.items()}
+    known = "".join(f"; {whose} grow with a power of {value:.1f}" for whose, value in powers.items() if np.isfinite(value))
+    told = f"{where}slots of up to {widest['outlet_diameters']:g} diameters jam{too}{known}"
+    return told[0].upper() + told[1:]
 
 
 def over_outlet(case: xr.Dataset) -> pd.DataFrame:

@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from silostudy.catalogue import Family
+from silostudy.config.load import read_study
 from silostudy.config.pressure import PressureStudy
 from silostudy.config.scene import SceneConfig
 from silostudy.errors import BadInput
@@ -23,7 +24,7 @@ SPREADS = {"a_phi": "a_phi", "a_K": "a_K", "a_mu": "a_mu", "unit_weight_lower": 
 
 def pressure_builder(study: PressureStudy, folder: Path, where: str) -> Callable[[SceneConfig, dict], Scene]:
     """Builds the scenes of a pressure study: with the user's materials, and no depth below the transition."""
-    solids = own_solids(folder / study.materials) if study.materials else SOLIDS
+    solids = _own_solids(study.materials, folder, where) if study.materials else SOLIDS
 
     def build_one(config: SceneConfig, settings: dict[str, Any]) -> Scene:
         scene = build(config, solids, where)
@@ -37,6 +38,15 @@ def pressure_builder(study: PressureStudy, folder: Path, where: str) -> Callable
         return scene
 
     return build_one
+
+
+def _own_solids(named: str, folder: Path, where: str) -> Family[SolidRow]:
+    """The solids of the user's file; BadInput names the study that makes it where that has not run yet."""
+    path = folder / named
+    maker = folder / f"{path.parent.parent.name}.yaml"
+    if not path.exists() and maker.is_file() and path.stem in read_study(maker).outputs:
+        raise BadInput("materials", named, f"is not there yet: the study {maker.stem} makes it, run that first", where)
+    return own_solids(path)
 
 
 def _require_spreads(scene: Scene, where: str) -> None:

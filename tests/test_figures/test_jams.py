@@ -1,10 +1,13 @@
 """Slots that jam: shares with their intervals, and powers with and without the fillings that jam."""
 
+from itertools import pairwise
+
 import numpy as np
 import pandas as pd
 import pytest
 import xarray as xr
 
+from silostudy.figures import jams_over_outlet
 from silostudy.figures.beside import told
 from silostudy.figures.jams_over_outlet import over_outlet, power, share_interval
 from tests.test_figures.small_cubes import jam_cube
@@ -47,3 +50,27 @@ def test_settings_are_told_with_their_units():
     case = xr.Dataset(coords={"outlet_width": ((), 0.06, {"units": "m"}), "slenderness": ((), 2.0, {"units": "1"})})
     assert told({"outlet_width": 0.06, "slenderness": 2.0, "material": "M1"}, case) == "outlet width 0.06 m, slenderness 2, M1"
     assert told({}, case) == "the silo"
+
+
+def test_it_says_which_setting_jams_and_what_has_no_part_in_a_power(tmp_path, kept):
+    """With friction alone slots jam, and nothing at all leaves the narrowest."""
+    cube = jam_cube("slot-of-discs").copy(deep=True)
+    cube["limit_reached"][:] = 0.0
+    cube["limit_reached"][1, :2] = 1.0
+    cube["mean_discharge_rate"][1, 0] = 0.0
+    cube["mean_discharge_rate"][1, 1] *= 1e-3
+    jams_over_outlet.draw(cube, tmp_path / "jams")
+    figure = kept[0]
+    assert "Friction of 0.5: slots of up to 4.5 diameters jam (in no other setting any)" in " ".join(
+        figure.get_suptitle().split()
+    )
+    (legend,) = figure.legends
+    labels = [text.get_text() for text in legend.get_texts()]
+    assert [label for label in labels if label.endswith(", 1 of no flow left out")] == labels[3:]
+    assert "nothing flows" in legend.get_title().get_text()
+    figure.draw_without_rendering()
+    names = [tick.label1 for tick in figure.axes[1].yaxis.get_minor_ticks() + figure.axes[1].yaxis.get_major_ticks()]
+    boxes = sorted((name.get_window_extent() for name in names if name.get_text()), key=lambda box: box.y0)
+    inside = [box for box in boxes if figure.axes[1].bbox.y0 <= 0.5 * (box.y0 + box.y1) <= figure.axes[1].bbox.y1]
+    assert len(inside) > 3
+    assert all(below.y1 <= above.y0 for below, above in pairwise(inside))

@@ -5,10 +5,12 @@ import pandas as pd
 import pytest
 
 from silostudy.choice.expand import expand
+from silostudy.config.load import read_yaml
 from silostudy.cube.laboratory import MeasuredSolid, Scatter, active_ratio, checks
 from silostudy.errors import BadInput
 from silostudy.figures import laboratory_checks, laboratory_solid
 from silostudy.tables.solids import own_solids
+from tests.conftest import ROOT
 from tests.test_laboratory.made_up import cube_of, expansion
 
 
@@ -71,3 +73,13 @@ def test_checks_are_written_and_said(tmp_path, capsys):
 
 def test_factor_is_that_of_the_ten_and_ninety_percent_fractiles():
     assert Scatter(mean=2.0, deviation=0.1, count=5).factor == pytest.approx(1.064)
+
+
+def test_a_row_that_no_laboratory_has_made_yet_names_the_study_that_makes_it():
+    content = read_yaml(ROOT / "config/studies/silo-of-spheres-codes.yaml")
+    content["materials"] = "../../nowhere/spheres-laboratory/tables/laboratory_solid.csv"
+    with pytest.raises(BadInput, match=r"materials = .*: is not there yet: the study spheres-laboratory makes it"):
+        expand(content, "codes", "codes.yaml", ROOT / "config/studies", [0])
+    content["materials"] = "../../nowhere/spheres-laboratory/tables/other.csv"
+    with pytest.raises(BadInput, match="must be a readable file of text"):
+        expand(content, "codes", "codes.yaml", ROOT / "config/studies", [0])
