@@ -3,7 +3,7 @@
 from itertools import pairwise
 from typing import Annotated, Any, Literal, Self
 
-from pydantic import Field, model_validator
+from pydantic import Field, field_validator, model_validator
 
 from silostudy.config.fields import Strict, described
 from silostudy.config.laboratory_scenes import LEAST_CELL, AnyLaboratory
@@ -59,8 +59,8 @@ class LaboratoryStudy(SweepStudy):
         """Cells and fillings are the last axes of the sweep."""
         if not isinstance(content, dict):
             return content
-        given, (cells, fillings) = content.get("sweep", ()), (content.get(name) for name in ("cells", "fillings"))
-        if not (isinstance(cells, list | tuple) and cells and isinstance(fillings, int) and 0 < fillings <= 1000):
+        given, cells, fillings = content.get("sweep", ()), content.get("cells", ()), content.get("fillings")
+        if not (_rise(cells) and isinstance(fillings, int) and 0 < fillings <= 1000):
             return content  # the fields themselves say what is wrong
         if not isinstance(given, list | tuple) or any(_named(axis) in (CELL, FILLING) for axis in given):
             return content
@@ -68,11 +68,15 @@ class LaboratoryStudy(SweepStudy):
                {"axis": FILLING, "values": {"seed": list(range(fillings))}}]  # fmt: skip
         return content | {"sweep": [*given, *own]}
 
+    @field_validator("stresses_kPa", "cells")
+    @classmethod
+    def _rising(cls, values: tuple[float, ...]) -> tuple[float, ...]:
+        if not _rise(values):
+            raise ValueError("must rise, none twice")
+        return values
+
     @model_validator(mode="after")
-    def _sound_stresses_and_cells(self) -> Self:
-        for name in ("stresses_kPa", "cells"):
-            if any(b <= a for a, b in pairwise(getattr(self, name))):
-                raise ValueError(f"{name} must rise, none twice")
+    def _sound_stresses(self) -> Self:
         for name in ("vertical_kPa", "horizontal_kPa"):
             value = getattr(self, name)
             if value is not None and value not in self.stresses_kPa:
@@ -99,3 +103,9 @@ class LaboratoryStudy(SweepStudy):
 
 def _named(axis: Any) -> Any:
     return axis.get("axis") if isinstance(axis, dict) else getattr(axis, "axis", None)
+
+
+def _rise(values: Any) -> bool:
+    """Whether something is a list of numbers, each above the one before."""
+    listed = isinstance(values, list | tuple) and values and all(isinstance(value, int | float) for value in values)
+    return bool(listed) and all(low < high for low, high in pairwise(values))

@@ -3,21 +3,35 @@
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Annotated, Any
 
-from pydantic import Field
+import numpy as np
+from pydantic import AfterValidator, Field
 
 from silostudy.config.elastic import GrainConfig, MaterialConfig, TouchConfig
 from silostudy.config.fields import described, one_of
 from silostudy.config.surfaces import apart_from
+from silostudy.errors import BadInput
 from silostudy.packing.sizes import SIZES
 
 GRAIN = "grain"  # name of the kind that the sections grain and sizes are of
 WALLS = "walls"  # name of all surfaces that a scene does not tell from the others
+TRIED = 1000  # spheres drawn to see whether sizes give any
+
+
+def _drawable(sizes: Any) -> Any:
+    """The section of sizes; an error with the key that leaves nothing to draw."""
+    try:
+        SIZES[sizes.kind].radii(np.random.default_rng(0), TRIED, sizes)
+    except BadInput as error:
+        raise ValueError(error.reason.removeprefix("sizes.")) from None
+    return sizes
+
+
 if TYPE_CHECKING:
     SizesConfig = Any
     SphereSurfaceConfig = Any
     PairApart = Any
 else:
-    SizesConfig = one_of(SIZES)
+    SizesConfig = Annotated[one_of(SIZES), AfterValidator(_drawable)]
     told = "Material and contact of a surface that is not like the other walls."
     SphereSurfaceConfig = apart_from("SphereSurfaceConfig", told, MaterialConfig, TouchConfig)
     PairApart = apart_from("PairApart", "What two bodies do to each other that are not like the others.", TouchConfig)

@@ -12,7 +12,8 @@ from pathlib import Path
 from typing import Any
 
 from silostudy.config.fields import Strict
-from silostudy.config.load import own_validated, read_yaml, study_of
+from silostudy.config.load import Mistakes, own_validated, read_yaml, study_of
+from silostudy.config.sample import SampledRange
 from silostudy.errors import BadInput
 from silostudy.stages import KINDS
 
@@ -62,7 +63,10 @@ def as_asked(content: dict[str, Any], name: str, where: str, folder: Path, posit
     shape = tuple(map(len, axes))
     for position in range(prod(shape)) if positions is None else positions:
         settings = _settings_at(axes, position, where)
-        config = own_validated(type(study.scene), _applied(content["scene"], settings, where), f"{where} (scene)", folder)
+        try:
+            config = own_validated(type(study.scene), _applied(content["scene"], settings, where), f"{where} (scene)", folder)
+        except Mistakes as mistakes:
+            raise Mistakes([_of_sample(line, study) for line in mistakes.lines]) from None
         cases.append(Case(identity(config), settings, build(config, settings)))
     return Expansion(study, name, shape, tuple(cases), study.named_files(folder))
 
@@ -77,6 +81,13 @@ def _settings_at(axes: list[list[dict[str, Any]]], position: int, where: str) ->
     if left:
         raise BadInput("position", position, "is beyond the cases of the study", where)
     return {key: value for part in reversed(parts) for key, value in part.items()}
+
+
+def _of_sample(line: str, study: Any) -> str:
+    """A mistake in a case; where a sampled range gave a fraction to a key of whole numbers, with what to write instead."""
+    ranges = {key: values for axis in study.sweep if axis.sample for key, values in axis.sample.ranges.items()}
+    drawn = [key for key, values in ranges.items() if isinstance(values, SampledRange) and f": {key} = " in line]
+    return f"{line}: a sampled range gives fractions, list whole numbers in its place" if drawn and "integer" in line else line
 
 
 def identity(config: Strict) -> str:
