@@ -1,5 +1,7 @@
 """Measurements: each has a kind, a unit and either what answers it or why nothing does."""
 
+import re
+
 import pytest
 
 from silostudy.cube.contract import VARIABLES
@@ -8,6 +10,7 @@ from silostudy.tables.measured import KINDS, SWELLING_OVER_FILLING, measured_pre
 from silostudy.tables.references import cite
 from silostudy.tables.solids import SOLIDS
 from silostudy.tables.walls import WALLS
+from tests.conftest import ROOT
 
 
 @pytest.mark.parametrize("one", measurements(), ids=lambda one: one.measurement)
@@ -34,3 +37,11 @@ def test_measurements_are_in_si_and_told_in_their_own_unit():
     assert found["sunday_pile"].told == "25.2 +- 0.8 deg"
     assert found["atewologun_ratio"].told == "1 - sin(phi)"
     assert [one.measurement for one in measured_pressures()] == ["thompson_12_8", "thompson_11_0"]
+
+
+def test_studies_that_answer_in_a_method_s_place_exist():
+    """Piles and drums are told by scenes of grains: the row names the study that holds them against what was measured."""
+    said = [one.why_none for one in measurements() if re.search("pile|drum", one.why_none)]
+    assert len(said) == 3
+    studies = [re.search(r"the study ([\w-]+)", why)[1] for why in said]
+    assert all((ROOT / f"config/studies/{study}.yaml").is_file() for study in studies)
