@@ -7,9 +7,9 @@ from pathlib import Path
 from typing import Any
 
 from silostudy.config.load import read_study
-from silostudy.config.pressure import PressureStudy
 from silostudy.config.scenes import ScenesStudy
 from silostudy.errors import BadInput
+from silostudy.stages import KINDS
 
 PHASES = ("filling", "discharge")
 SAME = 0.01  # share by which lengths and angles of the same silo may differ
@@ -33,8 +33,9 @@ def check_codes(study: ScenesStudy, folder: Path, where: str) -> None:
     if study.codes is None:
         return
     name, path = study.codes.study, folder / f"{study.codes.study}.yaml"
-    codes = read_study(path)
-    if not isinstance(codes, PressureStudy):
+    codes: Any = read_study(path)
+    taken = {stage.borrows["codes"] for stage in KINDS[study.kind].stages if "codes" in stage.borrows}
+    if not taken <= {stage.key for stage in KINDS[codes.kind].stages}:
         raise BadInput("codes.study", name, f"must be a study of pressures, not of kind {codes.kind}", where)
     if lacking := [phase for phase in PHASES if phase not in codes.phases]:
         raise BadInput("codes.study", name, f"must have the phases {', '.join(PHASES)}; lacks {', '.join(lacking)}", where)
