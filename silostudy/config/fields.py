@@ -15,7 +15,7 @@ NO_SECTION: Any = {"custom_error_type": "no_section", "custom_error_message": SE
 
 
 def chosen_by(key: str, *known: str) -> Any:
-    """Of a discriminator that gives None for a section whose key says none of the known choices: the error that names them."""
+    """Error of a discriminator that gives None: the key of the section is missing or none of the known ones."""
     told = {"discriminator": key, "expected_tags": ", ".join(known)}
     return {"custom_error_type": "union_tag_unknown", "custom_error_message": SECTION, "custom_error_context": told}
 

@@ -17,7 +17,9 @@ from silostudy.stages import KINDS
 from silostudy.tables.units import SUFFIXES
 
 M = TypeVar("M", bound=BaseModel)
-NUMBER, WHOLE, SWITCH = "must be a number", "must be a whole number", "must be true or false"
+NUMBER = "must be a number"
+WHOLE = "must be a whole number"
+SWITCH = "must be true or false"
 WORDS = {  # type of a mistake -> what is said of it
     "tuple_type": "must be a list", "list_type": "must be a list", "string_type": "must be text",
     "dict_type": SECTION, "model_type": SECTION, "model_attributes_type": SECTION,
