@@ -10,6 +10,7 @@ import yaml
 
 from silostudy.__main__ import main
 from silostudy.choice.fronts import FRONTS
+from silostudy.commands.explain_keys import key_explanation
 from silostudy.commands.explain_scene import PARTS
 from silostudy.cube.io import read
 from silostudy.pressure import PRESSURE
@@ -229,6 +230,22 @@ def test_every_kind_explains_its_keys(capsys, kind):
     assert f"(kind: {kind})" in told
     for name, field in FILE_KINDS[kind].study.model_fields.items():
         assert re.search(rf"^  {name}( \(.*?\))?: {re.escape(field.description)}", told, re.MULTILINE)
+
+
+def test_every_key_that_a_shipped_file_says_is_explained():
+    contents = [
+        yaml.safe_load(path.read_text()) for part in ("studies", "scenes") for path in (ROOT / "config" / part).glob("*.yaml")
+    ]
+    said_there = {key for content in contents for key in content}
+    assert {"codes", "fillings", "events"} < said_there
+    assert [key for key in sorted(said_there) if not key_explanation(key)] == []
+
+
+def test_a_key_is_explained_with_its_places_and_its_own_keys(capsys):
+    told = said(capsys, "explain", "sample")
+    assert "key sweep.sample of kind accuracy, buckling, grains" in told
+    assert "      count: cases [must be given]" in told
+    assert "key checks of kind shell" in said(capsys, "explain", "checks")  # beside the topic of that name
 
 
 def test_explain_names_a_sections_keys_units_and_choices(capsys):
