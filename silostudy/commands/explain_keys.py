@@ -15,7 +15,7 @@ def explanation(kind) -> list[str]:
 
 
 def key_explanation(key: str) -> list[str]:
-    """What a key of studies and scenes is, where it stands in files of which kinds, and its own keys; nothing of no key."""
+    """Lines on a key of studies and scenes: where it stands in files of which kinds, what it is, and its own keys."""
     from silostudy.stages import FILE_KINDS
 
     places: dict[tuple[str, ...], dict[str, dict[str, None]]] = {}  # what is told -> path -> kinds, in order

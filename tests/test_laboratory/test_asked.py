@@ -2,7 +2,8 @@
 
 import pytest
 
-from silostudy.config.laboratory import CELL, FILLING
+from silostudy.config.laboratory import CELL
+from silostudy.config.study import FILLING
 from silostudy.errors import BadInput
 from silostudy.scene.laboratory_scenes import SHEARING, SLIDING, filling, pressing, shearing
 from silostudy.scene.spheres import contacts_of
