@@ -82,12 +82,14 @@ def steps_ahead(task) -> str:
 def told_before(scene, model) -> list[str]:
     """Lines that a user should know of a scene before it runs: where it goes on from, softening, possible mistakes."""
     from silostudy.config.spheres import SphereScene
+    from silostudy.scene.cautions import high_frictions
     from silostudy.scene.spheres_about import softening, warnings
 
+    cautions = [f"note: {text}" for text in high_frictions(scene)]
     branch = [f"goes on from {scene.start_from} at {model.end['engine']['step'] * model.dt:.6g} s"] if model.end else []
     if not isinstance(scene, SphereScene):
-        return branch
-    return [*branch, *softening(scene, model), *(f"warning: {line}" for line in warnings(scene, model))]
+        return [*branch, *cautions]
+    return [*branch, *cautions, *softening(scene, model), *(f"warning: {line}" for line in warnings(scene, model))]
 
 
 def chosen_for(promise: dict[str, str]) -> list[str]:

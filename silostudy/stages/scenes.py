@@ -28,5 +28,5 @@ KIND = Kind(
             borrows={"codes": "pressure"},
         ),
     ),
-    about=("silostudy.commands.about:time_of_parts",),
+    about=("silostudy.commands.about:time_of_parts", "silostudy.commands.about_grains:cautions"),
 )

@@ -51,9 +51,8 @@ def test_every_filling_has_its_seed_and_watches_its_scene_file():
 
 @pytest.mark.parametrize(
     ("name", "outputs", "told"),
-    [("published-cases", [], "sweep needs two values at least on the axis filling: of one no scatter is known"),
-     ("slot-of-discs", ["jams_over_outlet"], "output jams_over_outlet needs two values at least on the axis filling: of one no scatter is known")],
-)  # fmt: skip
+    [("published-cases", [], "sweep"), ("slot-of-discs", ["jams_over_outlet"], "output jams_over_outlet")],
+)
 def test_one_filling_is_refused_where_its_scatter_is_shown(name, outputs, told):
     path = ROOT / f"config/studies/{name}.yaml"
     content = read_yaml(path) | {"outputs": outputs}
@@ -61,7 +60,7 @@ def test_one_filling_is_refused_where_its_scatter_is_shown(name, outputs, told):
     filling["values"]["seed"] = [1]
     with pytest.raises(BadInput) as caught:
         study_of(content, "s.yaml", path.parent)
-    assert str(caught.value) == f"s.yaml: file: {told}"
+    assert str(caught.value).startswith(f"s.yaml: file: {told} needs two values at least on the axis filling")
 
 
 def test_misses_are_in_tolerances():
