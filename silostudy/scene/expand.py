@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import Any
 
 from silostudy.config.fields import Strict
-from silostudy.config.load import Mistakes, own_validated, read_yaml, study_of
+from silostudy.config.load import WHOLE, Mistakes, own_validated, read_yaml, study_of
 from silostudy.config.sample import SampledRange
 from silostudy.errors import BadInput
 from silostudy.stages import KINDS
@@ -87,7 +87,9 @@ def _of_sample(line: str, study: Any) -> str:
     """A mistake in a case; where a sampled range gave a fraction to a key of whole numbers, with what to write instead."""
     ranges = {key: values for axis in study.sweep if axis.sample for key, values in axis.sample.ranges.items()}
     drawn = [key for key, values in ranges.items() if isinstance(values, SampledRange) and f": {key} = " in line]
-    return f"{line}: a sampled range gives fractions, list whole numbers in its place" if drawn and "integer" in line else line
+    return (
+        f"{line}: a sampled range gives fractions, list whole numbers in its place" if drawn and line.endswith(WHOLE) else line
+    )
 
 
 def identity(config: Strict) -> str:

@@ -21,7 +21,7 @@ KIND = Kind(
         ),
         Stage(
             key="beside",
-            title="walls of silos of spheres beside theories and codes",
+            title="what the walls of those scenes felt beside theories and codes",
             compute="silostudy.compute.beside:beside_cube",
             section="codes",
             reads=("scenes",),

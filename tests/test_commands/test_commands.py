@@ -224,6 +224,15 @@ def test_every_part_of_a_scene_is_listed_and_explained(capsys, part):
         assert f"{row.title} ({key}, of {part})" in said(capsys, "explain", key)
 
 
+def test_kinds_are_listed_with_their_cubes_under_them(capsys):
+    told = said(capsys, "list", "kinds").split("\n")
+    assert told[0].startswith("What a file says as `kind`")
+    place = next(number for number, line in enumerate(told) if line.startswith("scenes "))
+    assert told[place + 1].split()[0] == "scenes.nc"
+    assert told[place + 2].split()[0] == "beside.nc"
+    assert told[place + 2].endswith("(where the study has a section codes)")
+
+
 @pytest.mark.parametrize("kind", FILE_KINDS)
 def test_every_kind_explains_its_keys(capsys, kind):
     told = said(capsys, "explain", kind)
