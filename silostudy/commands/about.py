@@ -87,11 +87,13 @@ def checks(expansion) -> list[str]:
 
 def time_of_parts(expansion) -> list[str]:
     """About what a sweep costs: from the measured time of a case where the study states it, else from discs and steps."""
+    from silostudy.scene.costs import told_time
     from silostudy.sweep.plan import parts_of
 
     study, parts = expansion.study, parts_of(expansion.study)
     seconds = sum(study.case_s or parts.call("cost", case.scene) for case in expansion.cases)
-    return [f"at most about {seconds / 60:.3g} min of one core, a kernel's compiling apart"]
+    seconds *= expansion.size / len(expansion.cases)
+    return [f"at most about {told_time(seconds)} of one core, a kernel's compiling apart"]
 
 
 def tests(expansion) -> list[str]:
@@ -99,7 +101,7 @@ def tests(expansion) -> list[str]:
     study, counts = expansion.study, dict.fromkeys(case.scene.count for case in expansion.cases)
     stresses = ", ".join(f"{stress:g}" for stress in study.stresses_kPa)
     return [
-        f"{len(expansion.cases)} cell(s) of {', '.join(map(str, counts))} grains, each tested at {stresses} kPa",
+        f"{expansion.size} cell(s) of {', '.join(map(str, counts))} grains, each tested at {stresses} kPa",
         f"row {study.solid.key}: at {study.vertical:g} kPa, wall friction at {study.horizontal:g} kPa",
     ]
 

@@ -22,6 +22,15 @@ def runs(expansion) -> list[str]:
     ]
 
 
+def cautions(expansion) -> list[str]:
+    """Cautions on the grains of a study's cases, each once, though nothing is wrong."""
+    from silostudy.scene.cautions import high_frictions, narrow_cell
+
+    scenes = (case.scene for case in expansion.cases)
+    told = (text for scene in scenes for text in (*high_frictions(scene.config, "scene."), *narrow_cell(scene)))
+    return [f"note: {text}" for text in dict.fromkeys(told)]
+
+
 def _work(expansion) -> int:
     """Particle-steps of the study, at most."""
     from silostudy.compute.grains_model import run_lengths

@@ -12,12 +12,13 @@ if TYPE_CHECKING:
 def add(sub) -> None:
     command = sub.add_parser(
         "explain",
-        help="explain a method, a rule, a contact law or another part of a scene, the keys of a kind of study, or a "
+        help="explain a method, a rule, a contact law or another part of a scene, the keys of a kind of study, a key, or a "
         "discrete-element scene: which effects it calls for and their price",
     )
     what = (
         "see `silostudy list methods`, `buckling`, `laws`, `packings`, `integrators`, `triggers`, `rest`, `mass-rules` and "
         "`kinds`; earthquake (on a shell); checks (of its steel); accuracy (who may ask); "
+        "a key of a study or scene, as sample; "
         "or a scene file (*.yaml)"
     )
     command.add_argument("method", help=what)
@@ -35,7 +36,7 @@ def run(chosen) -> None:
 
 
 def explanation(key: str, known: "Families") -> list[str]:
-    """The lines that explain a method, a rule, a part of a scene, a kind or a topic; BadInput lists the known ones."""
+    """The lines that explain a method, a rule, a part of a scene, a kind, a key or a topic; BadInput lists all but keys."""
     from silostudy.buckling import BUCKLING, RIVALS
     from silostudy.checks import CHECKS
     from silostudy.commands import (
@@ -63,9 +64,10 @@ def explanation(key: str, known: "Families") -> list[str]:
     families.append((FILE_KINDS, explain_keys))
     parts = [topics[key]()] if key in topics else []
     parts += [told.explanation(family[key]) for family, told in families if key in family]
-    if not parts:
+    parts.append(explain_keys.key_explanation(key))
+    if not any(parts):
         raise unknown(
-            "method, rule, law, part of a scene or kind of study",
+            "key of a file, method, rule, law, part of a scene or kind of study",
             key,
             dict.fromkeys([*(key for family, _ in families for key in family), *topics]),
         )

@@ -84,14 +84,14 @@ def run_cost(scene, model, price: float, memory: float) -> str:
     """Cost of a run at most, from the CPU time (s) of a body's step and the memory (bytes) of a body."""
     from math import ceil
 
-    from silostudy.scene.costs import duration
+    from silostudy.scene.costs import duration, told_time
 
     began = model.end["engine"]["step"] if model.end else 0
     steps = max(0, ceil((duration(scene) / model.dt - int(began)) / model.pace.ticks))
     count, body = len(model.x), model.space.body
-    minutes, megabytes = count * steps * price / 60.0, count * memory / 1e6
+    taken, megabytes = told_time(count * steps * price), count * memory / 1e6
     return (
-        f"at most {steps:,} steps of {count:,} {body}s, {price * 1e9:.1f} ns each here and now: about {minutes:.2g} min of one "
+        f"at most {steps:,} steps of {count:,} {body}s, {price * 1e9:.1f} ns each here and now: about {taken} of one "
         f"core, looks and records apart; {memory:.0f} bytes a {body}, {megabytes:.3g} MB"
     )
 

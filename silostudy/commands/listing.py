@@ -25,10 +25,12 @@ def run(chosen) -> None:
 def _kinds(chosen):
     from silostudy.stages import FILE_KINDS
 
+    yield ("What a file says as `kind`, and under it the cubes that it makes in its folder of results:",)
     for kind in FILE_KINDS.values():
         yield f"{kind.key:10}", kind.title
         for stage in kind.stages:
-            yield "", f"{stage.key:10}", stage.title + (f" (with the section {stage.section})" if stage.section else "")
+            asked = f" (where the study has a section {stage.section})" if stage.section else ""
+            yield " " * 10, f"{stage.key}.nc".ljust(14), stage.title + asked
 
 
 def _methods(chosen):

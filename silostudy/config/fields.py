@@ -10,7 +10,14 @@ from pydantic import BaseModel, ConfigDict, Field, create_model, model_validator
 from silostudy.catalogue import Family
 
 # of a discriminator: what is said where a section is none
-NO_SECTION: Any = {"custom_error_type": "no_section", "custom_error_message": "must hold `key: value` lines"}
+SECTION = "must hold `key: value` lines"
+NO_SECTION: Any = {"custom_error_type": "no_section", "custom_error_message": SECTION}
+
+
+def chosen_by(key: str, *known: str) -> Any:
+    """Error of a discriminator that gives None: the key of the section is missing or none of the known ones."""
+    told = {"discriminator": key, "expected_tags": ", ".join(known)}
+    return {"custom_error_type": "union_tag_unknown", "custom_error_message": SECTION, "custom_error_context": told}
 
 
 class Strict(BaseModel):

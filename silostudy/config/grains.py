@@ -4,7 +4,7 @@ from typing import Annotated, Any, ClassVar, Literal, TypeAlias
 
 from pydantic import Discriminator, Field, Tag
 
-from silostudy.config.fields import NO_SECTION, Strict, described
+from silostudy.config.fields import Strict, chosen_by, described
 from silostudy.config.grains_spheres import ShakenSpheres
 from silostudy.config.shaking import Shaking
 from silostudy.config.study import BaseStudy
@@ -50,16 +50,18 @@ class GrainsScene(Strict):
     shaking: Shaking = described("horizontal acceleration of the box", "")
 
 
-def _model_of(scene: Any) -> str:
+def _model_of(scene: Any) -> str | None:
     """Name of the model that a scene, or its content, is of: the key `grains` is a word for spheres, a section for discs."""
     if not isinstance(scene, dict):
         return type(scene).__name__
-    return (ShakenSpheres if isinstance(scene.get("grains"), str) else GrainsScene).__name__
+    if not isinstance(word := scene.get("grains"), str):
+        return GrainsScene.__name__
+    return ShakenSpheres.__name__ if word == "spheres" else None
 
 
 AnyBox: TypeAlias = Annotated[
     Annotated[GrainsScene, Tag(GrainsScene.__name__)] | Annotated[ShakenSpheres, Tag(ShakenSpheres.__name__)],
-    Discriminator(_model_of, **NO_SECTION),
+    Discriminator(_model_of, **chosen_by("grains", "spheres", "a section for discs")),
 ]
 
 

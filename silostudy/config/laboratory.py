@@ -7,12 +7,11 @@ from pydantic import Field, field_validator, model_validator
 
 from silostudy.config.fields import Strict, described
 from silostudy.config.laboratory_scenes import LEAST_CELL, AnyLaboratory
-from silostudy.config.study import SweepStudy
+from silostudy.config.study import FILLING, SweepStudy
 from silostudy.tables.solids import GRAINS
 
-# axes that every laboratory has
-CELL = "cell"
-FILLING = "filling"
+CELL = "cell"  # axis that every laboratory has, beside that of fillings
+
 Stress = Annotated[float, Field(gt=0, le=1e4)]
 Width = Annotated[float, Field(ge=LEAST_CELL, le=400)]
 

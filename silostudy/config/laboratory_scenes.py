@@ -2,12 +2,12 @@
 
 from typing import Annotated, Any, ClassVar, Literal, TypeAlias
 
-from pydantic import AfterValidator, Discriminator, Tag, field_validator
+from pydantic import AfterValidator, Discriminator, Tag
 
 from silostudy.catalogue import Family
 from silostudy.config.contact import ContactConfig
 from silostudy.config.elastic import GrainConfig, MaterialConfig, TouchConfig
-from silostudy.config.fields import NO_SECTION, described
+from silostudy.config.fields import chosen_by, described
 from silostudy.config.mixture import SizesConfig
 from silostudy.config.own import OwnMethods
 from silostudy.contact import LAWS, SPHERE_LAWS
@@ -46,14 +46,6 @@ class LaboratoryScene(OwnMethods):
     step_factor: float = described(STEP, gt=0, le=1, default=1.0)
     seed: int = described("seed of the filling", ge=0, le=2**53, default=0)
 
-    @field_validator("grains", mode="before")
-    @classmethod
-    def _one_of_both(cls, grains: Any) -> Any:
-        """Names both sorts where it is neither: the other's scene is of a model of its own."""
-        if grains != "spheres":
-            raise ValueError("must be 'spheres' or 'discs'")
-        return grains
-
 
 class DiscLaboratory(OwnMethods):
     """One filling of one plane cell: discs, the wall that they are tested against, and how fast the tests are."""
@@ -76,14 +68,15 @@ class DiscLaboratory(OwnMethods):
     seed: int = described("seed of the filling", ge=0, le=2**53, default=0)
 
 
-def _model_of(scene: Any) -> str:
+MODELS = {"spheres": LaboratoryScene.__name__, "discs": DiscLaboratory.__name__}
+
+
+def _model_of(scene: Any) -> str | None:
     """Name of the model that a scene, or its content, is of, as its key `grains` says."""
-    if not isinstance(scene, dict):
-        return type(scene).__name__
-    return (DiscLaboratory if scene.get("grains") == "discs" else LaboratoryScene).__name__
+    return MODELS.get(str(scene.get("grains"))) if isinstance(scene, dict) else type(scene).__name__
 
 
 AnyLaboratory: TypeAlias = Annotated[
     Annotated[LaboratoryScene, Tag(LaboratoryScene.__name__)] | Annotated[DiscLaboratory, Tag(DiscLaboratory.__name__)],
-    Discriminator(_model_of, **NO_SECTION),
+    Discriminator(_model_of, **chosen_by("grains", *MODELS)),
 ]

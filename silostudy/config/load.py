@@ -6,7 +6,7 @@ from typing import Any, TypeVar
 import yaml
 from pydantic import BaseModel, ValidationError
 
-from silostudy.config.fields import Strict, described
+from silostudy.config.fields import SECTION, Strict, described
 from silostudy.config.own import OwnMethods
 from silostudy.config.own_rows import Families, joined
 from silostudy.config.places import keys_at
@@ -17,6 +17,15 @@ from silostudy.stages import KINDS
 from silostudy.tables.units import SUFFIXES
 
 M = TypeVar("M", bound=BaseModel)
+NUMBER = "must be a number"
+WHOLE = "must be a whole number"
+SWITCH = "must be true or false"
+WORDS = {  # type of a mistake -> what is said of it
+    "tuple_type": "must be a list", "list_type": "must be a list", "string_type": "must be text",
+    "dict_type": SECTION, "model_type": SECTION, "model_attributes_type": SECTION,
+    "float_type": NUMBER, "float_parsing": NUMBER, "bool_type": SWITCH, "bool_parsing": SWITCH,
+    "int_type": WHOLE, "int_parsing": WHOLE, "int_from_float": WHOLE,
+}  # fmt: skip
 
 
 class Project(Strict):
@@ -61,13 +70,24 @@ def validated(model: type[M], content: Any, where: str, families: Families | Non
         return model.model_validate(content, context={"families": families or {}})
     except ValidationError as error:
         items = error.errors()
-        raise Mistakes([_line(item, content, where, model) for item in items if not _follows(item, items)]) from None
+        raise Mistakes(_joined([_line(item, content, where, model) for item in items if not _follows(item, items)])) from None
+
+
+def _joined(lines: list[str]) -> list[str]:
+    """The lines, in which those of a value that may be a list or a section are one."""
+    either = [f": {words}" for words in dict.fromkeys((SECTION, WORDS["tuple_type"]))]
+    joined: dict[str, str] = {}
+    for line in lines:
+        key = next((line.removesuffix(words) for words in either if line.endswith(words)), line)
+        joined[key] = f"{joined[key]} or {line.removeprefix(key + ': must ')}" if key in joined else line
+    return list(joined.values())
 
 
 def _follows(item: Any, items: list[Any]) -> bool:
     """Whether a list is called too short only because of the mistakes in it, or a section no list because of those in it."""
     place = item["loc"] if item["type"] == "too_short" else item["loc"][:-1]
-    follows = item["type"] == "too_short" or (item["type"] == "tuple_type" and isinstance(item["input"], dict))
+    other_branch = {"tuple_type": dict, "model_type": list}.get(item["type"], ())
+    follows = item["type"] == "too_short" or isinstance(item["input"], other_branch)
     inner = (error["loc"] for error in items if error is not item and error["type"] != "tuple_type")
     return follows and any(len(loc) > len(place) and loc[: len(place)] == place for loc in inner)
 
@@ -94,7 +114,7 @@ def _line(item: Any, content: Any, where: str, model: type[BaseModel]) -> str:
             continue
         path.append(str(part))
     key, value = ".".join(path) or "file", item["input"]
-    if item["type"].startswith("union_tag"):
+    if item["type"].startswith("union_tag") and isinstance(value, dict):
         return _untold(item, ".".join([*path, item["ctx"]["discriminator"].strip("'")]), where)
     if item["type"] == "missing":
         return f"{where}: {key}: is missing{_unit_hint(str(item['loc'][-1]), value)}"
@@ -114,7 +134,7 @@ def _unknown_key(key: str, known: list[str]) -> str:
 
 def _untold(item: Any, key: str, where: str) -> str:
     """The line for a section whose kind is missing or unknown."""
-    tag = item["ctx"].get("tag")
+    tag = item["input"].get(item["ctx"]["discriminator"].strip("'"))
     if tag is None:
         return f"{where}: {key}: is missing"
     return f"{where}: {unknown(key, tag, (known.strip(chr(39)) for known in item['ctx']['expected_tags'].split(', '))).reason}"
@@ -130,7 +150,7 @@ def _allowed(item: Any) -> str:
         return f"must hold {item['ctx']['min_length']} or more"
     if item["type"] == "too_long":
         return f"must hold {item['ctx']['max_length']} at most"
-    return item["msg"].removeprefix("Value error, ").replace("Input should be", "must be")
+    return WORDS.get(item["type"]) or item["msg"].removeprefix("Value error, ").replace("Input should be", "must be")
 
 
 def _unit_hint(key: str, siblings: Any) -> str:

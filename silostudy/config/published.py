@@ -6,11 +6,9 @@ from typing import Literal, Self
 from pydantic import model_validator
 
 from silostudy.config.fields import Strict, described
-from silostudy.config.study import SweepStudy
+from silostudy.config.study import FILLING, SweepStudy
 
-# axes of every such study
-CASE = "published_case"
-FILLING = "filling"
+CASE = "published_case"  # axis of every such study, beside that of fillings
 
 
 class PublishedScene(Strict):
@@ -36,6 +34,8 @@ class PublishedStudy(SweepStudy):
         keys = {axis.axis: [*axis.settings()[0]] for axis in self.sweep}
         if keys != {CASE: ["file"], FILLING: ["seed"]}:
             raise ValueError(f"sweep must have the axes {CASE}, of file, and {FILLING}, of seed, and no other")
+        if self._without_scatter():
+            raise ValueError(f"sweep needs two values at least on the axis {FILLING}: of one no scatter is known")
         return self
 
     @property

@@ -9,7 +9,7 @@ from pydantic import Discriminator, Tag, model_validator
 from silostudy.config.fields import NO_SECTION, Strict, described
 from silostudy.config.grain_scenes import SCENES, AnyScene, scene_class
 from silostudy.config.run import MEANS
-from silostudy.config.study import SweepStudy
+from silostudy.config.study import FILLING, SweepStudy
 from silostudy.tables.asked import quantities
 from silostudy.tables.outputs import OUTPUTS
 
@@ -28,7 +28,6 @@ else:
 
 # dimensions of its cubes that no axis may be named after
 OWN = ("body", "wall_level", "wall_turn", "flow_window", "flow_share", "averaging")
-FILLING = "filling"  # name of the axis of fillings in the cube beside codes
 
 
 class CodesConfig(Strict):

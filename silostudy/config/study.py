@@ -1,5 +1,6 @@
 """A parametric study as a user writes it: axes, and the keys of every kind of study."""
 
+from functools import cached_property
 from itertools import pairwise
 from pathlib import Path
 from typing import Any, ClassVar, Literal, Self, TypeAlias
@@ -14,6 +15,7 @@ from silostudy.tables.references import own_files
 
 OutputKey: TypeAlias = Literal[tuple(OUTPUTS)]  # type: ignore[valid-type]
 TAKEN = ("pressure_method", "phase", "depth", "relative_depth", "hopper_position", "case", "rule")
+FILLING = "filling"  # name of the axis of fillings
 KEYWORDS = ("method", "tolerance", "drop", "indexers")  # of xarray's sel: a dimension of such a name cannot be selected by it
 
 
@@ -60,6 +62,10 @@ class Axis(Strict):
 
     def settings(self) -> list[dict[str, Any]]:
         """The keys and values of each position on the axis."""
+        return self._positions
+
+    @cached_property
+    def _positions(self) -> list[dict[str, Any]]:
         if self.points is not None:
             return [dict(point) for point in self.points]
         if self.sample is not None:
@@ -100,6 +106,10 @@ class BaseStudy(Strict):
         """The model of the content of its scene, or a union of models none of which takes rows of the user's own."""
         return cls.model_fields["scene"].annotation
 
+    def _without_scatter(self) -> bool:
+        """Whether the study has an axis of fillings, but one filling alone."""
+        return any(axis.axis == FILLING and len(axis.settings()) < 2 for axis in self.sweep)
+
     @property
     def stages(self) -> tuple[str, ...]:
         """The cubes that the study asks for, in order: results/<study>/<stage>.nc, each by a sub-command of that name."""
@@ -138,6 +148,8 @@ class BaseStudy(Strict):
                 raise ValueError(f"output {key} needs {wanted}")
             if row.only_axes and axes - set(row.axes):
                 raise ValueError(f"output {key} can show no axes but {', '.join(row.axes)}")
+            if FILLING in row.axes and self._without_scatter():
+                raise ValueError(f"output {key} needs two values at least on the axis {FILLING}: of one no scatter is known")
         return self
 
 

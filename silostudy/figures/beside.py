@@ -14,7 +14,7 @@ SURE = 0.95  # share of the intervals that hold the mean of all fillings
 COVERS = "covers it"
 MAY_COVER = "may cover it"
 SHORT = "does not cover it"
-NO_INTERVAL = "no interval: too few fillings reach there"
+NO_INTERVAL = "no interval: fewer than two fillings have a value"
 
 
 def settings(cube: xr.Dataset) -> Iterator[tuple[dict[str, Any], xr.Dataset]]:

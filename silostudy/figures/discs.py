@@ -1,4 +1,4 @@
-"""Discs of a film: force chains, discs coloured by speed, and the box with its slit."""
+"""Discs of a film: force chains, their first heights, and the box with its slit."""
 
 import numpy as np
 import pandas as pd
@@ -81,11 +81,10 @@ def centres(cube: xr.Dataset, snapshot: int) -> pd.DataFrame:
     return pd.DataFrame({"across_cm": frame["disc_x"].values * CM, "height_cm": frame["disc_y"].values * CM}).dropna()
 
 
-def speed(cube: xr.Dataset, snapshot: int) -> np.ndarray:
-    """Speed (m/s) of the discs of a snapshot that are left."""
-    frame = cube.isel(snapshot=snapshot)
-    speeds = np.hypot(frame["disc_u"].values, frame["disc_v"].values)
-    return speeds[np.isfinite(speeds)]
+def first_height(cube: xr.Dataset, snapshot: int, first: int) -> np.ndarray:
+    """Height (cm) in the snapshot `first` of the discs that are left in another one."""
+    left = np.isfinite(cube["disc_x"].values[snapshot])
+    return cube["disc_y"].values[first][left] * CM
 
 
 def scale_bar(panel: Axes, cube: xr.Dataset, x: float, y: float, scale: float = DIAMETER_IS) -> None:

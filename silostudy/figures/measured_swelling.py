@@ -10,7 +10,7 @@ import xarray as xr
 from matplotlib.axes import Axes
 
 from silostudy.cube.measured import cases_of, crossing, swelling_over_filling
-from silostudy.figures.style import LINES, series
+from silostudy.figures.style import COLOURS, LINES, series
 from silostudy.tables.measured import Measurement
 
 DEEPEST = 0.9  # z/z_o down to which the quotient is drawn
@@ -64,9 +64,10 @@ def draw_on(panel: Axes, drawn: pd.DataFrame, met: pd.DataFrame, swollen: Sequen
     """Draws the curves, the measured ratios and where they meet."""
     solids, walls = list(dict.fromkeys(drawn.taken_solid)), list(dict.fromkeys(drawn.taken_wall))
     walls = [*(wall for wall in walls if wall != "any"), "any"]
-    for (solid, method, wall), curve in drawn.groupby(["taken_solid", "title", "taken_wall"], sort=False):
+    for number, ((solid, method, wall), curve) in enumerate(drawn.groupby(["taken_solid", "title", "taken_wall"], sort=False)):
         shown, dotted = curve[curve.relative_depth <= DEEPEST], wall == "any"
-        look: dict[str, Any] = series(solids.index(solid)) | {"linestyle": ":" if dotted else LINES[walls.index(wall)]}
+        look: dict[str, Any] = series(number) | {"color": COLOURS[solids.index(solid)]}  # a solid has one colour
+        look |= {"linestyle": ":" if dotted else LINES[walls.index(wall)]}
         label = f"{_plain(solid)} on {'any' if dotted else wall.upper()} wall, over {method.partition(' (')[0]}"
         panel.plot(shown.ratio, shown.relative_depth, markevery=0.2, label=label, **look)
     points = met.dropna(subset="relative_depth")

@@ -1,39 +1,34 @@
-"""The detailed discharges in motion: discs coloured by speed, force chains on them, wall forces beside them."""
+"""The detailed discharges in motion: discs coloured in layers by their first height, force chains, wall forces beside them."""
 
 from pathlib import Path
 from textwrap import fill
 
 import numpy as np
 import xarray as xr
-from matplotlib.animation import FuncAnimation, PillowWriter
 from matplotlib.axes import Axes
 from matplotlib.collections import LineCollection
 
-from silostudy.figures import discs
+from silostudy.figures import discs, layers
 from silostudy.figures.style import BLUE, WIDTH, foot, headline, plt
-from silostudy.files import replacing
 
-FRAMES_A_SECOND = 8
 EVERY = 2  # snapshots a frame
-FASTEST = 1.0  # m/s: end of the colour scale
 SCALE = 4 * discs.DIAMETER_IS
-DPI = 100  # at which small words have 12 px
 ABOUT = "Blue bars: normal force on 1 cm of wall (mean of 10 ms). Black lines: forces of contacts,"
 LENGTH = 10.0  # cm: length of the bar of the largest wall force of a film
 
 
 def draw(cube: xr.Dataset, stem: Path) -> None:
-    """Writes an animated WebP, which browsers play; a film that ends before the others keeps its last frame."""
+    """Writes the films side by side; one that ends before the others keeps its last frame."""
     films = [Film(cube, film) for film in discs.films(cube, moving=True)]
     columns = min(2, len(films))
     rows = -(-len(films) // columns)
     figure, panels = plt.subplots(rows, columns, figsize=(WIDTH, 6.2 * rows / columns + 1.8), squeeze=False)
     for panel in panels.flat[len(films) :]:
         panel.axis("off")
+    edges = layers.bounds(np.concatenate([film.height(0) for film in films]))
     for film, panel in zip(films, panels.flat, strict=False):
-        film.prepare(panel)
-    bar = figure.colorbar(films[0].circles, ax=panels, shrink=0.5, pad=0.01, fraction=0.04)
-    bar.set_label("speed of the disc (m/s)")
+        film.prepare(panel, edges)
+    layers.legend(figure, films[0].circles, panels, "when the slit opened", pad=0.01, fraction=0.04)
     headline(figure, f"Force on 1 cm of wall: {'; '.join(film.told() for film in films)}")
     foot(figure, f"{cube.attrs['title']}.", f"{ABOUT} {SCALE:.0f} disc weights a diameter.")
     last = max(len(film.shots) for film in films)
@@ -42,10 +37,7 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
         for film in films:
             film.show(min(EVERY * number, len(film.shots) - 1))
 
-    animation = FuncAnimation(figure, show, frames=-(-last // EVERY), init_func=lambda: None)
-    with replacing(stem.with_suffix(".webp")) as temporary:
-        animation.save(temporary, writer=PillowWriter(fps=FRAMES_A_SECOND), dpi=DPI)
-    plt.close(figure)
+    layers.save(figure, show, -(-last // EVERY), stem)
 
 
 class Film:
@@ -56,9 +48,13 @@ class Film:
         self.force = cube["frame_normal_force"].values[self.shots]
         self.width, self.heights = float(cube.attrs["width_m"]) * discs.CM, cube["side_cell"].values * discs.CM
 
-    def prepare(self, panel: Axes) -> None:
-        """Draw the box and empty collections."""
-        self.panel = panel
+    def height(self, number: int) -> np.ndarray:
+        """Height (cm) in the first frame of the discs that are left in another one."""
+        return discs.first_height(self.cube, self.shots[number], self.shots[0])
+
+    def prepare(self, panel: Axes, edges: np.ndarray) -> None:
+        """Draw the box and empty collections; edges: bounds (cm) of the layers."""
+        self.panel, self.edges = panel, edges
         discs.draw_box(panel, self.cube, opened=True)
         panel.set(
             xlim=(-LENGTH - 1, self.width + LENGTH + 1),
@@ -90,10 +86,8 @@ class Film:
         self.panel.set_title(f"{fill(self.name, 45)}\nt = {time:.2f} s")
 
     def _circles(self, number: int):
-        shot = self.shots[number]
-        circles = discs.circles(self.cube, shot, self.panel, cmap="YlOrRd", edgecolors="#888888", linewidths=0.3)
-        circles.set_array(discs.speed(self.cube, shot))
-        circles.set_clim(0.0, FASTEST)
+        circles = discs.circles(self.cube, self.shots[number], self.panel, edgecolors="#888888", linewidths=0.3)
+        layers.colour(circles, self.height(number), self.edges)
         return circles
 
     def _chains(self, number: int) -> LineCollection:

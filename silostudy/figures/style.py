@@ -70,6 +70,7 @@ plt.rcParams.update(
         "grid.alpha": 0.25,
         "hatch.linewidth": 0.6,
         "legend.frameon": False,
+        "legend.handlelength": 2.8,  # dashes of any line show beside its marker
         "figure.constrained_layout.use": True,
     }
 )
@@ -99,7 +100,7 @@ def foot(figure: Figure, *remarks: str, handles: Iterable[Artist] = ()) -> None:
 
 def _columns(labels: list[str], room: int) -> int:
     """The most columns of a legend that have room, in letters, beside each other."""
-    lengths = [max(map(len, label.split("\n"))) + 8 for label in labels]  # with the mark and a gap
+    lengths = [max(map(len, label.split("\n"))) + 9 for label in labels]  # with the mark and a gap
     fits = (count for count in range(len(lengths), 1, -1) if sum(map(max, np.array_split(lengths, count))) <= room)
     return next(fits, 1)
 

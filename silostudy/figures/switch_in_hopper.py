@@ -19,6 +19,11 @@ LOOKS: dict[str, dict[str, Any]] = {
     "mean in flow": {"linewidth": 1.2, "linestyle": (0, (4, 2)), "marker": "none"},
     "largest window in flow": {"linewidth": 2.4, "linestyle": "-", "marker": "o"},
 }
+BANDS: dict[str, dict[str, Any]] = {
+    "at rest": {"hatch": "....", "facecolor": "none", "edgecolor": "0.5", "zorder": 1.0},
+    "mean in flow": {"hatch": "////", "facecolor": "none", "edgecolor": "0.5", "zorder": 1.0},
+    "largest window in flow": {"facecolor": "0.88", "edgecolor": "none", "zorder": 0.5},  # behind the other two
+}
 
 
 def draw(cube: xr.Dataset, stem: Path) -> None:
@@ -38,13 +43,10 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     for panel in panels.flat[len(every) :]:
         panel.set_visible(False)
     for panel in panels[:, 0]:
-        panel.set_ylabel("height over the transition's")
+        panel.set_ylabel("height above the outlet\nover that of the transition")
     headline(figure, _message(cube))
     handles = {text: line for panel in panels.flat for line, text in zip(*panel.get_legend_handles_labels(), strict=True)}
-    about = (
-        "Height above the outlet over that of the transition; grains: means around, bands of least and largest of fillings. "
-    )
-    about += "Largest over rest: of each filling by itself, then their mean."
+    about = "Grains: means around the hopper; bands: least to largest of fillings. Largest over rest: mean of the fillings'."
     foot(figure, f"{cube.attrs['title']}.", about, handles=handles.values())
     save(figure, pd.concat(numbers, ignore_index=True), stem)
 
@@ -73,7 +75,7 @@ def _grains(panel: Axes, silo: xr.Dataset) -> list[pd.DataFrame]:
     for name, pressure in felt.items():
         mean, low, high = (getattr(pressure, what)("filling") for what in ("mean", "min", "max"))
         panel.plot(mean / KPA, height, color=BLACK, markersize=4, label=f"grains, {name}", **LOOKS[name])
-        panel.fill_betweenx(height, low / KPA, high / KPA, color="0.3", alpha=0.15, linewidth=0)
+        panel.fill_betweenx(height, low / KPA, high / KPA, label=f"fillings, {name}", linewidth=0, **BANDS[name])
         tables.append(pd.DataFrame({
             "of": f"grains, {name}", "height_over_transition": height, "pressure_Pa": mean, "least_Pa": low, "largest_Pa": high,
         }))  # fmt: skip

@@ -25,6 +25,7 @@ START = 0.02  # s: building a scene
 LINE = 100  # bytes of a body in a file
 UNKNOWN = np.array([1e-3])  # m: radius of spheres whose sizes stand in a file
 OF_MEAN = 32  # fillings of a case whose mean is asked for: as many as its scatter asks for, some tens
+HOUR = 3600.0  # s
 DRAWN = 200  # sizes that the ends of a distribution are guessed from
 
 
@@ -48,6 +49,11 @@ def cost(case: SceneCase) -> float:
     step = scene.march.step_s or costs.step(scene)
     once = START + duration(scene) / step * (costs.look + costs.count(scene, folder) * costs.body)
     return OF_MEAN * once if scene.of_fillings else once
+
+
+def told_time(seconds: float) -> str:
+    """A computing time (s) in words: minutes, from two hours on hours."""
+    return f"{seconds / HOUR:.1f} h" if seconds >= 2.0 * HOUR else f"{seconds / 60.0:.3g} min"
 
 
 def duration(scene: AnyScene) -> float:

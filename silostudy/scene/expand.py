@@ -12,10 +12,12 @@ from pathlib import Path
 from typing import Any
 
 from silostudy.config.fields import Strict
-from silostudy.config.load import Mistakes, own_validated, read_yaml, study_of
+from silostudy.config.load import WHOLE, Mistakes, own_validated, read_yaml, study_of
 from silostudy.config.sample import SampledRange
 from silostudy.errors import BadInput
 from silostudy.stages import KINDS
+
+MOST = 1_000_000  # cases of a study
 
 
 @dataclass(frozen=True)
@@ -36,6 +38,11 @@ class Expansion:
     shape: tuple[int, ...]
     cases: tuple[Case, ...]
     named: tuple[Path, ...] = ()  # files of the user's own that the study itself names
+
+    @property
+    def size(self) -> int:
+        """Cases of the whole study, also where only some are here."""
+        return prod(self.shape)
 
     @property
     def files(self) -> tuple[Path, ...]:
@@ -61,6 +68,8 @@ def as_asked(content: dict[str, Any], name: str, where: str, folder: Path, posit
     build = KINDS[study.kind].scene_builder(study, folder, where)
     cases, axes = [], [axis.settings() for axis in study.sweep]
     shape = tuple(map(len, axes))
+    if prod(shape) > MOST:
+        raise BadInput("sweep", prod(shape), f"makes more cases than a study may have, {MOST:,}", where)
     for position in range(prod(shape)) if positions is None else positions:
         settings = _settings_at(axes, position, where)
         try:
@@ -87,7 +96,9 @@ def _of_sample(line: str, study: Any) -> str:
     """A mistake in a case; where a sampled range gave a fraction to a key of whole numbers, with what to write instead."""
     ranges = {key: values for axis in study.sweep if axis.sample for key, values in axis.sample.ranges.items()}
     drawn = [key for key, values in ranges.items() if isinstance(values, SampledRange) and f": {key} = " in line]
-    return f"{line}: a sampled range gives fractions, list whole numbers in its place" if drawn and "integer" in line else line
+    return (
+        f"{line}: a sampled range gives fractions, list whole numbers in its place" if drawn and line.endswith(WHOLE) else line
+    )
 
 
 def identity(config: Strict) -> str:

@@ -15,6 +15,6 @@ KIND = Kind(
             tells=True,
         ),
     ),
-    about=("silostudy.commands.about_grains:runs",),
+    about=("silostudy.commands.about_grains:runs", "silostudy.commands.about_grains:cautions"),
     timed=("silostudy.commands.about_grains:prices_of_effects",),
 )

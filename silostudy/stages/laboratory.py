@@ -19,5 +19,9 @@ KIND = Kind(
             ),
         ),
     ),
-    about=("silostudy.commands.about:time_of_parts", "silostudy.commands.about:tests"),
+    about=(
+        "silostudy.commands.about:time_of_parts",
+        "silostudy.commands.about:tests",
+        "silostudy.commands.about_grains:cautions",
+    ),
 )

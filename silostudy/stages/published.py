@@ -19,5 +19,5 @@ KIND = Kind(
             ),
         ),
     ),
-    about=("silostudy.commands.about:time_of_parts",),
+    about=("silostudy.commands.about:time_of_parts", "silostudy.commands.about_grains:cautions"),
 )

@@ -21,12 +21,12 @@ KIND = Kind(
         ),
         Stage(
             key="beside",
-            title="walls of silos of spheres beside theories and codes",
+            title="what the walls of those scenes felt beside theories and codes",
             compute="silostudy.compute.beside:beside_cube",
             section="codes",
             reads=("scenes",),
             borrows={"codes": "pressure"},
         ),
     ),
-    about=("silostudy.commands.about:time_of_parts",),
+    about=("silostudy.commands.about:time_of_parts", "silostudy.commands.about_grains:cautions"),
 )

@@ -10,6 +10,7 @@ import numpy as np
 
 from silostudy.choice.expand import expand_file
 from silostudy.errors import BadInput
+from silostudy.scene.costs import told_time
 from silostudy.scene.expand import Case
 from silostudy.sweep.journal import ENDING, Journal, sound
 from silostudy.sweep.plan import DONE, case_keys, parts_of, rows_of, sizes
@@ -67,7 +68,7 @@ class Progress:
             return
         self.said, done, whole = now, self._done(), self.sizes.total()
         rate = (done - self.first) / max(now - self.start, 1e-9)
-        left = f"{(whole - done) / rate / 60:.1f} min left" if rate else "no rate yet"
+        left = f"{told_time((whole - done) / rate)} left" if rate else "no rate yet"
         self.tell(f"{self.name}: {done} of {whole} cases, {rate:.2g} cases/s, {left}")
 
     def _done(self) -> int:

@@ -10,6 +10,7 @@ import yaml
 
 from silostudy.__main__ import main
 from silostudy.choice.fronts import FRONTS
+from silostudy.commands.explain_keys import key_explanation
 from silostudy.commands.explain_scene import PARTS
 from silostudy.cube.io import read
 from silostudy.pressure import PRESSURE
@@ -141,6 +142,30 @@ def test_check_tells_the_price_of_a_sweep(capsys):
     assert re.search(r"about [0-9.]+ min of one core", out)
 
 
+def test_check_looks_at_some_cases_of_a_long_sweep(capsys, monkeypatch):
+    """The price is that of all."""
+    study = ROOT / "config/studies/discharge-thousand.yaml"
+    told = []
+    for looked in (1000, 100):
+        monkeypatch.setattr("silostudy.commands.studies.LOOKED", looked)
+        told.append(said(capsys, "check", study))
+    whole, part = told
+    assert "1000 case(s)" in part
+    assert "note: 100 of them, drawn at random, are looked at here" in part
+    assert "drawn at random" not in whole
+    minutes = [float(re.search(r"about ([0-9.]+) min of one core", out)[1]) for out in told]
+    assert minutes[1] == pytest.approx(minutes[0], rel=0.05)
+
+
+def test_a_study_of_too_many_cases_is_refused_at_once(capsys, tmp_path):
+    content = yaml.safe_load((ROOT / "config/studies/discharge-slit.yaml").read_text()) | {"outputs": []}
+    values = {"start": 0.0, "stop": 0.5, "count": 1001}
+    content["sweep"] = [{"axis": axis, "values": {f"{axis}.sliding_friction": values}} for axis in ("walls", "discs")]
+    (tmp_path / "study.yaml").write_text(yaml.safe_dump(content))
+    told = said(capsys, "check", tmp_path / "study.yaml", status=2)
+    assert "sweep = 1002001: makes more cases than a study may have, 1,000,000" in told
+
+
 def test_stages_by_hand(capsys, tmp_path, study):
     path = tmp_path / "small.yaml"
     study["sweep"] = [{"axis": "solid", "values": {"solid": ["wheat_benchmark", "mine"]}}]
@@ -223,12 +248,37 @@ def test_every_part_of_a_scene_is_listed_and_explained(capsys, part):
         assert f"{row.title} ({key}, of {part})" in said(capsys, "explain", key)
 
 
+def test_kinds_are_listed_with_their_cubes_under_them(capsys):
+    told = said(capsys, "list", "kinds").split("\n")
+    assert told[0].startswith("What a file says as `kind`")
+    place = next(number for number, line in enumerate(told) if line.startswith("scenes "))
+    assert told[place + 1].split()[0] == "scenes.nc"
+    assert told[place + 2].split()[0] == "beside.nc"
+    assert told[place + 2].endswith("(where the study has a section codes)")
+
+
 @pytest.mark.parametrize("kind", FILE_KINDS)
 def test_every_kind_explains_its_keys(capsys, kind):
     told = said(capsys, "explain", kind)
     assert f"(kind: {kind})" in told
     for name, field in FILE_KINDS[kind].study.model_fields.items():
         assert re.search(rf"^  {name}( \(.*?\))?: {re.escape(field.description)}", told, re.MULTILINE)
+
+
+def test_every_key_that_a_shipped_file_says_is_explained():
+    contents = [
+        yaml.safe_load(path.read_text()) for part in ("studies", "scenes") for path in (ROOT / "config" / part).glob("*.yaml")
+    ]
+    said_there = {key for content in contents for key in content}
+    assert {"codes", "fillings", "events"} < said_there
+    assert [key for key in sorted(said_there) if not key_explanation(key)] == []
+
+
+def test_a_key_is_explained_with_its_places_and_its_own_keys(capsys):
+    told = said(capsys, "explain", "sample")
+    assert "key sweep.sample of kind accuracy, buckling, grains" in told
+    assert "      count: cases [must be given]" in told
+    assert "key checks of kind shell" in said(capsys, "explain", "checks")  # beside the topic of that name
 
 
 def test_explain_names_a_sections_keys_units_and_choices(capsys):

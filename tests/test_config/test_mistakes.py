@@ -10,7 +10,7 @@ import yaml
 from silostudy.__main__ import main
 from silostudy.choice.expand import expand_file
 from silostudy.config.dem import DemScene
-from silostudy.config.load import load_project, read_yaml, validated
+from silostudy.config.load import load_project, read_yaml, study_of, validated
 from silostudy.config.schema import study_schema
 from silostudy.errors import BadInput
 from tests.conftest import ROOT, SMALL, expanded
@@ -36,7 +36,7 @@ MISTAKES = {
     "negative diameter": (silo(diameter_m=-1.0), "scene.silo.diameter_m = -1.0: must be greater than 0"),
     "zero diameter": (silo(diameter_m=0), "scene.silo.diameter_m = 0: must be greater than 0"),
     "infinite diameter": (silo(diameter_m=float("inf")), "scene.silo.diameter_m = inf: must be a finite number"),
-    "text for a number": (silo(diameter_m="wide"), "scene.silo.diameter_m = 'wide': must be a valid number"),
+    "text for a number": (silo(diameter_m="wide"), "scene.silo.diameter_m = 'wide': must be a number"),
     "friction angle 0": (
         scene(properties={"internal_friction_angle_deg": 0}),
         "scene.properties.internal_friction_angle_deg = 0: must be greater than 0",
@@ -157,6 +157,29 @@ def test_all_mistakes_are_told_at_once(study):
     with pytest.raises(BadInput) as caught:
         expanded(study)
     assert len(str(caught.value).split("\n")) == 2
+
+
+@pytest.mark.parametrize(
+    ("study", "change", "told"),
+    [
+        ("wheat-silo", {"depth_m": 3}, "depth_m = 3: must hold `key: value` lines or be a list"),
+        ("wheat-silo", {"depth_m": [1, "b"]}, "depth_m.1 = 'b': must be a number"),
+        ("wheat-silo", {"methods": {"a": 1}}, "methods: must be a list"),
+        ("wheat-silo", {"scene": [1]}, "scene = [1]: must hold `key: value` lines"),
+        ("wheat-silo", {"title": 3}, "title = 3: must be text"),
+        ("discs-laboratory", {"scene": {"grains": "cubes"}}, "scene.grains = 'cubes': unknown; known: spheres, discs"),
+        ("discs-laboratory", {"scene": {}}, "scene.grains: is missing"),
+        ("discs-laboratory", {"scene": 3}, "scene = 3: must hold `key: value` lines"),
+        ("grains-frequency", {"scene": {"grains": "cubes"}}, "scene.grains = 'cubes': unknown; known: spheres, a section"),
+    ],
+)
+def test_a_wrong_choice_or_sort_of_value_is_one_plain_line(study, change, told):
+    """Whatever it may be instead: no line a branch, and no word that only programmers know."""
+    path = ROOT / f"config/studies/{study}.yaml"
+    with pytest.raises(BadInput) as caught:
+        study_of(read_yaml(path) | change, "s.yaml", path.parent)
+    assert str(caught.value).startswith(f"s.yaml: {told}")
+    assert "\n" not in str(caught.value)
 
 
 def test_a_mistake_in_a_list_is_one_line():

@@ -69,6 +69,14 @@ def test_the_rise_on_the_hopper_is_the_table_s(tmp_path, kept):
     assert [panel.get_title().split(": ")[-1] for panel in panels] == [f"{mean:.2g}" for mean in rise]
 
 
+def test_bands_of_fillings_are_told_apart(tmp_path, kept):
+    switch_in_hopper.draw(cube_of("silo-of-spheres", "beside"), tmp_path / "switch")
+    panel = kept[0].axes[0]
+    bands = [band for band in panel.collections if str(band.get_label()).startswith("fillings, ")]
+    assert len({(band.get_hatch(), band.get_facecolor().tobytes()) for band in bands}) == len(bands) == 3
+    assert panel.get_ylabel() == "height above the outlet\nover that of the transition"
+
+
 @pytest.mark.parametrize(
     ("study", "told"), [("silo-of-spheres", "angle around the wall (°)"),
                         ("silo-of-spheres-eccentric", "angle from the outlet's side (°)")],

@@ -11,7 +11,7 @@ from matplotlib.figure import Figure
 
 from silostudy.cube.measured import cases_of, deviations, neighbour
 from silostudy.errors import BadInput
-from silostudy.figures import measured_brackets, measured_silos
+from silostudy.figures import measured_brackets, measured_silos, measured_swelling
 from silostudy.tables.measured import measurements
 from tests.test_figures.small_cubes import cube_of
 
@@ -43,6 +43,19 @@ def test_every_measurement_has_its_finding(numbers):
     assert findings.next_above["thompson_12_8"] == "as3774_1996"
     assert pd.isna(findings.next_below["thompson_12_8"])
     assert (findings.next_below["thompson_11_0"], findings.next_above["thompson_11_0"]) == ("as3774_1996", "caquot")
+
+
+def test_curves_of_swelling_solids_have_a_mark_each():
+    swollen = [one for one in MEASURED.values() if one.answer == measured_brackets.SWELLING_OVER_FILLING]
+    drawn = measured_swelling.curves(
+        cube(), swollen, measured_brackets.SWOLLEN, (measured_brackets.FILLED, measured_brackets.STATIC)
+    )
+    panel = plt.figure().add_subplot()
+    measured_swelling.draw_on(panel, drawn, measured_swelling.crossings(drawn, swollen), swollen)
+    curves = [line for line in panel.lines if " wall, over " in str(line.get_label())]
+    assert len({line.get_marker() for line in curves}) == len(curves) > 3
+    assert len({(line.get_color(), line.get_linestyle()) for line in curves}) == len(curves)
+    plt.close("all")
 
 
 def test_the_soybeans_ratio_stands_between_its_neighbours(numbers):

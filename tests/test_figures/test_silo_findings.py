@@ -43,7 +43,7 @@ def test_a_patch_load_factor_stands_beside_the_largest_cell(table):
 @pytest.mark.parametrize(
     ("ends", "told"),
     [((1.0, 1.2), "covers it"), ((0.9, 1.1), "may cover it"), ((0.7, 0.9), "does not cover it"),
-     ((float("nan"), 1.0), "no interval: too few fillings reach there")],
+     ((float("nan"), 1.0), "no interval: fewer than two fillings have a value")],
 )  # fmt: skip
 def test_verdicts_hang_on_the_ends_of_the_interval(ends, told):
     assert verdict(*ends) == told

@@ -2,7 +2,8 @@
 
 import pytest
 
-from silostudy.config.laboratory import CELL, FILLING
+from silostudy.config.laboratory import CELL
+from silostudy.config.study import FILLING
 from silostudy.errors import BadInput
 from silostudy.scene.laboratory_scenes import SHEARING, SLIDING, filling, pressing, shearing
 from silostudy.scene.spheres import contacts_of
@@ -26,7 +27,7 @@ WITHOUT_WALL = {key: value for key, value in CONTENT["scene"].items() if key != 
         ({"cells": [8, 8]}, r": cells = \[8, 8\]: must rise, none twice$"),
         ({"fillings": 1}, "fillings = 1: must be greater than or equal to 2"),
         ({"scene": WITHOUT_WALL}, "scene.wall: is missing"),
-        ({"scene__grains": "cubes"}, "scene.grains = 'cubes': must be 'spheres' or 'discs'"),
+        ({"scene__grains": "cubes"}, "scene.grains = 'cubes': unknown; known: spheres, discs"),
         ({"scene__height_grains": 3}, "scene.height_grains = 3: must be greater than or equal to 5"),
         (
             {"scene__grain": {"youngs_modulus_MPa": 10, "poissons_ratio": 0.3}},

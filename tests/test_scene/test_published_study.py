@@ -8,6 +8,7 @@ import xarray as xr
 from silostudy.choice.expand import expand_file
 from silostudy.compute.expected import Verdict
 from silostudy.compute.published import misses
+from silostudy.config.load import read_yaml, study_of
 from silostudy.dem.outcomes import OUTCOMES
 from silostudy.errors import BadInput
 from silostudy.figures.published_cases import draw, message, verdict, verdicts
@@ -46,6 +47,20 @@ def test_every_filling_has_its_seed_and_watches_its_scene_file():
     assert first.id != second.id
     assert expansion.cases[0].scene.files[0].name == "pile.yaml"
     assert expansion.study.cases == ("pile", "drum", "anand-hopper", "draw-down")
+
+
+@pytest.mark.parametrize(
+    ("name", "outputs", "told"),
+    [("published-cases", [], "sweep"), ("slot-of-discs", ["jams_over_outlet"], "output jams_over_outlet")],
+)
+def test_one_filling_is_refused_where_its_scatter_is_shown(name, outputs, told):
+    path = ROOT / f"config/studies/{name}.yaml"
+    content = read_yaml(path) | {"outputs": outputs}
+    filling = next(axis for axis in content["sweep"] if axis["axis"] == "filling")
+    filling["values"]["seed"] = [1]
+    with pytest.raises(BadInput) as caught:
+        study_of(content, "s.yaml", path.parent)
+    assert str(caught.value).startswith(f"s.yaml: file: {told} needs two values at least on the axis filling")
 
 
 def test_misses_are_in_tolerances():

@@ -41,7 +41,7 @@ def test_mistakes_are_told_by_the_keys_of_the_scene(tmp_path):
         )
     told = str(caught.value)
     assert "scene.sizes.diameter_mm: is missing" in told
-    assert "scene.filling.count = 'x': must be a valid integer" in told
+    assert "scene.filling.count = 'x': must be a whole number" in told
     with pytest.raises(BadInput, match="grains = 'cubes': unknown; known: discs, spheres"):
         expand_file(save(tmp_path, grains="cubes"))
 
