@@ -104,10 +104,10 @@ def fetch_rows(rows, listed, begin, end):
             fetch(rows, listed[k] * wide + line)  # type: ignore[call-arg]
 
 
-def _all(builder, value, vector):
+def repeated(builder, value, vector):
     """A vector that is a value eight times."""
-    one = builder.insert_element(ir.Constant(vector, ir.Undefined), value, ir.Constant(LANE, 0))
-    return builder.shuffle_vector(one, one, ir.Constant(ir.VectorType(LANE, WIDTH), [0] * WIDTH))
+    first = builder.insert_element(ir.Constant(vector, ir.Undefined), value, ir.Constant(LANE, 0))
+    return mix(builder, first, first, [0] * WIDTH)
 
 
 @intrinsic
@@ -116,15 +116,14 @@ def _within_eight(typing, near, order, room, t, middle, own, i, lo):
         numbers, listed = (base_of(context, builder, signature, args, k) for k in (0, 1))
         room, t, middle, own, *bounds = args[2:]
         lanes = [load(builder, numbers, builder.add(t, builder.mul(room, ir.Constant(INDEX, k))), EIGHT) for k in range(4)]
-        square = None
+        square = ir.Constant(EIGHT, [0.0] * WIDTH)
         for k in range(3):
-            away = builder.fsub(lanes[k], _all(builder, builder.extract_value(middle, k), EIGHT))
-            part = builder.fmul(away, away)
-            square = part if square is None else builder.fadd(square, part)
-        reach = builder.fadd(lanes[3], _all(builder, own, EIGHT))
+            away = builder.fsub(lanes[k], repeated(builder, builder.extract_value(middle, k), EIGHT))
+            square = builder.fadd(square, builder.fmul(away, away))
+        reach = builder.fadd(lanes[3], repeated(builder, own, EIGHT))
         close = builder.fcmp_ordered("<", square, builder.fmul(reach, reach))
         body = load(builder, listed, t, WHOLE)
-        i, lo = (_all(builder, builder.trunc(bound, LANE), WHOLE) for bound in bounds)
+        i, lo = (repeated(builder, builder.trunc(bound, LANE), WHOLE) for bound in bounds)
         wanted = builder.or_(builder.icmp_signed(">", body, i), builder.icmp_signed("<", body, lo))
         return builder.zext(builder.bitcast(builder.and_(close, wanted), ir.IntType(WIDTH)), INDEX)
 
@@ -133,8 +132,8 @@ def _within_eight(typing, near, order, room, t, middle, own, i, lo):
 
 @register_jitable(forceinline=True)
 def within_eight(near, order, t, middle, own, i, lo):
-    """Which of the eight bodies from place t of an order on lie within their reach and `own` (m) of a middle, and come after
-    body i or before `lo`: a bit each, the first the lowest.  near (4, n): x, y, z and reach (m) in that order."""
+    """A bit for each of eight bodies, from place t of an order on, the lowest for the first: whether it lies nearer to a middle
+    than its reach and `own` (m), and comes after body i or before `lo`.  near (4, n): x, y, z and reach (m) in that order."""
     return _within_eight(near, order, near.shape[1], t, middle, own, i, lo)  # type: ignore[call-arg]
 
 

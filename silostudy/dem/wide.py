@@ -101,12 +101,12 @@ def near_bodies(bodies, skin, gap, i, lo, grid, scratch):
             start = (layer * ny + row) * nx
             begin, end = np.int64(scratch.cell_begin[start + left]), np.int64(scratch.cell_begin[start + right])
             for t in range(begin, end, WIDTH):
-                found = within_eight(near, order, t, (x, y, z), own, i, lo)
+                hits = within_eight(near, order, t, (x, y, z), own, i, lo)
                 slot = min(count, last)
                 count -= slot
                 for k in range(WIDTH):
                     listed[slot] = order[np.uint64(t + k)]
-                    slot += (found >> np.uint64(k)) & np.uint64(t + k < end)
+                    slot += (hits >> np.uint64(k)) & np.uint64(t + k < end)
                 count += slot
     return count
 
