@@ -111,30 +111,40 @@ def repeated(builder, value, vector):
 
 
 @intrinsic
-def _within_eight(typing, near, order, room, t, middle, own, i, lo):
+def _pick_eight(typing, near, order, room, t, end, middle, own, i, lo, picked, spot):
     def generate(context, builder, signature, args):
-        numbers, listed = (base_of(context, builder, signature, args, k) for k in (0, 1))
-        room, t, middle, own, *bounds = args[2:]
+        numbers, listed, into = (base_of(context, builder, signature, args, k) for k in (0, 1, 9))
+        room, t, end, middle, own, i, lo = args[2:9]
+        square, reach = ir.Constant(EIGHT, [0.0] * WIDTH), repeated(builder, own, EIGHT)
         lanes = [load(builder, numbers, builder.add(t, builder.mul(room, ir.Constant(INDEX, k))), EIGHT) for k in range(4)]
-        square = ir.Constant(EIGHT, [0.0] * WIDTH)
         for k in range(3):
             away = builder.fsub(lanes[k], repeated(builder, builder.extract_value(middle, k), EIGHT))
             square = builder.fadd(square, builder.fmul(away, away))
-        reach = builder.fadd(lanes[3], repeated(builder, own, EIGHT))
-        close = builder.fcmp_ordered("<", square, builder.fmul(reach, reach))
-        body = load(builder, listed, t, WHOLE)
-        i, lo = (repeated(builder, builder.trunc(bound, LANE), WHOLE) for bound in bounds)
-        wanted = builder.or_(builder.icmp_signed(">", body, i), builder.icmp_signed("<", body, lo))
-        return builder.zext(builder.bitcast(builder.and_(close, wanted), ir.IntType(WIDTH)), INDEX)
+        reach = builder.fadd(reach, lanes[3])
+        bodies = load(builder, listed, t, WHOLE)
+        after, before, left = (
+            repeated(builder, builder.trunc(bound, LANE), WHOLE) for bound in (i, lo, builder.sub(end, t))
+        )
+        wanted = builder.or_(builder.icmp_signed(">", bodies, after), builder.icmp_signed("<", bodies, before))
+        wanted = builder.and_(wanted, builder.icmp_signed("<", ir.Constant(WHOLE, list(range(WIDTH))), left))
+        hits = builder.and_(wanted, builder.fcmp_ordered("<", square, builder.fmul(reach, reach)))
+        kind = ir.FunctionType(WHOLE, [WHOLE, hits.type, WHOLE])
+        compress = cgutils.get_or_insert_function(builder.module, kind, "llvm.experimental.vector.compress.v8i32")
+        store(builder, builder.call(compress, [bodies, hits, bodies]), into, args[10], WHOLE)
+        return builder.zext(builder.ctpop(builder.bitcast(hits, ir.IntType(WIDTH))), INDEX)
 
-    return types.uint64(near, order, types.int64, types.int64, middle, own, types.int64, types.int64), generate
+    whole = (types.int64,) * 3
+    return types.int64(near, order, *whole, middle, own, types.int64, types.int64, picked, types.int64), generate
 
 
 @register_jitable(forceinline=True)
-def within_eight(near, order, t, middle, own, i, lo):
-    """A bit for each of eight bodies, from place t of an order on, the lowest for the first: whether it lies nearer to a middle
-    than its reach and `own` (m), and comes after body i or before `lo`.  near (4, n): x, y, z and reach (m) in that order."""
-    return _within_eight(near, order, near.shape[1], t, middle, own, i, lo)  # type: ignore[call-arg]
+def pick_eight(near, order, t, end, middle, own, i, lo, picked, spot):
+    """Write those of eight bodies, from place t of an order on and before `end`, that lie nearer to a middle than their reach
+    and `own` (m), and come after body i or before `lo`, from a spot on, where eight find room; gives how many these are.
+
+    near (4, n): x, y, z and reach (m) in that order.
+    """
+    return _pick_eight(near, order, near.shape[1], t, end, middle, own, i, lo, picked, spot)  # type: ignore[call-arg]
 
 
 def in_eights(meaning: Callable, instruction: Callable) -> None:

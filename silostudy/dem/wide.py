@@ -10,7 +10,7 @@ from silostudy.dem.arrays import BLOCK
 from silostudy.dem.body import place, square_gap
 from silostudy.dem.cache import OPTIONS
 from silostudy.dem.cells import bin_bodies, cell_of
-from silostudy.dem.vectors import WIDTH, within_eight
+from silostudy.dem.vectors import WIDTH, pick_eight
 
 SHIFT = 32  # key = first << SHIFT | second
 LOOK_AHEAD = 16.0  # steps that a list of near contacts should last at the speed of its bodies
@@ -95,19 +95,13 @@ def near_bodies(bodies, skin, gap, i, lo, grid, scratch):
     x, y, z = place(bodies, i)
     cx, cy, cz = cell_of(x, x0, size, nx), cell_of(y, y0, size, ny), cell_of(z, z0, size, nz)
     own = bodies.radius[i if bodies.radius.size > 1 else 0] + skin[i // BLOCK] + gap
-    left, right, count, last = max(cx - 1, 0), min(cx + 2, nx), np.uint64(0), np.uint64(listed.size - WIDTH)
+    left, right, count, last = max(cx - 1, 0), min(cx + 2, nx), 0, listed.size - WIDTH
     for layer in range(max(cz - 1, 0), min(cz + 2, nz)):
         for row in range(max(cy - 1, 0), min(cy + 2, ny)):
             start = (layer * ny + row) * nx
             begin, end = np.int64(scratch.cell_begin[start + left]), np.int64(scratch.cell_begin[start + right])
             for t in range(begin, end, WIDTH):
-                hits = within_eight(near, order, t, (x, y, z), own, i, lo)
-                slot = min(count, last)
-                count -= slot
-                for k in range(WIDTH):
-                    listed[slot] = order[np.uint64(t + k)]
-                    slot += (hits >> np.uint64(k)) & np.uint64(t + k < end)
-                count += slot
+                count += pick_eight(near, order, t, end, (x, y, z), own, i, lo, listed, min(count, last))
     return count
 
 
