@@ -163,8 +163,13 @@ def test_a_level_that_hangs_free_in_a_filling_is_no_endless_rise():
         {"hopper_level_height": (("filling", "wall_level"), [[0.1, 0.2]] * 2),
          "flow_window_end": (("filling", "flow_window"), [[0.02, 0.04, 0.06]] * 2),
          "hopper_pressure_at_rest": (("filling", *cells), rest),
-         "hopper_pressure_in_flow": (("filling", "flow_window", *cells), flow)}
+         "hopper_pressure_in_flow": (("filling", "flow_window", *cells), flow),
+         "hopper_shear_at_rest": (("filling", *cells), 0.1 * rest),
+         "hopper_shear_in_flow": (("filling", "flow_window", *cells), 0.2 * flow)}
     )  # fmt: skip
+    friction = in_cone(grains)["hopper_mobilised_friction"]
+    assert friction.sel(phase="filling").values == pytest.approx(0.1)
+    assert friction.sel(phase="discharge").values == pytest.approx(0.2)
     assert in_cone(grains)["hopper_switch_factor"].values == pytest.approx(np.array([[3.0, 1.5]] * 2))
 
 

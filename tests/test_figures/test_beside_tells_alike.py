@@ -66,7 +66,7 @@ def test_the_rise_on_the_hopper_is_the_table_s(tmp_path, kept):
     rise = table[table["quantity"] == "largest ring mean on the hopper in flow over that at rest"]["mean"]
     switch_in_hopper.draw(cube, tmp_path / "switch")
     panels = kept[0].axes[: len(list(settings(cube)))]
-    assert [panel.get_title().split(": ")[-1] for panel in panels] == [f"{mean:.2g}" for mean in rise]
+    assert [panel.get_title().split(": ")[-1] for panel in panels] == [f"{mean:.1f}" for mean in rise]
 
 
 def test_bands_of_fillings_are_told_apart(tmp_path, kept):
@@ -83,4 +83,6 @@ def test_bands_of_fillings_are_told_apart(tmp_path, kept):
 )  # fmt: skip
 def test_angles_are_from_the_outlet_where_it_is_off_the_axis(study, told, tmp_path, kept):
     pressure_around.draw(cube_of(study, "beside"), tmp_path / "around")
-    assert kept[0].axes[-1].get_xlabel() == told
+    labels = [panel.get_xlabel() for panel in kept[0].axes if panel.axison]
+    assert labels[-1] == told
+    assert set(labels) <= {"", told}
