@@ -92,6 +92,7 @@ def time_of_parts(expansion) -> list[str]:
 
     study, parts = expansion.study, parts_of(expansion.study)
     seconds = sum(study.case_s or parts.call("cost", case.scene) for case in expansion.cases)
+    seconds *= expansion.size / len(expansion.cases)
     return [f"at most about {told_time(seconds)} of one core, a kernel's compiling apart"]
 
 
@@ -100,7 +101,7 @@ def tests(expansion) -> list[str]:
     study, counts = expansion.study, dict.fromkeys(case.scene.count for case in expansion.cases)
     stresses = ", ".join(f"{stress:g}" for stress in study.stresses_kPa)
     return [
-        f"{len(expansion.cases)} cell(s) of {', '.join(map(str, counts))} grains, each tested at {stresses} kPa",
+        f"{expansion.size} cell(s) of {', '.join(map(str, counts))} grains, each tested at {stresses} kPa",
         f"row {study.solid.key}: at {study.vertical:g} kPa, wall friction at {study.horizontal:g} kPa",
     ]
 

@@ -3,7 +3,7 @@
 from silostudy.accuracy.bin_of_spheres import Bin, bin_of_spheres
 from silostudy.commands.bench_dem import has_peer, in_turn, show
 from silostudy.commands.own_process import OwnProcess
-from silostudy.dem.change import keep_discs
+from silostudy.dem.change import keep_discs, take_walls
 from silostudy.dem.leaving import below
 from silostudy.dem.run import CHECK_EVERY
 from silostudy.scene.space_silo import FLOOR
@@ -42,7 +42,7 @@ class OwnSpheres:
                 keep_discs(self.engine, ~left)
 
     def open_outlet(self):
-        self.engine.walls.live[self.engine.model.wall_number(FLOOR)] = False
+        take_walls(self.engine, (FLOOR,))
 
     @property
     def grains(self):

@@ -6,6 +6,8 @@ from pkgutil import resolve_name
 
 from silostudy.errors import BadInput
 
+LOOKED = 10_000  # cases of a sweep of grains that `check` looks at
+
 
 def add(sub) -> None:
     check = sub.add_parser("check", help="validate a study or a scene and count its cases, without computing anything")
@@ -25,7 +27,7 @@ def add(sub) -> None:
 
 def run_check(chosen) -> None:
     from silostudy.choice.expand import expand_file
-    from silostudy.config.load import read_yaml
+    from silostudy.config.load import read_study, read_yaml
     from silostudy.stages import FILE_KINDS, KINDS
 
     path = path_of(chosen.study)
@@ -34,17 +36,32 @@ def run_check(chosen) -> None:
         _check_price(chosen.price, said, ())
         print("\n".join(scene_checked(path)))
         return
-    expansion = expand_file(path)
+    expansion = expand_file(path, looked_at(read_study(path)))
     kind = KINDS[expansion.study.kind]
     _check_price(chosen.price, said, kind.timed)
     axes = " x ".join(f"{axis.axis} {len(axis.settings())}" for axis in expansion.study.sweep) or "no sweep"
     print(f"{path}: {expansion.study.title}")
-    print(f"  {len(expansion.cases)} case(s): {axes}")
+    print(f"  {expansion.size} case(s): {axes}")
+    if len(expansion.cases) < expansion.size:
+        print(f"  note: {len(expansion.cases):,} of them, drawn at random, are looked at here")
     for about in (*kind.about, *(kind.timed if chosen.price else ())):
         for line in resolve_name(about)(expansion):
             print(f"  {line}")
     for line in chosen_for(expansion.promise):
         print(f"  {line}")
+
+
+def looked_at(study) -> list[int] | None:
+    """Positions of the cases that `check` builds: LOOKED of a study in parts that has more; None: all."""
+    import random
+    from math import prod
+
+    from silostudy.stages import KINDS
+
+    count = prod(len(axis.settings()) for axis in study.sweep)
+    if count <= LOOKED or not any(stage.parts for stage in KINDS[study.kind].stages):
+        return None
+    return sorted(random.Random(0).sample(range(count), LOOKED))
 
 
 def path_of(study: Path) -> Path:

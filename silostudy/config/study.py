@@ -1,5 +1,6 @@
 """A parametric study as a user writes it: axes, and the keys of every kind of study."""
 
+from functools import cached_property
 from itertools import pairwise
 from pathlib import Path
 from typing import Any, ClassVar, Literal, Self, TypeAlias
@@ -61,6 +62,10 @@ class Axis(Strict):
 
     def settings(self) -> list[dict[str, Any]]:
         """The keys and values of each position on the axis."""
+        return self._positions
+
+    @cached_property
+    def _positions(self) -> list[dict[str, Any]]:
         if self.points is not None:
             return [dict(point) for point in self.points]
         if self.sample is not None:

@@ -51,7 +51,6 @@ class Contacts(NamedTuple):
     mass: np.ndarray  # reduced mass, kg/m
     which: np.ndarray  # number of the set of coefficients; length one where all have the same
     begin: np.ndarray  # where each block starts
-    beyond: np.ndarray  # one more than the last of a thread's own bodies that a block, or one before it, calls for
 
 
 class WallRecord(NamedTuple):

@@ -233,7 +233,8 @@ class Engine:
             self.bodies.rows[self.base(part) :][: len(ghosts), :motion] = self.bodies.rows[ghosts, :motion]
 
     def _widen_record(self) -> None:
-        self.ledger = self._ledger()
+        if self.model.booked:
+            self.ledger = self._ledger()
         room = max(part.wall_room for part in self.parts)
         if room > self.record.force.shape[1]:
             self.record = self.record._replace(

@@ -4,6 +4,7 @@ from collections.abc import Callable
 from typing import TypeAlias
 
 import numpy as np
+from scipy.spatial import cKDTree
 
 from silostudy.dem.snapshot import length
 
@@ -23,11 +24,12 @@ def below(engine, floor: float) -> np.ndarray:
     height, largest = engine.bodies.rows[: engine.n, engine.space.place[-1]], engine.bodies.radius[: engine.n].max(initial=0.0)
     low = np.flatnonzero(height < floor + largest)  # none higher touches one that is wholly below
     place, radius = engine.bodies.rows[low][:, engine.space.place], engine.radius[low]
-    gone = np.zeros(engine.n, bool)
-    for i in np.flatnonzero(place[:, -1] < floor - radius):
-        gap = length(place - place[i]) - radius - radius[i]
-        gap[i] = np.inf
-        gone[low[i]] = not (gap <= 0.0).any()
+    gone, sunk = np.zeros(engine.n, bool), place[:, -1] < floor - radius
+    if sunk.any():
+        i, j = cKDTree(place).query_pairs(2.0 * largest, output_type="ndarray").T
+        touch = length(place[i] - place[j]) <= radius[i] + radius[j]
+        sunk[i[touch]] = sunk[j[touch]] = False
+        gone[low[sunk]] = True
     return gone
 
 

@@ -52,10 +52,10 @@ def hand_over(old, spot, new, place, same):
 @njit(**OPTIONS)
 def recall(contacts, place, key, memory, count, spot):
     """Give a new list entry the history of its key, or none; gives where the search for the next key, a larger one, begins."""
-    while spot < count and memory.key[spot] < key:
+    while spot < count and memory.key[np.uint64(spot)] < key:
         spot += 1
-    same = spot < count and memory.key[spot] == key
-    row = spot if same else 0
+    same = spot < count and memory.key[np.uint64(spot)] == key
+    row, place = np.uint64(spot if same else 0), np.uint64(place)
     hand_over(memory.stored, row, contacts.stored, place, same)
     hand_over(memory.rolled, row, contacts.rolled, place, same)
     hand_over(memory.twisted, row, contacts.twisted, place, same)
@@ -90,9 +90,8 @@ def ghost_of(j, scratch, base):
 
 
 @njit(**OPTIONS)
-def enter(bodies, contacts, fill, i, j, first, second):
-    """Write one pair of the list, with its radii and reduced mass where discs differ, and which coefficients where those do."""
-    contacts.first[fill], contacts.second[fill] = first, second
+def enter(bodies, contacts, fill, i, j):
+    """Write radii and reduced mass of a pair of the list where bodies differ, and which coefficients where those do."""
     if contacts.arm.size > 1:
         contacts.arm[fill], contacts.other[fill] = bodies.radius[i], bodies.radius[j]
         contacts.mass[fill] = 1.0 / (bodies.inverse_mass[i] + bodies.inverse_mass[j])
@@ -141,27 +140,28 @@ def list_pairs(bodies, contacts, memory, blocks, scratch, gap, lo, hi, base):
     scratch.slot[:] = -1
     scratch.counts[GHOSTS] = 0
     scratch.counts[PRESSED] = 0
-    fill, spot, far = 0, 0, lo - 1
+    fill, spot, differ = 0, 0, contacts.arm.size > 1 or contacts.which.size > 1
     for i in range(lo, hi):
         if (i - lo) % BLOCK == 0:
             fill = pad(contacts, fill, dummy, dummy + 1)
-            contacts.begin[(i - lo) // BLOCK], contacts.beyond[(i - lo) // BLOCK] = fill, far + 1
+            contacts.begin[(i - lo) // BLOCK] = fill
         begin, end = scratch.wide_begin[i - lo], scratch.wide_begin[i - lo + 1]
         if fill + end - begin > room:
             return False
         after = sieve(bodies, contacts, blocks.skin, gap, i, scratch, begin, end, fill)
         for k in range(fill, after):
             j = np.int64(contacts.second[k])
-            far = j if far < j < hi else far
-            second = j if j < hi else ghost_of(j, scratch, base)
-            if second < 0:
-                return False
-            enter(bodies, contacts, k, i, j, i, second)
+            if j >= hi:
+                contacts.second[k] = ghost_of(j, scratch, base)
+                if contacts.second[k] < 0:
+                    return False
+            if differ:
+                enter(bodies, contacts, k, i, j)
             spot = recall(contacts, k, (np.int64(i) << SHIFT) | j, memory, count, spot)
         fill = after
     last = (hi - lo + BLOCK - 1) // BLOCK
     fill = pad(contacts, fill, dummy, dummy + 1)
-    contacts.begin[last], contacts.beyond[last] = fill, far + 1
+    contacts.begin[last] = fill
     fill = list_crossing(bodies, contacts, memory, blocks, scratch, gap, fill, base)
     contacts.begin[last + 1] = pad(contacts, fill, dummy, dummy + 1)
     return fill >= 0
@@ -182,7 +182,8 @@ def list_crossing(bodies, contacts, memory, blocks, scratch, gap, fill, base):
         first = ghost_of(i, scratch, base)
         if first < 0:
             return -1
-        enter(bodies, contacts, fill, i, j, first, j)
+        contacts.first[fill], contacts.second[fill] = first, j
+        enter(bodies, contacts, fill, i, j)
         spot = recall(contacts, fill, key, memory, scratch.counts[KEPT_PAIRS], spot)
         fill += 1
     return fill

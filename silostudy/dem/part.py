@@ -49,7 +49,6 @@ class Part:
             mass=np.full(length, mass),
             which=np.zeros(room if varied else 1, np.int32),
             begin=np.zeros(self.engine.most // BLOCK + 3, np.int64),
-            beyond=np.zeros(self.engine.most // BLOCK + 3, np.int64),
         )
 
     def make_lists(self):
@@ -68,8 +67,8 @@ class Part:
             motion=motion,
             motion_bits=motion.view(np.uint64),
             cell_begin=np.zeros(engine.most + 1024, np.int32),
-            order=np.zeros(engine.most, np.int32),
-            near=aligned(4, engine.most),
+            order=np.zeros(engine.most + WIDTH, np.int32),
+            near=aligned(4, engine.most + WIDTH),
             close=np.zeros(self.near_room, np.int32),
             wide=np.zeros(2 * self.room, np.int32),
             wide_begin=np.zeros(engine.most + 1, np.int64),

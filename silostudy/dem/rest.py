@@ -23,6 +23,7 @@ class Criterion(Row):
 
     measure: Callable
     below: float
+    looks_back: bool = False  # whether it asks for the earlier look
 
 
 def unbalanced_force(engine, earlier: Look | None = None) -> float:
@@ -102,6 +103,7 @@ REST: Family[Criterion] = Family(
             title="Mean way of a body since the last look, over that of a fall from rest in this time",
             measure=drift,
             below=1e-3,
+            looks_back=True,
             source="cundall_strack_1979",
             locator="none: a ratio of this package's own",
         ),

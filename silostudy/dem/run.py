@@ -141,7 +141,7 @@ class Run:
             self._feed()
             self._pour()
         self._act_where_due(checks=checks)
-        if checks and step < self.last:
+        if checks and step < self.last and self.rest.criterion.looks_back:
             self.looked = Look(step, self.engine.places)
         if after(before, EVERY * self.check) <= step and not self.done:
             follow(self.engine, self.recording.steps)
@@ -230,6 +230,8 @@ class Run:
     def _drop(self) -> None:
         """Count and drop discs wholly below the floor that touch nothing any more."""
         gone = below(self.engine, self.floor)
+        if not gone.any():
+            return
         beside = gone & spilt(self.engine)
         labels = self.engine.labels.copy()
         if self.outlet_at and not self.engine.space.passed:

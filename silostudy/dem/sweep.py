@@ -14,6 +14,7 @@ from silostudy.dem.pieces import Laws, Pieces
 from silostudy.dem.vectors import fetch_rows
 
 FRESH, STALE, REMEMBERED, SHORT_OF_ROOM, EXPLODED = range(5)  # what a thread says of its list after a step
+CACHED = 100_000  # rows up to which neighbours mostly wait in the cache of a core; of more they are fetched a stretch ahead
 
 
 def contact_pass(
@@ -23,12 +24,15 @@ def contact_pass(
     forces = force_pass(space, laws, unequal=unequal, flat=flat, varied=varied, moving=moving)
     note_walls, scatter_walls, stretch = space.note_walls, space.scatter_walls, space.stretch
     scatter = space.scatter(unequal or laws.brakes)
+    fetches = space.ways > 2 and not flat  # rows of discs come in time
 
     @piece(space, laws, unequal, flat, varied, watched, moving)
     def contacts_between(shared, contacts, begin, end, scratch, dt, c, number):
         rows = shared.bodies.rows
         for start in range(begin, end, stretch):
             count = min(end - start, stretch)
+            if fetches and rows.shape[0] > CACHED:
+                fetch_rows(rows, contacts.second, start + count, min(start + count + stretch, contacts.second.size))
             forces(
                 rows, contacts, shared.walls.shape, start, count, scratch.lanes, scratch.force,
                 contacts.stored, contacts.rolled, dt, c,
@@ -78,7 +82,6 @@ def sweep_pass(pieces: Pieces):
     )
     move = move_pass(space, pieces.integrator, unequal, pieces.turns)
     booked, book = pieces.booked, book_pass(pieces)
-    fetches = space.ways > 2  # rows of spheres come late from memory once they are thousands; those of discs do not
 
     @piece(pieces)
     def block_moves(shared, scratch, block, hi, pull, kick, dt):
@@ -111,8 +114,6 @@ def sweep_pass(pieces: Pieces):
             all_forces(shared, share, last, march)
             book(shared, share, march, last, pull, kick)
         for b in range(last):
-            if fetches:
-                fetch_rows(shared.bodies.rows, pairs.beyond[min(b + 1, last)], pairs.beyond[min(b + 2, last)])
             if not booked:
                 block_forces(shared, share, b, march)
             stale = max(stale, block_moves(shared, share.scratch, share.lo // BLOCK + b, share.hi, pull, kick, march.dt))

@@ -18,6 +18,7 @@ INDEX = ir.IntType(64)
 LANE = ir.IntType(32)
 EIGHT = ir.VectorType(REAL, 8)  # a whole cache line
 FOUR = ir.VectorType(REAL, 4)
+WHOLE = ir.VectorType(LANE, 8)  # eight whole numbers of 32 bits
 
 
 def _pointer(builder, base, index, vector):
@@ -92,13 +93,48 @@ def fetch(typing, rows, row):
 
 
 @register_jitable(forceinline=True)
-def fetch_rows(rows, begin, end):
-    """Fetch rows ahead: a cache line holds as many numbers as a lane is wide.
+def fetch_rows(rows, listed, begin, end):
+    """Fetch the rows of a stretch of a list ahead: a cache line holds as many numbers as a lane is wide.
 
     Of this module and not of a kernel: an intrinsic that a kernel closes over has other bytes in every process.
     """
-    for line in range(begin * rows.shape[1], end * rows.shape[1], WIDTH):
-        fetch(rows, line)  # type: ignore[call-arg]
+    wide = rows.shape[1]
+    for k in range(begin, end):
+        for line in range(0, wide, WIDTH):
+            fetch(rows, listed[k] * wide + line)  # type: ignore[call-arg]
+
+
+def repeated(builder, value, vector):
+    """A vector that is a value eight times."""
+    first = builder.insert_element(ir.Constant(vector, ir.Undefined), value, ir.Constant(LANE, 0))
+    return mix(builder, first, first, [0] * WIDTH)
+
+
+@intrinsic
+def _within_eight(typing, near, order, room, t, middle, own, i, lo):
+    def generate(context, builder, signature, args):
+        numbers, listed = (base_of(context, builder, signature, args, k) for k in (0, 1))
+        room, t, middle, own, *bounds = args[2:]
+        lanes = [load(builder, numbers, builder.add(t, builder.mul(room, ir.Constant(INDEX, k))), EIGHT) for k in range(4)]
+        square = ir.Constant(EIGHT, [0.0] * WIDTH)
+        for k in range(3):
+            away = builder.fsub(lanes[k], repeated(builder, builder.extract_value(middle, k), EIGHT))
+            square = builder.fadd(square, builder.fmul(away, away))
+        reach = builder.fadd(lanes[3], repeated(builder, own, EIGHT))
+        close = builder.fcmp_ordered("<", square, builder.fmul(reach, reach))
+        body = load(builder, listed, t, WHOLE)
+        i, lo = (repeated(builder, builder.trunc(bound, LANE), WHOLE) for bound in bounds)
+        wanted = builder.or_(builder.icmp_signed(">", body, i), builder.icmp_signed("<", body, lo))
+        return builder.zext(builder.bitcast(builder.and_(close, wanted), ir.IntType(WIDTH)), INDEX)
+
+    return types.uint64(near, order, types.int64, types.int64, middle, own, types.int64, types.int64), generate
+
+
+@register_jitable(forceinline=True)
+def within_eight(near, order, t, middle, own, i, lo):
+    """A bit for each of eight bodies, from place t of an order on, the lowest for the first: whether it lies nearer to a middle
+    than its reach and `own` (m), and comes after body i or before `lo`.  near (4, n): x, y, z and reach (m) in that order."""
+    return _within_eight(near, order, near.shape[1], t, middle, own, i, lo)  # type: ignore[call-arg]
 
 
 def in_eights(meaning: Callable, instruction: Callable) -> None:

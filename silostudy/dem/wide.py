@@ -10,6 +10,7 @@ from silostudy.dem.arrays import BLOCK
 from silostudy.dem.body import place, square_gap
 from silostudy.dem.cache import OPTIONS
 from silostudy.dem.cells import bin_bodies, cell_of
+from silostudy.dem.vectors import WIDTH, within_eight
 
 SHIFT = 32  # key = first << SHIFT | second
 LOOK_AHEAD = 16.0  # steps that a list of near contacts should last at the speed of its bodies
@@ -94,15 +95,19 @@ def near_bodies(bodies, skin, gap, i, lo, grid, scratch):
     x, y, z = place(bodies, i)
     cx, cy, cz = cell_of(x, x0, size, nx), cell_of(y, y0, size, ny), cell_of(z, z0, size, nz)
     own = bodies.radius[i if bodies.radius.size > 1 else 0] + skin[i // BLOCK] + gap
-    left, right, count, last = max(cx - 1, 0), min(cx + 2, nx), np.uint64(0), np.uint64(listed.size - 1)
+    left, right, count, last = max(cx - 1, 0), min(cx + 2, nx), np.uint64(0), np.uint64(listed.size - WIDTH)
     for layer in range(max(cz - 1, 0), min(cz + 2, nz)):
         for row in range(max(cy - 1, 0), min(cy + 2, ny)):
             start = (layer * ny + row) * nx
-            begin, end = np.uint64(scratch.cell_begin[start + left]), np.uint64(scratch.cell_begin[start + right])
-            for t in range(begin, end):
-                j, dx, dy, dz, reach = order[t], near[0, t] - x, near[1, t] - y, near[2, t] - z, near[3, t] + own
-                listed[min(count, last)] = j
-                count += np.uint64((dx * dx + dy * dy + dz * dz < reach * reach) & ((j > i) | (j < lo)))
+            begin, end = np.int64(scratch.cell_begin[start + left]), np.int64(scratch.cell_begin[start + right])
+            for t in range(begin, end, WIDTH):
+                hits = within_eight(near, order, t, (x, y, z), own, i, lo)
+                slot = min(count, last)
+                count -= slot
+                for k in range(WIDTH):
+                    listed[slot] = order[np.uint64(t + k)]
+                    slot += (hits >> np.uint64(k)) & np.uint64(t + k < end)
+                count += slot
     return count
 
 
@@ -151,7 +156,7 @@ def list_wide(bodies, walls, blocks, scratch, gap, n, lo, hi):
     for i in range(lo, hi):
         scratch.wide_begin[i - lo] = fill
         count = near_bodies(bodies, blocks.wide_skin, gap, i, lo, grid, scratch)
-        if fill + count > scratch.wide.size or count > scratch.close.size:
+        if fill + count > scratch.wide.size or count > scratch.close.size - WIDTH:
             return False
         fill = take_near(scratch, count, i, lo, fill)
     scratch.wide_begin[hi - lo] = fill

@@ -17,6 +17,8 @@ from silostudy.config.sample import SampledRange
 from silostudy.errors import BadInput
 from silostudy.stages import KINDS
 
+MOST = 1_000_000  # cases of a study
+
 
 @dataclass(frozen=True)
 class Case:
@@ -36,6 +38,11 @@ class Expansion:
     shape: tuple[int, ...]
     cases: tuple[Case, ...]
     named: tuple[Path, ...] = ()  # files of the user's own that the study itself names
+
+    @property
+    def size(self) -> int:
+        """Cases of the whole study, also where only some are here."""
+        return prod(self.shape)
 
     @property
     def files(self) -> tuple[Path, ...]:
@@ -61,6 +68,8 @@ def as_asked(content: dict[str, Any], name: str, where: str, folder: Path, posit
     build = KINDS[study.kind].scene_builder(study, folder, where)
     cases, axes = [], [axis.settings() for axis in study.sweep]
     shape = tuple(map(len, axes))
+    if prod(shape) > MOST:
+        raise BadInput("sweep", prod(shape), f"makes more cases than a study may have, {MOST:,}", where)
     for position in range(prod(shape)) if positions is None else positions:
         settings = _settings_at(axes, position, where)
         try:

@@ -54,7 +54,6 @@ from silostudy.dem.space.lanes import (
 )  # fmt: skip
 from silostudy.dem.space.motion import carry, cross, dot, face, faced, held_of
 from silostudy.dem.sweep import FRESH
-from silostudy.dem.vectors import fetch_rows
 from tests.test_accuracy.by_hand import inlined, longest, marched, steps_of, travelled
 
 STEPS = 300
@@ -183,7 +182,6 @@ def step_by_hand(rough: bool):
         walls_of(spheres.rows, near, walls, near.begin[0], scratch, dt, laws[1])
         pairs_of(spheres.rows, pairs, pairs.begin[last], pairs.begin[last + 1], scratch, dt, laws[0])
         for b in range(last):
-            fetch_rows(spheres.rows, pairs.beyond[min(b + 1, last)], pairs.beyond[min(b + 2, last)])
             pairs_of(spheres.rows, pairs, pairs.begin[b], pairs.begin[b + 1], scratch, dt, laws[0])
             start, im, ii = b * BLOCK, spheres.inverse_mass[0], spheres.inverse_inertia[0]
             end = min(start + BLOCK, hi)

@@ -142,6 +142,30 @@ def test_check_tells_the_price_of_a_sweep(capsys):
     assert re.search(r"about [0-9.]+ min of one core", out)
 
 
+def test_check_looks_at_some_cases_of_a_long_sweep(capsys, monkeypatch):
+    """The price is that of all."""
+    study = ROOT / "config/studies/discharge-thousand.yaml"
+    told = []
+    for looked in (1000, 100):
+        monkeypatch.setattr("silostudy.commands.studies.LOOKED", looked)
+        told.append(said(capsys, "check", study))
+    whole, part = told
+    assert "1000 case(s)" in part
+    assert "note: 100 of them, drawn at random, are looked at here" in part
+    assert "drawn at random" not in whole
+    minutes = [float(re.search(r"about ([0-9.]+) min of one core", out)[1]) for out in told]
+    assert minutes[1] == pytest.approx(minutes[0], rel=0.05)
+
+
+def test_a_study_of_too_many_cases_is_refused_at_once(capsys, tmp_path):
+    content = yaml.safe_load((ROOT / "config/studies/discharge-slit.yaml").read_text()) | {"outputs": []}
+    values = {"start": 0.0, "stop": 0.5, "count": 1001}
+    content["sweep"] = [{"axis": axis, "values": {f"{axis}.sliding_friction": values}} for axis in ("walls", "discs")]
+    (tmp_path / "study.yaml").write_text(yaml.safe_dump(content))
+    told = said(capsys, "check", tmp_path / "study.yaml", status=2)
+    assert "sweep = 1002001: makes more cases than a study may have, 1,000,000" in told
+
+
 def test_stages_by_hand(capsys, tmp_path, study):
     path = tmp_path / "small.yaml"
     study["sweep"] = [{"axis": "solid", "values": {"solid": ["wheat_benchmark", "mine"]}}]
