@@ -45,8 +45,7 @@ def _time_of_largest(flow: xr.DataArray, end: xr.DataArray) -> xr.DataArray:
 
 
 def compared_in_hopper(data: dict[str, xr.DataArray]) -> dict[str, xr.DataArray]:
-    """Ratios of what methods say of the hopper to what the grains did: of its mean pressure, and next to the transition to the
-    largest window."""
+    """Ratios of what methods say of the hopper to what the grains did: its mean pressure, and that next to the transition."""
     if "code_hopper_profile" not in data:
         return {}
     ring, place = data["hopper_ring_pressure"], data["hopper_level_position"].mean("filling")
@@ -54,8 +53,8 @@ def compared_in_hopper(data: dict[str, xr.DataArray]) -> dict[str, xr.DataArray]
     both = code.notnull() & ring.notnull()
     mean, felt = (values.where(both).sum("wall_level", min_count=1) for values in (code, ring))
     top = {"wall_level": -1}
-    peak = data["hopper_ring_largest"].isel(top)
-    return {"code_over_grains_hopper": mean / felt, "code_over_grains_transition": code.isel(top) / peak.where(peak > 0.0)}
+    most = by_phase(ring.sel(phase="filling", drop=True), data["hopper_ring_largest"]).isel(top)
+    return {"code_over_grains_hopper": mean / felt, "code_over_grains_transition": code.isel(top) / most.where(most > 0.0)}
 
 
 def at_places(profile: xr.DataArray, place: xr.DataArray) -> xr.DataArray:

@@ -39,8 +39,12 @@ def of_grains(silo: xr.Dataset, setting: dict[str, Any]) -> Lines:
 def _stagnant(silo: xr.Dataset, about: dict[str, Any]) -> dict[str, Any]:
     """Height (m) where grains begin to slide: no better known than to half a level, however alike the fillings are."""
     line = row(silo["stagnant_wall_height"], **about, quantity=STAGNANT)
-    half = 0.5 * float(abs(silo["level_depth"].diff("wall_level")).median())
-    return line | {"low_95": max(0.0, line["low_95"] - half), "high_95": line["high_95"] + half}
+    return _to_half(line, float(abs(silo["level_depth"].diff("wall_level")).median()))
+
+
+def _to_half(line: dict[str, Any], step: float) -> dict[str, Any]:
+    """A row of a height that is read in levels: its interval wider by half of one, and none below zero."""
+    return line | {"low_95": float(np.maximum(0.0, line["low_95"] - step / 2)), "high_95": line["high_95"] + step / 2}
 
 
 def _around(silo: xr.Dataset, about: dict[str, Any]) -> Lines:
@@ -67,14 +71,12 @@ def _on_hopper(silo: xr.Dataset, about: dict[str, Any]) -> Lines:
     if silo["hopper_switch_factor"].isnull().all():
         return []
     most, height = hopper_rise(silo)
+    step = float(abs(silo["hopper_level_position"].diff("wall_level")).median())
+    risen = "height from which up the hopper feels more in flow than at rest, over the same, to half a level"
     lines = [
         row(most, **about, quantity="largest ring mean on the hopper in flow over that at rest"),
-        row(height, **about, quantity="height of the largest rise over the transition's"),
-        row(
-            _risen_from(silo),
-            **about,
-            quantity="height from which up the hopper feels more in flow than at rest, over the same",
-        ),
+        _to_half(row(height, **about, quantity="height of the largest rise over the transition's, to half a level"), step),
+        _to_half(row(_risen_from(silo), **about, quantity=risen), step),
         row(silo["hopper_switch_time"].isel(wall_level=-1), **about, quantity="time at which the transition feels most (s)"),
     ]
     if "hopper_mobilised_friction" in silo:

@@ -12,7 +12,7 @@ from silostudy.figures.style import save_table
 
 OF_HOPPER = {
     "code_over_grains_hopper": "mean pressure on the hopper over the grains'",
-    "code_over_grains_transition": "hopper pressure at the transition over the grains' largest window there",
+    "code_over_grains_transition": "hopper pressure at the transition over the grains'; in flow their largest window",
     "code_over_grains_hopper_force": "downward force on the hopper, with a ring force, over the grains'; in flow their largest",
 }
 

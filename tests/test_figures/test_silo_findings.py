@@ -100,6 +100,8 @@ def test_a_height_in_levels_is_known_to_half_a_level(table):
     height = rows(table, "height up to which grains do not slide").iloc[0]
     assert height["mean"] == height["low_95"] == 0.0  # made-up grains slide all along, in every filling, and no wall is below
     assert height["high_95"] == pytest.approx(half)
+    alone = findings(cube_of("silo-of-spheres", "beside").isel(filling=[0]))
+    assert rows(alone, "height up to which grains do not slide")["low_95"].isna().all()  # one filling has no interval
 
 
 def test_the_hopper_rises_from_where_all_above_it_has_risen():
