@@ -27,7 +27,7 @@ def of_grains(silo: xr.Dataset, setting: dict[str, Any]) -> Lines:
         row(friction.sel(phase=phase), **about, quantity="wall shear over wall pressure", phase=phase) for phase in PHASES
     ]
     lines.append(row(silo["lateral_pressure_ratio_at_rest"], **about, quantity="lateral pressure ratio at rest"))
-    lines.append(_stagnant(silo, about))
+    lines.append(height_not_sliding(silo, about))
     lines += [
         row(silo["largest_over_rest"].sel(phase=phase, averaging=area), **about, phase=phase, area=str(area),
             quantity="largest mean on an area over the ring's mean at rest")
@@ -36,7 +36,7 @@ def of_grains(silo: xr.Dataset, setting: dict[str, Any]) -> Lines:
     return lines + _around(silo, about) + of_channel(silo, about) + _on_hopper(silo, about) + _rate(silo, about)
 
 
-def _stagnant(silo: xr.Dataset, about: dict[str, Any]) -> dict[str, Any]:
+def height_not_sliding(silo: xr.Dataset, about: dict[str, Any]) -> dict[str, Any]:
     """Height (m) where grains begin to slide: no better known than to half a level, however alike the fillings are."""
     line = row(silo["stagnant_wall_height"], **about, quantity=STAGNANT)
     return _to_half(line, float(abs(silo["level_depth"].diff("wall_level")).median()))
