@@ -40,7 +40,7 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     _frictions(friction, numbers)
     known = numbers[numbers["panel"] == HEIGHT]
     _points(height, known, color=VERMILION, marker="D")
-    height.set(xlabel=HEIGHT, title="no sliding up to", xlim=(0.0, None))
+    height.set(xlabel=HEIGHT, title="no sliding below", xlim=(0.0, None))
     rate.set_yticks(range(len(every)), [fill(told(setting, silo), LETTERS) for setting, silo in every])
     rate.set_ylim(len(every) - 0.5, -0.5)
     for panel in (rate, friction, height):
