@@ -87,13 +87,18 @@ def checks(expansion) -> list[str]:
 
 def time_of_parts(expansion) -> list[str]:
     """About what a sweep costs: from the measured time of a case where the study states it, else from discs and steps."""
-    from silostudy.scene.costs import told_time
+    from silostudy.scene.costs import rains, told_time
     from silostudy.sweep.plan import parts_of
 
     study, parts = expansion.study, parts_of(expansion.study)
     seconds = sum(study.case_s or parts.call("cost", case.scene) for case in expansion.cases)
     seconds *= expansion.size / len(expansion.cases)
-    return [f"at most about {told_time(seconds)} of one core, a kernel's compiling apart"]
+    rained = not study.case_s and any(
+        rains(case.scene.config) for case in expansion.cases if hasattr(case.scene.config, "events")
+    )
+    sort = "about" if rained else "at most about"
+    later = ", more where a rain of grains comes to rest late" if rained else ""
+    return [f"{sort} {told_time(seconds)} of one core{later}, a kernel's compiling apart"]
 
 
 def tests(expansion) -> list[str]:

@@ -7,9 +7,10 @@ import numpy as np
 import xarray as xr
 
 from silostudy.compute.axes import axis_coordinates, axis_names
-from silostudy.compute.beside_around import around, zones
+from silostudy.compute.beside_around import PATCH, around, around_mean, zones
 from silostudy.compute.beside_codes import PHASES, at_depths, by_phase, matched, profiles
-from silostudy.compute.beside_hopper import compared_in_hopper, in_cone
+from silostudy.compute.beside_flow import in_full_flow, outflow
+from silostudy.compute.beside_hopper import compared_in_hopper, forces, in_cone
 from silostudy.compute.beside_plan import Plan, plan_of
 from silostudy.cube.areas import AVERAGED, largest_mean, of_profile, step_of
 from silostudy.cube.assemble import Sweep, assemble
@@ -17,6 +18,7 @@ from silostudy.cube.contract import variable
 from silostudy.scene.expand import Expansion
 
 SLIDES = 0.8  # of the largest friction of any level: with less a level counts as one where grains do not slide
+SMALLEST = next(iter(AVERAGED))  # of the areas: about as wide as the patch of EN 1991-4's patch load
 DEEP = 0.5  # diameters below the surface: where pressures are large enough that ratios of them tell something
 OF_METHODS = ("pressure_method_title", "pressure_method_number", "pressure_method_colour", "pressure_method_marker")
 SOURCES = ("en1991_4_2006", "silo_handbook")
@@ -31,8 +33,9 @@ def beside_cube(expansion: Expansion, scenes: xr.Dataset, codes: xr.Dataset | No
     plan = plan_of(study)
     data = felt(grains, plan) | in_cone(grains)
     data |= said(pressures, data)
-    data |= compared(data, plan.width) | compared_in_hopper(data)
+    data |= compared(data, plan.width, local(pressures, data)) | compared_in_hopper(data)
     if plan.around:
+        data |= outflow(grains, expansion) | forces(pressures, grains)
         deep = data["level_depth"] >= DEEP * plan.width
         data |= around(grains, deep) | zones(pressures, data["level_depth"].mean("filling"), deep)
     arrays = {name: _in_order(value, name, axes) for name, value in data.items()}
@@ -57,10 +60,9 @@ def felt(grains: xr.Dataset, plan: Plan) -> dict[str, xr.DataArray]:
     depth = grains["filled_height_at_rest"] - (height - height.isel(wall_level=0) + step / 2)
     depth = depth.where(depth >= step / 2)  # levels that are wholly below the surface
     rest, flow = (grains[f"wall_pressure_{when}"].where(depth.notnull()) for when in ("at_rest", "in_flow"))
-    ring = by_phase(rest.mean("wall_turn"), flow.mean(("wall_turn", "flow_window")))
-    shear = by_phase(
-        grains["wall_shear_at_rest"].mean("wall_turn"), grains["wall_shear_in_flow"].mean(("wall_turn", "flow_window"))
-    )
+    ring = by_phase(rest.mean("wall_turn"), in_full_flow(flow, grains).mean(("wall_turn", "flow_window")))
+    sheared = in_full_flow(grains["wall_shear_in_flow"], grains).mean(("wall_turn", "flow_window"))
+    shear = by_phase(grains["wall_shear_at_rest"].mean("wall_turn"), sheared)
     shear = shear.where(depth.notnull())
     largest = by_phase(_largest(rest.expand_dims("flow_window")), _largest(flow))
     weight = grains["unit_weight_at_rest"]
@@ -108,18 +110,28 @@ def _sides(step: xr.DataArray, plan: Plan, around: int) -> xr.DataArray:
 def said(codes: xr.Dataset, felt_arrays: dict[str, xr.DataArray]) -> dict[str, xr.DataArray]:
     """Pressures (Pa) by theories and codes at the levels, at their mean depth over the fillings, and at depths of their own."""
     depth = felt_arrays["level_depth"].mean("filling")
-    at_levels = {"code_wall_pressure": at_depths(codes, "wall_normal_pressure", depth)}
-    return at_levels | profiles(codes, depth.isel(wall_level=0, drop=True))
+    even = codes.assign(wall_normal_pressure=around_mean(codes))
+    at_levels = {"code_wall_pressure": at_depths(even, "wall_normal_pressure", depth)}
+    return at_levels | profiles(even, depth.isel(wall_level=0, drop=True))
 
 
-def compared(arrays: dict[str, xr.DataArray], wide: float) -> dict[str, xr.DataArray]:
-    """Ratios of what codes say to what the grains did, and of the grains' peaks to their rest."""
+def local(codes: xr.Dataset, arrays: dict[str, xr.DataArray]) -> xr.DataArray:
+    """Largest pressures (Pa) by theories and codes anywhere around the levels: with patch load, or beside a flow channel."""
+    said_here = at_depths(codes, "wall_normal_pressure", arrays["level_depth"].mean("filling"))
+    return said_here * (1.0 + codes[PATCH].fillna(0.0)) if PATCH in codes else said_here
+
+
+def compared(arrays: dict[str, xr.DataArray], wide: float, somewhere: xr.DataArray) -> dict[str, xr.DataArray]:
+    """Ratios of what codes say to what the grains did, and of the grains' peaks to their rest.
+
+    somewhere: what codes say (Pa) of the place around each level where it is most, for the smallest area.
+    """
     code, ring, largest = (arrays[name] for name in ("code_wall_pressure", "ring_pressure", "largest_area_pressure"))
     deep = arrays["level_depth"] >= DEEP * wide
     both = code.notnull() & ring.notnull()
     said_force, felt_force = (pressure.where(both).sum("wall_level", min_count=1) for pressure in (code, ring))
     rest = ring.sel(phase="filling", drop=True)
-    means = {area: _averaged(code, area) for area in AVERAGED}
+    means = {area: _averaged(somewhere if area == SMALLEST else code, area) for area in AVERAGED}
     rests = {area: _averaged(rest, area) for area in AVERAGED}
     index = xr.IndexVariable("averaging", list(AVERAGED))
     share = {area: means[area] / largest.sel(averaging=area) for area in AVERAGED}
@@ -128,6 +140,9 @@ def compared(arrays: dict[str, xr.DataArray], wide: float) -> dict[str, xr.DataA
         "code_over_grains_force": said_force / felt_force,
         "code_profile_residual": ((code / ring - 1.0) ** 2).where(deep).mean("wall_level") ** 0.5,
         "code_over_grains_peak": xr.concat([share[area].where(deep).min("wall_level") for area in AVERAGED], index),
+        "code_largest_over_rest": (code.sel(phase="discharge") / code.sel(phase="filling"))
+        .where(deep.any("filling"))
+        .max("wall_level"),
         "largest_over_rest": xr.concat([rises[area].where(deep).max("wall_level") for area in AVERAGED], index),
     }
 

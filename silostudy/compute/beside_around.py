@@ -3,9 +3,11 @@
 import xarray as xr
 
 from silostudy.compute.beside_codes import at_depths, by_phase
+from silostudy.compute.beside_flow import in_full_flow
 
 # variables of a pressure cube
 CHANNEL = "channel_normal_pressure"
+STATIC = "static_normal_pressure"
 PATCH = "patch_load_factor"
 # what EN 1991-4, 5.2.4, says of the three zones of the wall: in the cube of pressures -> in this one
 ZONES = {CHANNEL: "code_channel_pressure", "adjacent_normal_pressure": "code_adjacent_pressure",
@@ -18,7 +20,7 @@ def around(grains: xr.Dataset, deep: xr.DataArray) -> dict[str, xr.DataArray]:
     Of each filling: the largest cell of any level and window over its ring's mean, less 1, and the root mean square.
     """
     rest = grains["wall_pressure_at_rest"].expand_dims("flow_window").where(deep)
-    flow = grains["wall_pressure_in_flow"].where(deep)
+    flow = in_full_flow(grains["wall_pressure_in_flow"].where(deep), grains)
     pressure = by_phase(*(cells.mean("flow_window").mean("wall_level") for cells in (rest, flow)))
     off = [_off_ring(cells) for cells in (rest, flow)]
     every = ("flow_window", "wall_level", "wall_turn")
@@ -34,6 +36,19 @@ def _off_ring(cells: xr.DataArray) -> xr.DataArray:
     """Each cell's pressure over the mean around its level, less 1; missing where nothing presses."""
     ring = cells.mean("wall_turn")
     return cells / ring.where(ring > 0.0) - 1.0
+
+
+def around_mean(codes: xr.Dataset) -> xr.DataArray:
+    """Wall pressures (Pa) by theories and codes as means around a level.
+
+    Of zones about a flow channel that is the static zone's: what the channel lacks, the zones beside it have more.
+    Source: en1991_4_2006.
+    """
+    pressure = codes["wall_normal_pressure"]
+    if STATIC not in codes:
+        return pressure
+    static = codes[STATIC].max("channel")
+    return static.where(static.notnull(), pressure)
 
 
 def zones(codes: xr.Dataset, depth: xr.DataArray, deep: xr.DataArray) -> dict[str, xr.DataArray]:

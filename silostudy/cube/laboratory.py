@@ -43,12 +43,16 @@ class Scatter:
 
 @dataclass(frozen=True)
 class MeasuredSolid:
-    """Properties of the solid by the tests of one cell: unit weights (N/m3), angle (rad), friction, pressure ratio (1)."""
+    """Properties of the solid by the tests of one cell: unit weights (N/m3), angles (rad), friction, pressure ratio (1).
+
+    flow_angle: of steady shear; a solid without cohesion flows with it at any stress, so it is its effective friction angle.
+    """
 
     loose: Scatter
     repose_angle: Scatter
     unit_weight: Scatter
     friction_angle: Scatter
+    flow_angle: Scatter
     wall_friction: Scatter
     lateral_pressure_ratio: Scatter
 
@@ -65,6 +69,7 @@ class MeasuredSolid:
             repose_angle=Scatter.of(tested["tested_repose_angle"]),
             unit_weight=Scatter.of(upright["tested_unit_weight"]),
             friction_angle=Scatter.of(xr.apply_ufunc(np.arctan, upright["internal_peak_shear_ratio"])),
+            flow_angle=Scatter.of(xr.apply_ufunc(np.arctan, upright["internal_steady_shear_ratio"])),
             wall_friction=Scatter.of(on_wall["wall_steady_shear_ratio"]),
             lateral_pressure_ratio=Scatter.of(upright["tested_lateral_pressure_ratio"]),
         )
@@ -80,6 +85,7 @@ class MeasuredSolid:
             "unit_weight_kN_m3": 1e-3 * self.unit_weight.mean * self.unit_weight.factor,
             "unit_weight_lower_kN_m3": 1e-3 * self.loose.mean / self.loose.factor,
             "internal_friction_angle_deg": degrees(self.friction_angle.mean),
+            "effective_friction_angle_deg": degrees(self.flow_angle.mean),
             "repose_angle_deg": degrees(self.repose_angle.mean),
             "wall_friction": self.wall_friction.mean,
             "lateral_pressure_ratio": self.lateral_pressure_ratio.mean,
@@ -89,7 +95,7 @@ class MeasuredSolid:
             "source": f"virtual laboratory of silostudy, study {cube.attrs['study_hash']}",
             "locator": f"{fillings} fillings of a cell {width:g} grains wide",
             "remark": f"{cube['row_remark'].item()}; at {vertical:g} kPa, wall friction steady at {horizontal:g} kPa; "
-            f"lower unit weight as filled; "
+            f"lower unit weight as filled, effective friction angle of steady shear; "
             f"factors 1 + {FRACTILE} deviation/mean",
         }
 

@@ -14,6 +14,7 @@ SURE = 0.95  # share of the intervals that hold the mean of all fillings
 COVERS = "covers it"
 MAY_COVER = "may cover it"
 SHORT = "does not cover it"
+NONE_HERE = "gives none here"
 NO_INTERVAL = "no interval: fewer than two fillings have a value"
 
 
@@ -54,6 +55,12 @@ def row(values: xr.DataArray, **about: Any) -> dict[str, Any]:
     fillings = values.values.ravel()
     mean, low, high = interval(fillings)
     return {**about, "mean": mean, "low_95": low, "high_95": high, "fillings": int(np.isfinite(fillings).sum())}
+
+
+def judged(values: xr.DataArray, **about: Any) -> dict[str, Any]:
+    """A row of a method's load over the grains', with the verdict by its interval."""
+    ratio = row(values, **about)
+    return {**ratio, "verdict": verdict(ratio["low_95"], ratio["high_95"])}
 
 
 def verdict(low: float, high: float) -> str:

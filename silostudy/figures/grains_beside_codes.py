@@ -55,7 +55,7 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
         ranks = _ranks(silo)
         for panel, (phase, words) in zip((rest, flow), PANELS.items(), strict=True):
             numbers += [table.assign(**setting, phase=phase) for table in _panel(panel, silo, phase, ranks)]
-            panel.set(title=f"{told(setting, silo)}: {words}", xlabel="pressure on the wall (kPa)", xlim=(0.0, None))
+            panel.set(title=f"{told(setting, silo)}\n{words}", xlabel="pressure on the wall (kPa)", xlim=(0.0, None))
         flow.sharey(rest)
         flow.tick_params(labelleft=False)
         rest.set(ylabel="depth below the level surface (m)", ylim=(float(silo["code_profile_depth"].max()), 0.0))
@@ -71,8 +71,11 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     about += (
         "deep and deeper, by its interval; dashed where they may; grey where they do not; dotted where fillings are too few to "
     )
-    about += "tell. Right: filled over that mean, hollow over the grains' largest on one cell."
-    fillings = f"Bands: least and largest of {cube.sizes['filling']} fillings; bars: interval of their mean, 95 %."
+    about += "tell. Right: filled over that mean, hollow, with patch loads, over the grains' largest on one cell."
+    fillings = (
+        f"Bands: least and largest of {cube.sizes['filling']} fillings; bars: interval of their mean, 95 %. Mean in flow: "
+    )
+    fillings += "until a tenth of the grains is out."
     foot(figure, f"{cube.attrs['title']}.", about, fillings, handles=handles.values())
     save(figure, pd.concat([*numbers, *ranked], ignore_index=True), stem)
 
@@ -130,7 +133,7 @@ def _panel(panel: Axes, silo: xr.Dataset, phase: str, ranks: pd.DataFrame) -> li
 
 def _draw_ranks(panel: Axes, silo: xr.Dataset, ranks: pd.DataFrame) -> None:
     """A row a method: over the grains' largest mean around (filled), and over their largest on one cell (hollow)."""
-    panel.set(title="of the grains' largest", xlabel="least pressure over theirs")
+    panel.set(title="over the grains' largest,\nin flow", xlabel="least pressure over theirs")
     panel.set_yticks(range(len(ranks)), [title(silo, method) for method in ranks["of"]])
     panel.set_ylim(-0.7, len(ranks) - 0.3)
     panel.yaxis.tick_right()
@@ -146,7 +149,7 @@ def _draw_ranks(panel: Axes, silo: xr.Dataset, ranks: pd.DataFrame) -> None:
         panel.plot(row["over_ring_peak"], place, **style)
         panel.plot(row["over_cell_peak"], place, **style, markerfacecolor="white")
     panel.axvline(1.0, color=BLACK, linewidth=1.0)
-    panel.set_xlim(0.0, 1.05 * float(np.nanmax(ranks.select_dtypes("number"))))
+    panel.set_xlim(0.0, 1.05 * float(np.nanmax([1.0, *ranks.select_dtypes("number").to_numpy().ravel()])))
 
 
 def _message(ranked: list[pd.DataFrame]) -> str:

@@ -8,6 +8,7 @@ import xarray as xr
 from matplotlib.axes import Axes
 
 from silostudy.figures.beside import interval, settings, told
+from silostudy.figures.findings_of_channel import near_over_far
 from silostudy.figures.style import BLUE, LINES, TALLEST, VERMILION, WIDTH, foot, headline, look, plt, save, title
 
 KPA = 1e3
@@ -22,21 +23,20 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     columns = 1 if len(every) < BESIDE else 2
     rows = -(-len(every) // columns)
     size = (WIDTH, min(TALLEST, 1.6 + 3.2 * rows))
-    figure, panels = plt.subplots(rows, columns, figsize=size, squeeze=False, sharex=True)
-    numbers = []
+    figure, panels = plt.subplots(rows, columns, figsize=size, squeeze=False)
+    numbers, across = [], "angle from the outlet's side (°)" if _off_axis(cube) else "angle around the wall (°)"
     for panel, (setting, case) in zip(panels.flat, every, strict=False):
         numbers += [table.assign(**setting) for table in (*_grains(panel, case), *_codes(panel, case))]
         off = 100.0 * float(case["deviation_around"].sel(phase=PHASE).mean())
         panel.set(title=f"{told(setting, case)}: {off:.0f} % off the mean in flow", ylim=(0.0, None))
-        panel.set(xlim=(-180, 180), xticks=range(-180, 181, 90), ylabel="wall pressure (kPa)")
+        panel.set(xlim=(-180, 180), xticks=range(-180, 181, 90), xlabel=across, ylabel="wall pressure (kPa)")
     for panel in panels.flat[len(every) :]:
         panel.set_axis_off()
-    for panel in panels[-1]:
-        panel.set_xlabel("angle from the outlet's side (°)" if _off_axis(cube) else "angle around the wall (°)")
     handles = {text: line for panel in panels.flat for line, text in zip(*panel.get_legend_handles_labels(), strict=True)}
     headline(figure, _message(cube))
-    about = "Band: 95 % interval of the mean of fillings; percentages: root mean square of single cells."
-    foot(figure, f"{cube.attrs['title']}.", about, handles=handles.values())
+    about = "Levels half a diameter deep and deeper, in flow until a tenth of the grains is out. Band: 95 % interval of the "
+    about += "mean of fillings; percentages: root mean square of single cells."
+    foot(figure, f"{cube.attrs['title']}.", about, *_patches(cube), handles=handles.values())
     save(figure, pd.concat(numbers, ignore_index=True), stem)
 
 
@@ -46,10 +46,27 @@ def _off_axis(cube: xr.Dataset) -> bool:
 
 
 def _message(cube: xr.Dataset) -> str:
-    """Sentence on how far single cells are from the mean around, at rest and in flow."""
+    """Sentence on how much less the outlet's side feels, or on how far single cells are from the mean around."""
+    if _off_axis(cube):
+        sides = [(near_over_far(silo).sel(phase=PHASE).mean().item(), told(setting, silo)) for setting, silo in settings(cube)]
+        least, where = min(side for side in sides if np.isfinite(side[0]))
+        return f"In flow the wall on the outlet's side is pressed {least:.2f} times as much as opposite: {where}"
     largest = cube["largest_over_ring"].mean([dim for dim in cube["largest_over_ring"].dims if dim != "phase"])
     rest, flow = (100.0 * float(largest.sel(phase=phase)) for phase in PANELS)
     return f"The largest cell presses {rest:.0f} % more than the mean around its level at rest, {flow:.0f} % more in flow"
+
+
+def _patches(cube: xr.Dataset) -> list[str]:
+    """A line on what codes add on a patch in discharge."""
+    if "code_patch_factor" not in cube:
+        return []
+    factor = cube["code_patch_factor"].sel(phase=PHASE)
+    most = factor.max([dim for dim in factor.dims if dim != "pressure_method"]).dropna("pressure_method")
+    names = [
+        f"{title(cube, method)}, {100.0 * float(most.sel(pressure_method=method)):.0f} %"
+        for method in most["pressure_method"].values
+    ]
+    return [f"Patch loads add at most, on a patch: {'; '.join(names)}."] if names and most.max() > 0.0 else []
 
 
 def _grains(panel: Axes, case: xr.Dataset) -> list[pd.DataFrame]:

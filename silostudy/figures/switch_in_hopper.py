@@ -14,6 +14,7 @@ from silostudy.figures.steps import over_depth
 from silostudy.figures.style import BLACK, PHASE_LINES, WIDTH, foot, headline, look, plt, save, title
 
 COLUMNS = 3
+BESIDE = 2  # columns of twice as many panels
 LOOKS: dict[str, dict[str, Any]] = {
     "at rest": {"linewidth": 1.6, "linestyle": (0, (1, 1)), "marker": "o", "markerfacecolor": "white"},
     "mean in flow": {"linewidth": 1.2, "linestyle": (0, (4, 2)), "marker": "none"},
@@ -29,14 +30,14 @@ BANDS: dict[str, dict[str, Any]] = {
 def draw(cube: xr.Dataset, stem: Path) -> None:
     """Writes the figure and its numbers: a panel a setting, the hopper from its outlet to the transition."""
     every = list(settings(cube))
-    columns = min(COLUMNS, len(every))
+    columns = min(COLUMNS, len(every)) if len(every) != 2 * BESIDE else BESIDE
     rows = -(-len(every) // columns)
     figure, panels = plt.subplots(rows, columns, figsize=(WIDTH, 2.0 + 3.4 * rows), squeeze=False, sharey=True)
     numbers = []
     for panel, (setting, silo) in zip(panels.flat, every, strict=False):
         numbers += [table.assign(**setting) for table in (*_codes(panel, silo), *_grains(panel, silo))]
         most = hopper_rise(silo)[0]
-        rise = f"largest over rest: {float(most.mean()):.2g}" if most.notnull().any() else "nothing felt"
+        rise = f"largest over rest: {float(most.mean()):.1f}" if most.notnull().any() else "nothing felt"
         panel.set(
             title=f"{told(setting, silo)}\n{rise}", xlabel="pressure on the hopper (kPa)", xlim=(0.0, None), ylim=(0.0, 1.0)
         )
@@ -46,7 +47,8 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
         panel.set_ylabel("height above the outlet\nover that of the transition")
     headline(figure, _message(cube))
     handles = {text: line for panel in panels.flat for line, text in zip(*panel.get_legend_handles_labels(), strict=True)}
-    about = "Grains: means around the hopper; bands: least to largest of fillings. Largest over rest: mean of the fillings'."
+    about = "Grains: means around the hopper, in flow until a tenth is out; bands: least to largest of fillings. Largest "
+    about += "over rest: mean of the fillings'."
     foot(figure, f"{cube.attrs['title']}.", about, handles=handles.values())
     save(figure, pd.concat(numbers, ignore_index=True), stem)
 

@@ -24,6 +24,7 @@ from silostudy.scene.spheres import contacts_of, grain_of
 START = 0.02  # s: building a scene
 LINE = 100  # bytes of a body in a file
 UNKNOWN = np.array([1e-3])  # m: radius of spheres whose sizes stand in a file
+SETTLES = 0.2  # s from the end of a rain to rest: 0.17 to 0.27 in the silos of config/silos.yaml
 OF_MEAN = 32  # fillings of a case whose mean is asked for: as many as its scatter asks for, some tens
 HOUR = 3600.0  # s
 DRAWN = 200  # sizes that the ends of a distribution are guessed from
@@ -43,17 +44,35 @@ class Costs:
 
 
 def cost(case: SceneCase) -> float:
-    """About how long (s) a case computes, at most: bodies times steps to its end."""
+    """About how long (s) a case computes: bodies times steps to its end, at most; of a rain, to a rest soon after it."""
     scene, folder = case.config, case.folder
     costs = COSTS[scene.grains]
     step = scene.march.step_s or costs.step(scene)
-    once = START + duration(scene) / step * (costs.look + costs.count(scene, folder) * costs.body)
+    whole, full = until_end(scene)
+    once = START + (whole * costs.look + full * costs.count(scene, folder) * costs.body) / step
     return OF_MEAN * once if scene.of_fillings else once
 
 
 def told_time(seconds: float) -> str:
     """A computing time (s) in words: minutes, from two hours on hours."""
     return f"{seconds / HOUR:.1f} h" if seconds >= 2.0 * HOUR else f"{seconds / 60.0:.3g} min"
+
+
+def rains(scene: AnyScene) -> bool:
+    """Whether grains rain in and an event waits for their rest."""
+    rained = isinstance(scene, SphereScene) and FILLINGS[scene.filling.kind].rains
+    return rained and any(event.when == "rest" for event in scene.events)
+
+
+def until_end(scene: AnyScene) -> tuple[float, float]:
+    """Model time (s) to the stop, and the part of it for which all grains are there; they rain in at an even rate."""
+    longest = duration(scene)
+    if not (isinstance(scene, SphereScene) and rains(scene)):
+        return longest, longest
+    raining = scene.filling.count / scene.filling.rate_1_s
+    after = SETTLES + sum(event.value for event in scene.events if event.when == "after")
+    whole = min(raining + after, longest)
+    return whole, whole - min(raining, whole) / 2.0
 
 
 def duration(scene: AnyScene) -> float:

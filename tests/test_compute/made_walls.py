@@ -10,6 +10,7 @@ from silostudy.cube.assemble import assemble
 from silostudy.scene.expand import Expansion
 
 GAMMA, MU, K = 7850.0, 0.4, 0.5  # unit weight (N/m3), wall friction, lateral pressure ratio (1) of the made-up solid
+LOADS = np.array([[1.0, 4.0, 2.0], [2.0, 8.0, 1.0]])  # N: on walls, hopper and floor, at rest and at most in flow
 FLOWS, PATCH = 1.3, 2.0  # pressure in flow over that at rest all around, and in one cell of one window over that
 
 
@@ -30,6 +31,8 @@ def walls_of(scene, depth: float, scatter: float) -> dict[str, np.ndarray]:
     low = 0.06
     found = {"filled_height_at_rest": np.array(depth), "unit_weight_at_rest": np.array(GAMMA)}
     found["flow_window_end"] = 0.02 * (np.arange(windows) + 1.0)
+    found |= {"mean_mass_flow": np.array(0.3 * scatter), "mean_grain_diameter": np.array(0.005)}
+    found |= {"body_load_at_rest": LOADS[0], "largest_body_load": LOADS[1]}
     for stem, height in (("wall", low + above), ("hopper", low * (np.arange(levels) + 0.5) / levels)):
         found |= {
             f"{stem}_level_height": height,
@@ -49,5 +52,4 @@ def made_walls(expansion: Expansion, depths: list[float]) -> xr.Dataset:
     each = [walls_of(scene, depths[k // fillings], 1.0 + 0.05 * (k % fillings)) for k, scene in enumerate(cases)]
     data = {name: np.array([one[name] for one in each]) for name in each[0]}
     shaped = {name: values.reshape((*expansion.shape, *values.shape[1:])) for name, values in data.items()}
-    own = {name: value for name, value in coordinates(expansion.study).items() if name != "body"}
-    return assemble(expansion.study, "scenes", shaped | own, sources=[], sweep=sweep_of(expansion))
+    return assemble(expansion.study, "scenes", shaped | coordinates(expansion.study), sources=[], sweep=sweep_of(expansion))

@@ -10,7 +10,7 @@ import yaml
 from silostudy.choice.expand import expand_file
 from silostudy.compute.axes import sweep_of
 from silostudy.compute.beside import beside_cube
-from silostudy.compute.beside_hopper import in_cone
+from silostudy.compute.beside_hopper import compared_in_hopper, in_cone
 from silostudy.compute.dem import run_of, scene_model
 from silostudy.compute.pressure import pressure_cube
 from silostudy.compute.scenes import coordinates
@@ -149,7 +149,14 @@ def test_the_switch_is_seen_where_and_when_it_was_put(beside):
     assert first["hopper_switch_time"].values == pytest.approx([WINDOW] * 23 + [3 * WINDOW])
     code = first.sel(pressure_method="jenike_mass_flow", phase="filling")
     at_levels = np.interp(code["hopper_level_position"], code["hopper_position"], code["code_hopper_profile"])
-    assert code["code_over_grains_transition"].item() == pytest.approx(at_levels[-1] / (SWITCH * 1000.0))
+    assert code["code_over_grains_transition"].item() == pytest.approx(at_levels[-1] / 1000.0)
+    both = (
+        beside["code_hopper_profile"].sel(phase=["filling", "filling"]).assign_coords(phase=beside["phase"])
+    )  # as if the method said the same of flow
+    names = ("hopper_ring_pressure", "hopper_ring_largest", "hopper_level_position")
+    again = compared_in_hopper({"code_hopper_profile": both, **{name: beside[name] for name in names}})
+    flow = again["code_over_grains_transition"].sel(pressure_method="jenike_mass_flow", phase="discharge")
+    assert flow.isel(filling=0).item() == pytest.approx(at_levels[-1] / (SWITCH * 1000.0))
     assert code["code_over_grains_hopper"].item() == pytest.approx(at_levels.mean() / 1000.0)
     assert np.isnan(first["code_over_grains_hopper"].sel(pressure_method="janssen")).all()
 
@@ -163,8 +170,13 @@ def test_a_level_that_hangs_free_in_a_filling_is_no_endless_rise():
         {"hopper_level_height": (("filling", "wall_level"), [[0.1, 0.2]] * 2),
          "flow_window_end": (("filling", "flow_window"), [[0.02, 0.04, 0.06]] * 2),
          "hopper_pressure_at_rest": (("filling", *cells), rest),
-         "hopper_pressure_in_flow": (("filling", "flow_window", *cells), flow)}
+         "hopper_pressure_in_flow": (("filling", "flow_window", *cells), flow),
+         "hopper_shear_at_rest": (("filling", *cells), 0.1 * rest),
+         "hopper_shear_in_flow": (("filling", "flow_window", *cells), 0.2 * flow)}
     )  # fmt: skip
+    friction = in_cone(grains)["hopper_mobilised_friction"]
+    assert friction.sel(phase="filling").values == pytest.approx(0.1)
+    assert friction.sel(phase="discharge").values == pytest.approx(0.2)
     assert in_cone(grains)["hopper_switch_factor"].values == pytest.approx(np.array([[3.0, 1.5]] * 2))
 
 

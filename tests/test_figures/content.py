@@ -32,11 +32,11 @@ UNITS = {
     "m/s": ("m/s", 1.0), "cm/s": ("m/s", 1e-2), "m/s²": ("m/s²", 1.0), "gal": ("m/s²", 1e-2),
     "g": ("m/s²", STANDARD_GRAVITY), "°": ("rad", np.pi / 180),
     "kg": ("kg", 1.0), "kg/m": ("kg/m", 1.0), "rad": ("rad", 1.0), "%": ("1", 1e-2), "1": ("1", 1.0),
-    "kg m⁻¹ s⁻¹": ("kg/m/s", 1.0),
+    "kg m⁻¹ s⁻¹": ("kg/m/s", 1.0), "kg/s": ("kg/s", 1.0),
 }  # fmt: skip
 IN_NAMES = {"t_m2": "t/m²", "m_s2": "m/s²", "m_s": "m/s", "deg": "°", "percent": "%", "disc_weights": "disc weights",
-            "kN_m": "kN/m", "N_m": "N/m", "cm_s": "cm/s", "kg_m_s": "kg m⁻¹ s⁻¹", "kg_m": "kg/m"}  # fmt: skip
-IN_CUBES = {"m s-2": "m/s²", "m s-1": "m/s", "N m-1": "N/m", "kg m-1 s-1": "kg m⁻¹ s⁻¹"}
+            "kN_m": "kN/m", "N_m": "N/m", "cm_s": "cm/s", "kg_m_s": "kg m⁻¹ s⁻¹", "kg_s": "kg/s", "kg_m": "kg/m"}  # fmt: skip
+IN_CUBES = {"m s-2": "m/s²", "m s-1": "m/s", "N m-1": "N/m", "kg m-1 s-1": "kg m⁻¹ s⁻¹", "kg s-1": "kg/s"}
 QUOTIENT = re.compile(
     r"\b(over|ratio|relative|factor|coefficient|share|chance|index|number|utilisation|C_eff)\b|/|=|²"
 )  # has no unit

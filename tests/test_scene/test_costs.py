@@ -2,7 +2,9 @@
 
 import pytest
 
-from silostudy.scene.costs import told_time
+from silostudy.choice.expand import expand_file
+from silostudy.scene.costs import SETTLES, cost, told_time, until_end
+from tests.conftest import ROOT
 
 
 @pytest.mark.parametrize(
@@ -10,3 +12,19 @@ from silostudy.scene.costs import told_time
 )
 def test_computing_times_are_told_in_minutes_and_from_two_hours_on_in_hours(seconds, told):
     assert told_time(seconds) == told
+
+
+def test_a_rain_of_grains_rests_soon_after_its_end_and_is_half_there_before():
+    """13,800 grains at 10,000 a second, then half a second of flow; the limit of 6 s is far."""
+    case = expand_file(ROOT / "config/studies/silo-of-spheres-eccentric.yaml").cases[0].scene
+    whole, full = until_end(case.config)
+    assert whole == pytest.approx(1.38 + SETTLES + 0.5)
+    assert full == pytest.approx(0.69 + SETTLES + 0.5)
+    slow = case.config.model_copy(update={"filling": case.config.filling.model_copy(update={"rate_1_s": 1000.0})})
+    assert until_end(slow) == (6.0, pytest.approx(3.0))
+
+
+def test_a_scene_without_a_rain_may_take_to_its_limit():
+    case = expand_file(ROOT / "config/studies/discharge-slit.yaml").cases[0].scene
+    assert len(set(until_end(case.config))) == 1
+    assert cost(case) > 0.0
