@@ -122,9 +122,7 @@ def _pick_eight(typing, near, order, room, t, end, middle, own, i, lo, picked, s
             square = builder.fadd(square, builder.fmul(away, away))
         reach = builder.fadd(reach, lanes[3])
         bodies = load(builder, listed, t, WHOLE)
-        after, before, left = (
-            repeated(builder, builder.trunc(bound, LANE), WHOLE) for bound in (i, lo, builder.sub(end, t))
-        )
+        after, before, left = (repeated(builder, builder.trunc(bound, LANE), WHOLE) for bound in (i, lo, builder.sub(end, t)))
         wanted = builder.or_(builder.icmp_signed(">", bodies, after), builder.icmp_signed("<", bodies, before))
         wanted = builder.and_(wanted, builder.icmp_signed("<", ir.Constant(WHOLE, list(range(WIDTH))), left))
         hits = builder.and_(wanted, builder.fcmp_ordered("<", square, builder.fmul(reach, reach)))
