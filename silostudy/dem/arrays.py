@@ -6,6 +6,7 @@ import numpy as np
 
 BLOCK = 128  # discs that are moved together, right after the last contact that can touch them
 LINE = 64  # bytes of a cache line
+BEHIND = 1 << 62  # key behind all others, which ends a memory
 
 
 class Discs(NamedTuple):

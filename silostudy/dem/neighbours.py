@@ -8,7 +8,7 @@ import numpy as np
 from numba import njit
 
 from silostudy.dem import history
-from silostudy.dem.arrays import BLOCK
+from silostudy.dem.arrays import BEHIND, BLOCK
 from silostudy.dem.body import place, square_gap
 from silostudy.dem.cache import OPTIONS
 from silostudy.dem.varied import set_at_wall, set_of_pair
@@ -40,6 +40,7 @@ def remember(contacts, begin, end, base, ghost, memory, count):
         history.enter(memory.twisted, spot, twisted)
         history.enter(memory.touched, spot, touched)
         spot += np.uint64(history.holds(held) | history.holds(turned) | history.holds(twisted) | history.holds(touched))
+    memory.key[spot] = BEHIND
     return np.int64(spot)
 
 
@@ -50,17 +51,19 @@ def hand_over(old, spot, new, place, same):
 
 
 @njit(**OPTIONS)
-def recall(contacts, place, key, memory, count, spot):
+def recall(contacts, place, key, memory, spot):
     """Give a new list entry the history of its key, or none; gives where the search for the next key, a larger one, begins."""
-    while spot < count and memory.key[np.uint64(spot)] < key:
-        spot += 1
-    same = spot < count and memory.key[np.uint64(spot)] == key
-    row, place = np.uint64(spot if same else 0), np.uint64(place)
+    if memory.key.size == 0:
+        return spot
+    row, place = np.uint64(spot), np.uint64(place)
+    while memory.key[row] < key:
+        row += np.uint64(1)
+    same = memory.key[row] == key
     hand_over(memory.stored, row, contacts.stored, place, same)
     hand_over(memory.rolled, row, contacts.rolled, place, same)
     hand_over(memory.twisted, row, contacts.twisted, place, same)
     hand_over(memory.touched, row, contacts.touched, place, same)
-    return spot + same
+    return np.int64(row + np.uint64(same))
 
 
 @njit(**OPTIONS)
@@ -136,7 +139,7 @@ def sieve(bodies, contacts, skin, gap, i, scratch, begin, end, fill):
 @njit(**OPTIONS)
 def list_pairs(bodies, contacts, memory, blocks, scratch, gap, lo, hi, base):
     """List the near pairs of bodies lo to hi, then the pairs that reach back to earlier threads; False if room is short."""
-    count, room, dummy = scratch.counts[KEPT_PAIRS], contacts.first.size - WIDTH, base + scratch.ghost.size
+    room, dummy = contacts.first.size - WIDTH, base + scratch.ghost.size
     scratch.slot[:] = -1
     scratch.counts[GHOSTS] = 0
     scratch.counts[PRESSED] = 0
@@ -157,7 +160,7 @@ def list_pairs(bodies, contacts, memory, blocks, scratch, gap, lo, hi, base):
                     return False
             if differ:
                 enter(bodies, contacts, k, i, j)
-            spot = recall(contacts, k, (np.int64(i) << SHIFT) | j, memory, count, spot)
+            spot = recall(contacts, k, (np.int64(i) << SHIFT) | j, memory, spot)
         fill = after
     last = (hi - lo + BLOCK - 1) // BLOCK
     fill = pad(contacts, fill, dummy, dummy + 1)
@@ -184,7 +187,7 @@ def list_crossing(bodies, contacts, memory, blocks, scratch, gap, fill, base):
             return -1
         contacts.first[fill], contacts.second[fill] = first, j
         enter(bodies, contacts, fill, i, j)
-        spot = recall(contacts, fill, key, memory, scratch.counts[KEPT_PAIRS], spot)
+        spot = recall(contacts, fill, key, memory, spot)
         fill += 1
     return fill
 
@@ -192,7 +195,7 @@ def list_crossing(bodies, contacts, memory, blocks, scratch, gap, fill, base):
 @njit(**OPTIONS)
 def list_walls(bodies, near, memory, walls, blocks, scratch, gap, dummy):
     """List the bodies near each live wall, in the order (body, wall); False if room is short."""
-    fill, spot, count = 0, 0, scratch.counts[KEPT_WALLS]
+    fill, spot = 0, 0
     for t in range(scratch.counts[WIDE_WALLS]):
         i, q = scratch.wide_body[t], scratch.wide_wall[t]
         radius = bodies.radius[i if bodies.radius.size > 1 else 0]
@@ -209,7 +212,7 @@ def list_walls(bodies, near, memory, walls, blocks, scratch, gap, dummy):
             near.arm[fill], near.mass[fill] = bodies.radius[i], bodies.mass[i]
         if near.which.size > 1:
             near.which[fill] = set_at_wall(bodies.kind[i if bodies.kind.size > 1 else 0], q, walls.live.size)
-        spot = recall(near, fill, (np.int64(i) << SHIFT) | q, memory, count, spot)
+        spot = recall(near, fill, (np.int64(i) << SHIFT) | q, memory, spot)
         fill += 1
     near.begin[0] = pad(near, fill, dummy, 0)
     return True
@@ -218,7 +221,7 @@ def list_walls(bodies, near, memory, walls, blocks, scratch, gap, dummy):
 @njit(**OPTIONS)
 def harvest(contacts, near, pair_memory, wall_memory, scratch, last, base):
     """Take the histories out of both lists into sorted memories; `last` is the number of blocks."""
-    begin, never = contacts.begin, np.int64(1) << 62
+    begin = contacts.begin
     count = remember(contacts, begin[last], begin[last + 1], base, scratch.ghost, pair_memory, 0)
     scratch.counts[KEPT_PAIRS] = remember(contacts, 0, begin[last], base, scratch.ghost, pair_memory, count)
-    scratch.counts[KEPT_WALLS] = remember(near, 0, near.begin[0], never, scratch.ghost, wall_memory, 0)
+    scratch.counts[KEPT_WALLS] = remember(near, 0, near.begin[0], BEHIND, scratch.ghost, wall_memory, 0)

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from silostudy.dem.arrays import BLOCK, Contacts, Memory, Scratch, aligned
+from silostudy.dem.arrays import BEHIND, BLOCK, Contacts, Memory, Scratch, aligned
 from silostudy.dem.history import histories
 from silostudy.dem.pieces import Laws
 from silostudy.dem.varied import Varied
@@ -30,7 +30,7 @@ class Part:
 
     def _memory(self, room: int, laws: Laws) -> Memory:
         vectors = self._histories(room), self._histories(room)
-        return Memory(np.zeros(room, np.int64), *vectors, aligned(room * laws.winds), aligned(room * laws.clings))
+        return Memory(np.full(room, BEHIND), *vectors, aligned(room * laws.winds), aligned(room * laws.clings))
 
     def _histories(self, room: int) -> np.ndarray:
         return histories(room, self.engine.space.components)
@@ -101,4 +101,5 @@ class Part:
         for mine, given in zip(self.memories, (pair_memory, wall_memory), strict=True):
             for old, new in zip(mine, given, strict=True):
                 old[..., : new.shape[-1]] = new
+            mine.key[len(given.key) :] = BEHIND
         self.scratch.counts[[KEPT_PAIRS, KEPT_WALLS]] = len(pair_memory.key), len(wall_memory.key)
