@@ -201,6 +201,7 @@ class March(NamedTuple):
     parties: int  # threads
     smallest: float  # radius, m
     gap: float  # m, across which bodies that have touched may hold on
+    ahead: float  # steps that a list of near contacts should last
     skin: float  # m; 0: chosen by the engine
 
 

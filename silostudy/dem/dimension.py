@@ -22,6 +22,7 @@ class Dimension:
     row: int  # numbers in a row, whole cache lines
     inverse_inertia: float  # of a body, times mass and square of radius
     stretch: int  # contacts whose forces are computed together
+    ahead: float  # steps that a list of near contacts should last at the speed of its bodies
     lanes: tuple[int, int]  # of relative motion
     forces: tuple[int, int]  # lanes of force
     components: int  # of a history

@@ -262,7 +262,19 @@ class Engine:
                 self.bodies, self.walls, self.blocks, self.record, self.ledger, self._quake, self.clock, self.said, self.gate
             ),
             Share(part.number, part.pairs, part.near, *part.memories, part.scratch, lo, hi, base),
-            March(pair, wall, self.gravity, *steps, stop, self.n, self.threads, smallest, self.model.gap, float(self.skin)),
+            March(
+                pair,
+                wall,
+                self.gravity,
+                *steps,
+                stop,
+                self.n,
+                self.threads,
+                smallest,
+                self.model.gap,
+                self.space.ahead,
+                float(self.skin),
+            ),
         )
 
     def coefficients(self, part: Part) -> tuple:

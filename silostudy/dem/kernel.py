@@ -45,7 +45,7 @@ def relist(shared, share, march):
         harvest(share.pairs, share.near, share.pair_memory, share.wall_memory, scratch, last, base)
         said[number] = REMEMBERED
     own, after = lo // BLOCK, (hi + BLOCK - 1) // BLOCK
-    allow(blocks, own, after, march.smallest, march.skin)
+    allow(blocks, own, after, march.ahead, march.smallest, march.skin)
     meet(shared.gate, march.parties)
     enough, stays = True, wide_holds(blocks, (march.bodies + BLOCK - 1) // BLOCK)  # all threads find the same
     meet(shared.gate, march.parties)

@@ -209,6 +209,7 @@ PLANE = Dimension(
     row=8,
     inverse_inertia=2.0,
     stretch=STRETCH,
+    ahead=28.0,
     lanes=(6, STRETCH),
     forces=(4, STRETCH),
     components=1,

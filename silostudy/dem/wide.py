@@ -13,7 +13,6 @@ from silostudy.dem.cells import bin_bodies, cell_of
 from silostudy.dem.vectors import WIDTH, pick_eight
 
 SHIFT = 32  # key = first << SHIFT | second
-LOOK_AHEAD = 16.0  # steps that a list of near contacts should last at the speed of its bodies
 MOST = 0.4  # of the smallest radius: largest way that a body may travel before the next list
 LEAST = 0.004  # of the smallest radius: the smallest
 LOOK_FAR = 300.0  # steps that a wide list should last
@@ -24,10 +23,10 @@ GHOSTS, KEPT_PAIRS, KEPT_WALLS, PRESSED, WIDE_WALLS = range(5)  # places in Scra
 
 
 @njit(**OPTIONS)
-def allow(blocks, block_from, block_to, smallest, fixed_skin):
+def allow(blocks, block_from, block_to, ahead, smallest, fixed_skin):
     """Choose the distance (m) that the bodies of each block may travel before the next list: from their speed now."""
     for b in range(block_from, block_to):
-        foreseen = min(LOOK_AHEAD * blocks.peak[b] + LEAST * smallest, MOST * smallest)
+        foreseen = min(ahead * blocks.peak[b] + LEAST * smallest, MOST * smallest)
         blocks.skin[b] = 0.5 * fixed_skin if fixed_skin > 0.0 else foreseen
         blocks.wide_travel[b] += blocks.travel[b]
         blocks.travel[b] = 0.0

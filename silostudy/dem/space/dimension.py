@@ -58,6 +58,7 @@ SPACE = Dimension(
     row=PASSED + 1,
     inverse_inertia=2.5,
     stretch=STRETCH,
+    ahead=16.0,  # less than in the plane: a longer way takes in more neighbours
     lanes=(1, (OLD + HISTORIES) * STRETCH),
     forces=(1, (NEW + HISTORIES) * STRETCH),
     components=3,
