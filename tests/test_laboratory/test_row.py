@@ -35,6 +35,21 @@ def test_the_row_is_read_as_any_solid_of_a_user_and_pressures_are_computed_with_
     assert case.scene.solid.a_phi == row.a_phi
 
 
+@pytest.mark.parametrize(
+    "path", [path for path in sorted((ROOT / "config/studies").glob("*.yaml")) if "laboratory_solid.csv" in path.read_text()],
+    ids=lambda path: path.stem,
+)  # fmt: skip
+def test_shipped_studies_are_sound_once_their_laboratory_has_a_row(path, tmp_path):
+    study, folder = read_yaml(path), tmp_path / "config/studies"
+    folder.mkdir(parents=True)
+    table = (folder / study["materials"]).resolve()
+    laboratory_solid.draw(cube_of(expansion()), table.with_suffix(""))
+    solid = study["scene"]["solid"]
+    table.write_text(table.read_text().replace("small_spheres", solid))
+    cases = expand(study, path.stem, path.name, folder).cases
+    assert {case.scene.solid.key for case in cases} == {solid}
+
+
 def test_the_row_is_the_widest_cell_s():
     cube = cube_of(expansion())
     wide = cube["tested_lateral_pressure_ratio"].copy()
