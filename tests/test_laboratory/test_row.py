@@ -75,6 +75,24 @@ def test_factor_is_that_of_the_ten_and_ninety_percent_fractiles():
     assert Scatter(mean=2.0, deviation=0.1, count=5).factor == pytest.approx(1.064)
 
 
+BORROWING = [
+    path
+    for path in sorted((ROOT / "config/studies").glob("*.yaml"))
+    if "laboratory_solid.csv" in str(read_yaml(path).get("materials"))
+]
+
+
+@pytest.mark.parametrize("path", BORROWING, ids=lambda path: path.stem)
+def test_a_study_that_takes_a_laboratory_s_row_is_whole_once_it_is_there(path, tmp_path):
+    """Mistakes in its scenes are not to be found out when hours of grains are computed."""
+    content = read_yaml(path)
+    laboratory_solid.draw(cube_of(expansion()), tmp_path / "solids")
+    row = pd.read_csv(tmp_path / "solids.csv").assign(solid=content["scene"]["solid"])
+    row.to_csv(tmp_path / "solids.csv", index=False)
+    content["materials"] = str(tmp_path / "solids.csv")
+    assert expand(content, path.stem, str(path), path.parent).cases
+
+
 def test_a_row_that_no_laboratory_has_made_yet_names_the_study_that_makes_it():
     content = read_yaml(ROOT / "config/studies/silo-of-spheres-codes.yaml")
     content["materials"] = "../../nowhere/spheres-laboratory/tables/laboratory_solid.csv"
