@@ -54,10 +54,11 @@ def around_mean(codes: xr.Dataset) -> xr.DataArray:
 def zones(codes: xr.Dataset, depth: xr.DataArray, deep: xr.DataArray) -> dict[str, xr.DataArray]:
     """Loads around the wall by codes: patch pressure over wall pressure, and where a study has them, the pressures (Pa) of
     flow channel, zone beside it and the rest, mean of the deep levels, with the channel's half width (rad)."""
-    factors = {"code_patch_factor": codes[PATCH]} if PATCH in codes else {}
+    settings = depth.isel(wall_level=0, drop=True)  # which codes need not sweep
+    factors = {"code_patch_factor": codes[PATCH].broadcast_like(settings)} if PATCH in codes else {}
     if CHANNEL not in codes:
         return factors
     there = deep.any("filling")
     said = {own: at_depths(codes, name, depth).where(there).mean("wall_level") for name, own in ZONES.items()}
-    width = {"code_channel_half_width": codes["channel_half_width"], "channel": codes["channel"]}
+    width = {"code_channel_half_width": codes["channel_half_width"].broadcast_like(settings), "channel": codes["channel"]}
     return factors | said | width

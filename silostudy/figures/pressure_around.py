@@ -7,7 +7,7 @@ import pandas as pd
 import xarray as xr
 from matplotlib.axes import Axes
 
-from silostudy.figures.beside import interval, settings, told
+from silostudy.figures.beside import interval, settings, span, told
 from silostudy.figures.findings_of_channel import near_over_far
 from silostudy.figures.style import BLUE, LINES, TALLEST, VERMILION, WIDTH, foot, headline, look, plt, save, title
 
@@ -51,9 +51,15 @@ def _message(cube: xr.Dataset) -> str:
         sides = [(near_over_far(silo).sel(phase=PHASE).mean().item(), told(setting, silo)) for setting, silo in settings(cube)]
         least, where = min(side for side in sides if np.isfinite(side[0]))
         return f"In flow the wall on the outlet's side is pressed {least:.2f} times as much as opposite: {where}"
-    largest = cube["largest_over_ring"].mean([dim for dim in cube["largest_over_ring"].dims if dim != "phase"])
-    rest, flow = (100.0 * float(largest.sel(phase=phase)) for phase in PANELS)
-    return f"The largest cell presses {rest:.0f} % more than the mean around its level at rest, {flow:.0f} % more in flow"
+    rest, flow = (_more(cube, phase) for phase in PANELS)
+    return f"The largest cell presses {rest} % more than the mean around its level at rest, {flow} % more in flow"
+
+
+def _more(cube: xr.Dataset, phase: str) -> str:
+    """Range over the settings of what the largest cell presses more than its level's mean (%), as means of fillings."""
+    means = [100.0 * silo["largest_over_ring"].sel(phase=phase).mean().item() for _, silo in settings(cube)]
+    known = [round(mean) for mean in means if np.isfinite(mean)]
+    return span(min(known), max(known), digits=3) if known else "no known"
 
 
 def _patches(cube: xr.Dataset) -> list[str]:

@@ -168,6 +168,16 @@ def test_a_hopper_that_codes_do_not_sweep_is_refused(tmp_path):
         expand_file(tmp_path / "grains.yaml")
 
 
+def test_codes_that_do_not_sweep_stand_beside_every_setting(tmp_path):
+    """Of two silos as deep, which only the codes' study does not tell apart: grains of two sizes, say."""
+    expansion, _, codes = swept(tmp_path, codes_of(sweep=[], methods=["as3774_1996", "en1991_4"]))
+    cube = beside_cube(expansion, made_walls(expansion, [0.1, 0.1]), codes)
+    assert "silo" in cube["code_patch_factor"].dims
+    profiles = cube["code_wall_profile"].sel(pressure_method="as3774_1996", phase="discharge")
+    assert profiles.isel(silo=0).values == pytest.approx(profiles.isel(silo=1).values)
+    assert cube["code_over_grains_force"].sel(pressure_method="as3774_1996").notnull().all()
+
+
 def test_walls_of_another_width_are_refused(tmp_path):
     codes = codes_of()
     codes["scene"]["silo"]["diameter_m"] = 0.12

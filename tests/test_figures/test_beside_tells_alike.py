@@ -106,3 +106,15 @@ def test_flow_is_the_table_s_and_one_silo_of_three_flows_faster_than_the_law(tmp
         drawn = numbers[(numbers["panel"] == panel) & (numbers["what"] == "grains")][ends]
         told = table[table["quantity"].str.startswith(quantity) & (table["of"] == "grains")][list(flow_in_silos.ENDS)]
         assert drawn.to_numpy() == pytest.approx(told.to_numpy())
+
+
+def test_how_uneven_the_wall_is_is_told_as_a_range_of_the_silos(tmp_path, kept):
+    cube = cube_of("silo-of-spheres", "beside")
+    silos = xr.DataArray([0.2, 0.3, 0.5, 0.7, 0.9, 1.1], dims="silo")
+    made = (silos + 0.0 * cube["largest_over_ring"]).transpose(*cube["largest_over_ring"].dims)
+    cube = cube.assign(largest_over_ring=made.fillna(0.6))
+    pressure_around.draw(cube, tmp_path / "around")
+    told = " ".join(kept[0].get_suptitle().split())
+    low, high = (round(100.0 * float(end)) for end in (made.fillna(0.6).min(), made.fillna(0.6).max()))
+    expected = f"{low} to {high} % more"
+    assert told == f"The largest cell presses {expected} than the mean around its level at rest, {expected} in flow"
