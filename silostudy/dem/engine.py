@@ -256,13 +256,13 @@ class Engine:
         smallest = float(self.model.radius.min())
         pair, wall = self.coefficients(part)
         kick = 0.5 * (self.past_dt + self.dt) if INTEGRATORS[self.model.integrator].half_start else self.dt
-        steps, ahead = (self.dt, self.past_dt, kick, self.ticks), (self.space.ahead, float(self.skin))
+        steps, lists = (self.dt, self.past_dt, kick, self.ticks), (self.space.ahead, float(self.skin))
         return (
             Shared(
                 self.bodies, self.walls, self.blocks, self.record, self.ledger, self._quake, self.clock, self.said, self.gate
             ),
             Share(part.number, part.pairs, part.near, *part.memories, part.scratch, lo, hi, base),
-            March(pair, wall, self.gravity, *steps, stop, self.n, self.threads, smallest, self.model.gap, *ahead),
+            March(pair, wall, self.gravity, *steps, stop, self.n, self.threads, smallest, self.model.gap, *lists),
         )
 
     def coefficients(self, part: Part) -> tuple:

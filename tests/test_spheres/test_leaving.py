@@ -1,10 +1,14 @@
 """Which spheres went over the walls of a silo, and which through its outlet."""
 
+from dataclasses import replace
 from types import SimpleNamespace
 
 import numpy as np
+import pytest
 
-from silostudy.dem.leaving import at_level, passing, spilt
+from silostudy.accuracy.bin_of_spheres import Bin, bin_of_spheres
+from silostudy.dem.engine import Engine
+from silostudy.dem.leaving import at_level, below, passing, spilt
 from silostudy.dem.space.dimension import SPACE
 from silostudy.dem.space.lanes import PASSED
 from silostudy.scene.silo import Silo
@@ -25,3 +29,16 @@ def test_what_drifts_beyond_a_wall_below_a_slot_went_through_it():
     assert np.allclose(at_level(engine), [(0.018, 0.0, 0.0), (0.022, 0.0, 0.0)])
     assert spilt(engine).tolist() == [False, True]
     assert passing(engine, ~spilt(engine), None, 0) == [(0.06, 1.0, 0)]
+
+
+@pytest.mark.parametrize("unequal", [False, True])
+def test_what_is_below_the_outlet_goes_once_it_touches_nothing(unequal):
+    chance, most = np.random.default_rng(3), 2e-3
+    place = np.c_[chance.uniform(-0.02, 0.02, (300, 2)), chance.uniform(-0.02, 0.01, 300)]
+    radius = chance.uniform(0.5, 1.0, 300) * most if unequal else np.full(300, most)
+    x, y, z = place.T
+    engine = Engine(replace(bin_of_spheres(Bin(count=300, wide=0.03)), x=x, y=y, z=z, radius=radius), sort=False)
+    apart = np.linalg.norm(place[:, None] - place, axis=-1) - radius[:, None] - radius + 2.0 * np.diag(radius + 1.0)
+    gone = (z < -radius) & (apart > 0.0).all(axis=1)
+    assert np.array_equal(below(engine, 0.0), gone)
+    assert 20 < gone.sum() < (z < -radius).sum() - 20
