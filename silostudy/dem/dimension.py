@@ -48,7 +48,7 @@ class Dimension:
     nearest: Callable  # (walls, wall, *place) -> vector (m) from a wall's nearest point to a place, then what else it finds
     bent: Callable  # (walls, wall, *place) -> curvature (1/m) of a wall at its point nearest to a place
     force_of: Callable  # (lanes of force, k) -> force on the first body
-    facing: Callable  # (lanes, k) -> normal, distance (m), from differences of places
+    facing: Callable  # (lanes, k) -> normal, distance (m), from lanes as they are gathered
     faced: Callable  # the same from lanes that `walk` has been through
     reduced: Callable  # flat -> (lanes, k, a, b) -> reduced radius (m)
     rates: Callable  # unequal -> (lanes, k, normal, a, b, depth, flat) -> closing, sliding (m/s), difference of spins (1/s)
@@ -59,7 +59,7 @@ class Dimension:
     put: Callable  # drags, brakes, apart -> (out, k, normal, push, drag, moment, a, b, depth, flat): lanes of force
     where: Callable  # (touching, drag or moment) -> it, or nothing
     walk: Callable  # gathered, contact, unequal, laws, key -> function of a stretch of a list
-    move: Callable  # advance, holds, turns -> function that moves one body and gives the square of its way (m2)
+    move: Callable  # advance, holds, turns, unequal -> function that moves a block and writes the square of each way (m2)
     pushed: Callable  # (gravity, quake, step) -> acceleration (m/s2) of bodies in an accelerated box
 
     def __repr__(self) -> str:

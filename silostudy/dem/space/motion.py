@@ -214,8 +214,8 @@ def where(touching, value):
     return value[0] if touching else 0.0, value[1] if touching else 0.0, value[2] if touching else 0.0
 
 
-def move(advance: Callable, holds: bool, turns: bool, key: str):
-    """Function that moves sphere i a step, clears its force, and gives the square of its way (m2)."""
+def move(advance: Callable, holds: bool, turns: bool, unequal: bool, key: str):
+    """Function that moves a block of spheres a step, clears their forces, and writes the square of each one's way (m2)."""
 
     @piece("space", key, turns)
     def moved(rows, held, i, im, ii, pull, kick, dt):
@@ -238,7 +238,15 @@ def move(advance: Callable, holds: bool, turns: bool, key: str):
         rows[i, FX] = rows[i, FY] = rows[i, FZ] = rows[i, TX] = rows[i, TY] = rows[i, TZ] = 0.0
         return dx * dx + dy * dy + dz * dz
 
-    return moved
+    @piece("space", key, turns, unequal)
+    def block_moved(bodies, begin, end, pull, kick, dt, scratch):
+        im, ii = bodies.inverse_mass[0], bodies.inverse_inertia[0]
+        for i in range(begin, end):
+            if unequal:
+                im, ii = bodies.inverse_mass[i], bodies.inverse_inertia[i]
+            scratch.motion[i - begin] = moved(bodies.rows, bodies.held, i, im, ii, pull, kick, dt)
+
+    return block_moved
 
 
 @register_jitable
