@@ -48,11 +48,10 @@ class Dimension:
     nearest: Callable  # (walls, wall, *place) -> vector (m) from a wall's nearest point to a place, then what else it finds
     bent: Callable  # (walls, wall, *place) -> curvature (1/m) of a wall at its point nearest to a place
     force_of: Callable  # (lanes of force, k) -> force on the first body
-    facing: Callable  # (lanes, k) -> normal, distance (m), from lanes as they are gathered
-    faced: Callable  # the same from lanes that `walk` has been through
+    facing: Callable  # (lanes, k) -> normal, distance (m)
     reduced: Callable  # flat -> (lanes, k, a, b) -> reduced radius (m)
     rates: Callable  # unequal -> (lanes, k, normal, a, b, depth, flat) -> closing, sliding (m/s), difference of spins (1/s)
-    carry: Callable  # (history, normal) -> the history as the contact stands now
+    carry: Callable  # (history, normal) -> the history as the contact stands now; `walk` has carried those of its lanes
     twisting: Callable  # (lanes, k, normal) -> difference of spins about the normal (1/s)
     about: Callable  # (moment, twist, normal) -> the moment with another about the normal
     whole: Callable  # (push, drag, normal) -> force on the first body

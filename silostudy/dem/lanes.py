@@ -10,12 +10,11 @@ from math import sqrt
 
 from llvmlite import ir
 from numba import types
-from numba.extending import intrinsic, register_jitable
+from numba.extending import intrinsic
 
 from silostudy.dem.vectors import (
     EIGHT,
     FOUR,
-    INDEX,
     WIDTH,
     base_of,
     fours,
@@ -120,55 +119,6 @@ def _gather_rolling(typing, rows, first, second, start, lanes, offset):
         return _write_relative(context, builder, signature, args, [X, Y, U, V, 8 + W, 5, 6, 7])
 
     return types.void(rows, first, second, start, lanes, offset), generate
-
-
-@intrinsic
-def _eight_to_lanes(typing, rows, body, lanes, lane):
-    def generate(context, builder, signature, args):
-        data, out = (base_of(context, builder, signature, args, k) for k in (0, 2))
-        numbers = [
-            load(builder, data, plus(builder, builder.shl(args[1], ir.Constant(INDEX, ROW)), 8 * k), EIGHT) for k in range(8)
-        ]
-        for component, column in enumerate(transpose(builder, numbers)):
-            store(builder, column, out, lane_of(builder, args[3], component, STRETCH), EIGHT)
-        return context.get_dummy_value()
-
-    return types.void(rows, body, lanes, lane), generate
-
-
-@intrinsic
-def _eight_to_rows(typing, rows, body, lanes, lane):
-    def generate(context, builder, signature, args):
-        data, given = (base_of(context, builder, signature, args, k) for k in (0, 2))
-        columns = [load(builder, given, lane_of(builder, args[3], component, STRETCH), EIGHT) for component in range(FX)]
-        nothing = ir.Constant(EIGHT, [0.0] * WIDTH)
-        for k, numbers in enumerate(transpose(builder, [*columns, nothing, nothing, nothing])):
-            store(builder, numbers, data, plus(builder, builder.shl(args[1], ir.Constant(INDEX, ROW)), 8 * k), EIGHT)
-        return context.get_dummy_value()
-
-    return types.void(rows, body, lanes, lane), generate
-
-
-@register_jitable(forceinline=True)
-def to_lanes(rows, begin, end, lanes):
-    """Bring rows to lanes, a number of a row to a lane."""
-    whole = (end - begin) // WIDTH * WIDTH
-    for k in range(0, whole, WIDTH):
-        _eight_to_lanes(rows, begin + k, lanes, k)  # type: ignore[call-arg]
-    for k in range(whole, end - begin):
-        for component in range(8):
-            lanes[component, k] = rows[begin + k, component]
-
-
-@register_jitable(forceinline=True)
-def to_rows(lanes, rows, begin, end):
-    """Take place, velocity and spin from lanes back to rows, and clear the forces there."""
-    whole = (end - begin) // WIDTH * WIDTH
-    for k in range(0, whole, WIDTH):
-        _eight_to_rows(rows, begin + k, lanes, k)  # type: ignore[call-arg]
-    for k in range(whole, end - begin):
-        for component in range(8):
-            rows[begin + k, component] = lanes[component, k] if component < FX else 0.0
 
 
 @intrinsic

@@ -7,6 +7,7 @@ from numba.extending import register_jitable
 
 from silostudy.dem.arrays import Discs
 from silostudy.dem.cache import piece
+from silostudy.dem.columns import to_lanes, to_rows_of_discs
 from silostudy.dem.dimension import Dimension
 from silostudy.dem.lanes import (
     DISTANCE,
@@ -33,8 +34,6 @@ from silostudy.dem.lanes import (
     gather_rolling,
     scatter,
     scatter_rolling,
-    to_lanes,
-    to_rows,
 )  # fmt: skip
 from silostudy.dem.network import all_from_wall, densest
 from silostudy.dem.pieces import Laws
@@ -176,7 +175,7 @@ def move(advance: Callable, holds: bool, turns: bool, unequal: bool, key: str):
         lanes, motion, held = scratch.lanes.reshape(-1), scratch.motion, bodies.held[begin:]
         im, ii = bodies.inverse_mass[begin if unequal else 0 :], bodies.inverse_inertia[begin if unequal else 0 :]
         hu = hv = hw = 0.0
-        to_lanes(bodies.rows, begin, end, scratch.lanes)
+        to_lanes(bodies.rows, begin, end, lanes, STRETCH)
         for k in range(end - begin):
             n = k if unequal else 0
             if holds:
@@ -192,7 +191,7 @@ def move(advance: Callable, holds: bool, turns: bool, unequal: bool, key: str):
             if holds:
                 held[k, 0], held[k, 1], held[k, 2] = hu, hv, hw
             motion[k] = du * du + dv * dv
-        to_rows(scratch.lanes, bodies.rows, begin, end)
+        to_rows_of_discs(lanes, STRETCH, bodies.rows, begin, end)
 
     return moved
 
@@ -247,7 +246,6 @@ PLANE = Dimension(
     bent=bent,
     force_of=force_of,
     facing=facing,
-    faced=facing,
     reduced=reduced,
     rates=rates,
     carry=carry,

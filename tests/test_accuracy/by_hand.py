@@ -14,6 +14,7 @@ from silostudy.accuracy.prices import still, without
 from silostudy.accuracy.silo import silo_of_rows
 from silostudy.dem.arrays import BLOCK
 from silostudy.dem.cache import OPTIONS
+from silostudy.dem.columns import to_lanes, to_rows_of_discs
 from silostudy.dem.engine import Engine
 from silostudy.dem.kernel import first_runaway, relist, worst
 from silostudy.dem.lanes import (
@@ -34,8 +35,6 @@ from silostudy.dem.lanes import (
     Y,
     gather_rolling,
     scatter_rolling,
-    to_lanes,
-    to_rows,
 )
 from silostudy.dem.model import Model
 from silostudy.dem.sweep import EXPLODED, FRESH, STALE
@@ -139,8 +138,8 @@ def moves_by_hand(rough: bool):
 
     @inlined
     def moved(rows, begin, end, im, ii, gx, gy, dt, scratch):
-        to_lanes(rows, begin, end, scratch.lanes)
         lanes, motion = scratch.lanes.reshape(-1), scratch.motion
+        to_lanes(rows, begin, end, lanes, STRETCH)
         for k in range(end - begin):
             u = lanes[U * STRETCH + k] + (lanes[FX * STRETCH + k] * im + gx) * dt
             v = lanes[V * STRETCH + k] + (lanes[FY * STRETCH + k] * im + gy) * dt
@@ -151,7 +150,7 @@ def moves_by_hand(rough: bool):
             if rough:
                 lanes[W * STRETCH + k] += lanes[TORQUE * STRETCH + k] * ii * dt
             motion[k] = du * du + dv * dv
-        to_rows(scratch.lanes, rows, begin, end)
+        to_rows_of_discs(lanes, STRETCH, rows, begin, end)
         return longest(end - begin, motion, scratch.motion_bits)
 
     return moved
