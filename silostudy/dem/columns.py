@@ -28,28 +28,39 @@ def _to_lanes(typing, rows, place, wide, lanes, spot, stride):
     return types.void(rows, place, wide, lanes, spot, stride), generate
 
 
-def _back(cleared: range):
-    """Instruction that writes eight lines of a row back, some of their numbers as zero."""
-
-    @intrinsic
-    def to_rows(typing, rows, place, wide, lanes, spot, stride):
-        def generate(context, builder, signature, args):
-            data, given = (base_of(context, builder, signature, args, k) for k in (0, 3))
-            nothing = ir.Constant(EIGHT, [0.0] * WIDTH)
-            columns = [
-                nothing if k in cleared else load(builder, given, index, EIGHT)
-                for k, index in enumerate(_steps(builder, *args[4:6]))
-            ]
-            for line, index in zip(transpose(builder, columns), _steps(builder, *args[1:3]), strict=True):
-                store(builder, line, data, index, EIGHT)
-            return context.get_dummy_value()
-
-        return types.void(rows, place, wide, lanes, spot, stride), generate
-
-    return to_rows
+def _write_back(context, builder, signature, args, cleared):
+    """Write eight lines of rows back, some of their numbers as zero."""
+    data, given = (base_of(context, builder, signature, args, k) for k in (0, 3))
+    nothing = ir.Constant(EIGHT, [0.0] * WIDTH)
+    spots = enumerate(_steps(builder, *args[4:6]))
+    columns = [nothing if k in cleared else load(builder, given, index, EIGHT) for k, index in spots]
+    for line, index in zip(transpose(builder, columns), _steps(builder, *args[1:3]), strict=True):
+        store(builder, line, data, index, EIGHT)
+    return context.get_dummy_value()
 
 
-_kept, _last_three_cleared, _first_kept = _back(range(0)), _back(range(5, 8)), _back(range(1, 7))
+@intrinsic
+def _back(typing, rows, place, wide, lanes, spot, stride):
+    def generate(context, builder, signature, args):
+        return _write_back(context, builder, signature, args, cleared=())
+
+    return types.void(rows, place, wide, lanes, spot, stride), generate
+
+
+@intrinsic
+def _back_but_the_last_three(typing, rows, place, wide, lanes, spot, stride):
+    def generate(context, builder, signature, args):
+        return _write_back(context, builder, signature, args, cleared=range(5, 8))
+
+    return types.void(rows, place, wide, lanes, spot, stride), generate
+
+
+@intrinsic
+def _back_the_first_and_last(typing, rows, place, wide, lanes, spot, stride):
+    def generate(context, builder, signature, args):
+        return _write_back(context, builder, signature, args, cleared=range(1, 7))
+
+    return types.void(rows, place, wide, lanes, spot, stride), generate
 
 
 def to_lanes(rows, begin, end, lanes, stride):
@@ -89,8 +100,8 @@ def _to_rows_of_spheres_overload(lanes, stride, rows, begin, end):
     def eight_at_a_time(lanes, stride, rows, begin, end):
         whole = (end - begin) // WIDTH * WIDTH
         for k in range(0, whole, WIDTH):
-            _kept(rows, (begin + k) * 16, 16, lanes, k, stride)
-            _first_kept(rows, (begin + k) * 16 + 8, 16, lanes, 8 * stride + k, stride)
+            _back(rows, (begin + k) * 16, 16, lanes, k, stride)  # type: ignore[call-arg]
+            _back_the_first_and_last(rows, (begin + k) * 16 + 8, 16, lanes, 8 * stride + k, stride)
         for k in range(whole, end - begin):
             for number in range(16):
                 rows[begin + k, number] = 0.0 if 9 <= number < 15 else lanes[number * stride + k]
@@ -103,7 +114,7 @@ def _to_rows_of_discs_overload(lanes, stride, rows, begin, end):
     def eight_at_a_time(lanes, stride, rows, begin, end):
         whole = (end - begin) // WIDTH * WIDTH
         for k in range(0, whole, WIDTH):
-            _last_three_cleared(rows, (begin + k) * 8, 8, lanes, k, stride)
+            _back_but_the_last_three(rows, (begin + k) * 8, 8, lanes, k, stride)  # type: ignore[call-arg]
         for k in range(whole, end - begin):
             for number in range(8):
                 rows[begin + k, number] = 0.0 if number >= 5 else lanes[number * stride + k]

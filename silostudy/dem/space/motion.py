@@ -162,7 +162,8 @@ def carrying(lane: int) -> Callable:
     return carried
 
 
-carry_slid, carry_turned = carrying(OLD), carrying(OLD + 3)
+carry_slid = carrying(OLD)
+carry_turned = carrying(OLD + 3)
 
 
 @register_jitable(forceinline=True)
