@@ -1,7 +1,5 @@
 """Which discs went over the walls of a silo, and which through its slit, where lines outside carry them on."""
 
-import numpy as np
-
 from silostudy.dem.engine import Engine
 from silostudy.dem.leaving import Over
 from silostudy.dem.model import Wall
@@ -18,7 +16,7 @@ def test_what_a_chute_carries_beside_the_silo_came_through_the_slit():
     run = carried(scene_of(inserts=[CHUTE], events=events, record=None))
     left = run.recording.left
     assert left["spilt"] == 0
-    assert left["discharged"] > 5
+    assert left["discharged"] > 1
     assert run.engine.n == len(run.engine.model.x) - left["discharged"]
 
 
