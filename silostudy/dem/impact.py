@@ -1,4 +1,4 @@
-"""What the finite step makes of a head-on impact: the restitution that two bodies come apart with."""
+"""Restitution (1) that the finite step leaves two bodies with after a head-on impact."""
 
 import numpy as np
 
