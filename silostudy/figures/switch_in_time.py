@@ -16,12 +16,17 @@ from silostudy.figures.style import BLACK, WIDTH, foot, headline, plt, save
 FILLING = "filling"
 RELIEVED = 0.95  # of its pressure at rest: a level that feels less is reached by the relief
 RISEN = 1.1  # of the same: a level that feels more at its most is one of those where the switch shows
+FIRST = 0.06  # s after the opening: what is largest later is a pulse of the flow
 LEAST = 3  # levels that a speed needs
 MILLI = 1e3  # of a unit
 MOST = 2.0  # times rest: where the colours end
+# what the rows of the travel tell
+SPEED = "speed of the relief up the hopper (m/s)"
+TOP = "time at which the top level feels most (ms)"
+LATER = "by how much the top of the risen levels feels most later than the lowest (ms)"
 MARKS: dict[str, dict[str, Any]] = {  # what -> look: hollow marks on the dark, filled ones on the light
     "relief": {"marker": "o", "markerfacecolor": "white", "label": "first below 0.95 of rest"},
-    "largest": {"marker": "D", "markerfacecolor": BLACK, "label": "largest, where it and all above rise by a tenth"},
+    "largest": {"marker": "D", "markerfacecolor": BLACK, "label": "largest of 60 ms, where it and all above rise by a tenth"},
 }
 
 
@@ -111,16 +116,12 @@ def relieved(case: xr.Dataset) -> xr.DataArray:
 
 
 def largest(case: xr.Dataset) -> xr.DataArray:
-    """Time (s) at which each level of a filling feels most; missing below those that all feel a tenth more than at rest."""
+    """Time (s) at which each level of a filling first feels most; missing below those that all rise by a tenth."""
     flow, rest = _rings(case)
+    flow = flow.where(_middle(case) < FIRST)
     from_above = (flow.max("flow_window") > RISEN * rest).isel(wall_level=slice(None, None, -1))
     risen = (from_above.cumprod("wall_level") > 0).isel(wall_level=slice(None, None, -1))
     return _middle(case).isel(flow_window=flow.fillna(-1.0).argmax("flow_window")).where(risen)
-
-
-SPEED = "speed of the relief up the hopper (m/s)"
-TOP = "time at which the top level feels most (ms)"
-LATER = "by how much the top of the risen levels feels most later than the lowest (ms)"
 
 
 def travel(case: xr.Dataset) -> pd.DataFrame:
