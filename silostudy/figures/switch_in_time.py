@@ -14,7 +14,8 @@ from silostudy.figures.beside import columns_of, interval, settings, span, told
 from silostudy.figures.style import BLACK, WIDTH, foot, headline, plt, save
 
 FILLING = "filling"
-RELIEVED = 0.95  # of its pressure at rest: a level that feels less is reached by the relief
+RELIEVED = 0.95  # of its pressure at rest: a level that feels less is reached by the relief,
+EARLY = 0.02  # s after the opening at most
 RISEN = 1.1  # of the same: a level that feels more at its most is one of those where the switch shows
 FIRST = 0.06  # s after the opening: what is largest later is a pulse of the flow
 LEAST = 3  # levels that a speed needs
@@ -42,7 +43,7 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
         cells, marks = over_time(case), times(case)
         mesh = _map(panel, cells)
         _points(panel, marks)
-        panel.set_title(told(setting, case))
+        panel.set(title=told(setting, case), xlim=(0.0, cells["time_ms"].max()))
         tables.append(pd.concat([cells, marks, travel(case)], ignore_index=True).assign(**setting))
     for panel in panels.flat[len(every) :]:
         panel.set_visible(False)
@@ -105,13 +106,13 @@ def times(case: xr.Dataset) -> pd.DataFrame:
         for level, height in enumerate(_height(case).values):
             mean, low, high = interval(time.isel(wall_level=level).values * MILLI)
             rows.append({"what": what, "height_mm": height * MILLI, "time_ms": mean, "low_95_ms": low, "high_95_ms": high})
-    return pd.DataFrame(rows).dropna(subset=["time_ms"])
+    return pd.DataFrame(rows).dropna(subset=["low_95_ms"])  # levels of at least two fillings
 
 
 def relieved(case: xr.Dataset) -> xr.DataArray:
-    """Time (s) at which each level of a filling first feels less than most of its pressure at rest; missing where never."""
+    """Time (s) at which each level of a filling first feels less than most of its pressure at rest; missing where not soon."""
     flow, rest = _rings(case)
-    below = flow < RELIEVED * rest
+    below = (flow < RELIEVED * rest) & (_middle(case) < EARLY)
     return _middle(case).isel(flow_window=below.argmax("flow_window")).where(below.any("flow_window"))
 
 
