@@ -130,8 +130,8 @@ def between(computed: np.ndarray, measured: np.ndarray, coefficients: np.ndarray
 @cache
 def _polynomial(count: int, place: int) -> np.ndarray:
     """Weights (1) of values at 0, 1, ... in their polynomial, at the parts from one before a place to one after it."""
-    at = np.linspace(place - 1.0, place + 1.0, 2 * PARTS + 1)
-    return np.vander(at, count) @ np.linalg.inv(np.vander(np.arange(float(count))))
+    near = np.linspace(place - 1.0, place + 1.0, 2 * PARTS + 1)
+    return np.vander(near, count) @ np.linalg.inv(np.vander(np.arange(float(count))))
 
 
 def end_of(answer: float, coefficients: np.ndarray) -> int:
