@@ -156,12 +156,12 @@ def measured_fronts(tell: Callable[[str], None]) -> list[dict]:
                   MEASURED * TRUTHS, SOURCE, scaled_by="valley_number", within=within)
         for k, refinement in enumerate(REFINEMENTS)
     ]  # fmt: skip
-    kept = np.quantile([moment_errors(shaking) for shaking in shakings(0, MOVED, 0.4, 0.008)], KEPT, axis=0)
+    lasting = np.quantile([moment_errors(shaking) for shaking in shakings(0, MOVED, 0.4, 0.008)], KEPT, axis=0)
     tell(f"wall_bending_moment: {MOVED} scenes")
     spent = moment_costs(shaken[0])
     return rows + [
         front_row("seismic", "wall_bending_moment", {"relative_depth": {"start": 0.0, "stop": 1.0, "count": count}},
-                  kept[k], spent[k], MOVED, SOURCE)
+                  lasting[k], spent[k], MOVED, SOURCE)
         for k, count in enumerate(LEVELS)
     ]  # fmt: skip
 
