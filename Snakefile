@@ -10,11 +10,11 @@ from pathlib import Path
 
 from silostudy import PACKAGE
 from silostudy.commands.failures import ending
-from silostudy.config.load import load_project, read_study
+from silostudy.config.load import check_lenders, load_project, read_study
 from silostudy.cube.fingerprint import damaged
 from silostudy.errors import BadInput
 from silostudy.files import alone, check_sent, check_there, check_writable, end_future, set_aside
-from silostudy.stages import FILE_KINDS, KINDS, STAGES
+from silostudy.stages import FILE_KINDS, KINDS, STAGES, borrowed
 from silostudy.stamp import stamp
 from silostudy.sweep.plan import planned, write_plan
 from silostudy.tables.outputs import OUTPUTS, files_of
@@ -40,9 +40,7 @@ try:  # every mistake of every study is told before any job starts
     if SCENES and "dem" in STUDIES:
         raise BadInput("studies", "dem", "the folder of this name is for scenes: rename the study", str(PROJECT))
     for name, model in MODELS.items():
-        for section, other, _ in borrowed(model):
-            if other not in STUDIES:
-                raise BadInput(f"{section}.study", other, f"must be named in {PROJECT} too", name)
+        check_lenders(name, model, STUDIES, PROJECT)
     PLANS, DAMAGED = {}, []
     if workflow.is_main_process:  # and not in the jobs that it starts elsewhere
         check_writable(RESULTS)

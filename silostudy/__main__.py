@@ -9,6 +9,7 @@ from pathlib import Path
 from silostudy import __version__
 from silostudy.commands import (
     bench,
+    check,
     cite,
     compare,
     dem,
@@ -40,6 +41,7 @@ ROOMS = (
     compare,
     cite,
     explore,
+    check,
     studies,
     stages,
     export,

@@ -18,6 +18,17 @@ class BadInput(ValueError):
         return type(self), (self.field, self.value, self.allowed, self.where)
 
 
+class NotYet(BadInput):
+    """A file that is not there yet, and is made by the study `maker`."""
+
+    def __init__(self, field: str, value: object, allowed: str, where: str = "", maker: str = ""):
+        super().__init__(field, value, allowed, where)
+        self.maker = maker
+
+    def __reduce__(self):
+        return type(self), (self.field, self.value, self.allowed, self.where, self.maker)
+
+
 def unknown(field: str, value: object, known: Iterable[str], where: str = "") -> BadInput:
     """The error for a key that no table or family holds; it lists the known ones."""
     return BadInput(field, value, f"unknown; known: {', '.join(known)}", where)

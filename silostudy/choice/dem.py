@@ -9,10 +9,11 @@ from silostudy.choice.settle import settled
 from silostudy.config.contact import ContactConfig
 from silostudy.config.dem import DemScene
 from silostudy.config.grain_scenes import AnyScene, scene_class
-from silostudy.config.load import own_validated, read_yaml
+from silostudy.config.load import is_project, other_file, own_validated, read_yaml
 from silostudy.contact import MEASURED
 from silostudy.errors import BadInput
 from silostudy.packing import rows
+from silostudy.stages import KINDS
 
 WALL_FORCE = "wall_force"  # the quantity of tables/asked.csv that the measured front is of
 
@@ -20,6 +21,8 @@ WALL_FORCE = "wall_force"  # the quantity of tables/asked.csv that the measured 
 def load(path: Path) -> tuple[AnyScene, Choice | None]:
     """The scene in a YAML file with the settings chosen for its accuracy, and the choice; BadInput lists every mistake."""
     content = read_yaml(path)
+    if is_project(content) or content.get("kind") in KINDS:
+        raise other_file(content, str(path))
     scene = own_validated(scene_class(content, str(path)), content, str(path), path.parent)
     if scene.of_fillings:
         told = "is of many fillings: ask for it in a study of kind scenes, whose `scene:` holds what this file does"

@@ -1,5 +1,9 @@
 """Lines that `silostudy check` says of a study, kind by kind: each function takes an expansion and gives lines."""
 
+import re
+
+ALIKE = 4  # lines that differ by numbers alone and are told each
+
 
 def pressures(expansion) -> list[str]:
     """Size of a study of pressures: methods, cases and values."""
@@ -85,14 +89,32 @@ def checks(expansion) -> list[str]:
     return [f"steel checked in {len(combinations(expansion.study))} combination(s) of actions", *told]
 
 
-def time_of_parts(expansion) -> list[str]:
-    """About what a sweep costs: from the measured time of a case where the study states it, else from discs and steps."""
-    from silostudy.scene.costs import rains, told_time
+def gathered(lines: list[str]) -> list[str]:
+    """The lines, in which those that differ by numbers alone are told by the first, their count and the last."""
+    alike: dict[str, list[str]] = {}
+    for line in lines:
+        alike.setdefault(re.sub(r"\d[\d.,]*(e[+-]?\d+)?", "#", line), []).append(line)
+    told = []
+    for group in alike.values():
+        between = [f"{len(group) - 2} more such lines"] if len(group) > ALIKE else group[1:-1]
+        told += [*group[:1], *between, *group[1:][-1:]]
+    return told
+
+
+def seconds_of_parts(expansion) -> float:
+    """About what a sweep costs (s): from the measured time of a case where the study states it, else from grains and steps."""
     from silostudy.sweep.plan import parts_of
 
     study, parts = expansion.study, parts_of(expansion.study)
     seconds = sum(study.case_s or parts.call("cost", case.scene) for case in expansion.cases)
-    seconds *= expansion.size / len(expansion.cases)
+    return seconds * expansion.size / len(expansion.cases)
+
+
+def time_of_parts(expansion) -> list[str]:
+    """About what a sweep costs, in words."""
+    from silostudy.scene.costs import rains, told_time
+
+    study, seconds = expansion.study, seconds_of_parts(expansion)
     rained = not study.case_s and any(
         rains(case.scene.config) for case in expansion.cases if hasattr(case.scene.config, "events")
     )

@@ -7,19 +7,40 @@ def runs(expansion) -> list[str]:
     """Runs, grains, steps and effects of a grains study."""
     from silostudy.accuracy.prices import without
     from silostudy.compute.grains_model import run_lengths, shaken_box_model
+    from silostudy.scene.costs import told_time
 
     planned = run_lengths(expansion)
     kinds = {getattr(case.scene.config, "packing", None): case.scene.config for case in expansion.cases}
     models = [shaken_box_model(config, expansion.study.seeds[0]) for config in kinds.values()]
     effects = {name for model in models for name in without(model)}
     fillings, shaken = [run for run in planned if not run.shaken], [run for run in planned if run.shaken]
+    time = told_time(_time(planned, models[0]))
     return [
         f"{len(fillings)} filling(s) of {_range(run.grains for run in fillings)} {models[0].space.body}s, settled in at most "
         f"{_range(run.steps for run in fillings)} steps; equal fillings once",
         f"{len(shaken)} shaken run(s) of {_range(run.steps for run in shaken)} steps: with the settling at most "
-        f"{_work(expansion):.2g} particle-steps; `--price` settles and times one filling",
+        f"{_work(planned):.2g} particle-steps, about {time} of one core; `--price` settles and times one filling",
         f"effects compiled in, and no others: {'; '.join(sorted(effects))}",
     ]
+
+
+def seconds(expansion) -> float:
+    """About what the study costs (s), at most."""
+    from silostudy.compute.grains_model import run_lengths, shaken_box_model
+
+    return _time(run_lengths(expansion), shaken_box_model(expansion.cases[0].scene.config, expansion.study.seeds[0]))
+
+
+def _time(planned, model) -> float:
+    """About the time (s) of some runs, one of whose models is given."""
+    from silostudy.scene.costs import COSTS
+
+    return _work(planned) * COSTS[f"{model.space.body}s"].body
+
+
+def _work(planned) -> int:
+    """Particle-steps of some runs, at most."""
+    return sum(run.grains * run.steps for run in planned)
 
 
 def cautions(expansion) -> list[str]:
@@ -31,23 +52,17 @@ def cautions(expansion) -> list[str]:
     return [f"note: {text}" for text in dict.fromkeys(told)]
 
 
-def _work(expansion) -> int:
-    """Particle-steps of the study, at most."""
-    from silostudy.compute.grains_model import run_lengths
-
-    return sum(run.grains * run.steps for run in run_lengths(expansion))
-
-
 def prices_of_effects(expansion) -> list[str]:
     """Measured time of the study on one core, and each effect's share of a step: one filling is settled and timed."""
     from silostudy.accuracy.prices import prices
     from silostudy.commands.explain_scene import priced
     from silostudy.compute.grains import settled_model
+    from silostudy.compute.grains_model import run_lengths
 
     model = settled_model(expansion.cases[0].scene, expansion.study.seeds[0], expansion.study.rest_limit_s)
     whole, share = prices(model)
     price = whole / len(model.x)
-    seconds = f"{price * _work(expansion):,.0f} s on one core"
+    seconds = f"{price * _work(run_lengths(expansion)):,.0f} s on one core"
     lines = [f"{price * 1e9:.0f} ns a particle-step here and now: at most {seconds}, and the compiling"]
     return [*lines, *(f"  {name:30}{priced(effect)}" for name, effect in share.items())]
 

@@ -86,7 +86,7 @@ def run_ensemble(chosen, scene, choice, outputs: list[Path]) -> None:
 
 
 def run_one(chosen, scene, choice, output: Path) -> None:
-    from silostudy.commands.studies import told_before
+    from silostudy.commands.check import told_before
     from silostudy.compute.dem import carry_through, run_of
     from silostudy.compute.expected import verdicts
     from silostudy.dem.follow import mean_step, steps_made

@@ -22,7 +22,7 @@ def run(chosen) -> None:
     import time
 
     from silostudy.choice.expand import expand_file
-    from silostudy.commands.about import unusual_inputs
+    from silostudy.commands.about import gathered, unusual_inputs
     from silostudy.cube.io import read, write
     from silostudy.errors import BadInput
 
@@ -31,8 +31,8 @@ def run(chosen) -> None:
         known = f"has no stage {stage.key}; its stages: {', '.join(expansion.study.stages)}"
         raise BadInput("kind", expansion.study.kind, known, str(chosen.study))
     files = [getattr(chosen, name) for name in (*stage.reads, *stage.borrows)]
-    for text in unusual_inputs(expansion):
-        print(f"note: {text}", flush=True)
+    for text in gathered([f"note: {text}" for text in unusual_inputs(expansion)]):
+        print(text, flush=True)
     start = time.perf_counter()
     cube = stage.cube(expansion, lambda text: print(text, flush=True), tuple(file and read(file) for file in files))
     seconds = time.perf_counter() - start

@@ -1,5 +1,6 @@
 """Reads YAML files into models and turns every mistake into one line: file, key, value, what is allowed."""
 
+from collections.abc import Collection
 from pathlib import Path
 from typing import Any, TypeVar
 
@@ -13,7 +14,7 @@ from silostudy.config.places import keys_at
 from silostudy.config.retired import RETIRED_KEYS
 from silostudy.config.study import BaseStudy
 from silostudy.errors import BadInput, unknown
-from silostudy.stages import KINDS
+from silostudy.stages import FILE_KINDS, KINDS, borrowed
 from silostudy.tables.units import SUFFIXES
 
 M = TypeVar("M", bound=BaseModel)
@@ -165,7 +166,7 @@ def _unit_hint(key: str, siblings: Any) -> str:
 def study_of(content: dict[str, Any], where: str, folder: Path = Path()) -> BaseStudy:
     """A study as asked, from the content of its file; files that it names are in `folder`.  BadInput lists every mistake."""
     if content.get("kind") not in KINDS:
-        raise unknown("kind", content.get("kind"), KINDS, where)
+        raise other_file(content, where)
     return own_validated(KINDS[content["kind"]].study, content, where, folder)
 
 
@@ -197,6 +198,31 @@ def load_project(path: Path) -> tuple[dict[str, Path], dict[str, Path]]:
     if not project.studies and not project.scenes:
         raise BadInput("studies", [], "neither studies nor scenes are named: nothing to build", str(path))
     return _files(path, "studies", project.studies), _files(path, "scenes", project.scenes)
+
+
+def is_project(content: dict[str, Any]) -> bool:
+    """Whether a file's content names studies and scenes, and is none itself."""
+    return "kind" not in content and not content.keys().isdisjoint(Project.model_fields)
+
+
+def other_file(content: dict[str, Any], where: str) -> BadInput:
+    """The error for a file of another sort than is asked for: a project, a study, a scene; else of an unknown kind."""
+    kind = content.get("kind")
+    if is_project(content):
+        told = f"is a project, which names studies and scenes: `silostudy check {where}` looks at each, and "
+        return BadInput("file", where, f"{told}`snakemake --config project={where}` computes them")
+    if kind in KINDS:
+        return BadInput("kind", kind, f"is a study: `silostudy check {where}` looks at it", where)
+    if kind in FILE_KINDS:
+        return BadInput("kind", kind, f"is a scene: `silostudy explain {where}` looks at it, `silostudy dem` runs it", where)
+    return unknown("kind", kind, KINDS, where)
+
+
+def check_lenders(name: str, study: BaseStudy, studies: Collection[str], project: Path) -> None:
+    """BadInput where a study takes a cube from one that its project does not name."""
+    for section, other, _ in borrowed(study):
+        if other not in studies:
+            raise BadInput(f"{section}.study", other, f"must be named in {project} too", name)
 
 
 def _files(path: Path, kind: str, names: tuple[str, ...]) -> dict[str, Path]:

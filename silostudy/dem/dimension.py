@@ -48,18 +48,17 @@ class Dimension:
     nearest: Callable  # (walls, wall, *place) -> vector (m) from a wall's nearest point to a place, then what else it finds
     bent: Callable  # (walls, wall, *place) -> curvature (1/m) of a wall at its point nearest to a place
     force_of: Callable  # (lanes of force, k) -> force on the first body
-    facing: Callable  # (lanes, k) -> normal, distance (m), from differences of places
-    faced: Callable  # the same from lanes that `walk` has been through
+    facing: Callable  # (lanes, k) -> normal, distance (m)
     reduced: Callable  # flat -> (lanes, k, a, b) -> reduced radius (m)
     rates: Callable  # unequal -> (lanes, k, normal, a, b, depth, flat) -> closing, sliding (m/s), difference of spins (1/s)
-    carry: Callable  # (history, normal) -> the history as the contact stands now
+    carry: Callable  # (history, normal) -> the history as the contact stands now; `walk` has carried those of its lanes
     twisting: Callable  # (lanes, k, normal) -> difference of spins about the normal (1/s)
     about: Callable  # (moment, twist, normal) -> the moment with another about the normal
     whole: Callable  # (push, drag, normal) -> force on the first body
     put: Callable  # drags, brakes, apart -> (out, k, normal, push, drag, moment, a, b, depth, flat): lanes of force
     where: Callable  # (touching, drag or moment) -> it, or nothing
     walk: Callable  # gathered, contact, unequal, laws, key -> function of a stretch of a list
-    move: Callable  # advance, holds, turns -> function that moves one body and gives the square of its way (m2)
+    move: Callable  # advance, holds, turns, unequal -> function that moves a block and writes the square of each way (m2)
     pushed: Callable  # (gravity, quake, step) -> acceleration (m/s2) of bodies in an accelerated box
 
     def __repr__(self) -> str:

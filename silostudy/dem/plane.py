@@ -1,24 +1,25 @@
 """The plane: what of contacts and of motions belongs to two dimensions."""
 
 from collections.abc import Callable
-from math import sqrt
 
 import numpy as np
 from numba.extending import register_jitable
 
 from silostudy.dem.arrays import Discs
 from silostudy.dem.cache import piece
+from silostudy.dem.columns import to_lanes, to_rows_of_discs
 from silostudy.dem.dimension import Dimension
 from silostudy.dem.lanes import (
+    DISTANCE,
     DU,
     DV,
-    DX,
-    DY,
     FIRST_TORQUE,
     FORCE_X,
     FORCE_Y,
     FX,
     FY,
+    NORMAL_X,
+    NORMAL_Y,
     SECOND_TORQUE,
     SPIN_DIFFERENCE,
     SPIN_SUM,
@@ -30,7 +31,9 @@ from silostudy.dem.lanes import (
     X,
     Y,
     gather,
+    gather_rolling,
     scatter,
+    scatter_rolling,
 )  # fmt: skip
 from silostudy.dem.network import all_from_wall, densest
 from silostudy.dem.pieces import Laws
@@ -62,10 +65,7 @@ def force_of(out, k):
 @register_jitable
 def facing(lanes, k):
     """Normal (unit vector from the second body to the first) and distance (m) of the centres."""
-    dx, dy = lanes[DX, k], lanes[DY, k]
-    distance = sqrt(dx * dx + dy * dy)
-    inverse = 1.0 / distance
-    return (dx * inverse, dy * inverse), distance
+    return (lanes[NORMAL_X, k], lanes[NORMAL_Y, k]), lanes[DISTANCE, k]
 
 
 def reduced(flat: bool):
@@ -117,15 +117,19 @@ def whole(push, drag, normal):
 
 
 def put(drags: bool, brakes: bool, apart: bool):
-    """Function that writes a contact's force (N/m) and its moments (N m/m) on both bodies into lanes."""
+    """Function that writes a contact's force (N/m) and its moments (N m/m) on both bodies into lanes.
 
-    @piece("plane", drags)
+    Unless apart, the same moment is added to both and stands there once.
+    """
+
+    @piece("plane", drags, brakes, apart)
     def force(out, k, normal, push, drag, moment, a, b, depth, flat):
         nx, ny = normal
         out[FORCE_X, k] = push * nx - drag * ny if drags else push * nx  # zero times a number is not left out by itself
         out[FORCE_Y, k] = push * ny + drag * nx if drags else push * ny
-        out[FIRST_TORQUE, k] = moment - drag * a
-        out[SECOND_TORQUE, k] = moment + drag * b  # taken from the second
+        out[FIRST_TORQUE, k] = moment - drag * a if brakes else -drag * a
+        if apart:
+            out[SECOND_TORQUE, k] = moment + drag * b  # taken from the second
 
     return force
 
@@ -163,25 +167,31 @@ def walk(gathered: Callable, contact: Callable, unequal: bool, laws: Laws, key: 
     return forces
 
 
-def move(advance: Callable, holds: bool, turns: bool, key: str):
-    """Function that moves disc i a step, clears its force, and gives the square of its way (m2)."""
+def move(advance: Callable, holds: bool, turns: bool, unequal: bool, key: str):
+    """Function that moves a block of discs a step, clears their forces, and writes the square of each one's way (m2)."""
 
-    @piece("plane", key, turns)
-    def moved(rows, held, i, im, ii, pull, kick, dt):
+    @piece("plane", key, turns, unequal)
+    def moved(bodies, begin, end, pull, kick, dt, scratch):
+        lanes, motion, held = scratch.lanes.reshape(-1), scratch.motion, bodies.held[begin:]
+        im, ii = bodies.inverse_mass[begin if unequal else 0 :], bodies.inverse_inertia[begin if unequal else 0 :]
         hu = hv = hw = 0.0
-        if holds:
-            hu, hv, hw = held[i, 0], held[i, 1], held[i, 2]
-        u, hu, du = advance(rows[i, U], hu, rows[i, FX] * im + pull[0], kick, dt)
-        v, hv, dv = advance(rows[i, V], hv, rows[i, FY] * im + pull[1], kick, dt)
-        rows[i, X] += du
-        rows[i, Y] += dv
-        rows[i, U], rows[i, V] = u, v
-        if turns:
-            rows[i, W], hw, _ = advance(rows[i, W], hw, rows[i, TORQUE] * ii, kick, dt)
-        if holds:
-            held[i, 0], held[i, 1], held[i, 2] = hu, hv, hw
-        rows[i, FX], rows[i, FY], rows[i, TORQUE] = 0.0, 0.0, 0.0
-        return du * du + dv * dv
+        to_lanes(bodies.rows, begin, end, lanes, STRETCH)
+        for k in range(end - begin):
+            n = k if unequal else 0
+            if holds:
+                hu, hv, hw = held[k, 0], held[k, 1], held[k, 2]
+            u, hu, du = advance(lanes[U * STRETCH + k], hu, lanes[FX * STRETCH + k] * im[n] + pull[0], kick, dt)
+            v, hv, dv = advance(lanes[V * STRETCH + k], hv, lanes[FY * STRETCH + k] * im[n] + pull[1], kick, dt)
+            lanes[X * STRETCH + k] += du
+            lanes[Y * STRETCH + k] += dv
+            lanes[U * STRETCH + k], lanes[V * STRETCH + k] = u, v
+            if turns:
+                w, hw, _ = advance(lanes[W * STRETCH + k], hw, lanes[TORQUE * STRETCH + k] * ii[n], kick, dt)
+                lanes[W * STRETCH + k] = w
+            if holds:
+                held[k, 0], held[k, 1], held[k, 2] = hu, hv, hw
+            motion[k] = du * du + dv * dv
+        to_rows_of_discs(lanes, STRETCH, bodies.rows, begin, end)
 
     return moved
 
@@ -210,13 +220,13 @@ PLANE = Dimension(
     inverse_inertia=2.0,
     stretch=STRETCH,
     ahead=28.0,
-    lanes=(6, STRETCH),
+    lanes=(8, STRETCH),
     forces=(4, STRETCH),
     components=1,
     felt=(2, 2),
-    gather=lambda apart: gather,
+    gather=lambda apart: gather if apart else gather_rolling,
     gather_walls=lambda moving: gather_moving_walls if moving else gather_walls,
-    scatter=lambda apart: scatter,
+    scatter=lambda apart: scatter if apart else scatter_rolling,
     scatter_walls=scatter_walls,
     note_walls=note_walls,
     wall_power=wall_power,
@@ -236,7 +246,6 @@ PLANE = Dimension(
     bent=bent,
     force_of=force_of,
     facing=facing,
-    faced=facing,
     reduced=reduced,
     rates=rates,
     carry=carry,

@@ -50,19 +50,15 @@ def contact_pass(
 def move_pass(space: Dimension, integrator: str, unequal: bool, turns: bool):
     """Function that moves the discs from `begin` to `end`, clears their forces and gives the longest way (m) of any."""
     row = INTEGRATORS[integrator]
-    moved = space.move(row.advance, row.holds, turns, integrator)
+    moved = space.move(row.advance, row.holds, turns, unequal, integrator)
 
     @piece(space, integrator, unequal, turns)
-    def move(bodies, begin, end, pull, kick, dt, motion, motion_bits):
-        im, ii = bodies.inverse_mass[0], bodies.inverse_inertia[0]
-        for i in range(begin, end):
-            if unequal:
-                im, ii = bodies.inverse_mass[i], bodies.inverse_inertia[i]
-            motion[i - begin] = moved(bodies.rows, bodies.held, i, im, ii, pull, kick, dt)
-        most = np.uint64(0)
+    def move(bodies, begin, end, pull, kick, dt, scratch):
+        moved(bodies, begin, end, pull, kick, dt, scratch)
+        motion, bits, most = scratch.motion, scratch.motion_bits, np.uint64(0)
         for k in range(end - begin):
-            most = motion_bits[k] if motion_bits[k] > most else most
-        motion_bits[0] = most
+            most = bits[k] if bits[k] > most else most
+        bits[0] = most
         return sqrt(motion[0])
 
     return move
@@ -86,7 +82,7 @@ def sweep_pass(pieces: Pieces):
     @piece(pieces)
     def block_moves(shared, scratch, block, hi, pull, kick, dt):
         blocks, start = shared.blocks, block * BLOCK
-        way = move(shared.bodies, start, min(start + BLOCK, hi), pull, kick, dt, scratch.motion, scratch.motion_bits)
+        way = move(shared.bodies, start, min(start + BLOCK, hi), pull, kick, dt, scratch)
         blocks.peak[block] = way
         blocks.travel[block] += way
         return FRESH if blocks.travel[block] <= blocks.skin[block] else STALE

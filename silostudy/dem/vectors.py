@@ -42,6 +42,12 @@ def mix(builder, a, b, order):
     return builder.shuffle_vector(a, b, ir.Constant(ir.VectorType(LANE, len(order)), order))
 
 
+def root(builder, square):
+    """Square roots of eight numbers."""
+    kind = ir.FunctionType(EIGHT, [EIGHT])
+    return builder.call(cgutils.get_or_insert_function(builder.module, kind, "llvm.sqrt.v8f64"), [square])
+
+
 def base_of(context, builder, signature, args, position):
     """Pointer to the numbers of an array argument."""
     return cgutils.create_struct_proxy(signature.args[position])(context, builder, value=args[position]).data
@@ -64,17 +70,31 @@ def row_of(builder, indices, start, lane, shift):
 
 
 def transpose(builder, rows):
-    """Eight rows of eight to eight columns of eight, in three rounds of exchanges."""
-    for distance in (1, 2, 4):
-        low = [lane + (WIDTH - distance if lane & distance else 0) for lane in range(WIDTH)]
-        high = [lane + (WIDTH if lane & distance else distance) for lane in range(WIDTH)]
-        turned = list(rows)
-        for k in range(WIDTH):
-            if not k & distance:
-                turned[k] = mix(builder, rows[k], rows[k + distance], low)
-                turned[k + distance] = mix(builder, rows[k], rows[k + distance], high)
-        rows = turned
-    return rows
+    """Eight rows of eight to eight columns of eight: numbers of two rows in turn, then pairs of them by whole quarters.
+
+    In this order each exchange is an instruction with its order built in; one that reads its order takes twice as long.
+    """
+    even = [mix(builder, rows[k], rows[k + 1], [0, 8, 2, 10, 4, 12, 6, 14]) for k in (0, 2, 4, 6)]
+    odd = [mix(builder, rows[k], rows[k + 1], [1, 9, 3, 11, 5, 13, 7, 15]) for k in (0, 2, 4, 6)]
+    columns = [None] * WIDTH
+    for first, pairs in enumerate((even, odd)):
+        for step in (0, 1):
+            low, high = (quarters(builder, pairs[k], pairs[k + 1], step) for k in (0, 2))
+            columns[first + 2 * step], columns[first + 2 * step + 4] = (quarters(builder, low, high, half) for half in (0, 1))
+    return columns
+
+
+def fours(builder, columns):
+    """Four columns of eight to eight rows of four."""
+    a, b, c, d = columns
+    even, odd = ([0, 8, 2, 10, 4, 12, 6, 14], [1, 9, 3, 11, 5, 13, 7, 15])
+    halves = [(mix(builder, a, b, order), mix(builder, c, d, order)) for order in (even, odd)]
+    return [mix(builder, *halves[row % 2], [row // 2 * 2 + k for k in (0, 1, 8, 9)]) for row in range(WIDTH)]
+
+
+def quarters(builder, a, b, odd):
+    """The even or the odd quarters, two numbers each, of one vector and then of another."""
+    return mix(builder, a, b, [start + 2 * odd + k for start in (0, 4, 8, 12) for k in (0, 1)])
 
 
 @intrinsic

@@ -3,7 +3,7 @@
 The edges L and R of Kiyama & Fujimura's slit are the inner ends of the two halves of the floor (1983, section 4).
 """
 
-from math import hypot
+from math import hypot, sqrt
 from typing import Any
 
 import numpy as np
@@ -15,15 +15,16 @@ from silostudy.dem.cache import OPTIONS
 from silostudy.dem.drive import standing
 from silostudy.dem.joints import END, ENDS, FREE, JOINED, MEETS, RISE, SHUT, START, WAYS, join
 from silostudy.dem.lanes import (
+    DISTANCE,
     DU,
     DV,
-    DX,
-    DY,
     FIRST_TORQUE,
     FORCE_X,
     FORCE_Y,
     FX,
     FY,
+    NORMAL_X,
+    NORMAL_Y,
     SPIN_DIFFERENCE,
     SPIN_SUM,
     TORQUE,
@@ -99,7 +100,9 @@ def gather_walls(rows, shape, disc, wall, start, count, lanes):
     for k in range(count):
         i = disc[start + k]
         dx, dy, _ = nearest(shape, wall[start + k], rows[i, X], rows[i, Y])
-        lanes[DX, k], lanes[DY, k] = dx, dy
+        distance = sqrt(dx * dx + dy * dy)
+        inverse = 1.0 / distance
+        lanes[NORMAL_X, k], lanes[NORMAL_Y, k], lanes[DISTANCE, k] = dx * inverse, dy * inverse, distance
         lanes[DU, k], lanes[DV, k] = rows[i, U], rows[i, V]
         lanes[SPIN_SUM, k] = lanes[SPIN_DIFFERENCE, k] = rows[i, W]
 

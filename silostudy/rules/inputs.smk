@@ -55,12 +55,6 @@ def silos(name):
     return named(cases, [axis.axis for axis in MODELS[name].sweep])
 
 
-def borrowed(model):
-    """(section, study, stage) of each cube that a study takes from another one."""
-    asked = {section: stage for key in model.stages for section, stage in STAGES[key].borrows.items()}
-    return [(section, getattr(model, section).study, stage) for section, stage in asked.items() if getattr(model, section)]
-
-
 def study_files(name):
     """The study file and the user's own files that it and its scenes name."""
     return [STUDIES[name], *(named_by(name) if waits(name) else expansion(name).files)]

@@ -10,7 +10,7 @@ from silostudy.catalogue import Family
 from silostudy.config.load import read_study
 from silostudy.config.pressure import PressureStudy
 from silostudy.config.scene import SceneConfig
-from silostudy.errors import BadInput
+from silostudy.errors import BadInput, NotYet
 from silostudy.scene.possible import require_possible
 from silostudy.scene.scene import Scene, solid_parameters
 from silostudy.scene.silo_from import silo_of
@@ -45,7 +45,8 @@ def _own_solids(named: str, folder: Path, where: str) -> Family[SolidRow]:
     path = folder / named
     maker = folder / f"{path.parent.parent.name}.yaml"
     if not path.exists() and maker.is_file() and path.stem in read_study(maker).outputs:
-        raise BadInput("materials", named, f"is not there yet: the study {maker.stem} makes it, run that first", where)
+        told = f"is not there yet: the study {maker.stem} makes it, run that first"
+        raise NotYet("materials", named, told, where, maker=maker.stem)
     return own_solids(path)
 
 

@@ -26,6 +26,7 @@ LINE = 100  # bytes of a body in a file
 UNKNOWN = np.array([1e-3])  # m: radius of spheres whose sizes stand in a file
 SETTLES = 0.2  # s from the end of a rain to rest: 0.17 to 0.27 in the silos of config/silos.yaml
 OF_MEAN = 32  # fillings of a case whose mean is asked for: as many as its scatter asks for, some tens
+MINUTE = 60.0  # s
 HOUR = 3600.0  # s
 DRAWN = 200  # sizes that the ends of a distribution are guessed from
 
@@ -54,8 +55,10 @@ def cost(case: SceneCase) -> float:
 
 
 def told_time(seconds: float) -> str:
-    """A computing time (s) in words: minutes, from two hours on hours."""
-    return f"{seconds / HOUR:.1f} h" if seconds >= 2.0 * HOUR else f"{seconds / 60.0:.3g} min"
+    """A computing time (s) in words: seconds, from a minute on minutes, from two hours on hours."""
+    if seconds < MINUTE:
+        return f"{seconds:.2g} s"
+    return f"{seconds / HOUR:.1f} h" if seconds >= 2.0 * HOUR else f"{seconds / MINUTE:.3g} min"
 
 
 def rains(scene: AnyScene) -> bool:

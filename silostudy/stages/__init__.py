@@ -15,3 +15,9 @@ STAGES: Family[Stage] = Family("stage", dict.fromkeys(stage for kind in FILE_KIN
 def called_for(study) -> tuple[str, ...]:
     """Keys of the cubes that a study asks for, in order: results/<study>/<stage>.nc."""
     return tuple(row.key for row in KINDS[study.kind].stages if not row.section or getattr(study, row.section))
+
+
+def borrowed(study) -> list[tuple[str, str, str]]:
+    """Section, study and stage of each cube that a study takes from another one."""
+    asked = {section: stage for key in study.stages for section, stage in STAGES[key].borrows.items()}
+    return [(section, getattr(study, section).study, stage) for section, stage in asked.items() if getattr(study, section)]

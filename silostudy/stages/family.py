@@ -74,7 +74,7 @@ class Kind(Entry):
     variants: further configurations that files of the kind may hold, as one of their keys says
     traits(asking, scenes): what its errors hang on, for a kind that may ask for an accuracy, or whose scenes may
     about: functions of an expansion that give the lines which `silostudy check` says of it; timed: further ones, which
-    measure something first
+    measure something first; seconds: function of an expansion that gives about its computing time (s)
     table: function of an expansion without sweep that gives the lines which `silostudy compare` prints of it
     """
 
@@ -84,6 +84,7 @@ class Kind(Entry):
     traits: str = ""
     about: tuple[str, ...] = ()
     timed: tuple[str, ...] = ()
+    seconds: str = ""
     table: str = ""
     variants: tuple[str, ...] = ()
 

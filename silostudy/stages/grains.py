@@ -15,6 +15,7 @@ KIND = Kind(
             tells=True,
         ),
     ),
+    seconds="silostudy.commands.about_grains:seconds",
     about=("silostudy.commands.about_grains:runs", "silostudy.commands.about_grains:cautions"),
     timed=("silostudy.commands.about_grains:prices_of_effects",),
 )

@@ -19,6 +19,7 @@ KIND = Kind(
             ),
         ),
     ),
+    seconds="silostudy.commands.about:seconds_of_parts",
     about=(
         "silostudy.commands.about:time_of_parts",
         "silostudy.commands.about:tests",

@@ -19,5 +19,6 @@ KIND = Kind(
             ),
         ),
     ),
+    seconds="silostudy.commands.about:seconds_of_parts",
     about=("silostudy.commands.about:time_of_parts", "silostudy.commands.about_grains:cautions"),
 )

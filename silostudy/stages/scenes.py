@@ -28,5 +28,6 @@ KIND = Kind(
             borrows={"codes": "pressure"},
         ),
     ),
+    seconds="silostudy.commands.about:seconds_of_parts",
     about=("silostudy.commands.about:time_of_parts", "silostudy.commands.about_grains:cautions"),
 )

@@ -14,9 +14,28 @@ from silostudy.accuracy.prices import still, without
 from silostudy.accuracy.silo import silo_of_rows
 from silostudy.dem.arrays import BLOCK
 from silostudy.dem.cache import OPTIONS
+from silostudy.dem.columns import to_lanes, to_rows_of_discs
 from silostudy.dem.engine import Engine
 from silostudy.dem.kernel import first_runaway, relist, worst
-from silostudy.dem.lanes import DU, DV, DX, DY, FX, FY, SPIN_SUM, STRETCH, TORQUE, U, V, W, X, Y, gather, scatter
+from silostudy.dem.lanes import (
+    DISTANCE,
+    DU,
+    DV,
+    FX,
+    FY,
+    NORMAL_X,
+    NORMAL_Y,
+    SPIN_SUM,
+    STRETCH,
+    TORQUE,
+    U,
+    V,
+    W,
+    X,
+    Y,
+    gather_rolling,
+    scatter_rolling,
+)
 from silostudy.dem.model import Model
 from silostudy.dem.sweep import EXPLODED, FRESH, STALE
 from silostudy.dem.walls import gather_walls, scatter_walls
@@ -31,16 +50,12 @@ def push(lanes, out, stored, a, b, count, dt, c, damping, drag_damping):
     """Normal forces only: spring and dashpot that never pull."""
     reach, stiffness = a + b, c[0][0]
     for k in range(count):
-        dx, dy = lanes[DX, k], lanes[DY, k]
-        distance = sqrt(dx * dx + dy * dy)
-        inverse = 1.0 / distance
-        nx, ny = dx * inverse, dy * inverse
-        overlap = reach - distance
+        nx, ny, overlap = lanes[NORMAL_X, k], lanes[NORMAL_Y, k], reach - lanes[DISTANCE, k]
         depth = overlap if overlap > 0.0 else 0.0
         total = stiffness * depth + damping * -(lanes[DU, k] * nx + lanes[DV, k] * ny)
         total = total if total > 0.0 else 0.0
         total = total if overlap > 0.0 else 0.0
-        out[0, k], out[1, k], out[2, k], out[3, k] = total * nx, total * ny, 0.0, 0.0
+        out[0, k], out[1, k], out[2, k] = total * nx, total * ny, 0.0
 
 
 @inlined
@@ -48,11 +63,8 @@ def rub(lanes, out, stored, a, b, count, dt, c, damping, drag_damping):
     """The same, and Cundall and Strack's slider."""
     reach, stiffness, slip, friction = a + b, c[0][0], c[1][0] * dt, c[1][3]
     for k in range(count):
-        dx, dy, du, dv = lanes[DX, k], lanes[DY, k], lanes[DU, k], lanes[DV, k]
-        distance = sqrt(dx * dx + dy * dy)
-        inverse = 1.0 / distance
-        nx, ny = dx * inverse, dy * inverse
-        overlap = reach - distance
+        nx, ny, du, dv = lanes[NORMAL_X, k], lanes[NORMAL_Y, k], lanes[DU, k], lanes[DV, k]
+        overlap = reach - lanes[DISTANCE, k]
         depth = overlap if overlap > 0.0 else 0.0
         total = stiffness * depth + damping * -(du * nx + dv * ny)
         total = total if total > 0.0 else 0.0
@@ -67,7 +79,7 @@ def rub(lanes, out, stored, a, b, count, dt, c, damping, drag_damping):
         drag = drag if overlap > 0.0 else 0.0
         stored[k] = held if overlap > 0.0 else 0.0
         out[0, k], out[1, k] = total * nx - drag * ny, total * ny + drag * nx
-        out[2, k], out[3, k] = -drag * a, drag * b
+        out[2, k] = -drag * a
 
 
 @inlined
@@ -106,9 +118,9 @@ def lists_by_hand(rough: bool):
     def pairs_of(rows, pairs, begin, end, scratch, dt, c):
         for start in range(begin, end, STRETCH):
             count = min(end - start, STRETCH)
-            gather(rows, pairs.first, pairs.second, start, count, scratch.lanes)
+            gather_rolling(rows, pairs.first, pairs.second, start, count, scratch.lanes)
             of_list(pairs, start, count, scratch, dt, c)
-            scatter(rows, pairs.first, pairs.second, start, count, scratch.force)
+            scatter_rolling(rows, pairs.first, pairs.second, start, count, scratch.force)
 
     @inlined
     def walls_of(rows, near, walls, end, scratch, dt, c):
@@ -125,19 +137,21 @@ def moves_by_hand(rough: bool):
     """Moves of a block's discs, which turn or do not."""
 
     @inlined
-    def moved(rows, begin, end, im, ii, gx, gy, dt, motion, motion_bits):
-        for i in range(begin, end):
-            u = rows[i, U] + (rows[i, FX] * im + gx) * dt
-            v = rows[i, V] + (rows[i, FY] * im + gy) * dt
+    def moved(rows, begin, end, im, ii, gx, gy, dt, scratch):
+        lanes, motion = scratch.lanes.reshape(-1), scratch.motion
+        to_lanes(rows, begin, end, lanes, STRETCH)
+        for k in range(end - begin):
+            u = lanes[U * STRETCH + k] + (lanes[FX * STRETCH + k] * im + gx) * dt
+            v = lanes[V * STRETCH + k] + (lanes[FY * STRETCH + k] * im + gy) * dt
             du, dv = u * dt, v * dt
-            rows[i, X] += du
-            rows[i, Y] += dv
-            rows[i, U], rows[i, V] = u, v
+            lanes[X * STRETCH + k] += du
+            lanes[Y * STRETCH + k] += dv
+            lanes[U * STRETCH + k], lanes[V * STRETCH + k] = u, v
             if rough:
-                rows[i, W] += rows[i, TORQUE] * ii * dt
-            rows[i, FX], rows[i, FY], rows[i, TORQUE] = 0.0, 0.0, 0.0
-            motion[i - begin] = du * du + dv * dv
-        return longest(end - begin, motion, motion_bits)
+                lanes[W * STRETCH + k] += lanes[TORQUE * STRETCH + k] * ii * dt
+            motion[k] = du * du + dv * dv
+        to_rows_of_discs(lanes, STRETCH, rows, begin, end)
+        return longest(end - begin, motion, scratch.motion_bits)
 
     return moved
 
@@ -155,7 +169,7 @@ def step_by_hand(rough: bool):
             pairs_of(discs.rows, pairs, pairs.begin[b], pairs.begin[b + 1], scratch, dt, laws[0])
             start, im, ii = b * BLOCK, discs.inverse_mass[0], discs.inverse_inertia[0]
             end = min(start + BLOCK, hi)
-            way = moved(discs.rows, start, end, im, ii, gravity[0], gravity[1], dt, scratch.motion, scratch.motion_bits)
+            way = moved(discs.rows, start, end, im, ii, gravity[0], gravity[1], dt, scratch)
             stale = travelled(blocks, b, way, stale)
         return stale
 

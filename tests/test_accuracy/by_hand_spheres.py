@@ -11,6 +11,7 @@ import numpy as np
 from silostudy.accuracy.bin_of_spheres import Bin, bin_of_spheres
 from silostudy.accuracy.prices import without
 from silostudy.dem.arrays import BLOCK
+from silostudy.dem.columns import to_lanes, to_rows_of_spheres
 from silostudy.dem.engine import Engine
 from silostudy.dem.model import Model
 from silostudy.dem.space.felt import gather_walls, scatter_walls
@@ -52,7 +53,7 @@ from silostudy.dem.space.lanes import (
     scatter_rolling,
     take,
 )  # fmt: skip
-from silostudy.dem.space.motion import carry, cross, dot, face, faced, held_of
+from silostudy.dem.space.motion import APART, carry_slid, cross, dot, facing, held_of
 from silostudy.dem.sweep import FRESH
 from tests.test_accuracy.by_hand import inlined, longest, marched, steps_of, travelled
 
@@ -63,7 +64,7 @@ STEPS = 300
 def push(lanes, out, a, b, m, count, dt, c, flat):
     """Hertz's force and a dashpot that may pull."""
     for k in range(count):
-        (nx, ny, nz), distance = faced(lanes, k)
+        (nx, ny, nz), distance = facing(lanes, k)
         overlap = a + b - distance
         depth = overlap if overlap > 0.0 else 0.0
         radius = a / (1.0 - a * lanes[0, CURVED * STRETCH + k]) if flat else a * b / (a + b)
@@ -81,7 +82,7 @@ def push(lanes, out, a, b, m, count, dt, c, flat):
 def rub(lanes, out, a, b, m, count, dt, c, flat):
     """The same, and Mindlin's spring and dashpot, their sum capped."""
     for k in range(count):
-        normal, distance = faced(lanes, k)
+        normal, distance = facing(lanes, k)
         nx, ny, nz = normal
         overlap = a + b - distance
         depth = overlap if overlap > 0.0 else 0.0
@@ -95,7 +96,7 @@ def rub(lanes, out, a, b, m, count, dt, c, flat):
         wide = np.sqrt(radius * depth)
         root = np.sqrt(m * wide)
         total = c[0][0] * wide * depth + c[0][1] * root * closing
-        held = carry(held_of(lanes, k), normal)
+        held = held_of(lanes, k)
         slip, damping = c[1][0] * wide * dt, -(c[1][1] * root)
         x, y, z = damping * su, damping * sv, damping * sw
         whole = held[0] - slip * su + x, held[1] - slip * sv + y, held[2] - slip * sw + z
@@ -120,9 +121,9 @@ def lists_by_hand(rough: bool):
 
     @inlined
     def of_list(contacts, start, count, scratch, dt, c, flat):
-        face(scratch.lanes, count)
         if rough:
             bring(contacts.stored, start, count, scratch.lanes, OLD * STRETCH)
+            carry_slid(scratch.lanes, count)
         force(scratch.lanes, scratch.force, contacts.arm[0], contacts.other[0], contacts.mass[0], count, dt, c, flat)
         if rough:
             take(scratch.force, NEW * STRETCH, contacts.stored, start, count)
@@ -150,24 +151,26 @@ def moves_by_hand(rough: bool):
     """Moves of a block's spheres, which turn or do not."""
 
     @inlined
-    def moved(rows, begin, end, im, ii, gravity, dt, motion, motion_bits):
-        for i in range(begin, end):
-            u = rows[i, U] + (rows[i, FX] * im + gravity[0]) * dt
-            v = rows[i, V] + (rows[i, FY] * im + gravity[1]) * dt
-            w = rows[i, W] + (rows[i, FZ] * im + gravity[2]) * dt
+    def moved(rows, begin, end, im, ii, gravity, dt, scratch):
+        lanes, motion = scratch.lanes.reshape(-1), scratch.motion
+        to_lanes(rows, begin, end, lanes, APART)
+        for k in range(end - begin):
+            u = lanes[U * APART + k] + (lanes[FX * APART + k] * im + gravity[0]) * dt
+            v = lanes[V * APART + k] + (lanes[FY * APART + k] * im + gravity[1]) * dt
+            w = lanes[W * APART + k] + (lanes[FZ * APART + k] * im + gravity[2]) * dt
             dx, dy, dz = u * dt, v * dt, w * dt
-            rows[i, X] += dx
-            rows[i, Y] += dy
-            rows[i, Z] += dz
-            rows[i, U], rows[i, V], rows[i, W] = u, v, w
+            lanes[X * APART + k] += dx
+            lanes[Y * APART + k] += dy
+            lanes[Z * APART + k] += dz
+            lanes[U * APART + k], lanes[V * APART + k], lanes[W * APART + k] = u, v, w
             if rough:
-                rows[i, P] += rows[i, TX] * ii * dt
-                rows[i, Q] += rows[i, TY] * ii * dt
-                rows[i, R] += rows[i, TZ] * ii * dt
-            rows[i, PASSED] += 1.0 if rows[i, Z] < 0.0 else 0.0
-            rows[i, FX] = rows[i, FY] = rows[i, FZ] = rows[i, TX] = rows[i, TY] = rows[i, TZ] = 0.0
-            motion[i - begin] = dx * dx + dy * dy + dz * dz
-        return longest(end - begin, motion, motion_bits)
+                lanes[P * APART + k] += lanes[TX * APART + k] * ii * dt
+                lanes[Q * APART + k] += lanes[TY * APART + k] * ii * dt
+                lanes[R * APART + k] += lanes[TZ * APART + k] * ii * dt
+            lanes[PASSED * APART + k] += 1.0 if lanes[Z * APART + k] < 0.0 else 0.0
+            motion[k] = dx * dx + dy * dy + dz * dz
+        to_rows_of_spheres(lanes, APART, rows, begin, end)
+        return longest(end - begin, motion, scratch.motion_bits)
 
     return moved
 
@@ -185,7 +188,7 @@ def step_by_hand(rough: bool):
             pairs_of(spheres.rows, pairs, pairs.begin[b], pairs.begin[b + 1], scratch, dt, laws[0])
             start, im, ii = b * BLOCK, spheres.inverse_mass[0], spheres.inverse_inertia[0]
             end = min(start + BLOCK, hi)
-            way = moved(spheres.rows, start, end, im, ii, gravity, dt, scratch.motion, scratch.motion_bits)
+            way = moved(spheres.rows, start, end, im, ii, gravity, dt, scratch)
             stale = travelled(blocks, b, way, stale)
         return stale
 

@@ -30,7 +30,7 @@ def test_the_cost_of_a_run_is_bodies_times_steps():
     scene = scene_of(events=[{"when": "time", "value": 0.5, "do": "stop"}])
     model = replace(scene_model(scene, ROOT), dt=1e-5)
     told = run_cost(scene, model, 40e-9, 700.0)
-    assert told.startswith("at most 50,000 steps of 150 spheres, 40.0 ns each here and now: about 0.005 min of one core")
+    assert told.startswith("at most 50,000 steps of 150 spheres, 40.0 ns each here and now: about 0.3 s of one core")
     assert told.endswith("700 bytes a sphere, 0.105 MB")
 
 

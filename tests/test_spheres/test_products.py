@@ -1,6 +1,7 @@
 """Every product of laws: an oblique impact of two spheres against an integration written apart from them."""
 
 from itertools import product
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -15,7 +16,7 @@ from silostudy.dem.model import Contact
 from silostudy.dem.pieces import Laws
 from silostudy.dem.space.dimension import SPACE
 from silostudy.dem.space.lanes import PLACE, SPIN, VELOCITY, gather, scatter
-from silostudy.dem.space.motion import face
+from silostudy.dem.space.motion import carry, facing
 from tests.test_spheres import two_bodies
 from tests.test_spheres.scenes import rows, spheres
 from tests.test_spheres.two_bodies import END, MASSES, RADII, C, M, apart
@@ -38,22 +39,23 @@ def choices(**fixed):
 def met(laws, c, integrator, dt):
     """Velocities and spins by the kernel's own pieces, without lists: gather, laws, scatter, move."""
     row = INTEGRATORS[integrator]
-    contact, move = contact_pass(SPACE, laws, unequal=True, flat=False), SPACE.move(row.advance, row.holds, True, integrator)
-    bodies, held, pair = aligned(2, SPACE.row), aligned(2, SPACE.row // 2), (np.array([0]), np.array([1]))
-    lanes, out = aligned(*SPACE.lanes), aligned(*SPACE.forces)
+    contact = contact_pass(SPACE, laws, unequal=True, flat=False)
+    move = SPACE.move(row.advance, row.holds, True, True, integrator)
+    rows, held, pair = aligned(2, SPACE.row), aligned(2, SPACE.row // 2), (np.array([0]), np.array([1]))
+    bodies = SimpleNamespace(rows=rows, held=held, inverse_mass=1.0 / MASSES, inverse_inertia=2.5 / (MASSES * RADII**2))
+    scratch, out = SimpleNamespace(lanes=aligned(*SPACE.lanes), motion=aligned(2)), aligned(*SPACE.forces)
     for columns, values in ((PLACE, two_bodies.START), (VELOCITY, two_bodies.VELOCITY), (SPIN, two_bodies.SPIN)):
-        bodies[:, columns] = values
-    held[:, :6] = bodies[:, [*VELOCITY, *SPIN]]
-    histories = (0.0, 0.0, 0.0), (0.0, 0.0, 0.0), 0.0, 0.0
+        rows[:, columns] = values
+    held[:, :6] = rows[:, [*VELOCITY, *SPIN]]
+    slid, rolled, twisted, touched = (0.0, 0.0, 0.0), (0.0, 0.0, 0.0), 0.0, 0.0
     for step in range(round(END / dt)):
-        gather(bodies, *pair, 0, 1, lanes)
-        face(lanes, 1)
-        histories = contact(lanes, out, 0, *RADII, M, *histories, dt, c)
-        scatter(bodies, *pair, 0, 1, out)
-        for i in range(2):
-            kick = 0.5 * dt if row.half_start and step == 0 else dt
-            move(bodies, held, i, 1.0 / MASSES[i], 2.5 / (MASSES[i] * RADII[i] ** 2), (0.0, 0.0, 0.0), kick, dt)
-    return np.hstack([bodies[:, VELOCITY], bodies[:, SPIN] * RADII[:, None]])
+        gather(rows, *pair, 0, 1, scratch.lanes)
+        normal, _ = facing(scratch.lanes, 0)
+        histories = carry(slid, normal), carry(rolled, normal), twisted, touched
+        slid, rolled, twisted, touched = contact(scratch.lanes, out, 0, *RADII, M, *histories, dt, c)
+        scatter(rows, *pair, 0, 1, out)
+        move(bodies, 0, 2, (0.0, 0.0, 0.0), 0.5 * dt if row.half_start and step == 0 else dt, dt, scratch)
+    return np.hstack([rows[:, VELOCITY], rows[:, SPIN] * RADII[:, None]])
 
 
 def check(found, expected):

@@ -30,7 +30,6 @@ from silostudy.dem.space.lanes import (
 from silostudy.dem.space.motion import (
     about,
     carry,
-    faced,
     facing,
     move,
     pushed,
@@ -85,7 +84,6 @@ SPACE = Dimension(
     bent=bent,
     force_of=force_of,
     facing=facing,
-    faced=faced,
     reduced=reduced,
     rates=rates,
     carry=carry,

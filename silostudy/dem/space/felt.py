@@ -9,11 +9,13 @@ from silostudy.dem.cache import OPTIONS
 from silostudy.dem.space.lanes import (
     APART_P,
     CURVED,
+    DISTANCE,
     DU,
-    DX,
     FIRST_X,
     FORCE_X,
     FX,
+    NX,
+    NY,
     STRETCH,
     SUM_P,
     TX,
@@ -55,12 +57,14 @@ def gather_walls(rows, shape, sphere, wall, start, count, lanes):
     for k in range(count):
         i = sphere[start + k]
         dx, dy, dz, curved = nearest(shape, wall[start + k], rows[i, X], rows[i, Y], rows[i, Z])
-        away = dx, dy, dz
+        distance = sqrt(dx * dx + dy * dy + dz * dz)
+        inverse = 1.0 / distance
+        normal = dx * inverse, dy * inverse, dz * inverse
         for n in range(3):
-            lanes[0, (DX + n) * STRETCH + k] = away[n]
+            lanes[0, (NX + n) * STRETCH + k] = normal[n]
             lanes[0, (DU + n) * STRETCH + k] = rows[i, U + n]
             lanes[0, (SUM_P + n) * STRETCH + k] = lanes[0, (APART_P + n) * STRETCH + k] = rows[i, P + n]
-        lanes[0, CURVED * STRETCH + k] = curved
+        lanes[0, CURVED * STRETCH + k], lanes[0, DISTANCE * STRETCH + k] = curved, distance
 
 
 @register_jitable
@@ -69,7 +73,9 @@ def gather_moving_walls(rows, shape, sphere, wall, start, count, lanes):
     gather_walls(rows, shape, sphere, wall, start, count, lanes)
     for k in range(count):
         i, q = sphere[start + k], wall[start + k]
-        x, y = rows[i, X] - lanes[0, DX * STRETCH + k], rows[i, Y] - lanes[0, (DX + 1) * STRETCH + k]
+        distance = lanes[0, DISTANCE * STRETCH + k]
+        x = rows[i, X] - distance * lanes[0, NX * STRETCH + k]
+        y = rows[i, Y] - distance * lanes[0, NY * STRETCH + k]
         lanes[0, DU * STRETCH + k] += shape[q, TURN] * y
         lanes[0, (DU + 1) * STRETCH + k] -= shape[q, TURN] * x
         lanes[0, (DU + 2) * STRETCH + k] -= shape[q, RISE]

@@ -5,11 +5,28 @@ Every function here has its meaning in plain Python, and the vector form beside 
 Scratches are flat: numbers of one kind stand `STRETCH` apart, or the compiler does not see that they never overlap.
 """
 
+from math import sqrt
+
 from llvmlite import ir
 from numba import types
 from numba.extending import intrinsic, overload
 
-from silostudy.dem.vectors import EIGHT, LANE, WIDTH, base_of, in_eights, lane_of, load, mix, plus, row_of, store, transpose
+from silostudy.dem.vectors import (
+    EIGHT,
+    FOUR,
+    LANE,
+    WIDTH,
+    base_of,
+    in_eights,
+    lane_of,
+    load,
+    mix,
+    plus,
+    root,
+    row_of,
+    store,
+    transpose,
+)
 
 # numbers of a sphere's row, the last one for how many steps it has been below the outlet
 X, Y, Z, U, V, W, P, Q, R, FX, FY, FZ, TX, TY, TZ, PASSED = range(16)
@@ -18,9 +35,9 @@ VELOCITY = (U, V, W)  # m/s
 SPIN = (P, Q, R)  # rad/s
 FORCE = (FX, FY, FZ)  # N
 TORQUE = (TX, TY, TZ)  # N m
-# lanes of relative motion, first less second: place (later the normal), velocity, sum and difference of spins;
-# curvature of a wall (1/m), distance of the centres (m)
-DX, DY, DZ, DU, DV, DW, SUM_P, SUM_Q, SUM_R, APART_P, APART_Q, APART_R, CURVED, DISTANCE = range(14)
+# lanes of relative motion: the unit normal from the second to the first, velocity of the first less that of the second, sum and
+# difference of spins; curvature of a wall (1/m), distance of the centres (m)
+NX, NY, NZ, DU, DV, DW, SUM_P, SUM_Q, SUM_R, APART_P, APART_Q, APART_R, CURVED, DISTANCE = range(14)
 # lanes of force and of the torques on both
 FORCE_X, FORCE_Y, FORCE_Z, FIRST_X, FIRST_Y, FIRST_Z, SECOND_X, SECOND_Y, SECOND_Z = range(9)
 # histories (of sliding, rolling, twisting, being in touch) stand among the lanes while forces are computed
@@ -36,7 +53,7 @@ _BACK = [1.0, -1.0, -1.0, -1.0, 1.0, 1.0, 1.0, 1.0]  # of a second line: forces 
 
 
 def gather(rows, first, second, start, count, lanes):
-    """Relative motion of `count` pairs: differences of place and velocity, sum and difference of spins."""
+    """Normal, distance and relative motion of `count` pairs."""
     gather_rolling(rows, first, second, start, count, lanes)
     flat = lanes.reshape(-1)
     for k in range(count):
@@ -46,12 +63,20 @@ def gather(rows, first, second, start, count, lanes):
 
 
 def gather_rolling(rows, first, second, start, count, lanes):
-    """Relative motion of `count` pairs without the difference of spins, which equal spheres that roll freely do not need."""
+    """The same without the difference of spins, which equal spheres that roll freely do not need.
+
+    Roots and divisions take long, and their unit is idle here; in the loop of the laws each waits for the one before.
+    """
     flat = lanes.reshape(-1)
     for k in range(count):
         a, b = rows[first[start + k]], rows[second[start + k]]
-        for lane, component in enumerate((*PLACE, *VELOCITY)):
-            flat[lane * STRETCH + k] = a[component] - b[component]
+        dx, dy, dz = a[X] - b[X], a[Y] - b[Y], a[Z] - b[Z]
+        distance = sqrt(dx * dx + dy * dy + dz * dz)
+        inverse = 1.0 / distance
+        for lane, number in ((NX, dx * inverse), (NY, dy * inverse), (NZ, dz * inverse), (DISTANCE, distance)):
+            flat[lane * STRETCH + k] = number
+        for n, component in enumerate(VELOCITY):
+            flat[(DU + n) * STRETCH + k] = a[component] - b[component]
         for n, component in enumerate(SPIN):
             flat[(SUM_P + n) * STRETCH + k] = a[component] + b[component]
 
@@ -114,6 +139,16 @@ def _both(builder, args, bodies, firsts, seconds, lane):
     return *lines, *(builder.load(builder.gep(bodies, [plus(builder, row, R)])) for row in (i, j))
 
 
+def _faced(builder, columns):
+    """Lanes of eight pairs by differences of places, which become normals and distances, and what stands behind them."""
+    *away, u, v, w, p, q = columns
+    x, y, z = (builder.fmul(way, way) for way in away)
+    distance = root(builder, builder.fadd(builder.fadd(x, y), z))
+    inverse = builder.fdiv(ir.Constant(EIGHT, [1.0] * WIDTH), distance)
+    normal = [builder.fmul(way, inverse) for way in away]
+    return dict(enumerate([*normal, u, v, w, p, q])) | {DISTANCE: distance}
+
+
 @intrinsic
 def _gather_rolling(typing, rows, first, second, start, lanes, offset):
     def generate(context, builder, signature, args):
@@ -123,7 +158,7 @@ def _gather_rolling(typing, rows, first, second, start, lanes, offset):
             a, b, c, d = _both(builder, args, bodies, firsts, seconds, lane)
             near.append(mix(builder, builder.fsub(a, b), builder.fadd(a, b), [X, Y, Z, U, V, W, 8 + P, 8 + Q]))
             last = builder.insert_element(last, builder.fadd(c, d), ir.Constant(LANE, lane))
-        for lane, column in enumerate([*transpose(builder, near), last]):
+        for lane, column in {**_faced(builder, transpose(builder, near)), SUM_R: last}.items():
             store(builder, column, out, lane_of(builder, args[5], lane, STRETCH), EIGHT)
         return context.get_dummy_value()
 
@@ -141,12 +176,20 @@ def _gather(typing, rows, first, second, start, lanes, offset):
             near.append(mix(builder, less, more, [X, Y, Z, U, V, W, 8 + P, 8 + Q]))
             spins = builder.insert_element(less, builder.fsub(c, d), ir.Constant(LANE, 0))  # in the place of x
             apart.append(builder.insert_element(spins, builder.fadd(c, d), ir.Constant(LANE, 1)))
-        columns, rest = transpose(builder, near), transpose(builder, apart)
-        for lane, column in enumerate([*columns, rest[1], rest[P], rest[Q], rest[0]]):
+        columns, rest = _faced(builder, transpose(builder, near)), transpose(builder, apart)
+        columns |= {SUM_R: rest[1], APART_P: rest[P], APART_Q: rest[Q], APART_R: rest[0]}
+        for lane, column in columns.items():
             store(builder, column, out, lane_of(builder, args[5], lane, STRETCH), EIGHT)
         return context.get_dummy_value()
 
     return types.void(rows, first, second, start, lanes, offset), generate
+
+
+def _add(builder, bodies, row, push):
+    """Add to the second line of a row, half by half: what was just stored comes back sooner in halves of a line."""
+    for half in (0, 4):
+        spot, part = plus(builder, row, R + half), mix(builder, push, push, [half + k for k in range(4)])
+        store(builder, builder.fadd(load(builder, bodies, spot, FOUR), part), bodies, spot, FOUR)
 
 
 @intrinsic
@@ -160,8 +203,7 @@ def _scatter(typing, rows, first, second, start, force, offset):
         onto_second = transpose(builder, [nothing, *away, *pushes[6:], nothing])
         for lane in range(WIDTH):
             for listed, push in ((firsts, onto_first[lane]), (seconds, onto_second[lane])):
-                spot = plus(builder, row_of(builder, listed, args[3], lane, ROW), R)
-                store(builder, builder.fadd(load(builder, bodies, spot, EIGHT), push), bodies, spot, EIGHT)
+                _add(builder, bodies, row_of(builder, listed, args[3], lane, ROW), push)
         return context.get_dummy_value()
 
     return types.void(rows, first, second, start, force, offset), generate
@@ -175,8 +217,7 @@ def _scatter_rolling(typing, rows, first, second, start, force, offset):
         nothing, back = ir.Constant(EIGHT, _SECOND_LINE), ir.Constant(EIGHT, _BACK)
         for lane, push in enumerate(transpose(builder, [nothing, *pushes, nothing])):
             for listed, share in ((firsts, push), (seconds, builder.fmul(push, back))):
-                spot = plus(builder, row_of(builder, listed, args[3], lane, ROW), R)
-                store(builder, builder.fadd(load(builder, bodies, spot, EIGHT), share), bodies, spot, EIGHT)
+                _add(builder, bodies, row_of(builder, listed, args[3], lane, ROW), share)
         return context.get_dummy_value()
 
     return types.void(rows, first, second, start, force, offset), generate

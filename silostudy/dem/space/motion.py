@@ -6,12 +6,12 @@ from math import sqrt
 from numba.extending import register_jitable
 
 from silostudy.dem.cache import piece
+from silostudy.dem.columns import to_lanes, to_rows_of_spheres
 from silostudy.dem.space.lanes import (
     APART_P,
     CURVED,
     DISTANCE,
     DU,
-    DX,
     FIRST_X,
     FIRST_Y,
     FIRST_Z,
@@ -22,6 +22,7 @@ from silostudy.dem.space.lanes import (
     FY,
     FZ,
     NEW,
+    NX,
     OLD,
     PASSED,
     SECOND_X,
@@ -61,8 +62,9 @@ def three(lane: int) -> Callable:
     return numbers
 
 
-away_of, velocity_of, summed_of, apart_of, held_of, turned_of = map(three, (DX, DU, SUM_P, APART_P, OLD, OLD + 3))
-TO_X, TO_Y, TO_Z, BETWEEN = (lane * STRETCH for lane in (DX, DX + 1, DX + 2, DISTANCE))
+away_of, velocity_of, summed_of, apart_of, held_of, turned_of = map(three, (NX, DU, SUM_P, APART_P, OLD, OLD + 3))
+BETWEEN = DISTANCE * STRETCH
+APART = 136  # how far lanes stand apart in which a block is moved: no power of two, as these would share cache sets
 TWISTED, TOUCHED, NEW_TWISTED, NEW_TOUCHED = ((lane + n) * STRETCH for lane in (OLD, NEW) for n in (6, 7))
 
 
@@ -85,28 +87,9 @@ def across(vector, normal):
     return vector[0] - along * normal[0], vector[1] - along * normal[1], vector[2] - along * normal[2]
 
 
-@register_jitable
+@register_jitable(forceinline=True)
 def facing(lanes, k):
     """Normal (unit vector from the second body to the first) and distance (m) of the centres."""
-    d = away_of(lanes, k)
-    distance = sqrt(dot(d, d))
-    inverse = 1.0 / distance
-    return (d[0] * inverse, d[1] * inverse, d[2] * inverse), distance
-
-
-@register_jitable(forceinline=True)
-def face(lanes, count):
-    """Put normals in the place of differences of places, and distances beside them.
-
-    A loop of its own: what waits for these roots is then short enough for the processor to work at several contacts at once.
-    """
-    for k in range(count):
-        (lanes[0, TO_X + k], lanes[0, TO_Y + k], lanes[0, TO_Z + k]), lanes[0, BETWEEN + k] = facing(lanes, k)
-
-
-@register_jitable(forceinline=True)
-def faced(lanes, k):
-    """Normal (unit vector from the second body to the first) and distance (m) of the centres, as `face` has put them."""
     return away_of(lanes, k), lanes[0, BETWEEN + k]
 
 
@@ -163,6 +146,26 @@ def carry(old, normal):
     return factor * new[0], factor * new[1], factor * new[2]
 
 
+def carrying(lane: int) -> Callable:
+    """Function that carries the histories of `count` contacts that stand in lanes from one on.
+
+    A loop of its own: what waits for these roots is then short enough for the processor to work at several contacts at once.
+    """
+    old, (first, second, third) = three(lane), (n * STRETCH for n in range(lane, lane + 3))
+
+    @piece("space", lane)
+    def carried(lanes, count):
+        for k in range(count):
+            x, y, z = carry(old(lanes, k), away_of(lanes, k))
+            lanes[0, first + k], lanes[0, second + k], lanes[0, third + k] = x, y, z
+
+    return carried
+
+
+carry_slid = carrying(OLD)
+carry_turned = carrying(OLD + 3)
+
+
 @register_jitable(forceinline=True)
 def twisting(lanes, k, normal):
     """Difference of spins about the normal (1/s)."""
@@ -214,29 +217,37 @@ def where(touching, value):
     return value[0] if touching else 0.0, value[1] if touching else 0.0, value[2] if touching else 0.0
 
 
-def move(advance: Callable, holds: bool, turns: bool, key: str):
-    """Function that moves sphere i a step, clears its force, and gives the square of its way (m2)."""
+def move(advance: Callable, holds: bool, turns: bool, unequal: bool, key: str):
+    """Function that moves a block of spheres a step, clears their forces, and writes the square of each one's way (m2)."""
 
-    @piece("space", key, turns)
-    def moved(rows, held, i, im, ii, pull, kick, dt):
+    @piece("space", key, turns, unequal)
+    def moved(bodies, begin, end, pull, kick, dt, scratch):
+        lanes, motion, held = scratch.lanes.reshape(-1), scratch.motion, bodies.held[begin:]
+        im, ii = bodies.inverse_mass[begin if unequal else 0 :], bodies.inverse_inertia[begin if unequal else 0 :]
         hu = hv = hw = hp = hq = hr = 0.0
-        if holds:
-            hu, hv, hw, hp, hq, hr = held[i, 0], held[i, 1], held[i, 2], held[i, 3], held[i, 4], held[i, 5]
-        rows[i, U], hu, dx = advance(rows[i, U], hu, rows[i, FX] * im + pull[0], kick, dt)
-        rows[i, V], hv, dy = advance(rows[i, V], hv, rows[i, FY] * im + pull[1], kick, dt)
-        rows[i, W], hw, dz = advance(rows[i, W], hw, rows[i, FZ] * im + pull[2], kick, dt)
-        rows[i, X] += dx
-        rows[i, Y] += dy
-        rows[i, Z] += dz
-        if turns:
-            rows[i, P], hp, _ = advance(rows[i, P], hp, rows[i, TX] * ii, kick, dt)
-            rows[i, Q], hq, _ = advance(rows[i, Q], hq, rows[i, TY] * ii, kick, dt)
-            rows[i, R], hr, _ = advance(rows[i, R], hr, rows[i, TZ] * ii, kick, dt)
-        if holds:
-            held[i, 0], held[i, 1], held[i, 2], held[i, 3], held[i, 4], held[i, 5] = hu, hv, hw, hp, hq, hr
-        rows[i, PASSED] += 1.0 if rows[i, Z] < OUTLET else 0.0
-        rows[i, FX] = rows[i, FY] = rows[i, FZ] = rows[i, TX] = rows[i, TY] = rows[i, TZ] = 0.0
-        return dx * dx + dy * dy + dz * dz
+        to_lanes(bodies.rows, begin, end, lanes, APART)
+        for k in range(end - begin):
+            n = k if unequal else 0
+            if holds:
+                hu, hv, hw, hp, hq, hr = held[k, 0], held[k, 1], held[k, 2], held[k, 3], held[k, 4], held[k, 5]
+            u, hu, dx = advance(lanes[U * APART + k], hu, lanes[FX * APART + k] * im[n] + pull[0], kick, dt)
+            v, hv, dy = advance(lanes[V * APART + k], hv, lanes[FY * APART + k] * im[n] + pull[1], kick, dt)
+            w, hw, dz = advance(lanes[W * APART + k], hw, lanes[FZ * APART + k] * im[n] + pull[2], kick, dt)
+            lanes[X * APART + k] += dx
+            lanes[Y * APART + k] += dy
+            z = lanes[Z * APART + k] + dz
+            lanes[Z * APART + k] = z
+            lanes[U * APART + k], lanes[V * APART + k], lanes[W * APART + k] = u, v, w
+            if turns:
+                p, hp, _ = advance(lanes[P * APART + k], hp, lanes[TX * APART + k] * ii[n], kick, dt)
+                q, hq, _ = advance(lanes[Q * APART + k], hq, lanes[TY * APART + k] * ii[n], kick, dt)
+                r, hr, _ = advance(lanes[R * APART + k], hr, lanes[TZ * APART + k] * ii[n], kick, dt)
+                lanes[P * APART + k], lanes[Q * APART + k], lanes[R * APART + k] = p, q, r
+            if holds:
+                held[k, 0], held[k, 1], held[k, 2], held[k, 3], held[k, 4], held[k, 5] = hu, hv, hw, hp, hq, hr
+            lanes[PASSED * APART + k] += 1.0 if z < OUTLET else 0.0
+            motion[k] = dx * dx + dy * dy + dz * dz
+        to_rows_of_spheres(lanes, APART, bodies.rows, begin, end)
 
     return moved
 
