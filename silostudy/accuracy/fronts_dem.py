@@ -15,7 +15,7 @@ import numpy as np
 from silostudy.accuracy.silo import wall_force
 from silostudy.accuracy.trial import Trial, front_row, worthwhile
 from silostudy.choice.choose import choose
-from silostudy.choice.dem import scene_traits
+from silostudy.choice.dem import restlessness, scene_traits
 from silostudy.config.dem import DemScene
 from silostudy.contact import MEASURED as MEASURED_LAWS
 from silostudy.dem.engine import Engine
@@ -114,7 +114,9 @@ def measured_fronts(tell: Callable[[str], None]) -> list[dict]:
         errors += [(traits, measured(content, COARSE, FINEST["coarse"], range(FILLINGS)))]
         errors += [(traits, measured(content, FINE, FINEST["fine"], range(FINE_FILLINGS)))]
         tell(f"dem: silo {number} of {MEASURED}")
-    within = SPAN | {"fall": (0.0, float(f"{1.05 * max(traits['fall'] for traits, _ in errors):.2g}"))}
+    fall = float(f"{1.05 * max(traits['fall'] for traits, _ in errors):.2g}")
+    most = restlessness(fall, SPAN["damping_ratio"][0], SPAN["wall_friction"][1])
+    within = SPAN | {"fall": (0.0, fall), SCALE: (0.0, float(f"{1.05 * most:.2g}"))}
     rows = []
     for setting in dict.fromkeys(setting for _, measures in errors for setting in measures.error):
         over = np.concatenate(
