@@ -166,11 +166,17 @@ include: str(PACKAGE / "rules/draw.smk")
 include: str(PACKAGE / "rules/sweep.smk")
 
 
+PICTURES = {  # that the guides show -> study
+    "fig_4_2_11": "wheat-silo",
+    "peaks_over_area": "silo-of-spheres-hopper",
+    "flow_in_silos": "silo-of-spheres-hopper",
+    "switch_in_time": "silo-of-spheres-switch",
+}
+
+
 rule gallery:
-    """Refreshes the few pictures that the front README shows: `snakemake --cores 1 gallery`."""
+    """Refreshes the pictures that the guides show, those of the project's studies: `snakemake --cores 1 gallery`."""
     input:
-        RESULTS / "wheat-silo/figures/fig_4_2_11.png",
-    output:
-        "results/gallery/fig_4_2_11.png",
+        [RESULTS / study / f"figures/{key}.png" for key, study in PICTURES.items() if study in STUDIES],
     shell:
-        "cp {input:q} {output:q}"
+        "cp {input:q} results/gallery"

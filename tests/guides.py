@@ -7,7 +7,14 @@ from typing import NamedTuple
 
 from tests.conftest import ROOT
 
-GUIDES = ("README.md", "config/README.md", "silostudy/README.md", "results/README.md", "tests/README.md")
+GUIDES = (
+    "README.md",
+    "config/README.md",
+    "silostudy/README.md",
+    "results/README.md",
+    "results/findings.md",
+    "tests/README.md",
+)
 BLOCK = re.compile(r"(?:<!-- ([^\n]*) -->\n)?```(\w+)\n(.*?)```", re.DOTALL)
 INLINE = re.compile(r"`((?:uv run |silostudy |snakemake )[^`]*)`")
 

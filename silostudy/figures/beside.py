@@ -86,6 +86,11 @@ def methods_of(silo: xr.Dataset, phase: str) -> list[str]:
     return [str(method) for method in silo["pressure_method"].values[given.values]]
 
 
+def columns_of(count: int) -> int:
+    """Columns of so many panels, in two rows where there are at most eight."""
+    return min(count, 3) if count < 4 else -(-count // 2)
+
+
 def span(low: float, high: float, digits: int = 2) -> str:
     """Two numbers as a range in words, one where they are told alike."""
     least, most = (f"{value:.{digits}g}" for value in (low, high))

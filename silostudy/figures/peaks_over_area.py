@@ -24,8 +24,9 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     panel.set_ylim(0.0, 1.06 * np.nanmax([*grains["factor"], *grains["high_95"], *codes["factor"]]))
     _draw_codes(panel, cube, codes)
     panel.axhline(1.0, color=BLACK, linewidth=0.8)
-    sides = cube["averaging_side"].mean([dim for dim in cube["averaging_side"].dims if dim != "averaging"]).values
-    names = [f"{AREAS[str(area)]}\n{side:.2f} D" for area, side in zip(cube["averaging"].values, sides, strict=True)]
+    sides = (cube["averaging_side"].sel(averaging=area) for area in cube["averaging"].values)
+    wide = [span(float(side.min()), float(side.max())) for side in sides]
+    names = [f"{AREAS[str(area)]}\n{side} D" for area, side in zip(cube["averaging"].values, wide, strict=True)]
     panel.set_xticks(range(len(names)), names)
     panel.set(xlabel="area that the pressure is the mean of, and the root of it over the diameter D")
     panel.set(ylabel="largest in flow over the ring's mean at rest", xlim=(-0.4, len(names) - 0.6))

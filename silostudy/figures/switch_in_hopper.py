@@ -8,13 +8,11 @@ import pandas as pd
 import xarray as xr
 from matplotlib.axes import Axes
 
-from silostudy.figures.beside import hopper_rise, settings, span, told
+from silostudy.figures.beside import columns_of, hopper_rise, settings, span, told
 from silostudy.figures.grains_beside_codes import KPA
 from silostudy.figures.steps import over_depth
 from silostudy.figures.style import BLACK, PHASE_LINES, WIDTH, foot, headline, look, plt, save, title
 
-COLUMNS = 3
-BESIDE = 2  # columns of twice as many panels
 LOOKS: dict[str, dict[str, Any]] = {
     "at rest": {"linewidth": 1.6, "linestyle": (0, (1, 1)), "marker": "o", "markerfacecolor": "white"},
     "mean in flow": {"linewidth": 1.2, "linestyle": (0, (4, 2)), "marker": "none"},
@@ -30,7 +28,7 @@ BANDS: dict[str, dict[str, Any]] = {
 def draw(cube: xr.Dataset, stem: Path) -> None:
     """Writes the figure and its numbers: a panel a setting, the hopper from its outlet to the transition."""
     every = list(settings(cube))
-    columns = min(COLUMNS, len(every)) if len(every) != 2 * BESIDE else BESIDE
+    columns = columns_of(len(every))
     rows = -(-len(every) // columns)
     figure, panels = plt.subplots(rows, columns, figsize=(WIDTH, 2.0 + 3.4 * rows), squeeze=False, sharey=True)
     numbers = []

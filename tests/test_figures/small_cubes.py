@@ -326,6 +326,8 @@ def cubes_of(output: str) -> list[xr.Dataset]:
         return [dem_cube(carried(discs_of()), discs_of())]
     if OUTPUTS[output].stage == "dem":
         return [bin_cube()]
+    if output == "switch_in_time":
+        return [walls_cube("silo-of-spheres")]
     if OUTPUTS[output].stage == "scenes":
         ladders = dict.fromkeys(("ladders", "ladder_walls", "price_of_means"), ladder_cube)
         made = (ladders | {"certificates": certified_cube}).get(output, flow_cube)

@@ -5,7 +5,7 @@ import pytest
 import xarray as xr
 from matplotlib.colors import to_rgba
 
-from silostudy.figures import flow_in_silos, grains_beside_codes, pressure_around, switch_in_hopper
+from silostudy.figures import flow_in_silos, grains_beside_codes, peaks_over_area, pressure_around, switch_in_hopper
 from silostudy.figures.beside import MAY_COVER, SHORT, settings
 from silostudy.figures.silo_findings import findings
 from silostudy.figures.style import AID
@@ -78,6 +78,13 @@ def test_bands_of_fillings_are_told_apart(tmp_path, kept):
     assert panel.get_ylabel() == "height above the outlet\nover that of the transition"
 
 
+def test_areas_of_peaks_are_told_as_a_range_where_silos_have_other_levels(tmp_path, kept):
+    """Cells are 1/12 of 0.1 to 0.48 m high and 1/16 of the girth of 0.1 m wide."""
+    peaks_over_area.draw(cube_of("silo-of-spheres", "beside"), tmp_path / "peaks")
+    names = [label.get_text() for label in kept[0].axes[0].get_xticklabels()]
+    assert [name.splitlines()[1] for name in names] == ["0.13 to 0.28 D", "0.26 to 0.56 D", "0.51 to 1.1 D", "0.51 to 1.1 D"]
+
+
 @pytest.mark.parametrize(
     ("study", "told"), [("silo-of-spheres", "angle around the wall (°)"),
                         ("silo-of-spheres-eccentric", "angle from the outlet's side (°)")],
@@ -110,7 +117,7 @@ def test_flow_is_the_table_s_and_one_silo_of_three_flows_faster_than_the_law(tmp
 
 def test_how_uneven_the_wall_is_is_told_as_a_range_of_the_silos(tmp_path, kept):
     cube = cube_of("silo-of-spheres", "beside")
-    silos = xr.DataArray([0.2, 0.3, 0.5, 0.7, 0.9, 1.1], dims="silo")
+    silos = xr.DataArray([0.2, 0.3, 0.5, 0.6, 0.7, 0.8, 0.9, 1.1], dims="silo")
     made = (silos + 0.0 * cube["largest_over_ring"]).transpose(*cube["largest_over_ring"].dims)
     cube = cube.assign(largest_over_ring=made.fillna(0.6))
     pressure_around.draw(cube, tmp_path / "around")
