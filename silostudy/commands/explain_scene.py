@@ -61,7 +61,7 @@ def _of_spheres(scene, model) -> list[str]:
     from silostudy.accuracy.prices import price_of_step
     from silostudy.accuracy.sample_of_spheres import sample
     from silostudy.dem.stability import packed_bound
-    from silostudy.scene.coefficients import coefficient_lines
+    from silostudy.scene.coefficients import coefficient_lines, impact_lines
     from silostudy.scene.spheres_about import materials, shares, softening, sphere_effects, warnings, wave_times
 
     lines = [
@@ -73,6 +73,7 @@ def _of_spheres(scene, model) -> list[str]:
         f"  step {model.step:.3g} s; stability bound of the densest packing {packed_bound(model):.3g} s; Rayleigh time of the "
         f"smallest sphere {wave_times(scene, model)}; integrator {model.integrator}"
     )
+    lines += [f"  {line}" for line in impact_lines(model, tuple(scene.grain_kinds))]
     price, memory = price_of_step(sample(model))
     lines.append(f"  {run_cost(scene, model, price, memory)}")
     for effect in sphere_effects(scene):
@@ -107,7 +108,7 @@ def _of_discs(scene, model) -> list[str]:
     from silostudy.accuracy.prices import prices
     from silostudy.dem.engine import Engine
     from silostudy.dem.stability import longest_step
-    from silostudy.scene.coefficients import coefficient_lines
+    from silostudy.scene.coefficients import coefficient_lines, impact_lines
     from silostudy.scene.dem import effects
 
     whole, share = prices(model)
@@ -116,7 +117,8 @@ def _of_discs(scene, model) -> list[str]:
     lines.append(
         f"  step {model.step:.3g} s; stability bound of this start {longest_step(model):.3g} s; integrator {model.integrator}"
     )
-    lines += [f"  {line}" for line in (cost, *coefficient_lines(model, scene.kinds), surfaces(model))]
+    about = (*impact_lines(model, scene.kinds), cost, *coefficient_lines(model, scene.kinds), surfaces(model))
+    lines += [f"  {line}" for line in about]
     for effect in effects(scene):
         price = priced(share.get(effect.name))
         lines.append(f"  {effect.name:30}{'on ' if effect.on else 'off'}  {price:42}{effect.why}")

@@ -4,6 +4,7 @@ import numpy as np
 import xarray as xr
 
 from silostudy.scene.expand import Expansion
+from silostudy.scene.outflow import beverloo
 from silostudy.tables.constants import ROUNDED_GRAVITY
 
 FULL = 0.9  # share of the grains that are left at the end of the windows whose mean is that of the flow
@@ -38,11 +39,6 @@ def outflow(grains: xr.Dataset, expansion: Expansion) -> dict[str, xr.DataArray]
         grains.attrs["sweep_axes"].split(), flow.dims, strict=True)))  # fmt: skip
     density = grains["unit_weight_at_rest"] / ROUNDED_GRAVITY
     return {"filling_mass_flow": flow} | {name: beverloo(wide, grain, density, *of_law) for name, of_law in LAW.items()}
-
-
-def beverloo(width, grain, density, constant: float, edge: float):
-    """Mass flow (kg/s) through a round outlet: C rho_b sqrt(g) (D - k d)^(5/2). Source: mankoc_2007 (Beverloo's law)."""
-    return constant * density * np.sqrt(ROUNDED_GRAVITY) * np.maximum(width - edge * grain, 0.0) ** 2.5
 
 
 def _outlet(scene) -> float:

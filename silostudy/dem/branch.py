@@ -4,6 +4,7 @@ The clock goes on, and so do what springs hold, frictions and gravity as events 
 mass that has left; records begin anew.
 """
 
+import copy
 from collections.abc import Iterator, Mapping
 from typing import Any
 
@@ -31,6 +32,7 @@ def end_of(run) -> dict[str, Any]:
         "came": run.came,
         "gone": run.gone + run.dropped,
         "looked": run.looked,
+        "over": run.over,
         "fed": (run.feeder.rate, run.feeder.owed) if run.feeder else None,
         "fixed": fixed(model),
         "walls": walls(model),
@@ -125,6 +127,7 @@ def go_on(run, end: Mapping[str, Any]) -> None:
     engine = run.engine
     restore(engine, end["engine"] | _here(engine, end))
     run.come, run.came, run.gone, run.looked = (end[name] for name in ("come", "came", "gone", "looked"))
+    run.over = copy.deepcopy(end["over"])  # one end may have several branches
     run.began = run.since = run.opened = engine.step
     if run.feeder and end["fed"]:
         run.feeder.rate, run.feeder.owed = end["fed"]

@@ -1,6 +1,6 @@
 """Ways in which bodies leave a scene: through its opening, over its walls, or taken out by an event; each is counted apart."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import TypeAlias
 
 import numpy as np
@@ -14,9 +14,9 @@ WAYS = ("discharged", "spilt", "removed")  # in which bodies leave
 DISCHARGED, SPILT, REMOVED = WAYS
 
 
-def lowest(model) -> float:
-    """Height (m) of the lowest place of a model's walls; without walls nothing is below."""
-    return min((float(ends[:, -1].min()) for ends in model.space.extents(model.walls)), default=-np.inf)
+def lowest(model, walls: Sequence) -> float:
+    """Height (m) of the lowest place of walls; without walls nothing is below."""
+    return min((float(ends[:, -1].min()) for ends in model.space.extents(walls)), default=-np.inf)
 
 
 def below(engine, floor: float) -> np.ndarray:
@@ -42,9 +42,33 @@ def number_of(engine, what: tuple) -> int | None:
     return int(np.argmin(length(place - np.asarray(what)))) if len(place) else None
 
 
+class Over:
+    """Bodies that went over a silo's walls, by label.
+
+    It is told when a body is first seen below the silo: a base or a chute below may carry it anywhere afterwards.
+    """
+
+    def __init__(self, engine):
+        self.level = lowest(engine.model, own_walls(engine.model))
+        self.seen, self.went = np.zeros((2, engine.most), bool)
+
+    def look(self, engine) -> None:
+        """Tell of the bodies that have come below the silo since the last look."""
+        height = engine.bodies.rows[: engine.n, engine.space.place[-1]]
+        new = (height < self.level) & ~self.seen[engine.labels]
+        if new.any():
+            self.seen[engine.labels[new]] = True
+            self.went[engine.labels[new]] = spilt(engine)[new]
+
+
+def own_walls(model) -> list:
+    """Walls of a silo's own body: inserts and free lines have two faces, or a front alone."""
+    return [wall for wall in model.walls if wall.faces == 1]
+
+
 def spilt(engine) -> np.ndarray:
     """Bodies that came below the outlet beside the silo: they went over its walls."""
-    return engine.space.beside(engine.model.walls, at_level(engine))
+    return engine.space.beside(own_walls(engine.model), at_level(engine))
 
 
 def at_level(engine) -> np.ndarray:

@@ -12,7 +12,7 @@ from silostudy.dem.events import TRIGGERS, Event
 from silostudy.dem.explosion import Explosion
 from silostudy.dem.feeder import Feeder
 from silostudy.dem.follow import EVERY, follow
-from silostudy.dem.leaving import DISCHARGED, REMOVED, SPILT, OutletAt, below, drawn, lowest, number_of, passing, spilt
+from silostudy.dem.leaving import DISCHARGED, REMOVED, SPILT, OutletAt, Over, below, drawn, lowest, number_of, passing
 from silostudy.dem.ledger import ENTRIES, carry_out, change_gravity, take_springs
 from silostudy.dem.moves import MOVES, OF_LID, lid_meets
 from silostudy.dem.observer import Observer, after, read_due
@@ -61,7 +61,7 @@ class Run:
         self.come, self.came = engine.n, engine.step  # how many bodies have come in, and when the last of them did
         self.began, self.gone = engine.step, 0.0  # a branch goes on with the clock; mass (kg/m) that had left before
         self.looked: Look | None = None  # where bodies were when rest was last looked for
-        self.floor = lowest(engine.model)
+        self.floor, self.over = lowest(engine.model, engine.model.walls), Over(engine)
         if engine.model.end is not None:
             go_on(self, engine.model.end)
         self.recording.steps.append((engine.step, engine.ticks))
@@ -229,10 +229,11 @@ class Run:
 
     def _drop(self) -> None:
         """Count and drop discs wholly below the floor that touch nothing any more."""
+        self.over.look(self.engine)
         gone = below(self.engine, self.floor)
         if not gone.any():
             return
-        beside = gone & spilt(self.engine)
+        beside = gone & self.over.went[self.engine.labels]
         labels = self.engine.labels.copy()
         if self.outlet_at and not self.engine.space.passed:
             self.recording.passed += drawn(self.engine, gone & ~beside, self.outlet_at)
@@ -280,7 +281,7 @@ class Run:
 
     def checkpoint(self) -> dict:
         """Everything that going on depends on: the engine's arrays, where the events stand, and what was recorded."""
-        stand = {name: getattr(self, name) for name in ("next_event", "since", "opened", "come", "came", "looked")}
+        stand = {name: getattr(self, name) for name in ("next_event", "since", "opened", "come", "came", "looked", "over")}
         fed = (self.feeder.rate, self.feeder.owed) if self.feeder else None
         return {"engine": checkpoint(self.engine), "stand": stand, "recording": self.recording, "fed": fed}
 

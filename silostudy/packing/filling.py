@@ -10,6 +10,7 @@ from silostudy.catalogue import Entry, Family
 from silostudy.errors import BadInput
 from silostudy.packing.family import PackingField
 
+MOST = 20_000_000  # places of a layer: twice as many as spheres that a scene may have
 ROOM = 2.1  # of the largest radius: pitch of the lattice
 
 
@@ -39,6 +40,9 @@ def loose(silo, radii, random):
     pitch, places = ROOM * largest, np.empty((0, 3))
     for z in np.arange(1.05 * largest, silo.top - largest, pitch):
         low, high = silo.outline(z).box
+        if (across := float(np.prod((high - low) / pitch))) > MOST:
+            allowed = f"at most {MOST:g} spheres have room in a layer, not {across:.2g} of {2e3 * largest:g} mm"
+            raise BadInput("silo", f"{high[0] - low[0]:g} m wide", allowed)
         x, y = (
             axis.ravel()
             for axis in np.meshgrid(*(np.arange(a, b, pitch) + 0.5 * pitch for a, b in zip(low, high, strict=True)))

@@ -29,6 +29,20 @@ def _parts(config: Any) -> Iterator[tuple[str, Any]]:
     return iter(config.items() if isinstance(config, Mapping) else config if isinstance(config, BaseModel) else ())
 
 
+def late_events(scene: Any) -> Iterator[str]:
+    """A caution for each event of a scene that is told for a time before the last one's, or that its limit comes before."""
+    earliest, limit = 0.0, scene.march.limit_s * (1.0 + 1e-9)
+    for number, event in enumerate(scene.events):
+        if event.when == "time" and event.value < earliest:
+            yield f"events.{number} is told for {event.value:g} s, and waits for the one before it, at {earliest:g} s or later"
+        if event.when in ("time", "after"):
+            earliest = max(earliest, event.value) if event.when == "time" else earliest + event.value
+        if earliest > limit:
+            ends = f"the run ends before, at march.limit_s = {scene.march.limit_s:g}"
+            yield f"events.{number} comes at {earliest:g} s or later: {ends}"
+            return
+
+
 def narrow_cell(case: Any) -> Iterator[str]:
     """A caution where a plane cell of a laboratory is too narrow for its test of internal friction."""
     if isinstance(case, DiscCase) and case.config.cell_grains < max(LEAST_WIDTH, HEIGHTS * case.config.height_grains):

@@ -1,10 +1,16 @@
 """Lines that tell a scene's contacts: the laws and their coefficients, those of contacts that differ one by one."""
 
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from math import hypot, sqrt
 
 from silostudy.dem.contacts import Contact
+from silostudy.dem.impact import restitutions
 from silostudy.dem.model import Model
 from silostudy.dem.varied import Varied
+from silostudy.tables.constants import ROUNDED_GRAVITY
+
+FINE = 32.0  # steps in one, for an impact without its error
 
 
 def coefficient_lines(model: Model, kinds: Sequence[str] = ()) -> list[str]:
@@ -17,6 +23,21 @@ def coefficient_lines(model: Model, kinds: Sequence[str] = ()) -> list[str]:
     for kind in range(model.kinds):
         prefix = f"{kinds[kind]} at " if many else ""
         lines += [line(prefix + ", ".join(walls), contact) for walls, contact in by_contact(model, kind)]
+    return lines
+
+
+def impact_lines(model: Model, kinds: Sequence[str] = ()) -> list[str]:
+    """Lines on what the step makes of a restitution: least and largest of head-on impacts, by where in a step they begin."""
+    speed = sqrt(2.0 * (hypot(*model.gravity) or ROUNDED_GRAVITY) * 2.0 * float(model.radius.min()))
+    lines = []
+    for kind in range(model.kinds):
+        if model.between(kind, kind).laws.cohesion.acts:
+            continue  # what clings does not come apart at every speed
+        least, most = (of(restitutions(model, speed, kind)) for of in (min, max))
+        fine = float(restitutions(replace(model, dt=model.dt / FINE), speed, kind).mean())
+        name = f"{kinds[kind]} on {kinds[kind]}" if model.kinds > 1 else f"two {model.space.body}s"
+        told = f"restitution of {name} that meet at {speed:.2g} m/s, after a fall of a diameter"
+        lines.append(f"{told}: {least:.3f} to {most:.3f} at this step, {fine:.3f} at a fine one")
     return lines
 
 

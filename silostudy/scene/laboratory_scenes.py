@@ -14,6 +14,7 @@ from silostudy.config.elastic import TouchConfig
 from silostudy.config.spheres import SphereScene
 from silostudy.contact.rolling import spring_slider
 from silostudy.scene.laboratory_cell import KPA, LOOSE, LaboratoryCase
+from silostudy.scene.outflow import beverloo
 from silostudy.scene.space_silo import FLOOR, LID, WALL
 from silostudy.scene.spheres import contacts_of
 from silostudy.tables.constants import ROUNDED_GRAVITY
@@ -26,6 +27,7 @@ HOLE = 6.0  # width of the hole that a tray is drained by, in grains
 BESIDE_HOLE = 8.0  # least width of a drained tray on each side of the hole, in grains: a slope needs room to be seen
 DRAWN_DEPTH = 0.25  # depth of the tray's filling over its width
 FLUX = 0.15  # solid fraction of the rain
+FLOW = (0.58, 1.5)  # constant and edge (grains) of Beverloo's law, about
 SETTLES = 10.0  # s: a filling comes to rest by then, or the run ends
 LATE = 5.0  # times that a test may take over what it should at most
 PRESSED = 0.5  # strain that no pressing comes to
@@ -71,7 +73,7 @@ def draining(case: LaboratoryCase) -> SphereScene:
     """Grains fill a rough tray and flow out of a hole in its floor; what stays is a crater."""
     width, hole = drained_tray(case), HOLE * case.grain
     count = round(LOOSE * 0.25 * pi * width**2 * DRAWN_DEPTH * width / case.grain_volume)
-    free = 0.58 * sqrt(ROUNDED_GRAVITY) * (hole - 1.5 * case.grain) ** 2.5  # m3/s, about, by Beverloo's law
+    free = float(beverloo(hole, case.grain, 1.0, *FLOW))  # m3/s, about
     lasts = 0.25 * pi * width**2 * DRAWN_DEPTH * width / free
     fall = sqrt(2.0 * ROUNDED_GRAVITY * DRAWN_DEPTH * width)
     across = 0.25 * pi * width**2 * fall * FLUX / case.grain_volume

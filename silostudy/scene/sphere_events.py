@@ -50,6 +50,8 @@ def _action(event: SphereEventConfig, space: SpaceSilo, mass: float) -> tuple[st
 
 def taken_away(event: SphereEventConfig, space: SpaceSilo, number: int, where: str) -> tuple[str, ...]:
     """Names of the inserts that an event takes away; BadInput for one that shares a side or an end with another surface."""
+    if not space.inserts:
+        raise BadInput(f"events.{number}.surfaces", ", ".join(event.surfaces), "the scene has no inserts to take away", where)
     names = walls_of_event(event.surfaces, [insert.name for insert in space.inserts], number, where)
     surfaces = space.walls()
     joints = [*flat_joints(surfaces), *turned_joints(surfaces)]

@@ -5,8 +5,9 @@ import pytest
 import xarray as xr
 
 from silostudy.compute.beside_around import around_mean
-from silostudy.compute.beside_flow import beverloo, in_full_flow
+from silostudy.compute.beside_flow import in_full_flow
 from silostudy.compute.beside_hopper import forces
+from silostudy.scene.outflow import beverloo
 from tests.test_compute.made_walls import GAMMA, LOADS
 from tests.test_compute.test_beside import codes_of, swept
 from tests.test_figures.small_cubes import cube_of

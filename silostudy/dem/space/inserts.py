@@ -5,6 +5,7 @@ from typing import Literal, TypeAlias
 from silostudy.catalogue import Family
 from silostudy.dem.inserts import NAME, Insert, Pair
 from silostudy.dem.space.walls import FlatPiece, TurnedLine
+from silostudy.errors import BadInput
 from silostudy.packing.family import PackingField
 
 BOTH = "both"  # sides of an insert that push
@@ -30,6 +31,8 @@ def cylinder(name: str, radius: float, heights: tuple[float, float], axis: tuple
 
 def disc(name: str, radius: float, hole: float, height: float, axis: tuple[float, float]) -> TurnedLine:
     """A level disc, or a ring about a hole; its front looks up."""
+    if not hole < radius:
+        raise BadInput(name, hole, f"the radius of its hole must be less than its own, {radius:g} m")
     return TurnedLine(name=name, start=(hole, height), end=(radius, height), axis=axis, faces=2)
 
 

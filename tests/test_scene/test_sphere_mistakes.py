@@ -1,0 +1,28 @@
+"""Mistakes in scenes of spheres that are told in one line before anything is built."""
+
+from pathlib import Path
+
+import pytest
+
+from silostudy.compute.dem import run_of, scene_model
+from silostudy.errors import BadInput
+from tests.test_spheres.small import scene_of
+
+TAKEN = [{"when": "rest", "do": "take_away", "surfaces": ["wall"]}, {"when": "after", "value": 0.1, "do": "stop"}]
+RING = {"kind": "disc", "name": "ring", "radius_m": 0.01, "hole_radius_m": 0.02, "height_m": 0.05}
+WIDE = {"silo__diameter_m": 60.0, "silo__hopper": None, "filling": {"kind": "loose", "count": 150}, "events": TAKEN[1:]}
+
+
+@pytest.mark.parametrize(
+    ("changes", "told"),
+    [
+        ({"events": TAKEN}, r"events\.0\.surfaces = 'wall': the scene has no inserts to take away"),
+        ({"inserts": [RING]}, r"the radius of its hole must be less than its own, 0\.01 m"),
+        (WIDE, r"silo = '60 m wide': at most 2e\+07 spheres have room in a layer, not 5\.1e\+07 of 8 mm"),
+    ],
+    ids=["no inserts", "hole wider than its ring", "metres for millimetres"],
+)
+def test_it_is_told(changes, told):
+    scene = scene_of(**changes)
+    with pytest.raises(BadInput, match=told):
+        run_of(scene, scene_model(scene, Path(), "small.yaml"))
