@@ -10,16 +10,12 @@ from functools import partial
 
 import numpy as np
 
-from silostudy.accuracy import fronts_packing
 from silostudy.accuracy.trial import Trial
-from silostudy.choice.fronts import rows_for
 from silostudy.choice.means import NORMAL, PRIOR, enough
 
 WAYS = ("front", "certificate", "front then certificate")
 START = 4  # fillings of a certificate that knows nothing beforehand
-DRAWS = 25  # of the runs of a silo
-ASKED = (0.012, 0.06)  # errors asked for lie between
-MADE = 400  # scenes made up
+MADE = 4000  # scenes made up
 SPREAD = 0.35  # standard deviation of the logarithm of their scatter over the expected one
 SCATTER = (0.03, 0.2)  # relative scatter of a filling lies between
 ASKED_OF_MADE = (0.01, 0.1)  # errors asked of made-up scenes lie between
@@ -29,13 +25,19 @@ Draw = Callable[[int], np.ndarray]  # count -> so many values
 
 @dataclass(frozen=True)
 class Scattered:
-    """A mean that fillings scatter about: draws of them, its right value, the scatter expected and the one there is (1)."""
+    """A mean that fillings scatter about: draws of them, its right value, the scatter expected and the one there is (1).
 
-    name: str
+    prior: fillings that the one expected counts for; first: after which it is looked at for the first time.
+    """
+
+    kind: str
+    quantity: str
     draw: Draw
     right: float
     expected: float
     scatter: float
+    prior: int = PRIOR
+    first: int = 1
 
 
 def trials_of_means(scenes: Iterator[tuple[Scattered, float]]) -> list[tuple[str, Trial]]:
@@ -46,7 +48,7 @@ def trials_of_means(scenes: Iterator[tuple[Scattered, float]]) -> list[tuple[str
         for way in WAYS:
             values = means_by(way, scene, asked)
             error = abs(values.mean() / scene.right - 1.0)
-            tried.append((way, Trial(scene.name, "mean", asked, error, len(values), least, len(values), least)))
+            tried.append((way, Trial(scene.kind, scene.quantity, asked, error, len(values), least, len(values), least)))
     return tried
 
 
@@ -55,20 +57,20 @@ def means_by(way: str, scene: Scattered, asked: float) -> np.ndarray:
     if way == "front":  # the scatter that 95 % of scenes keep
         widest = scene.expected * np.exp(1.645 * SPREAD)
         return scene.draw(max(1, int(np.ceil((NORMAL * widest / asked) ** 2))))
-    start, prior = (START, 0) if way == "certificate" else (1, PRIOR)
+    start, prior = (START, 0) if way == "certificate" else (scene.first, scene.prior)
     values = scene.draw(start)
     while (count := enough(values, asked, scene.expected, prior)) > len(values):
         values = np.concatenate([values, scene.draw(count - len(values))])
     return values
 
 
-def made_up(seed: int = 0) -> Iterator[tuple[Scattered, float]]:
+def made_up(seed: int = 0, count: int = MADE) -> Iterator[tuple[Scattered, float]]:
     """Scenes whose fillings are normal about 1, each with the error asked of it."""
     random = np.random.default_rng(seed)
-    for _ in range(MADE):
+    for _ in range(count):
         scatter, asked = (float(np.exp(random.uniform(*np.log(ends)))) for ends in (SCATTER, ASKED_OF_MADE))
         expected = scatter * float(np.exp(SPREAD * random.normal()))
-        yield Scattered("made up", partial(_normal, random, scatter), 1.0, expected, scatter), asked
+        yield Scattered("made up", "mean", partial(_normal, random, scatter), 1.0, expected, scatter), asked
 
 
 def asked_at_random(random: np.random.Generator, ends: tuple[float, float], count: int) -> list[float]:
@@ -79,25 +81,3 @@ def asked_at_random(random: np.random.Generator, ends: tuple[float, float], coun
 
 def _normal(random: np.random.Generator, scatter: float, count: int) -> np.ndarray:
     return 1.0 + scatter * random.normal(size=count)
-
-
-def _picked(random: np.random.Generator, values: np.ndarray, count: int) -> np.ndarray:
-    return np.asarray(random.choice(values, count))
-
-
-def packings(tell: Callable[[str], None], silos: int, runs: int) -> Iterator[tuple[Scattered, float]]:
-    """Silos of discs that the front was not measured on, with runs of theirs to draw from; several errors asked of each."""
-    random = np.random.default_rng(2)
-    (row,) = (row for row in rows_for(["packing"], ["rest_side_share"]) if row.given["runs"] == runs_of_front())
-    for silo in fronts_packing.silos(1, silos, (7, 13)):
-        shares, _ = fronts_packing.shares(silo, range(runs))
-        expected = row.error * silo.number * row.given["runs"] ** 0.5 / NORMAL
-        scatter = float(shares.std(ddof=1) / shares.mean())
-        tell(f"packing: {runs} runs scatter by {scatter:.1%}, expected {expected:.1%}")
-        for asked in asked_at_random(random, ASKED, DRAWS):
-            yield Scattered("packing", partial(_picked, random, shares), float(shares.mean()), expected, scatter), asked
-
-
-def runs_of_front() -> int:
-    """The largest number of runs that the front of packings was measured for: means of so many are nearly normal."""
-    return max(row.given["runs"] for row in rows_for(["packing"], ["rest_side_share"]))

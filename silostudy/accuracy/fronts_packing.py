@@ -1,20 +1,24 @@
 """The front of packing studies: how many runs the mean share of the weight on a side wall needs.
 
 Discs of the source's 17/18 packing, laid with the offsets of a packing study and brought to rest.  A mean has no other error
-than what its runs scatter: that is measured, and means of so many runs are drawn from it.  Trials hold means of other silos'
-runs against many more.
+than what its runs scatter: that is measured, and means of so many runs are drawn from it.  Trials draw runs of other silos,
+as many as a study would add, and hold their mean against that of many more.
 """
 
 import time
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
+from functools import partial
 
 import numpy as np
 
+from silostudy.accuracy.certificates import WAYS, Scattered, asked_at_random, trials_of_means
 from silostudy.accuracy.silo import contact_of_discs, contact_with_walls, silo_of_rows, wall_force
 from silostudy.accuracy.trial import Trial, front_row
 from silostudy.choice.choose import choose
 from silostudy.choice.packing import friction_scatter
+from silostudy.compute.packing import FIRST, PRIOR, scatter_of
+from silostudy.compute.packing import SHARE as SHARE_ASKED
 from silostudy.dem.engine import Engine
 from silostudy.dem.model import Model
 from silostudy.dem.stability import chosen_step
@@ -30,8 +34,8 @@ MEASURED = 20  # silos that the front is measured on
 SPREAD = 48  # runs of each
 DRAWN = 4000  # means drawn of them
 UNSEEN = 8  # other silos
-AGAINST = 192  # runs behind their right value
-TRIED = 128  # runs in the means that are tried
+POOL = 320  # runs of each that means are drawn from
+DRAWS = 25  # means of each
 SHARE = 0.95  # of means that must meet an error
 ASKED = (0.012, 0.06)  # errors asked for lie between
 SOURCE = "kiyama_fujimura_1983"
@@ -115,19 +119,24 @@ def _rounded(span: tuple[float, float]) -> tuple[float, float]:
     return float(f"{span[0]:.3g}"), float(f"{span[1]:.3g}")
 
 
-def trials(tell: Callable[[str], None], count: int = UNSEEN) -> list[Trial]:
-    """Means of runs of other silos; so many would have met it of which 19 in 20 means do."""
-    tried, random = [], np.random.default_rng(2)
+def trials(tell: Callable[[str], None], count: int = UNSEEN, runs: int = POOL) -> list[Trial]:
+    """Runs of other silos, added until they show that their mean keeps what was asked, as a study adds them."""
+    return [trial for way, trial in trials_of_means(packings(tell, count, runs)) if way == WAYS[-1]]
+
+
+def packings(tell: Callable[[str], None], count: int, runs: int) -> Iterator[tuple[Scattered, float]]:
+    """Silos that the front was not measured on, with runs of theirs to draw from; several errors asked of each."""
+    random = np.random.default_rng(2)
     for silo in silos(1, count, (7, 13)):
-        right, _ = shares(silo, range(10_000, 10_000 + AGAINST))
-        runs, cost = shares(silo, range(TRIED))
-        least = np.quantile(drawn(np.concatenate([right, runs]), random), SHARE, axis=1)
-        for asked in np.exp(np.log(ASKED[0]) + np.log(ASKED[1] / ASKED[0]) * random.random(4)).tolist():
-            chosen = choose(["packing"], {"rest_side_share": asked}, [silo.traits]).settings["runs"]
-            enough = RUNS[int(np.argmax(least <= asked))]
-            means = runs[: TRIED // chosen * chosen].reshape(-1, chosen).mean(axis=1)
-            for wrong in np.abs(means / right.mean() - 1.0):
-                tried.append(Trial("packing", "rest_side_share", asked, float(wrong), chosen * cost, enough * cost,
-                                   chosen, enough))  # fmt: skip
-        tell(f"rest_side_share: {sum(result.met for result in tried)} of {len(tried)} means met")
-    return tried
+        pool, _ = shares(silo, range(runs))
+        scatter = float(pool.std(ddof=1) / pool.mean())
+        tell(f"{SHARE_ASKED}: {runs} runs scatter by {scatter:.1%}")
+        for asked in asked_at_random(random, ASKED, DRAWS):
+            choice = choose(["packing"], {SHARE_ASKED: asked}, [silo.traits])
+            expected = scatter_of(choice.expected[SHARE_ASKED], choice.settings["runs"])
+            draw = partial(_picked, random, pool)
+            yield Scattered("packing", SHARE_ASKED, draw, float(pool.mean()), expected, scatter, PRIOR, FIRST), asked
+
+
+def _picked(random: np.random.Generator, values: np.ndarray, count: int) -> np.ndarray:
+    return np.asarray(random.choice(values, count))

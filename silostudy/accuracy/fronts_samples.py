@@ -3,25 +3,28 @@
 Reference: the distribution function by Gauss quadrature over friction and lateral ratio, exact in the unit weight.
 """
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 from scipy.optimize import brentq
-from scipy.stats import qmc
 
+from silostudy.accuracy.certificates import asked_at_random
 from silostudy.accuracy.trial import Trial, cpu_seconds, front_row
 from silostudy.choice.choose import choose
 from silostudy.choice.pressure import spread_number
+from silostudy.compute.uncertainty import sequence
 from silostudy.pressure import janssen
 from silostudy.pressure.calls import call
 
-POWERS = tuple(range(6, 17))
+POWERS = tuple(power / 2 for power in range(12, 33))  # each sample 1.41 times the one before
+COUNTS = tuple(round(2**power) for power in POWERS)
 MEASURED = 30  # solids
 UNSEEN = 40  # other solids
 SEEDS = 20  # sequences for each
 SHARE = 0.95  # of sequences that must meet an error
-KEPT = 0.95  # share of all errors measured, over solids and sequences, that a row keeps
+KEPT = 0.9  # share of all errors measured, over solids and sequences, that a row keeps; a larger sample is chosen
+ASKS = 10  # errors asked of each of the others
 LEVELS = 25  # depths of the wall whose quantiles count, the worst of them
 ABOVE = 0.1  # first of these depths over the last
 ASKED = (1e-3, 0.05)
@@ -65,12 +68,17 @@ def solids(seed: int, count: int, widest: float) -> Iterator[Solid]:
         yield Solid(means, random.uniform(2.0, 40.0), *spreads)
 
 
-def sampled(solid: Solid, power: int, seed: int) -> np.ndarray:
-    """Quantiles (Pa) as the uncertainty stage samples them: friction and ratio log-uniform, unit weight uniform."""
-    points = qmc.Sobol(3, rng=seed).random_base2(power)
+def sampled(solid: Solid, count: int, seed: int) -> np.ndarray:
+    """Pressures (Pa) as the uncertainty stage samples them: friction and ratio log-uniform, unit weight uniform."""
+    points = sequence(3, count, seed)
     friction, ratio = (spread ** (2.0 * points[:, k] - 1.0) for k, spread in enumerate((solid.a_mu, solid.a_K)))
     weight = solid.lightest + (1.0 - solid.lightest) * points[:, 2]
-    return np.quantile(solid.pressure(solid.depths[:, None], friction, ratio, weight), SHARE, axis=1)
+    return solid.pressure(solid.depths[:, None], friction, ratio, weight)
+
+
+def quantiles(pressures: np.ndarray, counts: Sequence[int]) -> np.ndarray:
+    """Their quantiles (Pa) by so many of the samples: (count, depth)."""
+    return np.array([np.quantile(pressures[:, :count], SHARE, axis=1) for count in counts])
 
 
 def exact(solid: Solid) -> np.ndarray:
@@ -96,13 +104,14 @@ def _quantile(heaviest: np.ndarray, lightest: float) -> float:
 def errors(solid: Solid, first: int) -> np.ndarray:
     """Largest relative error over the depths with every sample size and sequence: (power, sequence)."""
     right = exact(solid)
-    quantiles = [[sampled(solid, power, first + seed) for seed in range(SEEDS)] for power in POWERS]
-    return np.abs(np.array(quantiles) / right - 1.0).max(axis=-1)
+    by_sequence = [quantiles(sampled(solid, COUNTS[-1], first + seed), COUNTS) for seed in range(SEEDS)]
+    return np.abs(np.array(by_sequence) / right - 1.0).max(axis=-1).T
 
 
 def costs(solid: Solid) -> np.ndarray:
-    """CPU seconds of every sample size."""
-    return np.array([cpu_seconds(lambda power=power: sampled(solid, power, 1)) for power in POWERS])  # type: ignore[misc]
+    """CPU seconds of every sample size; a larger one never costs less, what says otherwise is noise."""
+    spent = [cpu_seconds(lambda count=count: quantiles(sampled(solid, count, 1), [count])) for count in COUNTS]  # type: ignore[misc]
+    return np.maximum.accumulate(spent)
 
 
 def measured_fronts(tell: Callable[[str], None]) -> list[dict]:
@@ -124,15 +133,14 @@ def trials(tell: Callable[[str], None], count: int = UNSEEN) -> list[Trial]:
     tried, random = [], np.random.default_rng(2)
     spent = costs(next(iter(solids(0, 1, 1.5))))
     for solid in solids(1, count, 1.4):
-        asked = float(np.exp(random.uniform(*np.log(ASKED))))
-        power = choose(["pressure"], {"pressure_quantile": asked}, [{"scatter": solid.scatter}]).settings[
-            "uncertainty.log2_samples"
-        ]
         wrong = errors(solid, 2000)
-        k, enough = POWERS.index(power), int(np.argmax(np.quantile(wrong, SHARE, axis=1) <= asked))
-        tried += [
-            Trial("pressure", "pressure_quantile", asked, result, spent[k], spent[enough], 2.0**power, 2.0 ** POWERS[enough])
-            for result in wrong[k]
-        ]
+        lasting = np.quantile(wrong, SHARE, axis=1)
+        for asked in asked_at_random(random, ASKED, ASKS):
+            chosen = choose(["pressure"], {"pressure_quantile": asked}, [{"scatter": solid.scatter}]).settings
+            k, enough = POWERS.index(chosen["uncertainty.log2_samples"]), int(np.argmax(lasting <= asked))
+            tried += [
+                Trial("pressure", "pressure_quantile", asked, result, spent[k], spent[enough], COUNTS[k], COUNTS[enough])
+                for result in wrong[k]
+            ]
     tell(f"pressure_quantile: {sum(result.met for result in tried)} of {len(tried)} met")
     return tried

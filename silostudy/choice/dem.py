@@ -1,7 +1,7 @@
 """A discrete-element scene that asks for an accuracy: what the error of its wall forces hangs on, and which may ask."""
 
 from collections.abc import Iterator, Sequence
-from math import pi, sqrt
+from math import inf, pi, sqrt
 from pathlib import Path
 
 from silostudy.choice.promise import Choice
@@ -38,7 +38,8 @@ def dem_traits(asking: DemScene, scenes: Sequence[DemScene]) -> list[dict[str, f
 def scene_traits(scene: DemScene) -> dict[str, float]:
     """The dynamics before rest, and the contacts (1); BadInput for a scene of a kind that was not measured.
 
-    fall: gap over the overlap that a disc's weight makes, times the root of the layers of discs.
+    fall: gap over the overlap that a disc's weight makes, times the root of the layers of discs.  The errors go with
+    restlessness; the others say which scenes were measured.
     """
     walls = scene.walls or scene.discs
     for key, value, measured in _kinds(scene, walls):
@@ -48,15 +49,26 @@ def scene_traits(scene: DemScene) -> dict[str, float]:
     assert walls.normal_stiffness_N_m2 is not None
     stiffness, mass = scene.discs.normal_stiffness_N_m2, scene.density_kg_m3 * pi * scene.radius_m**2
     gap = scene.packing.gap_m * stiffness / (-scene.gravity_m_s2[1] * mass)
+    fall = gap * sqrt(0.5 * scene.packing.fill_height_m / scene.radius_m)
     direct, ratio = scene.discs.normal_damping_N_s_m2, _ratio(scene.discs)
+    damping = direct / (2.0 * sqrt(mass * stiffness)) if direct is not None else ratio
     return {
-        "fall": gap * sqrt(0.5 * scene.packing.fill_height_m / scene.radius_m),
-        "damping_ratio": direct / (2.0 * sqrt(mass * stiffness)) if direct is not None else ratio,
+        "fall": fall,
+        "restlessness": restlessness(fall, damping, walls.sliding_friction),
+        "damping_ratio": damping,
         "wall_stiffness_ratio": walls.normal_stiffness_N_m2 / stiffness,
         "stiffness_ratio": scene.discs.stiffness_ratio,
         "disc_friction": scene.discs.sliding_friction,
         "wall_friction": walls.sliding_friction,
     }
+
+
+def restlessness(fall: float, damping_ratio: float, wall_friction: float) -> float:
+    """Trait (1) that the errors of wall forces go with; infinite without damping.
+
+    Powers of the three traits that errors of 32 silos, each at 15 steps, were seen to go with.
+    """
+    return fall**0.87 * wall_friction**0.25 / damping_ratio**0.7 if damping_ratio else inf
 
 
 def _ratio(discs: ContactConfig) -> float:

@@ -7,6 +7,8 @@ from silostudy.scene.seismic import Shaken
 from silostudy.seismic.added_mass import mass_ratio, volume_ratio
 from silostudy.seismic.beam import Tube
 
+POWER = 3.5  # of the step, that errors go with where amplitudes are interpolated between candidates: measured
+
 
 def seismic_traits(study: SeismicStudy, scenes: Sequence[Shaken]) -> list[dict[str, float]]:
     """Number that the error of the identified coefficient goes with, of each scene; 0 where none is sought."""
@@ -21,7 +23,7 @@ def seismic_traits(study: SeismicStudy, scenes: Sequence[Shaken]) -> list[dict[s
 
 
 def valley_number(tube: Tube, damping_ratio: float, step: float, coefficient: float) -> float:
-    """Square of the candidates' step over the valley's width and over the coefficient (1).
+    """Candidates' step over the valley's width to the power of POWER, times that width over the coefficient (1).
 
     The valley of the likeness index is as wide as the coefficient must change to move the first frequency by its half-power
     width: 2 zeta (1 + m C) / m with the mass ratio m of contents and wall.
@@ -29,4 +31,4 @@ def valley_number(tube: Tube, damping_ratio: float, step: float, coefficient: fl
     volumes = volume_ratio(radius=tube.radius, thickness=tube.thickness)
     ratio = mass_ratio(volume_ratio=volumes, wall_density=tube.wall_density, contents_density=tube.contents_density)
     width = 2.0 * damping_ratio * (1.0 + ratio * coefficient) / ratio
-    return step**2 / (width * max(coefficient, step))
+    return (step / width) ** POWER * width / max(coefficient, step)

@@ -10,7 +10,8 @@ def run(chosen) -> None:
     import pandas as pd
 
     from silostudy.accuracy.certificate_of_step import trials_of_step
-    from silostudy.accuracy.certificates import made_up, packings, trials_of_means
+    from silostudy.accuracy.certificates import made_up, trials_of_means
+    from silostudy.accuracy.fronts_packing import packings
     from silostudy.figures.style import save_table
 
     def tell(text: str) -> None:

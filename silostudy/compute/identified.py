@@ -84,7 +84,7 @@ def _answers(bank: identify.Bank, measured: np.ndarray, refinement: int, random:
     amplitude, phase = amplitude_error(bank.known, wanted), phase_error(bank.known, wanted)
     fine, coarse = question.coefficients, question.coefficients[::refinement]
     answers = [
-        *(identify.vertex(amplitude, fine), identify.least(amplitude[::refinement], coarse)),
+        *(identify.between(bank.known, wanted, fine), identify.least(amplitude[::refinement], coarse)),
         *(identify.vertex(phase, fine), identify.least(phase[::refinement], coarse)),
     ]
     estimate = identify.estimate(bank, wanted, random)

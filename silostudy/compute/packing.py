@@ -19,6 +19,7 @@ from silostudy.scene.packing import LAYERS
 
 SHARE = "rest_side_share"  # the quantity that an accuracy may be asked of
 FIRST = 2  # runs beside the ideal start after which their scatter is looked at
+PRIOR = 15  # runs that the front's scatter counts for: that of the silos it was measured on differed by 18 % from it
 SOURCES = ("kiyama_fujimura_1983", "silo_handbook")
 
 
@@ -48,11 +49,16 @@ def _add_runs(expansion: Resolved, runs: list[list[dict]], count: int, tell: Cal
         of_case += [fresh[case, run] for run in range(len(of_case), count + 1)]
 
 
-def _asked(expansion: Resolved, runs: list[list[dict]]) -> list[tuple[np.ndarray, float, float]]:
-    """Values of the asked share of every case's runs, with the error asked for and the scatter that the front expects."""
+def _asked(expansion: Resolved, runs: list[list[dict]]) -> list[tuple[np.ndarray, float, float, int]]:
+    """Values of the asked share of every case's runs, the error asked for, the scatter that the front expects, its weight."""
     (choice,) = expansion.choices
-    scatter = choice.expected[SHARE] * expansion.study.runs**0.5 / NORMAL
-    return [(np.array([run[SHARE] for run in of_case[1:]]), choice.asked[SHARE], scatter) for of_case in runs]
+    scatter = scatter_of(choice.expected[SHARE], expansion.study.runs)
+    return [(np.array([run[SHARE] for run in of_case[1:]]), choice.asked[SHARE], scatter, PRIOR) for of_case in runs]
+
+
+def scatter_of(error: float, runs: int) -> float:
+    """Relative standard deviation (1) of a run where 95 % of the means of so many keep an error (1)."""
+    return error * runs**0.5 / NORMAL
 
 
 def _certificate(expansion: Resolved, runs: list[list[dict]]) -> dict[str, str]:
@@ -60,7 +66,7 @@ def _certificate(expansion: Resolved, runs: list[list[dict]]) -> dict[str, str]:
     if not expansion.choices:
         return {}
     cases = _asked(expansion, runs)
-    bound, asked = max(mean_bound(values, scatter) for values, _, scatter in cases), cases[0][1]
+    bound, asked = max(mean_bound(values, scatter, prior) for values, _, scatter, prior in cases), cases[0][1]
     told = f"{SHARE}: asked {asked:.3g}, {len(runs[0]) - 1} runs keep {bound:.3g} in 95 % of such means"
     return {"certificate": told if bound <= asked else f"{told}: NOT MET, {MOST} runs at most"}
 

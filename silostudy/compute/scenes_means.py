@@ -1,8 +1,8 @@
 """The mean over as many fillings of a scene as the accuracy needs that is asked of it, with what the runs tell of its error.
 
-One filling is computed, then as many as the scatter asks for by what is known of it, at most twice as many each time.  A few
-are computed at half the time step too: where the mean changes there by more than was asked, and by more than chance, half the
-step is taken.
+One filling is computed, then one or a tenth more at a time until the scatter, by what is known of it, allows what was asked.
+A few are computed at half the time step too: where the mean changes there by more than was asked, and by more than chance,
+half the step is taken.
 """
 
 import time

@@ -6,10 +6,11 @@ independent.  The conversion factors themselves are set to 1, so that a code's o
 """
 
 from collections.abc import Callable, Mapping
+from math import ceil, log2
 
 import numpy as np
 import xarray as xr
-from scipy.stats import qmc, sobol_indices, uniform
+from scipy.stats import qmc
 
 from silostudy.choice.expand import Resolved
 from silostudy.compute.evaluate import AskedMethod, gather, method_coordinates, methods_of, sources_of, with_reasons
@@ -31,25 +32,25 @@ def uncertainty_cube(expansion: Resolved) -> xr.Dataset:
     """
     methods, phases = methods_of(expansion), expansion.study.phases
     z, asked = depths_in_metres(expansion), expansion.study.uncertainty
-    points = qmc.Sobol(len(SAMPLED), rng=asked.seed).random_base2(asked.log2_samples)
+    points = sequence(len(SAMPLED), asked.samples, asked.seed)
     quantiles = np.full((len(methods), len(phases), len(QUANTILES), z.size), np.nan)
     scopes = np.full(quantiles.shape, NO_PHASE, dtype=np.int8)
-    indices = np.full((2, len(methods), len(phases), len(SAMPLED)), np.nan)
+    sobol = np.full((2, len(methods), len(phases), len(SAMPLED)), np.nan)
     for m, method in enumerate(methods):
         for p, phase in enumerate(phases):
             if not method.functions(phase):
                 continue
-            pressure = _pressure_of(expansion, method, phase, z)
+            pressure = pressure_of(expansion, method, phase, z)
             sample, scope = pressure(points)
             scopes[m, p] = scope.max(axis=0)
             whole = scope.max(axis=0) == IN_SCOPE
             quantiles[m, p][:, whole] = np.quantile(sample[:, whole], QUANTILES, axis=0)
             if whole.any():
-                indices[:, m, p] = _indices(pressure, whole, asked)
-    return _assemble(expansion, methods, {QUANTILE: quantiles} | with_reasons({QUANTILE: scopes}), indices)
+                sobol[:, m, p] = indices(pressure, whole, asked)
+    return _assemble(expansion, methods, {QUANTILE: quantiles} | with_reasons({QUANTILE: scopes}), sobol)
 
 
-def _pressure_of(expansion: Resolved, method: AskedMethod, phase: str, z: np.ndarray) -> Callable:
+def pressure_of(expansion: Resolved, method: AskedMethod, phase: str, z: np.ndarray) -> Callable:
     """Wall pressure (Pa) and its scope, shape (samples, depths), as a function of points (samples, properties) in [0, 1]."""
     parameters, base = gather(expansion, method), spreads(expansion)
 
@@ -82,24 +83,31 @@ def scattered(parameters: Mapping, base: Mapping, points: np.ndarray) -> dict[st
     return changed
 
 
-def _indices(pressure: Callable, whole: np.ndarray, asked) -> np.ndarray:
+def indices(pressure: Callable, whole: np.ndarray, asked) -> np.ndarray:
     """First-order and total Sobol indices (1) of the largest wall pressure, by Saltelli's estimator with the study's seed."""
+    count = len(SAMPLED)
+    points = sequence(2 * count, asked.samples, np.random.default_rng(asked.seed))
+    first, second = points[:, :count], points[:, count:]
+    mixed = [np.where(np.arange(count) == k, second, first) for k in range(count)]
+    here, there, *changed = (pressure(points)[0][:, whole].max(axis=1) for points in (first, second, *mixed))
+    both = np.array([here, there])
+    with np.errstate(invalid="ignore", divide="ignore"):  # of a pressure that does not scatter
+        shares = np.array([[np.mean((there - both.mean()) * (other - here)), 0.5 * np.mean((here - other) ** 2)]
+                           for other in changed]) / both.var()  # fmt: skip
+    return np.nan_to_num(shares.T)
 
-    def largest(points):
-        return np.max(pressure(points.T)[0][:, whole], axis=1)
 
-    indices = sobol_indices(
-        func=largest, n=2**asked.log2_samples, dists=[uniform()] * len(SAMPLED), rng=np.random.default_rng(asked.seed)
-    )
-    return np.array([indices.first_order, indices.total_order])
+def sequence(dimensions: int, count: int, seed: int | np.random.Generator) -> np.ndarray:
+    """The first points of a scrambled Sobol sequence in the unit cube: (count, dimensions)."""
+    return qmc.Sobol(dimensions, rng=seed).random_base2(ceil(log2(count)))[:count]
 
 
-def _assemble(expansion: Resolved, methods: list[AskedMethod], quantiles: Mapping, indices: np.ndarray) -> xr.Dataset:
+def _assemble(expansion: Resolved, methods: list[AskedMethod], quantiles: Mapping, sobol: np.ndarray) -> xr.Dataset:
     study = expansion.study
     data = {
         **quantiles,
-        "sobol_first": indices[0],
-        "sobol_total": indices[1],
+        "sobol_first": sobol[0],
+        "sobol_total": sobol[1],
         "cylinder_depth": expansion.cases[0].scene.silo.cylinder_depth,
         **method_coordinates(methods),
         "phase": list(study.phases),

@@ -27,8 +27,16 @@ PhaseKey: TypeAlias = Literal[PHASES]  # type: ignore[valid-type]
 class Uncertainty(Strict):
     """Scatter of the stored solid, sampled: mean times or over the solid's a_phi, a_K, a_mu, and its unit weights."""
 
-    log2_samples: int | None = described("sample size as a power of two; null: for the accuracy", ge=6, le=16, default=10)
+    log2_samples: float | None = described(
+        "sample size as a power of two, whole or not; null: for the accuracy", ge=6, le=16, default=10
+    )
     seed: int = described("seed of the quasi-random sequence: the same seed gives the same numbers", ge=0, default=1)
+
+    @property
+    def samples(self) -> int:
+        """Sample size."""
+        assert self.log2_samples is not None, "uncertainty.log2_samples is not chosen yet"
+        return round(2**self.log2_samples)
 
 
 class Loads(Strict):

@@ -1,6 +1,7 @@
 """The effective mass coefficient that makes the beam answer like a measured response, and how sure it is."""
 
 from dataclasses import dataclass, replace
+from functools import cache
 
 import numpy as np
 from scipy.optimize import brentq
@@ -13,6 +14,8 @@ from silostudy.seismic.response import absolute_acceleration
 
 BAND_SHIFT = 0.2  # how far each end of the band is moved inward to see what the band does
 REPLICATES = 40  # noisy copies behind the noise's share
+THROUGH = 5  # candidates that an amplitude is interpolated through
+PARTS = 16  # of a step between candidates: where it is interpolated
 CONTRIBUTIONS = ("noise", "damping", "stiffness", "band", "step")
 
 
@@ -108,6 +111,29 @@ def vertex(values: np.ndarray, coefficients: np.ndarray) -> float:
     return float(coefficients[place] + (step * (before - after) / (2 * slope) if slope > 0 else 0.0))
 
 
+def between(computed: np.ndarray, measured: np.ndarray, coefficients: np.ndarray) -> float:
+    """Coefficient (1) of the least E_A between equally spaced candidates; at either end of them it is the end.
+
+    computed, measured: transforms, of every candidate and of the response.  An amplitude changes smoothly with the
+    coefficient, the index does not: so the amplitudes are interpolated, by a polynomial through the candidates around.
+    """
+    place = int(np.argmin(amplitude_error(computed, measured)))
+    if place in (0, len(coefficients) - 1):
+        return float(coefficients[place])
+    count = min(THROUGH, len(coefficients))
+    first = min(max(place - count // 2, 0), len(coefficients) - count)
+    amplitudes = _polynomial(count, place - first) @ np.abs(computed[first : first + count])
+    near = np.linspace(coefficients[place - 1], coefficients[place + 1], 2 * PARTS + 1)
+    return vertex(amplitude_error(amplitudes, measured), near)
+
+
+@cache
+def _polynomial(count: int, place: int) -> np.ndarray:
+    """Weights (1) of values at 0, 1, ... in their polynomial, at the parts from one before a place to one after it."""
+    near = np.linspace(place - 1.0, place + 1.0, 2 * PARTS + 1)
+    return np.vander(near, count) @ np.linalg.inv(np.vander(np.arange(float(count))))
+
+
 def end_of(answer: float, coefficients: np.ndarray) -> int:
     """Sign -1 or 1 of an answer that is the lowest or the highest of the candidates, beyond which the truth may lie; else 0."""
     return int(answer >= coefficients[-1]) - int(answer <= coefficients[0])
@@ -138,7 +164,7 @@ def estimate(bank: Bank, measured: np.ndarray, random: np.random.Generator) -> E
 
 
 def _by_amplitude(bank: Bank, measured: np.ndarray, computed: np.ndarray, inside: slice | np.ndarray = slice(None)) -> float:
-    return vertex(amplitude_error(computed[:, inside], measured[inside]), bank.question.coefficients)
+    return between(computed[:, inside], measured[inside], bank.question.coefficients)
 
 
 def _noise(bank: Bank, measured: np.ndarray, coefficient: float, random: np.random.Generator) -> float:

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from silostudy.accuracy.certificates import made_up, trials_of_means
+from silostudy.accuracy.certificates import WAYS, made_up, trials_of_means
 from silostudy.choice.means import MOST, enough, mean_bound
 
 
@@ -28,21 +28,22 @@ def test_95_percent_of_means_keep_their_bound():
     assert 0.94 < np.mean(kept) < 0.985
 
 
-def test_no_more_than_twice_as_many_and_none_where_it_is_met():
+def test_a_tenth_more_at_a_time_and_none_where_it_is_met():
     values = np.array([0.8, 1.2, 0.9, 1.1])
-    assert enough(values, 1e-3, 0.2) == 8
+    assert enough(values, 1e-3, 0.2) == 5
     assert enough(values, 0.9, 0.2) == 4
-    assert 4 < enough(values, 0.95 * mean_bound(values, 0.2), 0.2) <= 5
+    assert enough(np.tile(values, 10), 1e-3, 0.2) == 44
+    assert enough(np.tile(values, 10), 0.98 * mean_bound(np.tile(values, 10), 0.2), 0.2) == 42  # by 1 / 0.98^2
     assert enough(np.tile(values, MOST // 4), 1e-6, 0.2) == MOST
 
 
 def test_front_then_certificate_is_the_cheapest_way_that_keeps_what_is_asked():
-    """Of 400 scenes made up: each way keeps 95 %, and the shipped one costs the least."""
-    tried = trials_of_means(made_up())
+    """Of 1000 scenes made up: the shipped way keeps as much as runs that know nothing beforehand, and costs the least."""
+    tried = trials_of_means(made_up(seed=2, count=1000))
     met, cost = {}, {}
-    for way in ("front", "certificate", "front then certificate"):
+    for way in WAYS:
         trials = [trial for name, trial in tried if name == way]
         met[way] = np.mean([trial.met for trial in trials])
         cost[way] = np.mean([trial.cost / trial.cheapest <= 1.5 for trial in trials])
-    assert min(met.values()) > 0.94
-    assert cost["front then certificate"] > max(0.8, cost["certificate"] + 0.05, cost["front"] + 0.3)
+    assert min(met.values()) > 0.93
+    assert cost["front then certificate"] > max(0.87, cost["certificate"] + 0.05, cost["front"] + 0.3)

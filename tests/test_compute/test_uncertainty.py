@@ -4,8 +4,11 @@ import copy
 
 import numpy as np
 import pytest
+from scipy.stats import sobol_indices, uniform
 
-from silostudy.compute.uncertainty import SAMPLED, scattered, spreads, uncertainty_cube
+from silostudy.compute.evaluate import methods_of
+from silostudy.compute.pressure import depths_in_metres
+from silostudy.compute.uncertainty import SAMPLED, indices, pressure_of, scattered, sequence, spreads, uncertainty_cube
 from silostudy.config.load import study_of
 from silostudy.errors import BadInput
 from silostudy.figures.uncertainty_bands import missing
@@ -26,6 +29,23 @@ def test_same_seed_same_numbers(sampled):
     sampled["uncertainty"]["seed"] = 6
     other = uncertainty_cube(expanded(sampled))
     assert not np.array_equal(first["sobol_first"].values, other["sobol_first"].values)
+
+
+@pytest.mark.parametrize(("log2", "count"), [(9, 512), (9.5, 724)])
+def test_indices_of_any_sample_size_are_scipy_s(sampled, log2, count):
+    """By scipy's own estimator from 8192 other points; each column is drawn from the sequence's first points."""
+    expansion = expanded(sampled | {"uncertainty": {"log2_samples": log2, "seed": 5}})
+    assert expansion.study.uncertainty.samples == count
+    assert np.array_equal(sequence(3, count, 5), sequence(3, 1024, 5)[:count])
+    (method,) = methods_of(expansion)
+    pressure = pressure_of(expansion, method, "filling", depths_in_metres(expansion))
+    whole = np.array([True, True])
+    right = sobol_indices(
+        func=lambda points: pressure(points.T)[0].max(axis=1), n=8192, dists=[uniform()] * len(SAMPLED), rng=7
+    )
+    found = indices(pressure, whole, expansion.study.uncertainty)
+    assert np.abs(found - np.array([right.first_order, right.total_order])).max() < 0.02
+    assert found[1].max() > 0.3
 
 
 def test_close_to_the_surface_the_pressure_is_k_gamma_z(sampled):

@@ -17,7 +17,7 @@ def asking(tmp_path):
     return expand_file(path)
 
 
-@pytest.mark.parametrize(("scatter", "least", "most"), [(0.005, 2, 10), (0.1, 40, 70)])
+@pytest.mark.parametrize(("scatter", "least", "most"), [(0.005, 2, 10), (0.1, 30, 60)])
 def test_runs_are_added_until_their_scatter_allows_it(asking, monkeypatch, scatter, least, most):
     """Runs that are made up, of which the front alone takes 16; none is computed twice."""
     ran = []

@@ -132,6 +132,26 @@ def test_vertex_of_a_v():
     assert identify.vertex(np.ones(11), grid) == 0.5
 
 
+def test_amplitudes_between_candidates_find_a_coefficient_that_the_v_alone_misses():
+    """Two bins whose amplitudes bend with the coefficient, as around a resonance, by a polynomial of degree 4."""
+    grid = np.linspace(0.5, 1.0, 6)
+
+    def amplitudes(coefficient):
+        x = np.asarray(coefficient)[..., None] - 0.7
+        return 2.0 + np.array([3.0, -4.0]) * x + np.array([9.0, 14.0]) * x**2 + np.array([20.0, -10.0]) * x**4
+
+    for truth in (0.63, 0.74, 0.86):
+        wanted = amplitudes(truth)
+        answer = identify.between(amplitudes(grid), wanted, grid)
+        v_alone = identify.vertex(amplitude_error(amplitudes(grid), wanted), grid)
+        assert abs(answer - truth) < 0.1 * abs(v_alone - truth)
+        assert abs(v_alone - truth) > 1e-3
+    for end in (0.5, 1.0):
+        assert identify.between(amplitudes(grid), amplitudes(end), grid) == end
+    three = identify.between(amplitudes(grid[:3]), amplitudes(0.61), grid[:3])
+    assert three == pytest.approx(0.61, abs=1e-2)
+
+
 def test_an_interval_that_reaches_an_end_of_the_candidates_is_open():
     grid = np.linspace(0.5, 1.0, 11)
     assert [identify.end_of(answer, grid) for answer in (0.5, 0.51, 0.99, 1.0)] == [-1, 0, 0, 1]
