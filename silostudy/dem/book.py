@@ -79,13 +79,13 @@ def springs_pass(laws):
         slid, overlap = 0.0, touch.overlap
         if slides:
             stiffness = slide_stiffness(overlap, touch, c[1])
-            slid += of_slip(less(old[0], stiffness * dt, rates[0]), new[0], stiffness)
+            slid += of_slip(old[0], less(old[0], stiffness * dt, rates[0]), new[0], stiffness)
         if rolls:
             stiffness = roll_stiffness(overlap, touch, c[2])
-            slid += of_slip(less(old[1], stiffness * dt, rates[1]), new[1], stiffness)
+            slid += of_slip(old[1], less(old[1], stiffness * dt, rates[1]), new[1], stiffness)
         if winds:
             stiffness = twist_stiffness(overlap, touch, c[4])
-            slid += of_slip(less(old[2], stiffness * dt, rates[2]), new[2], stiffness)
+            slid += of_slip(old[2], less(old[2], stiffness * dt, rates[2]), new[2], stiffness)
         return slid
 
     return held_by, slid_by

@@ -85,11 +85,12 @@ def of_spring(force, stiffness):
 
 
 @register_jitable
-def of_slip(trial, held, stiffness):
-    """Energy (J/m) that slip takes from a spring that would have held `trial` and holds `held`."""
+def of_slip(old, trial, held, stiffness):
+    """Energy (J/m) that slip takes from a spring that held `old`, would have held `trial` and holds `held`.
+
+    It is the mean force over the slip: where a dashpot under the same cap loads or frees the spring at a stroke, as at Hertz's
+    first and last touch, that is what the spring gains and loses, however short the step.
+    """
     if not stiffness > 0.0:
         return 0.0
-    left, whole = product(held, held), product(trial, trial)
-    if product(held, trial) >= 0.0 and left <= whole:
-        return product(held, less(trial, 1.0, held)) / stiffness  # the force that is left, over the slip
-    return 0.5 * (whole - left) / stiffness  # a spring that a cap on the sum has loaded at a stroke
+    return 0.5 * product(less(old, -1.0, held), less(trial, 1.0, held)) / stiffness

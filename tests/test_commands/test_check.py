@@ -100,7 +100,7 @@ def test_check_looks_at_all_that_a_project_names(capsys, tmp_path):
     out = said(capsys, "check", shipped(tmp_path, "spheres-laboratory", "silo-of-spheres-codes", "silo-of-spheres"))
     alone = said(capsys, "check", tmp_path / "config/studies/spheres-laboratory.yaml")
     assert alone in out
-    assert "6 case(s), waits for a solid that spheres-laboratory makes first" in out
+    assert "8 case(s), waits for a solid that spheres-laboratory makes first" in out
     minutes = [float(minutes) for minutes in re.findall(r"about ([0-9.]+) min of one core", out)]
     assert len(minutes) == 3
     assert minutes[-1] == pytest.approx(sum(minutes[:-1]), abs=0.1)

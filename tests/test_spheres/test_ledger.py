@@ -39,6 +39,17 @@ def test_rolling_springs_and_sizes_are_booked():
     assert abs(balance(engine.ledger.account) - start) < 1e-9 * engine.ledger.account[TURNOVER]
 
 
+def test_what_the_step_creates_among_spheres_that_lie_vanishes_with_it():
+    """Contacts open and close there, each with a dashpot that loads and frees its spring at a stroke."""
+    created, touch = [], contact(0.5, friction=0.5)
+    for finer in (1, 4, 16):
+        engine = Engine(heap(booked=True, layers=6, pair_contact=touch, wall_contact=touch, dt=1e-5 / finer))
+        engine.step_to(4000 * finer)
+        created.append(abs(engine.ledger.account[CREATED]) / engine.ledger.account[SLIDING])
+    assert created[0] < 0.05
+    assert created[2] < 0.4 * created[1] < 0.4**2 * created[0]
+
+
 @pytest.mark.parametrize("tangential", ["mindlin", "mindlin-rescaled"])
 def test_what_the_step_creates_in_an_oblique_impact_vanishes_with_it(tangential):
     touch = contact(0.6, friction=0.3, laws=Laws.of(normal="hertz", tangential=tangential))
