@@ -9,7 +9,7 @@ def levelled(z: np.ndarray, weight: np.ndarray, low: float, area: float) -> tupl
     """Height (m) of the level surface and unit weight (N/m3) of grains at heights z (m) above the transition at `low` (m).
 
     The unit weight is that of the inner part, and the surface as high as the whole weight then fills the plan's area (m2).
-    NaN of fewer than two grains above the transition.
+    NaN of fewer than two grains above the transition, and of none in the inner part, as of a single layer.
     """
     there = np.isfinite(z) & (z > low)
     z, weight = z[there], weight[there]
@@ -17,4 +17,6 @@ def levelled(z: np.ndarray, weight: np.ndarray, low: float, area: float) -> tupl
         return np.nan, np.nan
     high = INNER * (z.max() - low)
     unit_weight = float(weight[z < low + high].sum() / (high * area))
+    if not unit_weight > 0.0:
+        return np.nan, np.nan
     return low + float(weight.sum()) / (unit_weight * area), unit_weight

@@ -15,6 +15,7 @@ from silostudy.figures.style import AID
 
 WALLS = ("wall", "hopper")  # surfaces whose names begin so are walls
 EARLY = 0.25  # share of the solid: what figures call discharge ends when so much is out, since an empty bin presses on nothing
+LEVELS = 2  # heights of wall cells that the solid is to stand against at least, for a curve over depth
 EARLY_WORDS = "in discharge: until a quarter of the solid is out"
 
 
@@ -134,6 +135,21 @@ def column(cube: xr.Dataset, cells: pd.DataFrame) -> Column | None:
     carried = (shear * step)[::-1].cumsum()[::-1] / radius  # Pa, from the surface down to each cell
     vertical = unit_weight * (surface - touched["height_m"].to_numpy()) - carried
     return Column(surface, unit_weight, float(shear.sum() / normal.sum()), float(normal.sum() / vertical.sum()))
+
+
+def doubt(of: Column, cube: xr.Dataset, cells: pd.DataFrame) -> str:
+    """Reason why Janssen's curve says nothing of a column; empty where it does: too shallow, or forces no pipe has at rest."""
+    deep, half = of.surface - float(cube.attrs["transition_height_m"]), 2.0 * float(cube.attrs["hydraulic_radius_m"])
+    heights = cells["height_m"][cells["surface"].str.startswith("wall")]
+    levels = int(heights[heights < of.surface].nunique())
+    if deep < half or levels < LEVELS:
+        shallow = (
+            f"less than half a diameter, {half:.2g} m" if deep < half else f"{levels} of at least {LEVELS} levels of wall cells"
+        )
+        return f"the solid stands {deep:.2g} m deep against the upright walls, {shallow}"
+    if of.wall_friction < 0.0:
+        return f"at rest the walls press the solid down, with a friction of {of.wall_friction:.2g}"
+    return "" if of.lateral_pressure_ratio > 0.0 else f"K at rest comes out as {of.lateral_pressure_ratio:.2g}"
 
 
 def janssen(depth: np.ndarray, of: Column, hydraulic_radius: float) -> np.ndarray:

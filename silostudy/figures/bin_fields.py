@@ -1,5 +1,6 @@
 """Fields of a bin of spheres over distance from the axis and height: at rest left of the axis, in discharge right of it."""
 
+from itertools import takewhile
 from pathlib import Path
 
 import numpy as np
@@ -107,15 +108,28 @@ def _edges(middles: np.ndarray) -> np.ndarray:
 def _message(cube: xr.Dataset, cells: pd.DataFrame) -> str:
     """Message: means over the bulk between the upright walls, away from them."""
     low, half = (float(cube.attrs[name]) * CM for name in ("transition_height_m", "half_width_m"))
-    inner = (cells["height_cm"] > low) & (cells["distance_cm"] < max(half - _reach(cube), 0.5 * half))
-    parts = [part for _, part in cells[inner & cells["stress_ratio"].notna()].groupby("phase", sort=False)]
+    parts = list(takewhile(lambda part: _inside(cube, part), (part for _, part in cells.groupby("phase", sort=False))))
+    if not parts:
+        return (
+            f"All that stands between the upright walls is within {_reach(cube):.1f} cm of walls or surface, where fields fade"
+        )
+    parts = [part[(part["height_cm"] > low) & (part["distance_cm"] < half - _reach(cube))] for part in parts]
+    parts = [part[part["stress_ratio"].notna()] for part in parts]
     ratios = [np.average(part["stress_ratio"], weights=part["vertical_stress_kPa"] * part["volume_cm3"]) for part in parts]
     fractions = [np.average(part["solid_fraction"], weights=part["volume_cm3"]) for part in parts]
     ratio = "the ratio of lateral to vertical stress between the upright walls"
     if len(parts) < len(PHASES):
-        told = [f"{values[0]:.2f}" if values else "unknown" for values in (ratios, fractions)]
-        return f"At rest {ratio} is {told[0]}, the solid fraction {told[1]}"
+        return f"At rest {ratio} is {ratios[0]:.2f}, the solid fraction {fractions[0]:.2f}"
     return f"In discharge {ratio} {_went(ratios)}, the solid fraction {_went(fractions)}"
+
+
+def _inside(cube: xr.Dataset, part: pd.DataFrame) -> bool:
+    """Whether a phase has bulk between the upright walls that the kernel reaches neither walls, floor nor surface from."""
+    low, half = (float(cube.attrs[name]) * CM for name in ("transition_height_m", "half_width_m"))
+    reach, dense = _reach(cube), part["solid_fraction"] > FILLED * part["solid_fraction"].max()
+    low += 0.0 if low > 0.0 else reach  # without a hopper the floor is there
+    away = (part["distance_cm"] < half - reach) & part["height_cm"].between(low, part["height_cm"][dense].max() - reach)
+    return bool((away & part["stress_ratio"].notna()).any())
 
 
 def _went(values: list) -> str:

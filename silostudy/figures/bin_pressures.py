@@ -33,9 +33,12 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     panels[0, 0].set_ylabel("height above the outlet (m)")
     panels[0, 0].set_ylim(0.0, _loaded(cube, cells))
     figure.colorbar(mesh, ax=panels[0, : len(shown)], location="bottom", shrink=0.7, label="normal pressure (kPa)")
-    table = _profiles(panels[0, -1], cube, cells)
+    of = bins.column(cube, cells)
+    why = bins.doubt(of, cube, cells) if of else ""
+    table = _profiles(panels[0, -1], cube, cells, None if why else of)
     headline(figure, _message(cells, table))
-    foot(figure, f"{cube.attrs['title']}; {bins.EARLY_WORDS}.", handles=panels[0, -1].get_legend_handles_labels()[0])
+    left_out = f"Janssen's curve is left out: {why}." if why else ""
+    foot(figure, f"{cube.attrs['title']}; {bins.EARLY_WORDS}.", left_out, handles=panels[0, -1].get_legend_handles_labels()[0])
     save(figure, pd.concat([cells.assign(kind="cell"), table], ignore_index=True), stem)
 
 
@@ -78,8 +81,8 @@ def _transition(panel: Axes, cube: xr.Dataset) -> None:
         panel.axhline(height, color="white", linewidth=1, gid=AID)
 
 
-def _profiles(panel: Axes, cube: xr.Dataset, cells: pd.DataFrame) -> pd.DataFrame:
-    """Means over the angle, and Janssen's curve for the column as it stands; gives the numbers."""
+def _profiles(panel: Axes, cube: xr.Dataset, cells: pd.DataFrame, of: bins.Column | None) -> pd.DataFrame:
+    """Means over the angle, and Janssen's curve for a column where there is one; gives the numbers."""
     means = bins.profile(cells)
     for label, (column, style) in LINES.items():
         for number, (_, surface) in enumerate(means.groupby("surface")):
@@ -87,7 +90,7 @@ def _profiles(panel: Axes, cube: xr.Dataset, cells: pd.DataFrame) -> pd.DataFram
                 panel.plot(surface[column] / KPA, surface["height_m"], markersize=4,
                            label=label if number == 0 else "_", **style)  # fmt: skip
     tables = [means.assign(kind="mean")]
-    if of := bins.column(cube, cells):
+    if of:
         heights = np.linspace(float(cube.attrs["transition_height_m"]), of.surface, 40)
         pressure = bins.janssen(of.surface - heights, of, float(cube.attrs["hydraulic_radius_m"]))
         label = f"Janssen, with friction {of.wall_friction:.2f} and K {of.lateral_pressure_ratio:.2f} as they act at rest"

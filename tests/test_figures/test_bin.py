@@ -1,11 +1,15 @@
 """What figures make of a bin of spheres: phases, means over the angle, and Janssen's curve of the column as it stands."""
 
+from dataclasses import replace
+
 import numpy as np
 import pandas as pd
 import pytest
 import xarray as xr
 
-from silostudy.figures.bin import Column, column, in_discharge, janssen, opened_at, phases, profile
+from silostudy.cube.contents import levelled
+from silostudy.figures import bin_fields, bin_pressures
+from silostudy.figures.bin import Column, column, doubt, in_discharge, janssen, opened_at, phases, profile
 from silostudy.pressure.janssen import normal_pressure
 from tests.test_figures.small_cubes import bin_cube
 
@@ -67,3 +71,51 @@ def test_a_column_after_janssen_is_found_again():
     assert found is not None
     assert (found.surface, found.unit_weight) == pytest.approx((1.0, 8e3), rel=1e-3)
     assert (found.wall_friction, found.lateral_pressure_ratio) == pytest.approx((0.3, 0.5), rel=0.02)
+
+
+@pytest.mark.parametrize(
+    ("changes", "why"),
+    [
+        ({}, ""),
+        ({"wall_friction": 0.0}, ""),
+        ({"surface": 0.408}, "stands 0.008 m deep against the upright walls, less than half a diameter, 0.5 m"),
+        ({"wall_friction": -0.03}, "walls press the solid down, with a friction of -0.03"),
+        ({"lateral_pressure_ratio": -0.2}, "K at rest comes out as -0.2"),
+    ],
+)
+def test_a_column_that_janssen_says_nothing_of_is_doubted(changes, why):
+    heights = np.append(np.linspace(0.41, 2.0, 20), 0.405)
+    cells = pd.DataFrame({"surface": "wall", "height_m": heights})
+    cube = xr.Dataset(attrs={"transition_height_m": 0.4, "hydraulic_radius_m": 0.25})
+    found = doubt(replace(COLUMN, **changes), cube, cells)
+    assert why in found
+    assert bool(found) == bool(why)
+
+
+def test_a_single_layer_has_no_level_surface():
+    assert np.isnan(levelled(np.full(5, 0.108), np.ones(5), 0.1, 1.0)).all()
+
+
+def test_one_level_of_wall_cells_bears_no_curve():
+    cube = xr.Dataset(attrs={"transition_height_m": 0.0, "hydraulic_radius_m": 0.25})
+    cells = pd.DataFrame({"surface": "wall", "height_m": [0.7, 2.1]})
+    assert "1 of at least 2 levels of wall cells" in doubt(COLUMN, cube, cells)
+
+
+@pytest.mark.parametrize(("sign", "drawn"), [(1.0, True), (-1.0, False)])
+def test_a_doubted_curve_is_neither_drawn_nor_told(sign, drawn, tmp_path, monkeypatch):
+    cube, said = bin_cube(), []
+    cube["wall_shear_stress_mean"] = sign * cube["wall_shear_stress_mean"]
+    monkeypatch.setattr(bin_pressures, "foot", lambda figure, *remarks, handles: said.extend([*remarks, handles]))
+    bin_pressures.draw(cube, tmp_path / "bin")
+    _, left_out, handles = said
+    assert any("Janssen" in line.get_label() for line in handles) == drawn
+    assert left_out.startswith("Janssen's curve is left out: at rest the walls press") != drawn
+    assert ("janssen" in set(pd.read_csv(tmp_path / "bin.csv", comment="#")["kind"])) == drawn
+
+
+@pytest.mark.parametrize(("width", "told"), [(1.0, "the ratio of lateral to vertical stress"), (4.0, "where fields fade")])
+def test_fields_that_fade_everywhere_give_no_ratio(width, told):
+    cube = bin_cube()
+    cube.attrs["field_width_m"] *= width
+    assert told in bin_fields._message(cube, bin_fields.phases(cube))
