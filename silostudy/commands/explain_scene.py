@@ -60,8 +60,10 @@ def _of_spheres(scene, model) -> list[str]:
     """Materials, coefficients, softening, times and effects of a scene of spheres."""
     from silostudy.accuracy.prices import price_of_step
     from silostudy.accuracy.sample_of_spheres import sample
+    from silostudy.dem.explosion import Explosion
     from silostudy.dem.stability import packed_bound
     from silostudy.scene.coefficients import coefficient_lines, impact_lines
+    from silostudy.scene.notes import notes
     from silostudy.scene.spheres_about import materials, shares, softening, sphere_effects, warnings, wave_times
 
     lines = [
@@ -74,11 +76,13 @@ def _of_spheres(scene, model) -> list[str]:
         f"smallest sphere {wave_times(scene, model)}; integrator {model.integrator}"
     )
     lines += [f"  {line}" for line in impact_lines(model, tuple(scene.grain_kinds))]
-    price, memory = price_of_step(sample(model))
-    lines.append(f"  {run_cost(scene, model, price, memory)}")
+    try:
+        lines.append(f"  {run_cost(scene, model, *price_of_step(sample(model)))}")
+    except Explosion as explosion:
+        lines.append(f"  {unpriced(explosion)}")
     for effect in sphere_effects(scene):
         lines.append(f"  {effect.name:30}{'on ' if effect.on else 'off'}  {listed(effect):42}{effect.why}")
-    return lines + [f"  warning: {line}" for line in warnings(scene, model)]
+    return lines + [f"  {line}" for line in (*notes(scene, model), *(f"warning: {line}" for line in warnings(scene, model)))]
 
 
 def run_cost(scene, model, price: float, memory: float) -> str:
@@ -97,6 +101,11 @@ def run_cost(scene, model, price: float, memory: float) -> str:
     )
 
 
+def unpriced(explosion) -> str:
+    """Line in place of the cost where a sample of the grains does not come to rest."""
+    return f"warning: no cost is told, since a sample of these grains does not come to rest: {explosion}"
+
+
 def surfaces(model) -> str:
     """The names that a scene may give to its surfaces."""
     from silostudy.scene.surfaces import known_names
@@ -107,13 +116,20 @@ def surfaces(model) -> str:
 def _of_discs(scene, model) -> list[str]:
     from silostudy.accuracy.prices import prices
     from silostudy.dem.engine import Engine
+    from silostudy.dem.explosion import Explosion
     from silostudy.dem.stability import longest_step
     from silostudy.scene.coefficients import coefficient_lines, impact_lines
     from silostudy.scene.dem import effects
+    from silostudy.scene.notes import notes
 
-    whole, share = prices(model)
-    cost = run_cost(scene, model, whole / len(model.x), Engine(model).nbytes / len(model.x))
-    lines = [f"{scene.title}: {len(model.x)} discs, {whole / len(model.x) * 1e9:.1f} ns a particle-step"]
+    share: dict[str, Any] = {}
+    lines = [f"{scene.title}: {len(model.x)} discs"]
+    try:
+        whole, share = prices(model)
+        lines = [f"{lines[0]}, {whole / len(model.x) * 1e9:.1f} ns a particle-step"]
+        cost = run_cost(scene, model, whole / len(model.x), Engine(model).nbytes / len(model.x))
+    except Explosion as explosion:
+        cost = unpriced(explosion)
     lines.append(
         f"  step {model.step:.3g} s; stability bound of this start {longest_step(model):.3g} s; integrator {model.integrator}"
     )
@@ -122,7 +138,7 @@ def _of_discs(scene, model) -> list[str]:
     for effect in effects(scene):
         price = priced(share.get(effect.name))
         lines.append(f"  {effect.name:30}{'on ' if effect.on else 'off'}  {price:42}{effect.why}")
-    return lines
+    return lines + [f"  {line}" for line in notes(scene, model)]
 
 
 def listed(effect) -> str:
