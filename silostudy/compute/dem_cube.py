@@ -7,7 +7,7 @@ from silostudy.choice.promise import Choice, promises
 from silostudy.compute.expected import notes_of, verdicts
 from silostudy.compute.lid_cube import lid_arrays
 from silostudy.compute.observers import SOURCES, observed, observers_notes
-from silostudy.compute.sphere_cube import mean_outflow, opened_at, sphere_arrays, sphere_notes
+from silostudy.compute.sphere_cube import in_space, mean_outflow, opened_at, sphere_arrays, sphere_notes
 from silostudy.config.dem import DemScene
 from silostudy.config.grain_scenes import AnyScene
 from silostudy.config.spheres import SphereScene
@@ -47,7 +47,7 @@ def cube_of(run: Run, scene: AnyScene, choice: Choice | None = None) -> xr.Datas
         **observers_notes(run, scene, data),
     }
     if isinstance(scene, SphereScene):
-        notes |= sphere_notes(scene) | mean_outflow(run)
+        filled, notes = in_space(filled), notes | sphere_notes(scene) | mean_outflow(run)
     elif scene.other_grains:
         notes |= {"grain_kinds": ", ".join(scene.kinds)}
     if run.trouble:

@@ -27,13 +27,14 @@ def solid(vectors: np.ndarray) -> np.ndarray:
 def grains_mesh(run: Run, snapshot: dict) -> meshio.Mesh:
     """A vertex a grain: radius (m), velocity (m/s), spin (rad/s), label, and kind where there are several."""
     motion, label, space, model = snapshot["motion"], snapshot["label"], run.engine.space, run.engine.model
+    spin = motion[:, space.spin]
     return meshio.Mesh(
         solid(motion[:, space.place]),
         [("vertex", np.arange(len(label))[:, None])],
         point_data={
             "radius": np.asarray(model.radius)[label],
             "velocity": solid(motion[:, space.velocity]),
-            "spin": motion[:, space.spin].squeeze(),
+            "spin": spin if spin.shape[1] > 1 else spin[:, 0],
             "label": label,
         }
         | ({} if model.kind is None else {"kind": np.asarray(model.kind)[label]}),

@@ -2,11 +2,13 @@
 
 from collections.abc import Iterable
 from math import nan
+from typing import Any
 
 import numpy as np
 
 from silostudy.compute.lid_cube import lid_arrays
 from silostudy.config.spheres import SphereScene
+from silostudy.cube.variables import attributes
 from silostudy.dem.ledger import ENTRIES
 from silostudy.dem.model import Model
 from silostudy.dem.run import Run
@@ -22,6 +24,14 @@ FELT = (
 )  # what a cell feels, and over its area
 SPIN = 2  # of what is recorded of a surface that moves
 MOTION = ("x", "y", "z", "u", "v", "w", "spin_x", "spin_y", "spin_z")
+IN_SPACE = {  # long names of variables that the contract tells of discs
+    "contact_first": "sphere of the contact",
+    "contact_second": "other sphere of the contact, or surface counted from 0 where contact_on_wall is 1",
+    "contact_x": "place of the contact along x, from the axis",
+    "contact_y": "place of the contact along y, from the axis",
+    "wall_cell_x": "middle of the wall cell along x, from the axis",
+    "wall_cell_y": "middle of the wall cell along y, from the axis",
+}
 
 
 def sphere_arrays(run: Run, scene: SphereScene) -> dict[str, np.ndarray]:
@@ -31,6 +41,13 @@ def sphere_arrays(run: Run, scene: SphereScene) -> dict[str, np.ndarray]:
     if model.kind is not None:
         data |= {"grain_kind": np.asarray(model.kind, np.int32)}
     return data | _windows(run) | _snapshots(run) | _meter(run) | outlet_arrays(run, scene) | insert_arrays(scene)
+
+
+def in_space(arrays: dict[str, np.ndarray]) -> dict[str, Any]:
+    """The arrays, with attributes of spheres where the contract tells those of discs."""
+    return arrays | {
+        name: (arrays[name], attributes(name) | {"long_name": told}) for name, told in IN_SPACE.items() if name in arrays
+    }
 
 
 def sphere_notes(scene: SphereScene) -> dict[str, float | str]:

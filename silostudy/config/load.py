@@ -215,7 +215,7 @@ def other_file(content: dict[str, Any], where: str) -> BadInput:
         return BadInput("kind", kind, f"is a study: `silostudy check {where}` looks at it", where)
     if kind in FILE_KINDS:
         return BadInput("kind", kind, f"is a scene: `silostudy explain {where}` looks at it, `silostudy dem` runs it", where)
-    return unknown("kind", kind, KINDS, where)
+    return unknown("kind", kind, FILE_KINDS, where)
 
 
 def check_lenders(name: str, study: BaseStudy, studies: Collection[str], project: Path) -> None:

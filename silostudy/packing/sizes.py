@@ -16,10 +16,14 @@ DRAWS = 1000  # rounds of draws after which a cut-off counts as leaving nothing
 
 @dataclass(frozen=True, kw_only=True)
 class Sizes(Entry):
-    """Distribution of sizes. draw(random, count, **arguments) -> diameters (mm); asks: fields of a scene's section `sizes`."""
+    """Distribution of sizes. draw(random, count, **arguments) -> diameters (mm); asks: fields of a scene's section `sizes`.
+
+    widest: name of the field that bounds the largest diameter.
+    """
 
     draw: Callable[..., np.ndarray]
     asks: tuple[PackingField, ...]
+    widest: str = "largest_mm"
 
     def radii(self, random: np.random.Generator, count: int, section: Any) -> np.ndarray:
         """Radii (m) of so many grains."""
@@ -89,7 +93,7 @@ _ENDS = (_mm("least", "smallest diameter"), _mm("largest", "largest diameter"))
 SIZES: Family[Sizes] = Family(
     "sizes",
     [
-        Sizes(key="equal", title="All of one size", draw=equal, asks=(_mm("diameter", "diameter"),)),
+        Sizes(key="equal", title="All of one size", draw=equal, asks=(_mm("diameter", "diameter"),), widest="diameter_mm"),
         Sizes(key="uniform", title="As many of any size between two", draw=uniform, asks=_ENDS),
         Sizes(
             key="normal",
@@ -111,6 +115,7 @@ SIZES: Family[Sizes] = Family(
             key="sieve",
             title="Sieve curve: shares of mass by size",
             draw=sieved,
+            widest="openings_mm",
             asks=(
                 PackingField(
                     name="openings_mm", argument="openings", text="openings, rising", unit="mm", kind=tuple[float, ...]

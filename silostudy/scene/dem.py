@@ -24,7 +24,7 @@ from silostudy.packing import PACKINGS
 from silostudy.scene.disc_mixture import radii_of_kinds, uneven
 from silostudy.scene.lid import lid_action, moves
 from silostudy.scene.plane_silo import FLOOR, HALVES, PlaneSilo, Slit
-from silostudy.scene.surfaces import by_surface, parts_of
+from silostudy.scene.surfaces import by_surface, check_names, parts_of
 
 DEEPEST = 0.1  # of a radius: overlap that a start may have (a packing at rest has some)
 
@@ -95,6 +95,7 @@ def contacts_of(scene: DemScene, radii: np.ndarray, where: str = "") -> tuple[Co
     pairs = [scene.between(kind, other) for number, kind in enumerate(kinds) for other in kinds[: number + 1]]
     slippery = not any(pair.sliding_friction for pair in pairs) and all(event.disc_friction is None for event in changed)
     names, walls = wall_names(scene), []
+    check_names(scene, kinds, names, where)
     for configs in at_walls.values():
         contacts = {name: contact_of(config, wall=True, slippery=smooth, **about) for name, config in configs.items()}
         walls.append(walls_contact(scene, contacts, names, where))

@@ -31,7 +31,7 @@ def require_surfaces(space: SpaceSilo) -> None:
         allowed = f"must be from 3 to {MOST_SIDES}: corners of more sides are too flat for spheres; take a circular plan"
         raise BadInput("silo.sides", silo.sides, allowed)
     if not silo.wall_depth + space.freeboard > 0.0:
-        raise BadInput("silo.wall_depth", silo.wall_depth, "the vertical walls must have a height")
+        raise BadInput("silo.cylinder_depth_m", silo.wall_depth, "the vertical walls must have a height")
     if silo.hopper:
         require_hopper(space)
     else:
@@ -44,27 +44,35 @@ def require_hopper(space: SpaceSilo) -> None:
     silo, hopper = space.silo, space.silo.hopper
     assert hopper is not None
     if space.outlets:
-        raise BadInput("outlets", space.outlets[0].name, "is of a flat floor; the hopper has its own, silo.hopper.outlet_width")
+        raise BadInput(
+            "outlets", space.outlets[0].name, "is of a flat floor; the hopper has its own, silo.hopper.outlet_width_m"
+        )
     if space.gated and space.plan.sides not in (CIRCLE, RECTANGLE):
         raise BadInput("silo.plan", silo.plan, "opens its outlet at once: a gate that slides is round or has four sides")
     if space.wedge and space.plan.sides != RECTANGLE:
         raise BadInput("wedge", space.wedge, f"stands below a square or rectangular plan, not a {silo.plan} one")
     if not 0.0 <= hopper.outlet_width <= silo.diameter:
         allowed = f"must be from 0 to below the width of the hopper's top, {silo.diameter:g} m"
-        raise BadInput("silo.hopper.outlet_width", hopper.outlet_width, allowed)
-    if not (0.0 < hopper.half_angle < pi / 2 and silo.hopper_height > FLATTEST * silo.diameter):
-        raise BadInput("silo.hopper", hopper, "must have a height: an outlet narrower than its top and a half angle above 0")
+        raise BadInput("silo.hopper.outlet_width_m", hopper.outlet_width, allowed)
+    angle = float(f"{degrees(hopper.half_angle):.12g}")
+    if not 0.0 < hopper.half_angle < pi / 2:
+        raise BadInput("silo.hopper.half_angle_deg", angle, "must be above 0 and below 90: the hopper must have a height")
+    if not silo.hopper_height > FLATTEST * silo.diameter:
+        allowed = f"the hopper must have a height: an outlet narrower than its top, {silo.diameter:g} m, at {angle:g} degrees"
+        raise BadInput("silo.hopper.outlet_width_m", hopper.outlet_width, allowed)
     if silo.outlet_eccentricity and space.plan.sides == CIRCLE:
         allowed = "must be 0: the engine has no surface for the wall of an eccentric cone; take a flat floor or a pyramid"
-        raise BadInput("silo.outlet_eccentricity", silo.outlet_eccentricity, allowed)
+        raise BadInput("silo.outlet_eccentricity_m", silo.outlet_eccentricity, allowed)
     most, opening = (silo.diameter - hopper.outlet_width) / 2, space.opening
     assert opening is not None
     if space.plan.room_for(opening) < -1e-12 * silo.diameter:
         allowed = f"must not be above {most:g} m: the outlet must not leave the floor"
-        raise BadInput("silo.outlet_eccentricity", silo.outlet_eccentricity, allowed)
+        raise BadInput("silo.outlet_eccentricity_m", silo.outlet_eccentricity, allowed)
     if 0.0 < (turn := shallowest_joint(space)) < SHALLOWEST:
         allowed = f"a face of the hopper stands {degrees(turn):.2g} degrees off the wall above it: at least 5, or none at all"
-        raise BadInput("silo.hopper", hopper, allowed)
+        if silo.outlet_eccentricity:
+            raise BadInput("silo.outlet_eccentricity_m", silo.outlet_eccentricity, allowed)
+        raise BadInput("silo.hopper.half_angle_deg", angle, allowed)
 
 
 def shallowest_joint(space: SpaceSilo) -> float:
@@ -106,7 +114,7 @@ def require_outlet(space: SpaceSilo, field: str, outlet: Outlet) -> None:
             raise BadInput(f"{field}.{name}_m", size, allowed + slot)
     room = room_beside(plan, opening, across) if any(across) else plan.room_for(opening)
     if not room > 0.0:
-        key = "silo.outlet_eccentricity" if outlet.middle is None else f"{field}.middle_m"
+        key = "silo.outlet_eccentricity_m" if outlet.middle is None else f"{field}.middle_m"
         allowed = f"the outlet must not leave the floor, and stands out by {-room:g} m"
         raise BadInput(key, opening.middle[0] if outlet.middle is None else outlet.middle, allowed)
 

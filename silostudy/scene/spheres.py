@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from silostudy.config.elastic import MaterialConfig, TouchConfig
-from silostudy.config.mixture import GRAIN, WALLS
+from silostudy.config.mixture import GRAIN
 from silostudy.config.spheres import SphereScene
 from silostudy.contact.coefficient import Given
 from silostudy.contact.rolling import spring_slider
@@ -21,7 +21,7 @@ from silostudy.scene.dem import inserted, walls_contact
 from silostudy.scene.lid import slides
 from silostudy.scene.silo_from import silo_of
 from silostudy.scene.space_silo import Outlet, SpaceSilo
-from silostudy.scene.surfaces import parts_of
+from silostudy.scene.surfaces import check_names
 from silostudy.tables.materials import MATERIALS, PAIRS, Material
 
 BELOW_TOP = 1.05  # radii: the plane of the rain below the top of the walls, where a scene does not say
@@ -88,19 +88,16 @@ def contacts_of(scene: SphereScene, where: str = "") -> tuple[Contact | Varied, 
         for other in kinds[: number + 1]
     ]
     names = wall_names(scene, where)
-    at_walls = [walls_contact(scene, _at_walls(scene, kind, body, names, where), names, where) for kind, body in bodies.items()]
+    check_names(scene, kinds, names, where)
+    at_walls = [walls_contact(scene, _at_walls(scene, kind, body, where), names, where) for kind, body in bodies.items()]
     if len(kinds) == 1:
         return between[0], at_walls[0]
     sets = tuple(contact for walls in at_walls for contact in (walls.numbered(number) for number in range(len(names))))
     return Varied(tuple(between)), Varied(sets)
 
 
-def _at_walls(scene: SphereScene, kind: str, body: "ElasticBody", names: list[str], where: str) -> dict[str, Contact]:
+def _at_walls(scene: SphereScene, kind: str, body: "ElasticBody", where: str) -> dict[str, Contact]:
     """Contacts of a kind of spheres at surfaces that differ, by their names in the scene; "": at the others."""
-    known = {*scene.grain_kinds, *scene.surfaces, WALLS}
-    for number, pair in enumerate(scene.pairs):
-        for name in set(pair.between) - known:
-            parts_of(name, names, f"pairs.{number}.between", where)
     return {
         name: _contact(section, touch, body, ElasticBody(material_of(wall), wall.material), where, wall=True)
         for name, (section, wall, touch) in scene.at_surfaces(kind).items()

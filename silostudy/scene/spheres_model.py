@@ -15,6 +15,7 @@ from silostudy.dem.space.walls import Surface
 from silostudy.dem.varied import Varied
 from silostudy.errors import BadInput
 from silostudy.packing.filling import FILLINGS
+from silostudy.packing.sizes import SIZES
 from silostudy.scene.dem import DEEPEST
 from silostudy.scene.dem_model import stepped
 from silostudy.scene.lid import check_lid, lid_of, moves
@@ -43,7 +44,7 @@ def sphere_model(scene: SphereScene, given: Start | None, where: str = "") -> Sp
         places, radii, kind = given or _started(scene, space, random)
     except BadInput as error:
         raise BadInput(error.field, error.value, error.allowed, where) from None
-    check_outlet(space, radii, where)
+    check_outlet(scene, space, radii, kind, where)
     if row.rains:
         check_rain(scene, space, radii, where)
     else:
@@ -91,15 +92,26 @@ def check_frictions(scene: SphereScene, where: str) -> None:
                 raise BadInput(f"events.{number}.{field}", value, f"the tangential law {law.key} takes no friction", where)
 
 
-def check_outlet(space: SpaceSilo, radii: np.ndarray, where: str) -> None:
+def check_outlet(scene: SphereScene, space: SpaceSilo, radii: np.ndarray, kind: np.ndarray | None, where: str) -> None:
     """BadInput where the largest sphere does not pass an outlet, or does not fit the silo at all."""
-    largest = float(radii.max())
-    if min(space.plan.half) < largest:
-        raise BadInput("sizes", 2e3 * largest, f"mm: a sphere wider than the silo, {2e3 * min(space.plan.half):g} mm", where)
-    for name, opening in space.openings.items():
-        if min(opening.half) < largest:
-            told = f"mm: does not pass the {_called(name)}, {2e3 * min(opening.half):g} mm"
-            raise BadInput("sizes", 2e3 * largest, told, where)
+    number = int(radii.argmax())
+    largest = float(radii[number])
+    rooms = {"is wider than the silo": min(space.plan.half)}
+    rooms |= {f"does not pass the {_called(name)}": min(opening.half) for name, opening in space.openings.items()}
+    for told, half in rooms.items():
+        if half < largest:
+            field, value = _said_of_largest(scene, 0 if kind is None else int(kind[number]))
+            raise BadInput(field, value, f"a sphere of {2e3 * largest:g} mm {told}, {2e3 * half:g} mm", where)
+
+
+def _said_of_largest(scene: SphereScene, kind: int) -> tuple[str, object]:
+    """Key of a scene that says how wide the largest sphere of a kind is, and what it says."""
+    if FILLINGS[scene.filling.kind].from_file:
+        return "filling.file", scene.filling.file
+    name = list(scene.grain_kinds)[kind]
+    sizes, section = (scene.other_grains[name].sizes, f"other_grains.{name}.sizes") if kind else (scene.sizes, "sizes")
+    widest = SIZES[sizes.kind].widest
+    return f"{section}.{widest}", getattr(sizes, widest)
 
 
 def narrow(space: SpaceSilo, radii: np.ndarray) -> list[str]:

@@ -76,7 +76,7 @@ def test_insertion_into_a_full_bin():
 
 
 def test_sphere_wider_than_the_silo_or_its_outlet():
-    refused("sphere wider than the silo, 60 mm", sizes={"kind": "equal", "diameter_mm": 60.001}, **FLAT)
+    refused("is wider than the silo, 60 mm", sizes={"kind": "equal", "diameter_mm": 60.001}, **FLAT)
     refused("does not pass the outlet, 40 mm", sizes={"kind": "equal", "diameter_mm": 40.001})
 
 

@@ -67,8 +67,8 @@ MISTAKES = {
         {"depth_m": {"start": 0.0, "stop": 1.0, "count": 3, "step": 0.5}},
         "depth_m.step = 0.5: unknown key; known here: start, stop, count, spacing",
     ),
-    "unknown kind": ({"kind": "presure"}, "kind = 'presure': unknown; known: accuracy, buckling, grains"),
-    "no text as kind": ({"kind": ["pressure"]}, "kind = ['pressure']: unknown; known: accuracy, buckling, grains"),
+    "unknown kind": ({"kind": "presure"}, "kind = 'presure': unknown; known: accuracy, buckling, dem, grains"),
+    "no text as kind": ({"kind": ["pressure"]}, "kind = ['pressure']: unknown; known: accuracy, buckling, dem, grains"),
     "unit missing": (
         scene(silo={"plan": "circular", "diameter": 5.0, "cylinder_depth_m": 18.0}),
         "write diameter_m in place of diameter",

@@ -25,6 +25,7 @@ STONES = {
 }  # fmt: skip
 OF_TABLE = {"material": "dosta-m2", "mass_share": 0.2, "sizes": {"kind": "equal", "diameter_mm": 6}}
 BEANS = {name: value for name, value in STONES.items() if name != "mass_share"} | {"number_share": 0.25}
+WIDE = {"kind": "uniform", "least_mm": 45, "largest_mm": 50}
 
 
 def mixture(**changes):
@@ -169,7 +170,12 @@ def test_the_step_is_that_of_the_stiffest_pair():
         ({"other_grains": changed(softened_modulus_MPa=50)}, "other_grains.stones.softened_modulus_MPa = 50"),
         ({"other_grains": changed(mass_share=1e-6)}, "filling.count = 150: so few .* leave none to stones"),
         ({"pairs": [{"between": ["stnes", "hopper"]}]}, "pairs.0.between: names no kind of grains; known: grain, stones"),
-        ({"pairs": [{"between": ["stones", "hoper"]}]}, "pairs.0.between = 'hoper': unknown; known: floor, hopper, wall"),
+        ({"pairs": [{"between": ["stones", "hoper"]}]}, "'hoper': unknown; known: grain, stones, floor, hopper, wall"),
+        ({"other_grains": {"wall": STONES}}, "other_grains = 'wall': is a kind of grains and a surface"),
+        (
+            {"other_grains": changed(sizes=WIDE, mass_share=None, number_share=0.3)},
+            r"other_grains.stones.sizes.largest_mm = 50.0: a sphere of [\d.]+ mm does not pass the outlet",
+        ),
         ({"pairs": [{"between": ["stones", "grain"]}, {"between": ["grain", "stones"]}]}, "pairs.1.between: the pair .* twice"),
         ({"pairs": [{"between": ["stones", "grain"], "frction": 1.0}]}, "pairs.0: frction: unknown key"),
         ({"filling": {"kind": "given", "file": "a.nc"}, "sizes": None}, "stones: sizes and shares must be left out"),

@@ -181,6 +181,14 @@ def test_a_cube_is_a_filling(small, tmp_path):
     assert model.waiting == 0
 
 
+def test_cube_speaks_of_spheres(cube):
+    named = {str(name): array.attrs["long_name"] for name, array in cube.variables.items()}
+    assert named["contact_y"] == "place of the contact along y, from the axis"
+    assert named["wall_cell_y"] == "middle of the wall cell along y, from the axis"
+    plane = {name for name, told in named.items() if "disc " in told or "two ends" in told or "across;" in told}
+    assert not plane
+
+
 def test_paraview(small, tmp_path):
     names = [file.name for file in export(small[1], tmp_path)]
     assert names == ["000-spheres.vtu", "000-forces.vtu", "001-spheres.vtu", "001-forces.vtu"]
