@@ -93,13 +93,13 @@ class LawsConfig(Strict):
     def untaken(self) -> dict[str, tuple[str, str]]:
         """Fields of numbers, neither zero nor the default, that no law here takes: whose family does, and its law here."""
         taken: set[str] = set(_fields(self.laws.values()))
-        found: dict[str, tuple[str, str]] = {}
+        families: dict[str, tuple[str, str]] = {}
         for name, family in self.choices.items():
             for field in _fields(self._families.get(family.name, family).values()):
                 value, usual = getattr(self, field, None), self._usual.get(field)
                 if field not in taken and isinstance(value, float) and value not in (0.0, usual):
-                    found.setdefault(field, (name, getattr(self, name)))
-        return found
+                    families.setdefault(field, (name, getattr(self, name)))
+        return families
 
     @property
     def _usual(self) -> dict[str, Any]:

@@ -1,4 +1,4 @@
-"""How deep cohesion alone presses two grains into each other, and a caution where that is deep."""
+"""Overlap to which cohesion alone presses two grains into each other, and a caution where that is deep."""
 
 from collections.abc import Iterator
 
