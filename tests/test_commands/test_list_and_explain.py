@@ -135,6 +135,10 @@ def test_a_key_is_explained_with_its_places_and_its_own_keys(capsys):
     assert "key checks of kind shell" in said(capsys, "explain", "checks")  # beside the topic of that name
 
 
+def test_the_energy_balance_says_that_it_takes_one_thread(capsys):
+    assert "takes 1 thread and no more" in said(capsys, "explain", "energy")
+
+
 def test_explain_names_a_sections_keys_units_and_choices(capsys):
     told = said(capsys, "explain", "dem")
     assert "      gap_m (m): gap between neighbours at the start [must be given]" in told
