@@ -1,9 +1,14 @@
 """Lines of `silostudy explain` on a scene of grains, and on the parts that scenes choose from."""
 
+from collections.abc import Iterator
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from silostudy.catalogue import Family, Row
+from silostudy.catalogue import Entry, Family, Row
+from silostudy.config.dem import EventConfig
+from silostudy.config.moves import Takes
+from silostudy.config.sphere_events import SphereEventConfig
 from silostudy.dem.events import TRIGGERS
 from silostudy.dem.inserts import LINES
 from silostudy.dem.integrate import INTEGRATORS
@@ -14,6 +19,22 @@ from silostudy.packing import PACKINGS
 from silostudy.packing.filling import FILLINGS
 from silostudy.packing.sizes import SIZES
 
+
+@dataclass(frozen=True, kw_only=True)
+class Action(Entry):
+    """Something that an event does. takes: by the grains whose scenes have it, the keys that it takes."""
+
+    takes: tuple[tuple[str, Takes], ...]
+
+
+def actions() -> Iterator[Action]:
+    """Actions of events of any grains, each once."""
+    by_grains = {"discs": EventConfig.takes, "spheres": SphereEventConfig.takes}
+    for key in dict.fromkeys(key for takes in by_grains.values() for key in takes):
+        takes = tuple((grains, of[key]) for grains, of in by_grains.items() if key in of)
+        yield Action(key=key, title=takes[0][1].title, takes=takes)
+
+
 PARTS: dict[str, Family] = {
     "packings": PACKINGS,
     "fillings": FILLINGS,
@@ -21,13 +42,14 @@ PARTS: dict[str, Family] = {
     "sizes": SIZES,
     "integrators": INTEGRATORS,
     "triggers": TRIGGERS,
+    "actions": Family("action", actions()),
     "rest": REST,
     "quantities": OUTCOMES,
 }
 
 
 def explanation(row) -> list[str]:
-    """The lines that explain a packing, an insert, an integrator, a trigger, a criterion of rest or a quantity."""
+    """The lines that explain a packing, an insert, an integrator, a trigger, an action, a criterion of rest or a quantity."""
     from silostudy.tables.references import with_locator
 
     part = next(name for name, family in PARTS.items() if row in family.values())
@@ -35,6 +57,10 @@ def explanation(row) -> list[str]:
     for function in ("advance", "measure", "place", "make", "draw", "find"):
         if (told := getattr(row, function, None)) is not None:
             lines.append(f"  gives     {told.__doc__.splitlines()[0]}")
+    for grains, taken in getattr(row, "takes", ()):
+        said = {"needs": ", ".join(taken.needs), "may take": ", ".join(taken.may)}
+        told = "; ".join(f"{how} {keys}" for how, keys in said.items() if keys)
+        lines.append(f"  {grains:9} {told or 'takes nothing'}")
     for asked in getattr(row, "asks", ()):
         lines.append(f"  takes     {asked.name} ({asked.unit}): {asked.text}")
     if getattr(row, "below", None) is not None:
