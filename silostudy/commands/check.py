@@ -130,10 +130,10 @@ def steps_ahead(task) -> str:
 def told_before(scene, model) -> list[str]:
     """Lines that a user should know of a scene before it runs: where it goes on from, softening, possible mistakes."""
     from silostudy.config.spheres import SphereScene
-    from silostudy.scene.cautions import high_frictions, late_events
+    from silostudy.scene.notes import notes
     from silostudy.scene.spheres_about import softening, warnings
 
-    cautions = [f"note: {text}" for text in (*high_frictions(scene), *late_events(scene))]
+    cautions = notes(scene, model)
     branch = [f"goes on from {scene.start_from} at {model.end['engine']['step'] * model.dt:.6g} s"] if model.end else []
     if not isinstance(scene, SphereScene):
         return [*branch, *cautions]

@@ -16,8 +16,8 @@ def add(sub) -> None:
         "discrete-element scene: which effects it calls for and their price",
     )
     what = (
-        "see `silostudy list methods`, `buckling`, `laws`, `packings`, `integrators`, `triggers`, `rest`, `mass-rules` and "
-        "`kinds`; earthquake (on a shell); checks (of its steel); accuracy (who may ask); "
+        "see `silostudy list methods`, `buckling`, `laws`, `packings`, `integrators`, `triggers`, `actions`, `rest`, "
+        "`mass-rules` and `kinds`; earthquake (on a shell); checks (of its steel); accuracy (who may ask); "
         "a key of a study or scene, as sample; "
         "or a scene file (*.yaml)"
     )

@@ -1,9 +1,14 @@
 """Lines of `silostudy explain` on a scene of grains, and on the parts that scenes choose from."""
 
+from collections.abc import Iterator
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from silostudy.catalogue import Family, Row
+from silostudy.catalogue import Entry, Family, Row
+from silostudy.config.dem import EventConfig
+from silostudy.config.moves import Takes
+from silostudy.config.sphere_events import SphereEventConfig
 from silostudy.dem.events import TRIGGERS
 from silostudy.dem.inserts import LINES
 from silostudy.dem.integrate import INTEGRATORS
@@ -14,6 +19,22 @@ from silostudy.packing import PACKINGS
 from silostudy.packing.filling import FILLINGS
 from silostudy.packing.sizes import SIZES
 
+
+@dataclass(frozen=True, kw_only=True)
+class Action(Entry):
+    """Something that an event does. takes: by the grains whose scenes have it, the keys that it takes."""
+
+    takes: tuple[tuple[str, Takes], ...]
+
+
+def actions() -> Iterator[Action]:
+    """Actions of events of any grains, each once."""
+    by_grains = {"discs": EventConfig.takes, "spheres": SphereEventConfig.takes}
+    for key in dict.fromkeys(key for takes in by_grains.values() for key in takes):
+        takes = tuple((grains, of[key]) for grains, of in by_grains.items() if key in of)
+        yield Action(key=key, title=takes[0][1].title, takes=takes)
+
+
 PARTS: dict[str, Family] = {
     "packings": PACKINGS,
     "fillings": FILLINGS,
@@ -21,13 +42,14 @@ PARTS: dict[str, Family] = {
     "sizes": SIZES,
     "integrators": INTEGRATORS,
     "triggers": TRIGGERS,
+    "actions": Family("action", actions()),
     "rest": REST,
     "quantities": OUTCOMES,
 }
 
 
 def explanation(row) -> list[str]:
-    """The lines that explain a packing, an insert, an integrator, a trigger, a criterion of rest or a quantity."""
+    """The lines that explain a packing, an insert, an integrator, a trigger, an action, a criterion of rest or a quantity."""
     from silostudy.tables.references import with_locator
 
     part = next(name for name, family in PARTS.items() if row in family.values())
@@ -35,6 +57,10 @@ def explanation(row) -> list[str]:
     for function in ("advance", "measure", "place", "make", "draw", "find"):
         if (told := getattr(row, function, None)) is not None:
             lines.append(f"  gives     {told.__doc__.splitlines()[0]}")
+    for grains, taken in getattr(row, "takes", ()):
+        said = {"needs": ", ".join(taken.needs), "may take": ", ".join(taken.may)}
+        told = "; ".join(f"{how} {keys}" for how, keys in said.items() if keys)
+        lines.append(f"  {grains:9} {told or 'takes nothing'}")
     for asked in getattr(row, "asks", ()):
         lines.append(f"  takes     {asked.name} ({asked.unit}): {asked.text}")
     if getattr(row, "below", None) is not None:
@@ -60,8 +86,10 @@ def _of_spheres(scene, model) -> list[str]:
     """Materials, coefficients, softening, times and effects of a scene of spheres."""
     from silostudy.accuracy.prices import price_of_step
     from silostudy.accuracy.sample_of_spheres import sample
+    from silostudy.dem.explosion import Explosion
     from silostudy.dem.stability import packed_bound
     from silostudy.scene.coefficients import coefficient_lines, impact_lines
+    from silostudy.scene.notes import notes
     from silostudy.scene.spheres_about import materials, shares, softening, sphere_effects, warnings, wave_times
 
     lines = [
@@ -74,11 +102,13 @@ def _of_spheres(scene, model) -> list[str]:
         f"smallest sphere {wave_times(scene, model)}; integrator {model.integrator}"
     )
     lines += [f"  {line}" for line in impact_lines(model, tuple(scene.grain_kinds))]
-    price, memory = price_of_step(sample(model))
-    lines.append(f"  {run_cost(scene, model, price, memory)}")
+    try:
+        lines.append(f"  {run_cost(scene, model, *price_of_step(sample(model)))}")
+    except Explosion as explosion:
+        lines.append(f"  {unpriced(explosion)}")
     for effect in sphere_effects(scene):
         lines.append(f"  {effect.name:30}{'on ' if effect.on else 'off'}  {listed(effect):42}{effect.why}")
-    return lines + [f"  warning: {line}" for line in warnings(scene, model)]
+    return lines + [f"  {line}" for line in (*notes(scene, model), *(f"warning: {line}" for line in warnings(scene, model)))]
 
 
 def run_cost(scene, model, price: float, memory: float) -> str:
@@ -97,6 +127,11 @@ def run_cost(scene, model, price: float, memory: float) -> str:
     )
 
 
+def unpriced(explosion) -> str:
+    """Line in place of the cost where a sample of the grains does not come to rest."""
+    return f"warning: no cost is told, since a sample of these grains does not come to rest: {explosion}"
+
+
 def surfaces(model) -> str:
     """The names that a scene may give to its surfaces."""
     from silostudy.scene.surfaces import known_names
@@ -107,13 +142,20 @@ def surfaces(model) -> str:
 def _of_discs(scene, model) -> list[str]:
     from silostudy.accuracy.prices import prices
     from silostudy.dem.engine import Engine
+    from silostudy.dem.explosion import Explosion
     from silostudy.dem.stability import longest_step
     from silostudy.scene.coefficients import coefficient_lines, impact_lines
     from silostudy.scene.dem import effects
+    from silostudy.scene.notes import notes
 
-    whole, share = prices(model)
-    cost = run_cost(scene, model, whole / len(model.x), Engine(model).nbytes / len(model.x))
-    lines = [f"{scene.title}: {len(model.x)} discs, {whole / len(model.x) * 1e9:.1f} ns a particle-step"]
+    share: dict[str, Any] = {}
+    lines = [f"{scene.title}: {len(model.x)} discs"]
+    try:
+        whole, share = prices(model)
+        lines = [f"{lines[0]}, {whole / len(model.x) * 1e9:.1f} ns a particle-step"]
+        cost = run_cost(scene, model, whole / len(model.x), Engine(model).nbytes / len(model.x))
+    except Explosion as explosion:
+        cost = unpriced(explosion)
     lines.append(
         f"  step {model.step:.3g} s; stability bound of this start {longest_step(model):.3g} s; integrator {model.integrator}"
     )
@@ -122,7 +164,7 @@ def _of_discs(scene, model) -> list[str]:
     for effect in effects(scene):
         price = priced(share.get(effect.name))
         lines.append(f"  {effect.name:30}{'on ' if effect.on else 'off'}  {price:42}{effect.why}")
-    return lines
+    return lines + [f"  {line}" for line in notes(scene, model)]
 
 
 def listed(effect) -> str:

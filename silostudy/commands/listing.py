@@ -203,7 +203,7 @@ LISTS = {
     "laws": _laws,
     **{
         name: _parts_of_scenes(name)
-        for name in ("packings", "fillings", "inserts", "sizes", "integrators", "triggers", "rest", "quantities")
+        for name in ("packings", "fillings", "inserts", "sizes", "integrators", "triggers", "actions", "rest", "quantities")
     },
     "mass-rules": _mass_rules,
     "solids": _solids,

@@ -16,6 +16,7 @@ from silostudy.dem.observer import Observer
 from silostudy.dem.run import Run
 from silostudy.dem.stable_now import stable_now
 from silostudy.errors import BadInput
+from silostudy.scene.cautions import DEEP
 from silostudy.scene.spheres import space_silo_of
 
 # keys of the section `record`
@@ -23,7 +24,6 @@ FIELDS = "fields"
 STATISTICS = "contact_statistics"
 STABLE = "contacts_stable_step"  # read with the statistics
 SOURCES = ("goldhirsch_2010", "weinhart_2012")  # of the fields
-DEEP = 0.05  # of a radius: overlap beyond which the cube warns
 
 
 def observers_of(scene: AnyScene, model: Model) -> tuple[Observer, ...]:

@@ -1,6 +1,6 @@
 """Contact of two bodies as a user writes it: laws, and the fields that their coefficients come from."""
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from functools import cache
 from typing import Any, ClassVar, Literal, Self, TypeAlias
 
@@ -18,7 +18,7 @@ from pydantic import (
 from silostudy.catalogue import Family
 from silostudy.config.fields import Strict, described
 from silostudy.config.own import Families, families_of, key_of
-from silostudy.contact import DEFAULTS, LAWS
+from silostudy.contact import DEFAULTS, LAWS, Law
 from silostudy.contact.coefficient import Coefficient
 from silostudy.contact.curve import PRINTED_CONSTANTS
 
@@ -42,6 +42,11 @@ def own_coefficients(families: Mapping[str, Family]) -> tuple[Coefficient, ...]:
     """Coefficients that come from fields of their own, of all laws."""
     rows = (row for family in families.values() for row in family.values())
     return tuple(dict.fromkeys(coefficient for row in rows for coefficient in row.coefficients if coefficient.own))
+
+
+def _fields(laws: Iterable[Law]) -> Iterator[str]:
+    """Fields that coefficients of laws come from."""
+    return (field for law in laws for coefficient in law.coefficients for group in coefficient.fields for field in group)
 
 
 @cache
@@ -83,6 +88,24 @@ class LawsConfig(Strict):
     @property
     def _own(self) -> tuple[Coefficient, ...]:
         return own_coefficients({name: self._families.get(family.name, family) for name, family in self.choices.items()})
+
+    @property
+    def untaken(self) -> dict[str, tuple[str, str]]:
+        """Fields of numbers, neither zero nor the default, that no law here takes: whose family does, and its law here."""
+        taken: set[str] = set(_fields(self.laws.values()))
+        families: dict[str, tuple[str, str]] = {}
+        for name, family in self.choices.items():
+            for field in _fields(self._families.get(family.name, family).values()):
+                value, usual = getattr(self, field, None), self._usual.get(field)
+                if field not in taken and isinstance(value, float) and value not in (0.0, usual):
+                    families.setdefault(field, (name, getattr(self, name)))
+        return families
+
+    @property
+    def _usual(self) -> dict[str, Any]:
+        """Defaults by field."""
+        declared = {name: field.default for name, field in type(self).model_fields.items()}
+        return declared | {coefficient.field: coefficient.default for coefficient in self._own}
 
     def with_values(self, values: Mapping[str, Any]) -> Self:
         """The section with other values, sound as a whole; one of fields that stand for each other drops those it replaces."""

@@ -63,11 +63,11 @@ class EventConfig(MovingEvent):
 
     takes: ClassVar[Mapping[str, Takes]] = {
         **MovingEvent.takes,
-        "open_slit": Takes(may=("outlets", "speed_m_s")),
-        "remove_disc": Takes(may=("disc", "near_m")),
-        "set_gravity": Takes(("gravity_m_s2",)),
-        "set_friction": Takes(may=("disc_friction", "wall_friction", "surfaces")),
-        "run_belt": Takes(("speed_m_s", "surfaces")),
+        "open_slit": Takes("the slit opens, or outlets by name", may=("outlets", "speed_m_s")),
+        "remove_disc": Takes("a disc is taken out", may=("disc", "near_m")),
+        "set_gravity": Takes("gravity becomes another", ("gravity_m_s2",)),
+        "set_friction": Takes("frictions become others", may=("disc_friction", "wall_friction", "surfaces")),
+        "run_belt": Takes("the face of a wall runs along it", ("speed_m_s", "surfaces")),
     }
 
     do: Literal[

@@ -16,8 +16,9 @@ EITHER_WAY = ("move_lid", "run_belt")  # whose speed may be 0 or less
 
 @dataclass(frozen=True)
 class Takes:
-    """Fields that something to do needs, and those that it may have beside them."""
+    """Title of something to do, the fields that it needs, and those that it may have beside them."""
 
+    title: str
     needs: tuple[str, ...] = ()
     may: tuple[str, ...] = ()
 
@@ -26,11 +27,11 @@ class MovingEvent(Waiting):
     """One event: it waits for the event before it, then for its trigger, then acts."""
 
     takes: ClassVar[Mapping[str, Takes]] = {
-        "lower_lid": Takes(),
-        "press_lid": Takes(("stress_kPa",), ("speed_m_s", "lid_mass_kg")),
-        "move_lid": Takes(("speed_m_s",), ("until_stress_kPa", "until_height_m")),
-        "feed": Takes(("rate_kg_s",)),
-        "stop": Takes(),
+        "lower_lid": Takes("the lid comes down to the highest grain"),
+        "press_lid": Takes("the lid is pressed onto the grains", ("stress_kPa",), ("speed_m_s", "lid_mass_kg")),
+        "move_lid": Takes("the lid moves at a speed", ("speed_m_s",), ("until_stress_kPa", "until_height_m")),
+        "feed": Takes("a feeder takes grains at a rate", ("rate_kg_s",)),
+        "stop": Takes("the run ends"),
     }
     if TYPE_CHECKING:
         do: Any  # each kind of grains does its own

@@ -100,7 +100,11 @@ class Recorded(Strict):
     snapshots_every_s: float | None = described("time between further snapshots, from the start on", "s", gt=0, default=None)
     fields: FieldsConfig | None = described("coarse-grained fields of the grains; null: none", "", default=None)
     contact_statistics: StatisticsConfig | None = described("statistics of the contacts; null: none", "", default=None)
-    energy: bool = described("whether the energy balance is kept", "", default=False)
+    energy: bool = described(
+        "whether the energy balance is kept; it sums in one order, so that the run takes 1 thread and no more",
+        "",
+        default=False,
+    )
     paraview: bool = described("whether the snapshots are also written for ParaView", "", default=False)
     checkpoint_every_s: float | None = described("model time between checkpoints", "s", gt=0, default=None)
     keep_end: bool = described(

@@ -14,11 +14,11 @@ class SphereEventConfig(MovingEvent):
 
     takes: ClassVar[Mapping[str, Takes]] = {
         **MovingEvent.takes,
-        "open_outlet": Takes(may=("outlets", "speed_m_s")),
-        "set_gravity": Takes(("gravity_m_s2",)),
-        "set_friction": Takes(may=("sphere_friction", "wall_friction", "surfaces")),
-        "rotate": Takes(("spin_rad_s", "surfaces")),
-        "take_away": Takes(("surfaces",)),
+        "open_outlet": Takes("the outlet opens, or outlets by name", may=("outlets", "speed_m_s")),
+        "set_gravity": Takes("gravity becomes another", ("gravity_m_s2",)),
+        "set_friction": Takes("frictions become others", may=("sphere_friction", "wall_friction", "surfaces")),
+        "rotate": Takes("surfaces turn about the upright axis", ("spin_rad_s", "surfaces")),
+        "take_away": Takes("inserts are taken away", ("surfaces",)),
     }
 
     do: Literal[

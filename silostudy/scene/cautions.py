@@ -8,6 +8,7 @@ from pydantic import BaseModel
 from silostudy.scene.laboratory_cell_discs import DiscCase
 
 HIGH_FRICTION = 1.5  # beyond any row of this package's tables, whose largest is below 1
+DEEP = 0.05  # of a radius: an overlap beyond which contacts are too soft for what they bear
 FRICTIONS = ("sliding_friction", "wall_friction", "disc_friction", "sphere_friction")  # keys of sliding friction
 # what a plane cell is to be wide at least, for the belts at floor and lid: heights of its filling, mean diameters
 HEIGHTS = 4.0
@@ -16,14 +17,15 @@ LEAST_WIDTH = 64.0
 
 def high_frictions(config: Any, above: str = "") -> Iterator[str]:
     """A caution for each sliding friction of a section, and further in, above HIGH_FRICTION."""
-    for name, value in _parts(config):
+    for name, value in parts(config):
         key = f"{above}{name}"
         if name in FRICTIONS and isinstance(value, float) and value > HIGH_FRICTION:
             yield f"{key} = {value:g} is unusual: grains and walls mostly have less than {HIGH_FRICTION:g}"
         yield from high_frictions(value, f"{key}.")
 
 
-def _parts(config: Any) -> Iterator[tuple[str, Any]]:
+def parts(config: Any) -> Iterator[tuple[str, Any]]:
+    """Keys and values of a section, numbers and values of a list; nothing of a value."""
     if isinstance(config, list | tuple):
         return ((str(number), part) for number, part in enumerate(config))
     return iter(config.items() if isinstance(config, Mapping) else config if isinstance(config, BaseModel) else ())

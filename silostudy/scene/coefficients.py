@@ -15,15 +15,20 @@ FINE = 32.0  # steps in one, for an impact without its error
 
 def coefficient_lines(model: Model, kinds: Sequence[str] = ()) -> list[str]:
     """Lines on the laws between bodies and with walls, and on their coefficients; kinds: names of several kinds of bodies."""
-    many, lines = model.kinds > 1, []
+    return [line(name, contact) for name, contact, *_ in named_contacts(model, kinds)]
+
+
+def named_contacts(model: Model, kinds: Sequence[str] = ()) -> Iterator[tuple[str, Contact, int, int | None]]:
+    """Contacts with names for them, the number of the kind, and of the other, None at walls; kinds: names of several kinds."""
+    many = model.kinds > 1
     for kind in range(model.kinds):
         for other in range(kind + 1):
             name = f"{kinds[other]} and {kinds[kind]}" if many else f"{model.space.body}s"
-            lines.append(line(name, model.between(kind, other)))
+            yield name, model.between(kind, other), kind, other
     for kind in range(model.kinds):
         prefix = f"{kinds[kind]} at " if many else ""
-        lines += [line(prefix + ", ".join(walls), contact) for walls, contact in by_contact(model, kind)]
-    return lines
+        for walls, contact in by_contact(model, kind):
+            yield prefix + ", ".join(walls), contact, kind, None
 
 
 def impact_lines(model: Model, kinds: Sequence[str] = ()) -> list[str]:

@@ -1,14 +1,17 @@
 """Lines that tell a scene of spheres before it runs: materials, coefficients, softening, times, effects, warnings."""
 
+from collections.abc import Iterator
 from math import pi, sqrt
 
 import numpy as np
 
 from silostudy.config.mixture import GRAIN
 from silostudy.config.spheres import SphereScene
+from silostudy.dem.neighbours import TOO_DEEP
 from silostudy.dem.space.model import SphereModel
 from silostudy.packing.filling import FILLINGS
 from silostudy.packing.sizes import SIZES
+from silostudy.scene.cautions import DEEP
 from silostudy.scene.dem import Effect, law_effect, reading_effects, surfaces_effect
 from silostudy.scene.lid import moves
 from silostudy.scene.spheres import MPA, contacts_of, grain_of, material_of, plane_of_rain, space_silo_of
@@ -76,30 +79,42 @@ def softening(scene: SphereScene, model: SphereModel) -> list[str]:
     pressure = FOOT_SOLID_FRACTION * density * float(-model.gravity[2]) * high
     lines = []
     for kind, name in enumerate(scene.grain_kinds):
-        told = _softened(scene, model, kind, name, pressure, high)
-        lines += [f"{name}: {line}" for line in told] if scene.other_grains else told
+        whose = f"{name}: " if scene.other_grains else ""
+        lines += [f"{whose}{line}" for line in _softened(scene, model, kind, name)]
+        for line, deep, most in _overlaps(scene, model, kind, name, pressure, high):
+            lines.append(f"note: {whose}{line}: beyond {most:.0%}" if deep > most else f"{whose}{line}")
     return lines
 
 
-def _softened(scene: SphereScene, model: SphereModel, kind: int, name: str, pressure: float, high: float) -> list[str]:
+def _softened(scene: SphereScene, model: SphereModel, kind: int, name: str) -> list[str]:
     real, used = material_of(scene.grain_kinds[name]).youngs_modulus, grain_of(scene, kind=name).youngs_modulus
+    if not real > used:
+        return []
     if not model.pair_contact.laws.normal.of_hertz:
-        return ["softened_modulus_MPa changes nothing: no law here takes the modulus"] if real > used else []
-    lines = []
-    if real > used:
-        ratio = real / used
-        lines.append(
-            f"softened: modulus {used / MPA:g} MPa in place of {real / MPA:g}, a ratio of {ratio:.3g}: steps {sqrt(ratio):.2g} "
-            f"times as long, overlaps {ratio ** (2.0 / 3.0):.3g} times as deep"
-        )
-    if pressure > 0.0:
-        deep = overlap_at(pressure, model, kind)
-        told = f"overlap under {high:.3g} m of spheres without friction at walls: {deep:.2%} of the radius"
-        lines.append(f"{told}; unsoftened {deep * (used / real) ** (2.0 / 3.0):.2%}" if real > used else told)
-        if FILLINGS[scene.filling.kind].rains:
-            fallen = overlap_of_fall(scene, model, kind)
-            lines.append(f"overlap of the longest fall: {fallen:.2%} of the radius, without dashpots")
-    return lines
+        return ["softened_modulus_MPa changes nothing: no law here takes the modulus"]
+    ratio = real / used
+    return [
+        f"softened: modulus {used / MPA:g} MPa in place of {real / MPA:g}, a ratio of {ratio:.3g}: steps {sqrt(ratio):.2g} "
+        f"times as long, overlaps {ratio ** (2.0 / 3.0):.3g} times as deep"
+    ]
+
+
+def _overlaps(
+    scene: SphereScene, model: SphereModel, kind: int, name: str, pressure: float, high: float
+) -> Iterator[tuple[str, float, float]]:
+    """Lines on how deep spheres of a kind overlap, with that over the radius (1) and the most that passes without a note.
+
+    Under the column that is what the cube warns of, in a fall, which lasts a moment, what ends a run.
+    """
+    real, used = material_of(scene.grain_kinds[name]).youngs_modulus, grain_of(scene, kind=name).youngs_modulus
+    if not (model.pair_contact.laws.normal.of_hertz and pressure > 0.0):
+        return
+    deep = overlap_at(pressure, model, kind)
+    told = f"overlap under {high:.3g} m of spheres without friction at walls: {deep:.2%} of the radius"
+    yield f"{told}; unsoftened {deep * (used / real) ** (2.0 / 3.0):.2%}" if real > used else told, deep, DEEP
+    if FILLINGS[scene.filling.kind].rains:
+        fallen = overlap_of_fall(scene, model, kind)
+        yield f"overlap of the longest fall: {fallen:.2%} of the radius, without dashpots", fallen, TOO_DEEP
 
 
 def materials(scene: SphereScene) -> list[str]:

@@ -1,6 +1,7 @@
 """`silostudy list` and `silostudy explain` as a user types them."""
 
 import re
+from typing import get_args
 
 import pytest
 import yaml
@@ -8,6 +9,8 @@ import yaml
 from silostudy.choice.fronts import FRONTS
 from silostudy.commands.explain_keys import key_explanation
 from silostudy.commands.explain_scene import PARTS
+from silostudy.config.dem import EventConfig
+from silostudy.config.sphere_events import SphereEventConfig
 from silostudy.pressure import PRESSURE
 from silostudy.stages import FILE_KINDS
 from silostudy.tables.asked import quantities
@@ -102,6 +105,18 @@ def test_every_part_of_a_scene_is_listed_and_explained(capsys, part):
         assert f"{row.title} ({key}, of {part})" in said(capsys, "explain", key)
 
 
+def test_actions_say_what_they_take(capsys):
+    told = said(capsys, "explain", "set_friction")
+    assert "discs     may take disc_friction, wall_friction, surfaces" in told
+    assert "spheres   may take sphere_friction, wall_friction, surfaces" in told
+    assert "discs" not in said(capsys, "explain", "rotate")
+
+
+@pytest.mark.parametrize("events", [EventConfig, SphereEventConfig])
+def test_every_action_of_a_scene_is_a_row(events):
+    assert set(get_args(events.model_fields["do"].annotation)) == set(events.takes) <= set(PARTS["actions"])
+
+
 def test_kinds_are_listed_with_their_cubes_under_them(capsys):
     told = said(capsys, "list", "kinds").split("\n")
     assert told[0].startswith("What a file says as `kind`")
@@ -133,6 +148,10 @@ def test_a_key_is_explained_with_its_places_and_its_own_keys(capsys):
     assert "key sweep.sample of kind accuracy, buckling, grains" in told
     assert "      count: cases [must be given]" in told
     assert "key checks of kind shell" in said(capsys, "explain", "checks")  # beside the topic of that name
+
+
+def test_the_energy_balance_says_that_it_takes_one_thread(capsys):
+    assert "takes 1 thread and no more" in said(capsys, "explain", "energy")
 
 
 def test_explain_names_a_sections_keys_units_and_choices(capsys):

@@ -1,14 +1,24 @@
 """Cautions on grains: `check` notes frictions beyond what is known and cells too narrow for their test, and refuses none."""
 
+from math import pi
+
 import pytest
 import yaml
 
 from silostudy.__main__ import main
 from silostudy.config.load import read_yaml
+from silostudy.contact import SPHERE_LAWS
+from silostudy.contact.family import Touch
+from silostudy.dem.contacts import Contact
+from silostudy.dem.explosion import Explosion
+from silostudy.dem.pieces import Laws
 from silostudy.scene.cautions import HIGH_FRICTION, late_events
+from silostudy.scene.clinging import pulled_in
+from silostudy.scene.idle import untaken
 from silostudy.scene.scenes import scene_in
 from silostudy.tables.materials import PAIRS
 from tests.conftest import ROOT
+from tests.test_spheres.small import content as bin_of_spheres
 
 
 def notes(path, content, capsys):
@@ -76,5 +86,90 @@ def test_events_out_of_order_or_beyond_the_limit_are_noted(events, told, tmp_pat
 
 
 @pytest.mark.parametrize("path", sorted((ROOT / "config/scenes").rglob("*.yaml")), ids=lambda path: path.stem)
-def test_no_shipped_scene_has_events_that_cannot_come_as_told(path):
-    assert list(late_events(scene_in(path))) == []
+def test_no_shipped_scene_says_what_cannot_come_as_told(path):
+    scene = scene_in(path)
+    assert [*late_events(scene), *untaken(scene)] == []
+
+
+@pytest.mark.parametrize(
+    ("changes", "told"),
+    [
+        ({"spheres__rolling_friction": 0.1}, "spheres.rolling_friction = 0.1: no chosen law takes it: rolling is none"),
+        ({"walls__twisting_friction": 0.1}, "walls.twisting_friction = 0.1: no chosen law takes it: twisting is none"),
+        (
+            {"spheres__work_of_adhesion_J_m2": 0.1},
+            "spheres.work_of_adhesion_J_m2 = 0.1: no chosen law takes it: cohesion is none",
+        ),
+        (
+            {"spheres__rolling": "spring-dashpot-slider", "spheres__rolling_friction": 0.1},
+            "spheres: rolling = spring-dashpot-slider with rolling_stiffness 0, rolling_damping 0: it resists nothing",
+        ),
+        (
+            {"spheres__twisting": "spring-dashpot-slider", "spheres__twisting_friction": 0.1},
+            "spheres: twisting = spring-dashpot-slider with twisting_stiffness 0, twisting_damping 0: it resists nothing",
+        ),
+        ({"walls__rolling": "constant-torque"}, "walls: rolling = constant-torque with rolling_friction 0: it resists nothing"),
+        ({"spheres__cohesion": "constant-pull"}, "spheres: cohesion = constant-pull with pull 0: it pulls nothing"),
+        ({"pairs": [{"between": ["grain", "grain"]}]}, "pairs.0 says nothing: all is as elsewhere"),
+        ({"surfaces": {"wall": {}}}, "surfaces.wall says nothing: all is as elsewhere"),
+        (
+            {"pairs": [{"between": ["grain", "wall"], "rolling_friction": 0.2}]},
+            "pairs.0.rolling_friction = 0.2: no chosen law takes it: rolling is none",
+        ),
+        (
+            {"record": {"wall_force_window_s": 1e-9}, "march": {"limit_s": 1.0, "step_s": 1e-6}},
+            "record.wall_force_window_s = 1e-09 is shorter than a step of 1e-06 s: every step is recorded, 1,000,000 of them",
+        ),
+        (
+            {"record": {"fields": {"cells": [3, 4], "every_s": 1e-9}}, "march": {"limit_s": 1.0, "step_s": 1e-6}},
+            "record.fields.every_s = 1e-09 is shorter than a step",
+        ),
+        (
+            {"spheres__cohesion": "jkr", "spheres__work_of_adhesion_J_m2": 1e6},
+            "spheres: jkr alone presses them more than the radius into each other",
+        ),
+        ({"grain__softened_modulus_MPa": 0.001}, "overlap under "),
+        ({"spheres__rolling": "constant-torque", "spheres__rolling_friction": 0.1}, ""),
+        ({"spheres__cohesion": "jkr", "spheres__work_of_adhesion_J_m2": 0.1}, ""),
+    ],
+)
+def test_what_does_nothing_or_cannot_be_meant_is_noted(changes, told, tmp_path, capsys):
+    found = notes(tmp_path / "bin.yaml", bin_of_spheres(**changes), capsys)
+    assert bool(found) == bool(told)
+    assert all(told in note for note in found[:1])
+
+
+def test_a_sweep_s_case_that_takes_no_value_is_no_reason_for_a_note(tmp_path, capsys):
+    """Of a sweep over laws only what no case takes is noted."""
+    content = read_yaml(ROOT / "config/studies/silo-of-spheres.yaml") | {"codes": None, "outputs": []}
+    content["scene"]["spheres"]["rolling_friction"] = 0.1
+    idle = "note: scene.spheres.rolling_friction = 0.1: no chosen law takes it: rolling is none"
+    assert notes(tmp_path / "silo.yaml", content, capsys) == [idle]
+    laws = [{"title": key, "spheres.rolling": key} for key in ("none", "constant-torque")]
+    assert notes(tmp_path / "silo.yaml", content | {"sweep": [{"axis": "law", "points": laws}]}, capsys) == []
+
+
+@pytest.mark.parametrize("work", [0.05, 1.0, 50.0])
+def test_the_overlap_of_jkr_without_load_is_that_of_its_closed_form(work):
+    """At no load a^3 = 9 pi w R^2/(2 E*), and the overlap a^2/(3 R)."""
+    stiff, radius = 1e8, 2e-3
+    contact = Contact(
+        Laws(normal=SPHERE_LAWS["normal"]["hertz"], cohesion=SPHERE_LAWS["cohesion"]["jkr"]),
+        {"hertz_stiffness": 4.0 / 3.0 * stiff, "hertz_damping": 0.0, "work_of_adhesion": work},
+    )
+    wide = (9.0 * pi * work * radius**2 / (2.0 * stiff)) ** (1.0 / 3.0)
+    found = pulled_in(contact, Touch(mass=1e-4, radius=radius, dt=1e-6), 2.0 * radius)
+    assert found * 2.0 * radius == pytest.approx(wide**2 / (3.0 * radius), rel=1e-6)
+
+
+def test_explain_tells_an_explosion_in_a_line(monkeypatch, tmp_path, capsys):
+    def exploding(model):
+        raise Explosion(29, 377, 1e-6, "its overlap is beyond half a radius", "sphere")
+
+    monkeypatch.setattr("silostudy.accuracy.prices.price_of_step", exploding)
+    path = tmp_path / "bin.yaml"
+    path.write_text(yaml.safe_dump(bin_of_spheres(spheres__rolling_friction=0.1)))
+    assert main(["explain", str(path)]) == 0
+    told = capsys.readouterr().out
+    assert "no cost is told, since a sample of these grains does not come to rest: sphere 29 ran away" in told
+    assert "note: spheres.rolling_friction = 0.1: no chosen law takes it" in told

@@ -1,0 +1,30 @@
+"""All cautions on a scene of grains and its model, a line each, as `check`, `dem` and `explain` tell them."""
+
+from collections.abc import Iterator
+from typing import Any
+
+from silostudy.dem.model import Model
+from silostudy.scene.cautions import high_frictions, late_events
+from silostudy.scene.clinging import deep_pulls
+from silostudy.scene.idle import powerless, untaken
+
+INTERVALS = ("wall_force_window_s", "snapshots_every_s", "checkpoint_every_s")  # of a record
+READ = ("fields", "contact_statistics")  # sections of a record that are read every so often
+
+
+def notes(scene: Any, model: Model) -> list[str]:
+    """Lines on what is possible in a scene, and hardly meant."""
+    kinds = tuple(scene.grain_kinds) if hasattr(scene, "grain_kinds") else scene.kinds
+    told = (high_frictions(scene), late_events(scene), untaken(scene), powerless(model, kinds), deep_pulls(model, kinds))
+    return [f"note: {text}" for texts in (*told, short_records(scene, model)) for text in texts]
+
+
+def short_records(scene: Any, model: Model) -> Iterator[str]:
+    """A caution for each record that is to be written more often than there are steps."""
+    record = scene.record
+    asked = {name: getattr(record, name) for name in INTERVALS}
+    asked |= {f"{name}.every_s": section.every_s for name in READ if (section := getattr(record, name))}
+    for name, every in asked.items():
+        if every and every < model.step:
+            count = f"{scene.march.limit_s / model.step:,.0f} of them to march.limit_s"
+            yield f"record.{name} = {every:g} is shorter than a step of {model.step:.3g} s: every step is recorded, {count}"
