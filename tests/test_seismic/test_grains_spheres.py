@@ -107,7 +107,7 @@ def test_figure_names_spheres(cube, tmp_path):
         ({"scene__grains": "sphere"}, "scene.grains"),
         ({"scene__grain__density_kg_m3": None}, "grain.density_kg_m3"),
         ({"scene__box__width_m": 0.03}, "scene.box.width_m"),
-        ({"scene__sizes__largest_mm": 40.0}, "mm: a sphere wider than the silo"),
+        ({"scene__sizes__largest_mm": 40.0}, "sizes.largest_mm = 40.0: a sphere of 38.2167 mm is wider than the silo, 30 mm"),
         ({"scene__shaking__frequency_Hz": None}, "either frequency_Hz or record"),
     ],
 )
