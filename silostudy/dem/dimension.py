@@ -51,7 +51,7 @@ class Dimension:
     facing: Callable  # (lanes, k) -> normal, distance (m)
     reduced: Callable  # flat -> (lanes, k, a, b) -> reduced radius (m)
     rates: Callable  # unequal -> (lanes, k, normal, a, b, depth, flat) -> closing, sliding (m/s), difference of spins (1/s)
-    carry: Callable  # (history, normal) -> the history as the contact stands now; `walk` has carried those of its lanes
+    carry: Callable  # (history, normal) -> the history as the contact stands now
     twisting: Callable  # (lanes, k, normal) -> difference of spins about the normal (1/s)
     about: Callable  # (moment, twist, normal) -> the moment with another about the normal
     whole: Callable  # (push, drag, normal) -> force on the first body

@@ -69,7 +69,7 @@ def response(laws: Laws):
 def contact_pass(space: Dimension, laws: Laws, *, unequal: bool, flat: bool, varied: bool = False):
     """Function that writes a contact's forces into lanes and gives its new histories."""
     facing, rates, put = space.facing, space.rates(unequal), space.put(laws.drags, laws.brakes, unequal or laws.brakes)
-    where, twists, twisting_of, about = space.where, laws.twists, space.twisting, space.about
+    carry, where, twists, twisting_of, about = space.carry, space.where, laws.twists, space.twisting, space.about
     (seen, touch_of), answer = touch_pass(space, laws, flat=flat), response(laws)
     _, own = coefficients_pass(space, laws, varied=varied)
 
@@ -81,8 +81,9 @@ def contact_pass(space: Dimension, laws: Laws, *, unequal: bool, flat: bool, var
         closing, sliding, rolling = rates(lanes, k, normal, a, b, depth, flat)
         twisting = twisting_of(lanes, k, normal) if twists else 0.0
         touch = touch_of(touching, depth, closing, radius, m, dt, c)
+        old, rolled = carry(stored, normal), carry(turned, normal)
         _, push, pull, (held, drag), (rolled, moment), (wound, twist) = answer(
-            sliding, rolling, twisting, stored, turned, twisted, touch, c
+            sliding, rolling, twisting, old, rolled, twisted, touch, c
         )
         moment = about(moment, twist, normal) if twists else moment
         drag, moment = where(touching, drag), where(touching, moment)

@@ -53,7 +53,7 @@ from silostudy.dem.space.lanes import (
     scatter_rolling,
     take,
 )  # fmt: skip
-from silostudy.dem.space.motion import APART, carry_slid, cross, dot, facing, held_of
+from silostudy.dem.space.motion import APART, carry, cross, dot, facing, held_of
 from silostudy.dem.sweep import FRESH
 from tests.test_accuracy.by_hand import inlined, longest, marched, steps_of, travelled
 
@@ -96,7 +96,7 @@ def rub(lanes, out, a, b, m, count, dt, c, flat):
         wide = np.sqrt(radius * depth)
         root = np.sqrt(m * wide)
         total = c[0][0] * wide * depth + c[0][1] * root * closing
-        held = held_of(lanes, k)
+        held = carry(held_of(lanes, k), normal)
         slip, damping = c[1][0] * wide * dt, -(c[1][1] * root)
         x, y, z = damping * su, damping * sv, damping * sw
         whole = held[0] - slip * su + x, held[1] - slip * sv + y, held[2] - slip * sw + z
@@ -123,7 +123,6 @@ def lists_by_hand(rough: bool):
     def of_list(contacts, start, count, scratch, dt, c, flat):
         if rough:
             bring(contacts.stored, start, count, scratch.lanes, OLD * STRETCH)
-            carry_slid(scratch.lanes, count)
         force(scratch.lanes, scratch.force, contacts.arm[0], contacts.other[0], contacts.mass[0], count, dt, c, flat)
         if rough:
             take(scratch.force, NEW * STRETCH, contacts.stored, start, count)

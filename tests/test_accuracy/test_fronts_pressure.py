@@ -45,8 +45,8 @@ def test_an_integral_over_a_jump():
 
 @pytest.mark.long
 def test_samples_meet_what_was_asked_of_other_solids():
-    found = fronts_samples.trials(lambda text: None, 4)
-    assert np.mean([trial.met for trial in found]) >= 0.93  # of 4 solids; of 20 it is 0.96
+    found = fronts_samples.trials(lambda text: None)
+    assert np.mean([trial.met for trial in found]) >= 0.95
     assert np.median([trial.setting / trial.least for trial in found]) <= 2
 
 

@@ -37,8 +37,8 @@ def test_refinements_meet_what_was_asked_on_other_scenes():
 @threadpool_limits.wrap(limits=1)
 def test_levels_keep_the_moment_on_other_scenes():
     random = np.random.default_rng(3)
-    found = [fronts_seismic.moment_trial(shaking, random) for shaking in unseen(40)]
-    assert np.mean([trial.met for trial in found]) >= 0.9  # of 40 scenes; of all it is 0.98
+    found = [fronts_seismic.moment_trial(shaking, random) for shaking in unseen(240)]  # 40 tell no more than 5 %
+    assert np.mean([trial.met for trial in found]) >= 0.95
     assert np.median([trial.setting for trial in found]) <= fronts_seismic.LEVELS[-1] / 4
 
 

@@ -16,7 +16,6 @@ from silostudy.dem.model import Contact
 from silostudy.dem.pieces import Laws
 from silostudy.dem.space.dimension import SPACE
 from silostudy.dem.space.lanes import PLACE, SPIN, VELOCITY, gather, scatter
-from silostudy.dem.space.motion import carry, facing
 from tests.test_spheres import two_bodies
 from tests.test_spheres.scenes import rows, spheres
 from tests.test_spheres.two_bodies import END, MASSES, RADII, C, M, apart
@@ -47,12 +46,10 @@ def met(laws, c, integrator, dt):
     for columns, values in ((PLACE, two_bodies.START), (VELOCITY, two_bodies.VELOCITY), (SPIN, two_bodies.SPIN)):
         rows[:, columns] = values
     held[:, :6] = rows[:, [*VELOCITY, *SPIN]]
-    slid, rolled, twisted, touched = (0.0, 0.0, 0.0), (0.0, 0.0, 0.0), 0.0, 0.0
+    histories = (0.0, 0.0, 0.0), (0.0, 0.0, 0.0), 0.0, 0.0
     for step in range(round(END / dt)):
         gather(rows, *pair, 0, 1, scratch.lanes)
-        normal, _ = facing(scratch.lanes, 0)
-        histories = carry(slid, normal), carry(rolled, normal), twisted, touched
-        slid, rolled, twisted, touched = contact(scratch.lanes, out, 0, *RADII, M, *histories, dt, c)
+        histories = contact(scratch.lanes, out, 0, *RADII, M, *histories, dt, c)
         scatter(rows, *pair, 0, 1, out)
         move(bodies, 0, 2, (0.0, 0.0, 0.0), 0.5 * dt if row.half_start and step == 0 else dt, dt, scratch)
     return np.hstack([rows[:, VELOCITY], rows[:, SPIN] * RADII[:, None]])

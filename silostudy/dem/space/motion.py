@@ -146,26 +146,6 @@ def carry(old, normal):
     return factor * new[0], factor * new[1], factor * new[2]
 
 
-def carrying(lane: int) -> Callable:
-    """Function that carries the histories of `count` contacts that stand in lanes from one on.
-
-    A loop of its own: what waits for these roots is then short enough for the processor to work at several contacts at once.
-    """
-    old, (first, second, third) = three(lane), (n * STRETCH for n in range(lane, lane + 3))
-
-    @piece("space", lane)
-    def carried(lanes, count):
-        for k in range(count):
-            x, y, z = carry(old(lanes, k), away_of(lanes, k))
-            lanes[0, first + k], lanes[0, second + k], lanes[0, third + k] = x, y, z
-
-    return carried
-
-
-carry_slid = carrying(OLD)
-carry_turned = carrying(OLD + 3)
-
-
 @register_jitable(forceinline=True)
 def twisting(lanes, k, normal):
     """Difference of spins about the normal (1/s)."""

@@ -5,7 +5,7 @@ from collections.abc import Callable
 from silostudy.dem.cache import piece
 from silostudy.dem.pieces import Laws
 from silostudy.dem.space.lanes import NEW, OLD, STRETCH, bring, take
-from silostudy.dem.space.motion import NEW_TOUCHED, NEW_TWISTED, TOUCHED, TWISTED, carry_slid, carry_turned, held_of, turned_of
+from silostudy.dem.space.motion import NEW_TOUCHED, NEW_TWISTED, TOUCHED, TWISTED, held_of, turned_of
 
 
 def walk(gathered: Callable, contact: Callable, unequal: bool, laws: Laws, key: tuple):
@@ -21,10 +21,8 @@ def walk(gathered: Callable, contact: Callable, unequal: bool, laws: Laws, key: 
         gathered(rows, contacts, shape, start, count, lanes)
         if slides:
             bring(stored, start, count, lanes, slid)
-            carry_slid(lanes, count)
         if rolls:
             bring(rolled, start, count, lanes, turned)
-            carry_turned(lanes, count)
         if winds:
             bring(contacts.twisted, start, count, lanes, TWISTED)
         if clings:
