@@ -1,6 +1,7 @@
 """A block's rows turned to lanes and back, a number of a body to a lane: so that its bodies are moved eight at a time.
 
 Every function has its meaning in plain Python, and the vector form beside it as numba's overload.
+What is written back is written out for discs and for spheres: one function for both makes 350 discs 5 % slower.
 Lanes are flat: numbers of one kind stand `stride` apart, or the compiler does not see that they never overlap.
 """
 

@@ -87,7 +87,7 @@ def methods_of(silo: xr.Dataset, phase: str) -> list[str]:
 
 
 def columns_of(count: int) -> int:
-    """Columns of so many panels, in two rows where there are at most eight."""
+    """Columns of so many panels: a row of up to three, two rows of more."""
     return min(count, 3) if count < 4 else -(-count // 2)
 
 
