@@ -29,7 +29,8 @@ def named(function, key: str):
 
 def kept(compiled) -> bool:
     """Whether a compiled form of a function that is named by its key is kept from before."""
-    return any(Path(config.CACHE_DIR).rglob(f"*.{compiled.py_func.__qualname__}-*.nbi"))
+    folder = Path(getattr(config, "CACHE_DIR"))  # noqa: B009 (numba makes its settings at run time)
+    return any(folder.rglob(f"*.{compiled.py_func.__qualname__}-*.nbi"))
 
 
 def piece(*key):

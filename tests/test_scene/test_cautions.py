@@ -178,7 +178,7 @@ def test_explain_tells_an_explosion_in_a_line(monkeypatch, tmp_path, capsys):
 
 @pytest.mark.parametrize(("speed", "told"), [(0.1, ["its grain_u are left: all start at rest"]), (0.0, [])])
 def test_motion_in_the_file_of_a_given_start_is_left_and_told(speed, told, tmp_path, capsys):
-    columns = {"grain_x": 0.0, "grain_y": 0.0, "grain_z": 0.05, "grain_radius": 0.004, "grain_u": speed, "grain_v": float("nan")}
+    columns = dict.fromkeys(("grain_x", "grain_y"), 0.0) | {"grain_z": 0.05, "grain_radius": 0.004, "grain_u": speed}
     xr.Dataset({name: ("grain", [value]) for name, value in columns.items()}).to_netcdf(tmp_path / "one.nc")
     content = bin_of_spheres(filling={"kind": "given", "file": "one.nc"}, sizes=None)
     found = notes(tmp_path / "bin.yaml", content, capsys)
