@@ -89,13 +89,17 @@ def run_one(chosen, scene, choice, output: Path) -> None:
     from silostudy.commands.check import told_before
     from silostudy.compute.dem import carry_through, run_of
     from silostudy.compute.expected import verdicts
+    from silostudy.dem.cache import kept
     from silostudy.dem.follow import mean_step, steps_made
+    from silostudy.dem.kernel import kernel
     from silostudy.errors import BadInput
 
     model = _model(chosen, scene)
-    for line in told_before(scene, model):
+    for line in told_before(scene, model, chosen.scene.parent):
         print(f"silostudy: {line}", file=sys.stderr)
     task = run_of(scene, model, threads=chosen.threads)
+    if not kept(kernel(model.pieces)):
+        print("silostudy: the kernel of these laws is compiled first, once: that takes 20 to 40 s", file=sys.stderr)
     with progress(task) as tell:
         carry_through(task, scene, checkpoint_of(scene, output), tell)
     keep(task, scene, choice, output)

@@ -3,6 +3,7 @@
 from math import pi
 
 import pytest
+import xarray as xr
 import yaml
 
 from silostudy.__main__ import main
@@ -173,3 +174,12 @@ def test_explain_tells_an_explosion_in_a_line(monkeypatch, tmp_path, capsys):
     told = capsys.readouterr().out
     assert "no cost is told, since a sample of these grains does not come to rest: sphere 29 ran away" in told
     assert "note: spheres.rolling_friction = 0.1: no chosen law takes it" in told
+
+
+@pytest.mark.parametrize(("speed", "told"), [(0.1, ["its grain_u are left: all start at rest"]), (0.0, [])])
+def test_motion_in_the_file_of_a_given_start_is_left_and_told(speed, told, tmp_path, capsys):
+    columns = dict.fromkeys(("grain_x", "grain_y"), 0.0) | {"grain_z": 0.05, "grain_radius": 0.004, "grain_u": speed}
+    xr.Dataset({name: ("grain", [value]) for name, value in columns.items()}).to_netcdf(tmp_path / "one.nc")
+    content = bin_of_spheres(filling={"kind": "given", "file": "one.nc"}, sizes=None)
+    found = notes(tmp_path / "bin.yaml", content, capsys)
+    assert [note.removeprefix("note: one.nc: ")[: len(words)] for note, words in zip(found, told, strict=True)] == told
