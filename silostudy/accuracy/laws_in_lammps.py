@@ -1,7 +1,7 @@
 """Contact laws of a scene of spheres in LAMMPS' words, in the ways that its input leaves open."""
 
 from dataclasses import dataclass, replace
-from math import pi, sqrt
+from math import exp, pi, sqrt
 
 from silostudy.config.elastic import TouchConfig
 from silostudy.config.spheres import SphereScene
@@ -41,19 +41,22 @@ class Way:
     """A way to tell LAMMPS a scene.
 
     damping: its word; own_modulus: whether walls are given their own modulus, which it takes for both bodies of a contact, or
-    the one that makes the contact's.
+    the one that makes the contact's; cut: whether the dashpot never pulls, as here, with the restitution that was asked for.
     """
 
     damping: str = "coeff_restitution"
     own_modulus: bool = False
+    cut: bool = False
 
     def title(self, scene: SphereScene) -> str:
         """Name the way, as it is of a scene."""
         damping = VISCOELASTIC if scene.walls.cohesion != NO_COHESION else self.damping
-        return f"damping {damping}{', walls of their own modulus' if self.own_modulus else ''}"
+        told = [f"damping {damping}", "walls of their own modulus" * self.own_modulus, "limit_damping" * self.cut]
+        return ", ".join(filter(None, told))
 
 
 PLAIN = Way()
+SAME_LAW = Way(cut=True)
 OTHERS = (Way(damping="tsuji"), Way(own_modulus=True))
 
 
@@ -71,7 +74,8 @@ def _of_touch(touch: TouchConfig, material: Material, radius: float, mass: float
     """Words of a contact of two bodies of a material; radius (m), mass (kg): reduced ones."""
     said = touch.model_dump()
     values = {
-        "modulus": material.youngs_modulus, "poisson": material.poissons_ratio, "restitution": touch.restitution,
+        "modulus": material.youngs_modulus, "poisson": material.poissons_ratio,
+        "restitution": told_where_cut(touch.restitution) if way.cut else touch.restitution,
         "friction": touch.sliding_friction, "rolling_friction": said.get("rolling_friction"),
         # moments over the radius are forces, and angles times it are ways
         "rolling_stiffness": (said.get("rolling_stiffness_N") or 0.0) / radius**2,
@@ -87,7 +91,20 @@ def _of_touch(touch: TouchConfig, material: Material, radius: float, mass: float
         _word(NORMAL, (touch.normal, touch.cohesion)), _word(TANGENTIAL, touch.tangential), _word(ROLLING, touch.rolling),
         _word(TWISTING, touch.twisting),
     )  # fmt: skip
-    return " ".join([*(part.format(**values) for part in parts if part), f"damping {damping}"])
+    cut = " limit_damping" if way.cut else ""
+    return " ".join([*(part.format(**values) for part in parts if part), f"damping {damping}{cut}"])
+
+
+def told_where_cut(restitution: float | None) -> float:
+    """Restitution (1) by which LAMMPS makes the dashpot that has another one where it never pulls.
+
+    Its dashpot is that of Antypov & Elliott (2011), whose damping number is -sqrt(5) ln e/sqrt(ln^2 e + pi^2).
+    """
+    assert restitution is not None
+    damping = damping_where_cut(restitution)
+    if damping >= sqrt(5.0):
+        raise CannotSay(f"no dashpot that is cut is so strong as for a restitution of {restitution:g}")
+    return exp(-pi * damping / sqrt(5.0 - damping**2))
 
 
 def viscosity(material: Material, restitution: float, adhesion: float, radius: float, mass: float) -> float:

@@ -1,7 +1,7 @@
 """A scene of spheres in LAMMPS: start, rain, step, laws and events of a run of the engine, which says when they happened."""
 
 from collections import defaultdict
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from functools import partial
 
 import numpy as np
@@ -9,12 +9,13 @@ import numpy as np
 from silostudy.accuracy.arrivals import Arrival
 from silostudy.accuracy.grains_in_lammps import GrainsInLammps
 from silostudy.accuracy.laws_in_lammps import CannotSay, Way, words
-from silostudy.accuracy.walls_in_lammps import regions
+from silostudy.accuracy.walls_in_lammps import holed, regions
 from silostudy.config.spheres import SphereScene
 from silostudy.dem.feeder import DOWN
 from silostudy.dem.moves import OF_LID
 from silostudy.dem.outcomes import Looks
 from silostudy.dem.run import CHECK_EVERY, Run
+from silostudy.dem.space.level import LevelPiece
 from silostudy.dem.space.model import SphereModel
 from silostudy.scene.spheres import space_silo_of
 
@@ -23,9 +24,12 @@ Act = Callable[[], None]
 
 
 class SceneInLammps:
-    """A scene in LAMMPS, told in a way; run: of the engine, at its end; came: the spheres that came in on its way."""
+    """A scene in LAMMPS, told in a way; run: of the engine, at its end; came: the spheres that came in on its way.
 
-    def __init__(self, scene: SphereScene, run: Run, came: list[Arrival], way: Way):
+    looks: further steps at which places are looked at.
+    """
+
+    def __init__(self, scene: SphereScene, run: Run, came: list[Arrival], way: Way, looks: Iterable[int] = ()):
         if scene.other_grains or scene.pairs or scene.surfaces:
             raise CannotSay("contacts that differ by kind or surface are not told here")
         assert isinstance(run.engine.model, SphereModel)
@@ -34,9 +38,9 @@ class SceneInLammps:
         pair, self.wall = words(scene, way, float(self.model.radius.mean()))
         self.step, self.flows, self.load, self.momentum = 0, False, np.nan, np.nan
         self.there: set[int] = set()
-        self.seen: list[tuple[float, np.ndarray, np.ndarray]] = []  # times (s), places and radii (m)
+        self.seen: list[tuple[float, np.ndarray, np.ndarray]] = []  # times (s), numbers, places (m)
         self.out: list[tuple[float, float]] = []  # s at which a sphere was seen to be out, and its mass (kg)
-        self.due = self._due(came)
+        self.due = self._due(came, looks)
         self.grains = GrainsInLammps(self.model, pair)
 
     def go(self) -> Looks:
@@ -54,13 +58,13 @@ class SceneInLammps:
         self.grains.close()
         return self._looks()
 
-    def _due(self, came: list[Arrival]) -> dict[int, list[Act]]:
+    def _due(self, came: list[Arrival], looks: Iterable[int]) -> dict[int, list[Act]]:
         """List what is to be done at which step, in order."""
         due: dict[int, list[Act]] = defaultdict(list)
         run, end = self.run, self.run.engine.step
         for step in {arrival.step for arrival in came}:
             due[step].append(partial(self._let_in, [arrival for arrival in came if arrival.step == step]))
-        for step in run.snapshots:
+        for step in (*run.snapshots, *looks):
             due[step].append(self._look)
         if run.window:
             due[end - run.window].append(self._begin_window)
@@ -76,7 +80,7 @@ class SceneInLammps:
     def _action(self, action: str, what: tuple) -> Act:
         """Tell what an event does; CannotSay for one that LAMMPS has no words for."""
         known: dict[str, Callable[..., None]] = {
-            "open": self._open, "turn": self._turn, "feed": self._feed, "stop": lambda: None
+            "open": self._open, "open holes": self._open_holes, "turn": self._turn, "feed": self._feed, "stop": lambda: None
         }  # fmt: skip
         if action in OF_LID:
             raise CannotSay("its walls move as they are told and bear no load: no lid that presses")
@@ -92,6 +96,15 @@ class SceneInLammps:
 
     def _open(self, name: str) -> None:
         self.grains.command(f"unfix {name}")
+        self.flows = True
+
+    def _open_holes(self, name: str, holes: tuple[str, ...], speed: float) -> None:
+        floor = self.model.wall_named(name)
+        if speed or not isinstance(floor, LevelPiece):
+            raise CannotSay("outlets that open at a speed are not told here")
+        self.grains.command(f"unfix {name}\nregion {name} delete")
+        self.regions[name] = holed(floor, holes)
+        self._fix(name)
         self.flows = True
 
     def _turn(self, spin: float, *names: str) -> None:
@@ -116,7 +129,7 @@ class SceneInLammps:
         self.there |= set(numbers.tolist())
 
     def _look(self) -> None:
-        self.seen.append((self.step * self.model.dt, self.grains.places, self.model.radius[self.grains.numbers]))
+        self.seen.append((self.step * self.model.dt, self.grains.numbers, self.grains.places))
 
     def _begin_window(self) -> None:
         self.momentum = self._upward_momentum()
@@ -143,7 +156,8 @@ class SceneInLammps:
 
     def _looks(self) -> Looks:
         weight = np.array(self.model.gravity)
-        times, places, radii = zip(*self.seen, strict=True) if self.seen else ((), (), ())
+        times, numbers, places = zip(*self.seen, strict=True) if self.seen else ((), (), ())
+        radii = tuple(self.model.radius[there] for there in numbers)
         return Looks(
             places=places, radii=radii, times=times, left_time=np.array([time for time, _ in self.out]),
             left_mass=np.cumsum([mass for _, mass in self.out]), load=self.load,

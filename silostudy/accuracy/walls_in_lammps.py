@@ -4,12 +4,13 @@ import numpy as np
 
 from silostudy.accuracy.laws_in_lammps import CannotSay
 from silostudy.dem.space.level import LevelPiece
+from silostudy.dem.space.surfaces import CIRCLE
 from silostudy.dem.space.walls import FlatPiece, Surface, TurnedLine
 from silostudy.scene.space_silo import LID
 
 ROOM = 1.0  # m: how far a block behind a sloping wall goes on
 SAME = 1e-9  # m: planes that are nearer are one
-AXES = "xyz"
+FLAT = 1e-9  # rise over radius of a cone that stands for a level ring
 
 
 def regions(walls: tuple[Surface, ...]) -> dict[str, str]:
@@ -61,6 +62,15 @@ def _block(wall: FlatPiece) -> str:
     sides[way] = (foot - ROOM, foot) if wall.normal[way] > 0.0 else (foot, foot + ROOM)
     tilts = [0.0, head - foot, 0.0] if way == 0 else [0.0, 0.0, head - foot]
     return f"prism {' '.join(_numbers(side) for side in sides)} {_numbers(tilts)} side out"
+
+
+def holed(floor: LevelPiece, names: tuple[str, ...]) -> str:
+    """A level floor around its open hole, as a cone that hardly rises: of a circle with a round hole in its middle."""
+    outlines = [floor.outline, *(hole.outline for hole in floor.holes if hole.name in names)]
+    if len(outlines) != 2 or any(outline.sides != CIRCLE or any(outline.middle) for outline in outlines):
+        raise CannotSay("an outlet of a flat floor is told here where both are round, about the axis")
+    wide, narrow = (outline.half[0] for outline in outlines)
+    return f"cone z 0 0 {narrow} {wide} {floor.height - FLAT * wide} {floor.height} side in open 1 open 2"
 
 
 def _numbers(values) -> str:

@@ -37,6 +37,12 @@ def add(sub) -> None:
     hard.add_argument("--scenes", type=Path, default=Path("config/scenes/hard"), help="folder of the scene files")
     hard.add_argument("--output", type=Path, default=Path("results/bench/hard.csv"))
     hard.set_defaults(run=run_hard)
+    codes = what.add_parser(
+        "codes", help="how far LAMMPS is off in a study's first setting, from the same fillings; some minutes"
+    )
+    codes.add_argument("--study", type=Path, default=Path("config/studies/spheres-ladders.yaml"), help="of scenes of spheres")
+    codes.add_argument("--output", type=Path, default=Path("results/bench/codes.csv"))
+    codes.set_defaults(run=run_codes)
     accuracy = what.add_parser("accuracy", help="CPU time to an error, beside LAMMPS where it is installed")
     accuracy.add_argument(
         "--grains",
@@ -99,6 +105,12 @@ def run_discharge(chosen) -> None:
 
 def run_hard(chosen) -> None:
     from silostudy.commands.bench_hard import run
+
+    run(chosen)
+
+
+def run_codes(chosen) -> None:
+    from silostudy.commands.bench_codes import run
 
     run(chosen)
 

@@ -11,8 +11,8 @@ import xarray as xr
 
 from silostudy.cube.areas import AVERAGED, largest_mean
 from silostudy.errors import BadInput
+from silostudy.figures.intervals import changed, half_interval
 from silostudy.figures.ladder_rungs import LADDERS, rung_label, rungs_of
-from silostudy.figures.ladders import changed, half_interval
 from silostudy.figures.style import WIDTH, foot, headline, plt, save, series
 
 DEPTHS = np.linspace(0.15, 0.95, 9)  # of the filled height

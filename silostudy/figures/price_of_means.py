@@ -13,8 +13,9 @@ import xarray as xr
 from matplotlib.artist import Artist
 
 from silostudy.errors import BadInput
+from silostudy.figures.intervals import changed
 from silostudy.figures.ladder_rungs import LADDERS, rungs_of
-from silostudy.figures.ladders import QUANTITIES, changed, labels, quantities
+from silostudy.figures.ladders import QUANTITIES, labels, quantities
 from silostudy.figures.style import REST, WIDTH, foot, headline, save, series
 
 MARKED = (0.1, 0.05, 0.02)

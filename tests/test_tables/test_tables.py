@@ -14,7 +14,7 @@ from silostudy.cube.contract import VARIABLES
 from silostudy.errors import BadInput
 from silostudy.pressure import PRESSURE
 from silostudy.pressure.en1991_4.characteristic import SETS
-from silostudy.tables import effect_prices, load_cases, measured, published_cases
+from silostudy.tables import code_differences, effect_prices, load_cases, measured, published_cases
 from silostudy.tables.asked import ASKED
 from silostudy.tables.clauses import EVIDENCE, STATES, clauses
 from silostudy.tables.handbook import TONNE_PER_M2, errata, table_4_2_5
@@ -38,7 +38,7 @@ def test_every_row_of_every_table_has_a_source(path):
     text |= {"record", "package", "file", "claim", "variable", "measure", "trait", "quantity", "unit"}
     text |= {"limit", "methods", "clause", "what", "state", "names", "evidence"}
     text |= {"combination", "leading", "contents", "side", "first", "second", *load_cases.TEXT, *measured.TEXT}
-    text |= {*published_cases.TEXT, *effect_prices.TEXT}
+    text |= {*published_cases.TEXT, *effect_prices.TEXT, *code_differences.TEXT}
     found = rows(path, text=text)
     assert found
     for row in found:
