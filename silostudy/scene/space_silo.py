@@ -11,7 +11,7 @@ import numpy as np
 
 from silostudy.dem.space.level import Hole, LevelPiece, Outline
 from silostudy.dem.space.network import all_from_wall
-from silostudy.dem.space.surfaces import CIRCLE, RECTANGLE
+from silostudy.dem.space.rows import CIRCLE, RECTANGLE
 from silostudy.dem.space.walls import FlatPiece, Surface, TurnedLine, walls_of
 from silostudy.scene.silo import Silo
 from silostudy.scene.space_checks import require_surfaces
