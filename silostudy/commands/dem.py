@@ -89,7 +89,7 @@ def run_one(chosen, scene, choice, output: Path) -> None:
     from silostudy.commands.check import told_before
     from silostudy.compute.dem import carry_through, run_of
     from silostudy.compute.expected import verdicts
-    from silostudy.dem.cache import kept
+    from silostudy.dem.cache import is_compiled
     from silostudy.dem.follow import mean_step, steps_made
     from silostudy.dem.kernel import kernel
     from silostudy.errors import BadInput
@@ -98,7 +98,7 @@ def run_one(chosen, scene, choice, output: Path) -> None:
     for line in told_before(scene, model, chosen.scene.parent):
         print(f"silostudy: {line}", file=sys.stderr)
     task = run_of(scene, model, threads=chosen.threads)
-    if not kept(kernel(model.pieces)):
+    if not is_compiled(kernel(model.pieces)):
         print("silostudy: the kernel of these laws is compiled first, once: that takes 20 to 40 s", file=sys.stderr)
     with progress(task) as tell:
         carry_through(task, scene, checkpoint_of(scene, output), tell)

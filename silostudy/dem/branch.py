@@ -14,6 +14,7 @@ from silostudy.dem.arrays import Memory
 from silostudy.dem.checkpoint import checkpoint, restore
 from silostudy.dem.contacts import Contact
 from silostudy.dem.drive import MASS
+from silostudy.dem.floors import exchanged, nearest_of
 from silostudy.dem.model import Model
 from silostudy.dem.neighbours import LOW, SHIFT
 from silostudy.dem.varied import Varied
@@ -109,13 +110,14 @@ def differences(model: Model, end: Mapping[str, Any]) -> Iterator[str]:
 def _other_walls(model: Model, end: Mapping[str, Any]) -> Iterator[str]:
     """Walls that stand there and are others here, or that stand here alone; what waits to stand or to open may differ."""
     here, live = walls(model), dict(zip(end["walls"], end["engine"]["live"], strict=True))
+    passed, own = exchanged(model, end, here)
     for name, stands in live.items():
         box, shape = here.get(name, (b"", np.empty(0)))
         other = box != end["walls"][name][0] or (changed(end, name) and not np.array_equal(shape, end["walls"][name][1]))
-        if stands and other:
+        if stands and other and name not in passed:
             yield f"another wall {name}: an outlet that is open, and the silo's body, stay as they are"
     for wall in model.walls:
-        if wall.live and wall.name not in live:
+        if wall.live and wall.name not in {*live, *own}:
             yield f"no wall {wall.name}, which stands here"
     moves = model.space.motion_of(end["engine"]["shape"])[:, 1:].any() or (end["engine"]["drive"][:, MASS] > 0.0).any()
     if moves and not model.moving:
@@ -142,6 +144,7 @@ def _here(engine, end: Mapping[str, Any]) -> dict[str, np.ndarray]:
         **_walls_here(engine, end),
         **_memories_here(engine, end),
         "window": engine.record.window,
+        "whole": engine.record.whole,
         "account": account,
         "gravity": saved["gravity"] if same else np.array(model.gravity),
         "coefficients": np.array(_coefficients_here(engine, end)),
@@ -152,8 +155,11 @@ def _walls_here(engine, end: Mapping[str, Any]) -> dict[str, np.ndarray]:
     """State of the walls: which stand, where, and what moves them; of those that had changed by then, as they were there."""
     here = {name: getattr(engine.walls, name).copy() for name in ("live", "shape", "drive")}
     numbers = {wall.name: number for number, wall in enumerate(engine.model.walls)}
+    passed, own = exchanged(engine.model, end, walls(engine.model))
     for then, name in enumerate(end["walls"]):
         stands = end["engine"]["live"][then]
+        if name in {*passed, *own}:
+            continue
         if name in numbers:
             here["live"][numbers[name]] = stands
         if stands:
@@ -169,9 +175,14 @@ def _memories_here(engine, end: Mapping[str, Any]) -> dict[str, np.ndarray]:
     """Histories at walls, under the numbers that these have here."""
     saved, model = end["engine"], engine.model
     live = dict(zip(end["walls"], saved["live"], strict=True))
-    number = np.array([model.wall_number(name) if stands else 0 for name, stands in live.items()])
+    passed, own = exchanged(model, end, walls(model))
+    number = np.array([model.wall_number(name) if stands and name not in passed else 0 for name, stands in live.items()])
     near = Memory(*(saved[f"wall_{name}"] for name in Memory._fields))
-    key = (near.key >> SHIFT) << SHIFT | number[near.key & LOW]
+    body, wall = near.key >> SHIFT, number[near.key & LOW]
+    moved = np.isin(near.key & LOW, [list(live).index(name) for name in passed])
+    if moved.any():
+        wall[moved] = nearest_of(engine, own, saved["rows"][body[moved]][:, model.space.place])
+    key = body << SHIFT | wall
     order = np.argsort(key, kind="stable")
     return {f"wall_{name}": column for name, column in near.picked(order, key[order])._asdict().items()}
 

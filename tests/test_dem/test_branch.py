@@ -68,6 +68,25 @@ def test_another_outlet_and_another_friction(tmp_path):
     assert same_motion(rubbing, carried(scene_of(events=[asked, OPENS, stop(0.2)], **PLAIN)))
 
 
+SHUT = {"silo": {"width_m": 0.17, "height_m": 0.4, "wall_cells": 5}}
+ONE, WIDER = ([{"name": name, "width_m": wide, "middle_m": 0.09}] for name, wide in (("one", 0.05), ("other", 0.09)))
+TWO = [{"name": "left", "width_m": 0.03, "middle_m": 0.04}, {"name": "right", "width_m": 0.06, "middle_m": 0.12}]
+
+
+@pytest.mark.parametrize("outlets", [WIDER, TWO])
+def test_other_outlets_by_names_in_place_of_shut_ones(outlets, tmp_path):
+    """As if the filling had been over these all along; once one is open, the floor stays as it is."""
+    ended(tmp_path, stop(0.05), **SHUT, outlets=ONE)
+    opened = {"do": "open_slit", "outlets": [outlets[-1]["name"]]}
+    whole = carried(scene_of(events=[OPENS | opened, stop(0.2)], **PLAIN | SHUT, outlets=outlets))
+    branch = branched(tmp_path, AT_ONCE | opened, stop(0.2), **SHUT, outlets=outlets)
+    assert same_motion(branch, whole)
+    assert branch.dropped == whole.dropped > 0.0
+    ended(tmp_path, OPENS, stop(0.1), **SHUT, outlets=ONE)
+    with pytest.raises(BadInput, match="another wall floor_1: an outlet that is open"):
+        branched(tmp_path, stop(0.2), **SHUT, outlets=outlets)
+
+
 def test_what_events_changed_stays(tmp_path):
     changes = [{"when": "time", "value": 0.01, "do": "set_friction", "disc_friction": 0.3},
                {"when": "time", "value": 0.02, "do": "set_gravity", "gravity_m_s2": [1.0, -9.0]}]  # fmt: skip

@@ -22,7 +22,8 @@ from silostudy.dem.space.rows import (
     UPWARD,
 )
 
-SURE, NEAR = 1.0 - 1e-9, 1e-24  # of a square, and m2: what is farther by less may be the nearest but for rounding
+SURE = 1.0 - 1e-9  # of a square: what is farther by less may be the nearest but for rounding
+NEAR = 1e-24  # m2: the same
 
 
 @njit(**OPTIONS)

@@ -1,4 +1,4 @@
-"""What the rows of numbers hold that kernels read of surfaces: their columns, and kinds."""
+"""Columns of the rows of numbers that kernels read of surfaces, and the kinds in them."""
 
 # kinds of surface, in the first column of their shapes
 TURNED = 0.0
