@@ -152,6 +152,7 @@ def keep(task, scene, choice, output: Path) -> None:
     from silostudy.compute.dem_cube import cube_of
     from silostudy.compute.paraview import export
     from silostudy.cube.io import write
+    from silostudy.dem.feeder import shortfall
     from silostudy.dem.rain import delay
 
     cube = cube_of(task, scene, choice)
@@ -164,8 +165,8 @@ def keep(task, scene, choice, output: Path) -> None:
         export(task, paraview_of(output))
     if checkpoint := checkpoint_of(scene, output):
         checkpoint.unlink(missing_ok=True)
-    if lag := delay(task):
-        print(f"silostudy: {output}: {lag}", file=sys.stderr)
+    for told in filter(None, (delay(task), shortfall(task))):
+        print(f"silostudy: {output}: {told}", file=sys.stderr)
     half, began = 0.5 * task.engine.model.step, task.began * task.engine.model.dt
     late = [time for time in scene.record.snapshots_s if time > task.engine.time + half]
     early = [time for time in scene.record.snapshots_s if time < began - half]

@@ -34,7 +34,7 @@ def end_of(run) -> dict[str, Any]:
         "gone": run.gone + run.dropped,
         "looked": run.looked,
         "over": run.over,
-        "fed": (run.feeder.rate, run.feeder.owed) if run.feeder else None,
+        "fed": run.feeder.stand if run.feeder else None,
         "fixed": fixed(model),
         "walls": walls(model),
         "stated": values(model, (model.pair_contact, model.wall_contact)),
@@ -70,6 +70,14 @@ def changed(end: Mapping[str, Any], name: str) -> bool:
 
 def _shape_then(end: Mapping[str, Any], name: str) -> np.ndarray:
     return end["engine"]["shape"][list(end["walls"]).index(name)]
+
+
+def opening(model: Model, end: Mapping[str, Any]) -> bool:
+    """Whether an outlet was still being opened at a speed then."""
+    now, wider = end["engine"]["shape"], end["engine"]["shape"].copy()
+    for wall in range(len(wider)):
+        model.space.widen(wider, wall, model.dt)
+    return not np.array_equal(now, wider)
 
 
 def values(model: Model, contacts: Contacts) -> Values:
@@ -132,7 +140,7 @@ def go_on(run, end: Mapping[str, Any]) -> None:
     run.over = copy.deepcopy(end["over"])  # one end may have several branches
     run.began = run.since = run.opened = engine.step
     if run.feeder and end["fed"]:
-        run.feeder.rate, run.feeder.owed = end["fed"]
+        run.feeder.stand = end["fed"]
 
 
 def _here(engine, end: Mapping[str, Any]) -> dict[str, np.ndarray]:

@@ -87,6 +87,23 @@ def test_other_outlets_by_names_in_place_of_shut_ones(outlets, tmp_path):
         branched(tmp_path, stop(0.2), **SHUT, outlets=outlets)
 
 
+@pytest.mark.parametrize(
+    ("begins", "changes"),
+    [
+        (OPENS | {"speed_m_s": 0.5}, {**SHUT, "outlets": ONE}),
+        ({"when": "time", "value": 0.05, "do": "feed", "rate_kg_s": 20.0}, {}),
+    ],
+)
+def test_an_outlet_that_opens_and_a_feeder_go_on(begins, changes, tmp_path):
+    """Stopped while the outlet opens, or the feeder feeds, to which no event of the branch belongs."""
+    whole = carried(scene_of(events=[begins, stop(0.2)], **PLAIN | changes))
+    first = ended(tmp_path, begins, stop(0.1), **changes)
+    branch = branched(tmp_path, stop(0.2), **changes)
+    assert same_motion(branch, whole)
+    assert branch.dropped > 0.0
+    assert first.dropped + branch.dropped == pytest.approx(whole.dropped, rel=1e-12)
+
+
 def test_what_events_changed_stays(tmp_path):
     changes = [{"when": "time", "value": 0.01, "do": "set_friction", "disc_friction": 0.3},
                {"when": "time", "value": 0.02, "do": "set_gravity", "gravity_m_s2": [1.0, -9.0]}]  # fmt: skip
