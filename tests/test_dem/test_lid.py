@@ -44,7 +44,7 @@ def test_discs_are_pressed_and_fed_from_the_file_to_the_cube():
     assert abs(balance(account) - start) < 1e-9 * account[TURNOVER]
 
 
-@pytest.mark.parametrize(("rate", "told"), [(RATE, False), (40.0 * RATE, True)])
+@pytest.mark.parametrize(("rate", "told"), [(RATE / 2.0, False), (40.0 * RATE, True)])
 def test_a_feeder_that_cannot_keep_its_rate_is_told(rate, told):
     feed = [{"when": "time", "value": 0.05, "do": "feed", "rate_kg_s": rate}, {"when": "after", "value": 0.2, "do": "stop"}]
     run = carried(scene_of(events=feed, record={}))
