@@ -49,10 +49,13 @@ def fixed(model: Model) -> dict[str, Any]:
     columns = (model.place, model.radius, model.mass, *([] if model.kind is None else [model.kind]))
     return {
         "grains (sizes, density, packing, seed)": tuple(np.ascontiguousarray(column).tobytes() for column in columns),
-        "contact laws, or surfaces that differ": repr([(contact.laws, isinstance(contact, Varied)) for contact in contacts]),
+        "contact laws": repr([contact.laws for contact in contacts]),
+        "surfaces: some have frictions of their own there or here, by `surfaces` or an event, and none on the other side": [
+            isinstance(contact, Varied) for contact in contacts
+        ],
         "march.integrator": model.integrator,
-        "march.step_s": model.step,
         "march.step": model.pace,
+        "march.step_s": model.step,
     }
 
 
@@ -105,7 +108,8 @@ def differences(model: Model, end: Mapping[str, Any]) -> Iterator[str]:
     for name, now in fixed(model).items():
         then = end["fixed"][name]
         if then != now:
-            yield f"other {name}" + (f": {then} there, {now} here" if name.startswith("march") else "")
+            told = f": {then} there, {now} here, and must be given as it is there" if name.startswith("march") else ""
+            yield f"other {name}{told}"
             return
     units = {coefficient.name: coefficient.unit for contact in (model.pair_contact, model.wall_contact) for row in contact.rows
              for coefficient in row.coefficients}  # fmt: skip
@@ -130,6 +134,19 @@ def _other_walls(model: Model, end: Mapping[str, Any]) -> Iterator[str]:
     moves = model.space.motion_of(end["engine"]["shape"])[:, 1:].any() or (end["engine"]["drive"][:, MASS] > 0.0).any()
     if moves and not model.moving:
         yield "walls in motion: an event here must move them too"
+
+
+def as_events_left(model: Model, end: Mapping[str, Any]) -> list[str]:
+    """Frictions and gravity, in words, with which a branch goes on as events left them there, other than its scene states."""
+    stated = values(model, (model.pair_contact, model.wall_contact))
+    left: dict[tuple[str, float], list[str]] = {}
+    for (wall, _, name), now in end["held"].items():
+        if now != end["stated"][wall, _, name] == stated.get((wall, _, name)):
+            left.setdefault((name, now), []).append(wall or "grains")
+    told = [f"{name} {now:g} of {', '.join(dict.fromkeys(walls))}" for (name, now), walls in left.items()]
+    gravity = tuple(map(float, end["engine"]["gravity"]))
+    moved = gravity != tuple(map(float, end["gravity"])) == tuple(map(float, model.gravity))
+    return told + ([f"gravity_m_s2 {list(gravity)}"] if moved else [])
 
 
 def go_on(run, end: Mapping[str, Any]) -> None:

@@ -10,6 +10,7 @@ from silostudy.__main__ import main
 from silostudy.compute.branches import keep_end
 from silostudy.compute.dem import run_of, scene_model
 from silostudy.cube.io import read
+from silostudy.dem.branch import as_events_left
 from silostudy.errors import BadInput
 from tests.test_dem.small import SMALL, carried, scene_of
 
@@ -109,6 +110,8 @@ def test_what_events_changed_stays(tmp_path):
                {"when": "time", "value": 0.02, "do": "set_gravity", "gravity_m_s2": [1.0, -9.0]}]  # fmt: skip
     ended(tmp_path, *changes, stop(0.04))
     branch = branched(tmp_path, stop(0.08))
+    model = branch.engine.model
+    assert as_events_left(model, model.end) == ["sliding_friction 0.3 of grains", "gravity_m_s2 [1.0, -9.0]"]
     assert same_motion(branch, carried(scene_of(events=[*changes, stop(0.08)], **PLAIN)))
 
 
@@ -127,6 +130,8 @@ def test_what_has_left_before_counts_towards_a_share(tmp_path):
         ({"discs__normal_stiffness_N_m2": 9e6}, "other normal_stiffness: 9.46e+06 N m-2 there, 9e+06 here"),
         ({"discs__tangential": "spring-slider-total"}, "other contact laws"),
         ({"march__step_s": 2e-5}, "other march.step_s: 2.5e-05 there, 2e-05 here"),
+        ({"march__step": "follow", "march__step_s": None}, "other march.step: fixed there, follow, from "),
+        ({"surfaces": {"left": {"sliding_friction": 0.1}}}, "other surfaces: some have frictions of their own"),
         ({"silo__height_m": 0.5}, "another wall left"),
         ({"silo__lid": True}, "no wall lid, which stands here"),
         ({"march__limit_s": 0.03}, "march.limit_s = 0.03: must be above 0.05 s, where first.end ends"),
