@@ -31,7 +31,12 @@ from silostudy.scene.spheres_model import sphere_model
 
 def scene_model(scene: AnyScene, folder: Path, where: str = "") -> Model:
     """The engine's model of a scene; BadInput for a start or a step that cannot be."""
-    model = _started(scene, folder, where)
+    try:
+        model = _started(scene, folder, where)
+    except BadInput as error:
+        if error.where or not where:
+            raise
+        raise BadInput(error.field, error.value, error.allowed, where) from None
     if not scene.start_from:
         return model
     end = end_for(scene, model, folder, where)
