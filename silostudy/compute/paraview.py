@@ -20,13 +20,10 @@ def export(run: Run, folder: Path) -> list[Path]:
         f"{space.body}s": lambda snapshot: grains_mesh(run, snapshot),
         "forces": lambda snapshot: forces_mesh(snapshot, space.ways),
     }
-    written = []
+    written, times = [], [float(snapshot["time"]) for snapshot in snapshots]
     for name, mesh_of in meshes.items():
         files = [_write(folder / f"{k:03d}-{name}.vtu", mesh_of(snapshot)) for k, snapshot in enumerate(snapshots)]
-        _list(
-            folder / f"{name}.pvd",
-            [(file.name, float(snapshot["time"])) for file, snapshot in zip(files, snapshots, strict=True)],
-        )
+        _list(folder / f"{name}.pvd", dict(zip((file.name for file in files), times, strict=True)))
         written.append(files)
     return [file for both in zip(*written, strict=True) for file in both]
 
@@ -62,11 +59,11 @@ def forces_mesh(snapshot: dict, ways: int) -> meshio.Mesh:
     return meshio.Mesh(solid(ends), [("line", lines)], cell_data={"force": [solid(pairs[:, 2 + ways :])]})
 
 
-def _list(path: Path, times: list[tuple[str, float]]) -> None:
+def _list(path: Path, times: dict[str, float]) -> None:
     """Write the list of files that ParaView reads as one series in time (s)."""
     root = ElementTree.Element("VTKFile", type="Collection", version="0.1")
     collection = ElementTree.SubElement(root, "Collection")
-    for file, time in times:
+    for file, time in times.items():
         ElementTree.SubElement(collection, "DataSet", timestep=f"{time:.9g}", file=file)
     with replacing(path) as temporary:
         ElementTree.ElementTree(root).write(temporary)

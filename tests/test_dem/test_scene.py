@@ -136,9 +136,8 @@ def test_paraview(small, tmp_path):
     assert len(discs.points) == len(run.engine.model.x)
     assert np.all(discs.point_data["radius"] == 0.01)
     assert len(forces.cells_dict["line"]) == len(run.recording.snapshots[0]["pairs"])
-    listed = [
-        (float(one.get("timestep")), one.get("file")) for one in ElementTree.parse(tmp_path / "discs.pvd").iter("DataSet")
-    ]
+    series = ElementTree.parse(tmp_path / "discs.pvd").iter("DataSet")
+    listed = [(float(entry.get("timestep")), entry.get("file")) for entry in series]
     assert listed == [(pytest.approx(0.05), "000-discs.vtu"), (pytest.approx(0.2), "001-discs.vtu")]
 
 

@@ -92,7 +92,7 @@ def test_what_cannot_be_a_sheet():
         facets_of(cylinder(4), "mesh", "inch")
     with pytest.raises(BadInput, match=f"mesh = '2004 triangles': must be from 1 to {MOST}"):
         facets_of(cylinder(501), "mesh", "m")
-    with pytest.raises(BadInput, match="a.stl: mesh = '0 triangles': .*none in the file has an area"):
+    with pytest.raises(BadInput, match=r"a\.stl: mesh = '0 triangles': .*none in the file has an area"):
         facets_of(np.zeros((3, 3, 3)), "mesh", "m", "a.stl")
 
 
