@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from silostudy.dem.space.level import LevelPiece, Outline
-from silostudy.dem.space.surfaces import ACROSS, CIRCLE, NORMAL, UPWARD
+from silostudy.dem.space.rows import ACROSS, CIRCLE, NORMAL, UPWARD
 from silostudy.dem.space.walls import FlatPiece, TurnedLine
 
 CUT = 33  # points of a line that a plane cuts a turned surface in
