@@ -135,10 +135,19 @@ def told_before(scene, model, folder: Path) -> list[str]:
     from silostudy.scene.spheres_about import softening, warnings
 
     cautions = [*notes(scene, model), *rates_left(scene, folder)]
-    branch = [f"goes on from {scene.start_from} at {model.end['engine']['step'] * model.dt:.6g} s"] if model.end else []
+    branch = branch_told(scene, model) if model.end else []
     if not isinstance(scene, SphereScene):
         return [*branch, *cautions]
     return [*branch, *cautions, *softening(scene, model), *(f"warning: {line}" for line in warnings(scene, model))]
+
+
+def branch_told(scene, model) -> list[str]:
+    """Lines on where a scene goes on from, and with what that its file states otherwise."""
+    from silostudy.dem.branch import as_events_left
+
+    then = f"goes on from {scene.start_from} at {model.end['engine']['step'] * model.dt:.6g} s"
+    left = "; ".join(as_events_left(model, model.end))
+    return [then, *([f"goes on as events left it there: {left}"] if left else [])]
 
 
 def chosen_for(promise: dict[str, str]) -> list[str]:

@@ -27,10 +27,10 @@ def named(function, key: str):
     return function
 
 
-def compiled_before(compiled) -> bool:
+def is_compiled(function) -> bool:
     """Whether a compiled form of a function that is named by its key is kept from before."""
     folder = Path(getattr(config, "CACHE_DIR"))  # noqa: B009 (numba makes its settings at run time)
-    return any(folder.rglob(f"*.{compiled.py_func.__qualname__}-*.nbi"))
+    return any(folder.rglob(f"*.{function.py_func.__qualname__}-*.nbi"))
 
 
 def piece(*key):

@@ -17,7 +17,7 @@ from numba.core.extending import _Intrinsic
 import silostudy.dem
 from silostudy.choice.dem import load
 from silostudy.compute.dem import scene_model
-from silostudy.dem.cache import compiled_before
+from silostudy.dem.cache import is_compiled
 from silostudy.dem.engine import Engine
 from silostudy.dem.integrate import INTEGRATORS
 from silostudy.dem.kernel import kernel
@@ -130,9 +130,9 @@ def test_order_of_convergence(integrator):
 def test_a_kernel_is_kept_from_its_first_step(monkeypatch, tmp_path):
     engine = Engine(five_grains())
     engine.step_to(1)
-    assert compiled_before(engine._kernel)
+    assert is_compiled(engine._kernel)
     monkeypatch.setattr(config, "CACHE_DIR", str(tmp_path))
-    assert not compiled_before(engine._kernel)
+    assert not is_compiled(engine._kernel)
 
 
 KEPT = """

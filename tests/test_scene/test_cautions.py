@@ -150,6 +150,14 @@ def test_a_sweep_s_case_that_takes_no_value_is_no_reason_for_a_note(tmp_path, ca
     assert notes(tmp_path / "silo.yaml", content | {"sweep": [{"axis": "law", "points": laws}]}, capsys) == []
 
 
+@pytest.mark.parametrize(("first", "count"), [("open_outlet", 0), ("set_gravity", 1)])
+def test_a_share_discharged_before_anything_is_let_out_is_noted(first, count, tmp_path, capsys):
+    given = {"gravity_m_s2": [0.0, 0.0, -9.81]} if first == "set_gravity" else {}
+    events = [{"when": "time", "value": 0.05, "do": first, **given}, {"when": "discharged", "value": 0.5, "do": "stop"}]
+    found = notes(tmp_path / "bin.yaml", bin_of_spheres(events=events), capsys)
+    assert found == ["note: events.1 waits for a share discharged, and no event before it lets grains out"] * count
+
+
 @pytest.mark.parametrize("work", [0.05, 1.0, 50.0])
 def test_the_overlap_of_jkr_without_load_is_that_of_its_closed_form(work):
     """At no load a^3 = 9 pi w R^2/(2 E*), and the overlap a^2/(3 R)."""
