@@ -18,6 +18,7 @@ from silostudy.figures.style import REST, WIDTH, plt, series
 FELT = 0.05  # of the largest force at rest: surfaces with less are not said to carry anything
 SHOWN = 11  # surfaces with a look of their own, the most loaded ones; further ones are grey
 ROOM = 1.2  # of the largest force: words of events stand above it
+LATE = 0.2  # of the end of a run: what begins later goes on from another run
 # inches
 MARGIN = 0.7  # beside a panel
 TALL = 4.9  # a snapshot at most
@@ -53,15 +54,22 @@ def draw_forces(panel: Axes, table: pd.DataFrame, column: str, cube: xr.Dataset)
         style |= {"linestyle": "-", "linewidth": 2.0 if name == most else 0.9}
         label = name.replace("_", " ") if number < SHOWN else f"{len(ranked) - SHOWN} more" if number == SHOWN else "_"
         lines += panel.plot(group["time_s"], touched, drawstyle="steps-pre", label=label, **style)
-    end = max(float(cube["window_time"].max()), float(cube["event_time"].max()))
+    start, end = _lasts(cube)
     panel.set(
         title="forces on the surfaces",
         xlabel="time (s)",
-        xlim=(0, 1.02 * end),
+        xlim=(start, end),
         ylim=(0, ROOM * table[column].max() if len(table) else None),
     )
     named = [line for line in lines if line.get_label() != "_"]
     return sorted(named, key=lambda line: line.get_color() == REST["color"])
+
+
+def _lasts(cube: xr.Dataset) -> tuple[float, float]:
+    """Start and end (s) of the axis of time, which begins late where the run goes on from another's end."""
+    times = np.concatenate([cube[name].values for name in ("window_time", "event_time")])
+    start = times.min() if times.min() > LATE * times.max() else 0.0
+    return float(start), float(times.max() + 0.02 * (times.max() - start))
 
 
 def lay_out(shots: Sequence[int], flow: Flow, box: tuple[float, float, float, float]) -> tuple[Figure, dict[str, Axes], float]:
@@ -92,12 +100,18 @@ def message(cube: xr.Dataset, table: pd.DataFrame, column: str, unit: str, flow:
     if np.isinf(since):
         when = "At rest" if str(cube["event_action"].values[-1]).startswith("rest") else "At the end"
         return f"{when} the largest force is that on {_quoted(surface)}" if surface else "Nothing touches a surface"
-    leaves = f"{flow.told()}; " if len(flow.table) else ""
+    leaves, begins = (f"{flow.told()}; ", begins[0].lower() + begins[1:]) if len(flow.table) else ("", begins)
     if not surface:
-        return f"{begins} {leaves}nothing touches a surface"
-    later = table[(table["time_s"] > since) & (table["surface"] == surface)]
-    time, most = later.loc[later[column].idxmax(), ["time_s", column]]
-    return f"{begins} {leaves}the largest force is {most:.3g} {unit}, on {_quoted(surface)} at {time:.2g} s"
+        return f"{leaves}{begins} nothing touches a surface"
+    own = _later(cube, table, since)
+    time, most = own.loc[own[own["surface"] == surface][column].idxmax(), ["time_s", column]]
+    return f"{leaves}{begins} the largest force is {most:.3g} {unit}, on {_quoted(surface)} at {time:.2g} s"
+
+
+def _later(cube: xr.Dataset, table: pd.DataFrame, since: float) -> pd.DataFrame:
+    """The forces of the windows that begin after a time (s)."""
+    begun = np.append(0.0, cube["window_time"].values[:-1])
+    return table[table["time_s"].isin(cube["window_time"].values[begun >= since])]
 
 
 def subject(cube: xr.Dataset, table: pd.DataFrame, column: str) -> str:
@@ -105,8 +119,8 @@ def subject(cube: xr.Dataset, table: pd.DataFrame, column: str) -> str:
     opened, (since, _) = opened_at(cube), moments.begins(cube)
     if np.isfinite(opened) or np.isinf(since):
         return pushed(table, column, opened)[0]
-    later = table[(table["time_s"] > since) & (table[column] > 0.0)]
-    return "" if later.empty else str(later.loc[later[column].idxmax(), "surface"])
+    later = _later(cube, table, since)
+    return str(later.loc[later[column].idxmax(), "surface"]) if (later[column] > 0.0).any() else ""
 
 
 def _rises(surface: str, rise: float) -> str:

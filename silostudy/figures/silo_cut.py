@@ -44,16 +44,30 @@ def draw(panel: Axes, cube: xr.Dataset, time: float) -> LineCollection:
 def parts(cube: xr.Dataset) -> Iterator[CutLine]:
     """All parts of the silo but its lid."""
     if "disc" in cube.dims:
-        yield from (CutLine(name, line, opened_at(cube) if name == FLOOR else np.inf) for name, line in _walls(cube))
+        yield from (CutLine(name, line, _opens(cube) if name == FLOOR else np.inf) for name, line in _walls(cube))
     else:
         yield from _sides(cube)
         yield from _inserts(cube)
     if "outlet" in cube:
         holes = np.column_stack([cube["outlet_left"], cube["outlet_right"]])
-        times = np.nan_to_num(cube["outlet_opened"].values, nan=np.inf)
+        times = np.where(np.isnan(cube["outlet_opened"]), np.where(_passed(cube), -np.inf, np.inf), cube["outlet_opened"])
         yield from (
             CutLine("", _level(*hole), time) for hole, time in zip(holes, times, strict=True) if np.isfinite(hole).all()
         )
+
+
+def _opens(cube: xr.Dataset) -> float:
+    """Time (s) at which an outlet without a name opens; before all of a run that goes on where another had opened it."""
+    opened = opened_at(cube)
+    return -np.inf if np.isinf(opened) and np.any(_passed(cube)) else opened
+
+
+def _passed(cube: xr.Dataset) -> np.ndarray:
+    """Whether grains left by each outlet, or by that without a name, on their own: no feeder took them."""
+    mass = "discharged_mass" if "disc" in cube.dims else "outflow_mass"
+    names = [name for name in (f"outlet_{mass}", mass) if name in cube]
+    fed = any(str(action).endswith(": feed") for action in cube["event_action"].values)
+    return cube[names[0]].values[-1] > 0.0 if names and not fed else np.zeros(cube.sizes.get("outlet", 1), bool)
 
 
 def lid(cube: xr.Dataset, time: float) -> list[np.ndarray]:
@@ -109,7 +123,7 @@ def _sides(cube: xr.Dataset) -> Iterator[CutLine]:
     """Walls and bottom of a silo of spheres."""
     corners = outline_of(cube)
     if "outlet" not in cube:
-        yield from (CutLine("", corners[:3]), CutLine("", corners[3:]), CutLine("", corners[2:4], opened_at(cube)))
+        yield from (CutLine("", corners[:3]), CutLine("", corners[3:]), CutLine("", corners[2:4], _opens(cube)))
         return
     yield from (CutLine("", corners[:2]), CutLine("", corners[4:]))
     holes = np.column_stack([cube["outlet_left"], cube["outlet_right"]])

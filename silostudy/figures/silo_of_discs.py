@@ -14,7 +14,7 @@ from silostudy.figures.flow_in_time import draw_flow, flow_of
 from silostudy.figures.style import AID, foot, headline, save
 
 CM = 100.0
-LONGEST = 3.0  # diameters: the line of the largest contact force
+LONGEST = 2.0  # diameters: the line of the largest contact force
 FORCE = "force_kN_m"  # column of the forces
 MASS = "mass_kg_m"  # column of the mass
 

@@ -74,7 +74,7 @@ def test_a_force_that_falls_is_not_said_to_rise():
         ([(4.0, "rest: stop")], "At rest the largest force is that on “left"),
         ([(4.0, "time: stop")], "At the end the largest force is that on “left"),
         (
-            [(2.5, "time: turn"), (4.0, "time: stop")],
+            [(2.0, "time: turn"), (4.0, "time: stop")],
             "From “turn” on the largest force is 9 N, on “bolt” at 3 s",
         ),
     ],
@@ -84,7 +84,7 @@ def test_a_scene_that_stays_shut_is_at_rest_only_where_it_came_to_rest(events, b
 
 
 def test_what_a_feeder_takes_is_told():
-    assert "on 6 of 20 kg leave, 4 kg/s on average; the largest force is 9 N" in told(
+    assert "6 of 20 kg leave, 4 kg/s on average; from \N{LEFT DOUBLE QUOTATION MARK}feed" in told(
         scene(np.inf, events=[(2.5, "rest: feed")]), flow()
     )
 
@@ -127,6 +127,23 @@ def test_the_end_of_the_run_is_on_the_axis_of_time(tmp_path, monkeypatch):
     low, high = panel.get_xlim()
     assert low <= float(cube["event_time"].min()) <= float(cube["event_time"].max()) < high
     assert output.faults() == []
+    plt.close("all")
+
+
+def test_the_window_of_an_event_does_not_count_as_after_it():
+    """What the floor bore until a moment before, 8 N, is no force of what follows."""
+    push = np.array([[9.0, 1.0, 0.0], [8.0, 2.0, 0.0], [4.0, 6.0, 0.0], [4.0, 7.0, 0.0]])
+    words = told(scene(np.inf, push, events=[(1.5, "rest: lower"), (4.0, "after: stop")]), flow(times=()))
+    assert "on the largest force is 7 N, on \N{LEFT DOUBLE QUOTATION MARK}left" in words
+
+
+def test_the_axis_of_a_run_that_goes_on_begins_where_it_does(tmp_path, monkeypatch):
+    later = 10.0
+    cube = bin_cube()
+    moved = {name: cube[name].copy(data=cube[name].values + later) for name in cube.variables if str(name).endswith("_time")}
+    output = drawn("silo_of_spheres", [cube.assign(moved)], tmp_path, monkeypatch)
+    panel = next(panel for panel in output.figure.axes if panel.get_title() == "forces on the surfaces")
+    assert panel.get_xlim()[0] >= later
     plt.close("all")
 
 

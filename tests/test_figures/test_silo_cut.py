@@ -63,6 +63,19 @@ def test_an_outlet_is_a_gap_once_it_is_open(of):
     assert ((6, 0), (12, 0)) in lines(cube, 1.1)
 
 
+@pytest.mark.parametrize(("event", "open_before"), [("after: friction", True), ("rest: feed", False)])
+def test_an_outlet_that_grains_leave_by_was_open_before_unless_a_feeder_takes_them(event, open_before):
+    """A run that goes on from the end of another says nothing of what had opened there."""
+    mass = {"outflow_time": [0.1, 0.2], "outflow_mass": ("outflow_time", [1.0, 2.0])}
+    assert (((-5, 0), (5, 0)) in lines(spheres(((0.3, event),), plug=0.05, **mass), 0.05)) != open_before
+    named = {"outlet": ["a", "b"], "outlet_left": ("outlet", [-0.1, 0.1]), "outlet_right": ("outlet", [-0.05, 0.15]),
+             "outlet_opened": ("outlet", [np.nan, np.nan]),
+             "outlet_outflow_mass": (("outflow_time", "outlet"), [[1.0, 0.0], [2.0, 0.0]])}  # fmt: skip
+    found = lines(spheres(((0.3, event),), **mass, **named), 0.05)
+    assert (((-10, 0), (-5, 0)) in found) != open_before
+    assert ((10, 0), (15, 0)) in found
+
+
 def test_the_plug_of_a_hopper_goes_and_its_sides_stay():
     cube = spheres(OPEN, plug=0.05)
     assert ((-5, 0), (5, 0)) in lines(cube, 1.0)
