@@ -10,6 +10,7 @@ from tests.conftest import ROOT
 GUIDES = (
     "README.md",
     "config/README.md",
+    "config/scenes/hard/README.md",
     "silostudy/README.md",
     "results/README.md",
     "results/findings.md",

@@ -33,6 +33,10 @@ def add(sub) -> None:
     )
     discharge.add_argument("--output", type=Path, default=Path("results/bench/discharge.csv"))
     discharge.set_defaults(run=run_discharge)
+    hard = what.add_parser("hard", help="hard cases as scene files: what they come to here and in LAMMPS; two minutes")
+    hard.add_argument("--scenes", type=Path, default=Path("config/scenes/hard"), help="folder of the scene files")
+    hard.add_argument("--output", type=Path, default=Path("results/bench/hard.csv"))
+    hard.set_defaults(run=run_hard)
     accuracy = what.add_parser("accuracy", help="CPU time to an error, beside LAMMPS where it is installed")
     accuracy.add_argument(
         "--grains",
@@ -89,6 +93,12 @@ def run_spheres(chosen) -> None:
 
 def run_discharge(chosen) -> None:
     from silostudy.commands.bench_discharge import run
+
+    run(chosen)
+
+
+def run_hard(chosen) -> None:
+    from silostudy.commands.bench_hard import run
 
     run(chosen)
 

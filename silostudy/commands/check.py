@@ -116,7 +116,7 @@ def scene_checked(path: Path) -> tuple[list[str], float]:
     task = run_of(scene, model)  # tells too what is impossible by the step alone
     seconds = cost(SceneCase(scene, path.parent))
     run = f"{len(model.x)} {model.space.body}s, {steps_ahead(task)}: about {told_time(seconds)} of one core"
-    told = [run, *told_before(scene, model), *chosen_for(promises([choice] if choice else []))]
+    told = [run, *told_before(scene, model, path.parent), *chosen_for(promises([choice] if choice else []))]
     return [f"{path}: {scene.title}", *(f"  {line}" for line in told)], seconds
 
 
@@ -127,17 +127,27 @@ def steps_ahead(task) -> str:
     return f"{told}, were they all as long as the first" if model.pace.share else told
 
 
-def told_before(scene, model) -> list[str]:
+def told_before(scene, model, folder: Path) -> list[str]:
     """Lines that a user should know of a scene before it runs: where it goes on from, softening, possible mistakes."""
+    from silostudy.compute.dem_files import rates_left
     from silostudy.config.spheres import SphereScene
     from silostudy.scene.notes import notes
     from silostudy.scene.spheres_about import softening, warnings
 
-    cautions = notes(scene, model)
-    branch = [f"goes on from {scene.start_from} at {model.end['engine']['step'] * model.dt:.6g} s"] if model.end else []
+    cautions = [*notes(scene, model), *rates_left(scene, folder)]
+    branch = branch_told(scene, model) if model.end else []
     if not isinstance(scene, SphereScene):
         return [*branch, *cautions]
     return [*branch, *cautions, *softening(scene, model), *(f"warning: {line}" for line in warnings(scene, model))]
+
+
+def branch_told(scene, model) -> list[str]:
+    """Lines on where a scene goes on from, and with what that its file states otherwise."""
+    from silostudy.dem.branch import as_events_left
+
+    then = f"goes on from {scene.start_from} at {model.end['engine']['step'] * model.dt:.6g} s"
+    left = "; ".join(as_events_left(model, model.end))
+    return [then, *([f"goes on as events left it there: {left}"] if left else [])]
 
 
 def chosen_for(promise: dict[str, str]) -> list[str]:

@@ -89,13 +89,17 @@ def run_one(chosen, scene, choice, output: Path) -> None:
     from silostudy.commands.check import told_before
     from silostudy.compute.dem import carry_through, run_of
     from silostudy.compute.expected import verdicts
+    from silostudy.dem.cache import is_compiled
     from silostudy.dem.follow import mean_step, steps_made
+    from silostudy.dem.kernel import kernel
     from silostudy.errors import BadInput
 
     model = _model(chosen, scene)
-    for line in told_before(scene, model):
+    for line in told_before(scene, model, chosen.scene.parent):
         print(f"silostudy: {line}", file=sys.stderr)
     task = run_of(scene, model, threads=chosen.threads)
+    if not is_compiled(kernel(model.pieces)):
+        print("silostudy: the kernel of these laws is compiled first, once: that takes 20 to 40 s", file=sys.stderr)
     with progress(task) as tell:
         carry_through(task, scene, checkpoint_of(scene, output), tell)
     keep(task, scene, choice, output)
@@ -148,6 +152,7 @@ def keep(task, scene, choice, output: Path) -> None:
     from silostudy.compute.dem_cube import cube_of
     from silostudy.compute.paraview import export
     from silostudy.cube.io import write
+    from silostudy.dem.feeder import shortfall
     from silostudy.dem.rain import delay
 
     cube = cube_of(task, scene, choice)
@@ -160,8 +165,8 @@ def keep(task, scene, choice, output: Path) -> None:
         export(task, paraview_of(output))
     if checkpoint := checkpoint_of(scene, output):
         checkpoint.unlink(missing_ok=True)
-    if lag := delay(task):
-        print(f"silostudy: {output}: {lag}", file=sys.stderr)
+    for told in filter(None, (delay(task), shortfall(task))):
+        print(f"silostudy: {output}: {told}", file=sys.stderr)
     half, began = 0.5 * task.engine.model.step, task.began * task.engine.model.dt
     late = [time for time in scene.record.snapshots_s if time > task.engine.time + half]
     early = [time for time in scene.record.snapshots_s if time < began - half]

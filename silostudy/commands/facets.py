@@ -18,7 +18,7 @@ def run(chosen) -> None:
     from silostudy.files import replacing
     from silostudy.scene.facets import facets_of, read_triangles
 
-    inserts = facets_of(read_triangles(chosen.mesh), chosen.name, chosen.unit)
+    inserts = facets_of(read_triangles(chosen.mesh), chosen.name, chosen.unit, str(chosen.mesh))
     lines = [
         f"  - {yaml.safe_dump(insert, default_flow_style=True, sort_keys=False, width=1000).strip()}" for insert in inserts
     ]

@@ -74,6 +74,7 @@ def resume(run: Run, scene: AnyScene, checkpoint: Path) -> None:
         other, saved = [f"cannot be read ({type(error).__name__})"], None
     if not other:
         run.restore(saved)
+        print(f"silostudy: goes on from {checkpoint} at {run.engine.time:.6g} s", file=sys.stderr)
         return
     why = other[0] if saved is None else f"was made with other {', other '.join(other)}"
     aside = checkpoint.with_name(f"{checkpoint.name}.old")

@@ -13,6 +13,7 @@ from silostudy.compute.observers import observers_of
 from silostudy.config.dem import DemScene
 from silostudy.config.grain_scenes import AnyScene
 from silostudy.config.spheres import SphereScene
+from silostudy.dem.branch import opening
 from silostudy.dem.engine import Engine
 from silostudy.dem.feeder import Feeder
 from silostudy.dem.model import Model
@@ -30,8 +31,16 @@ from silostudy.scene.spheres_model import sphere_model
 
 def scene_model(scene: AnyScene, folder: Path, where: str = "") -> Model:
     """The engine's model of a scene; BadInput for a start or a step that cannot be."""
-    model = _started(scene, folder, where)
-    return replace(model, end=end_for(scene, model, folder, where)) if scene.start_from else model
+    try:
+        model = _started(scene, folder, where)
+    except BadInput as error:
+        if error.where or not where:
+            raise
+        raise BadInput(error.field, error.value, error.allowed, where) from None
+    if not scene.start_from:
+        return model
+    end = end_for(scene, model, folder, where)
+    return replace(model, end=end, moving=model.moving or opening(model, end))
 
 
 @singledispatch
@@ -76,7 +85,7 @@ def _of_discs(scene: DemScene, model: Model) -> dict[str, Any]:
     silo = plane_silo_of(scene)
     return {
         "events": events_of(scene, float(model.mass.sum())),
-        "feeder": Feeder(silo.over_slit) if feeds(scene.events) else None,
+        "feeder": Feeder(silo.over_slit) if feeds(scene.events) or fed_before(model) else None,
         "outlet_at": silo.slit_at if scene.outlets else None,
     }
 
@@ -88,9 +97,14 @@ def _of_spheres(scene: SphereScene, model: Model) -> dict[str, Any]:
     return {
         "events": sphere_events(scene, space, float(model.mass.sum())),
         "rain": rain,
-        "feeder": Feeder(space.over_outlets) if feeds(scene.events) else None,
+        "feeder": Feeder(space.over_outlets) if feeds(scene.events) or fed_before(model) else None,
         "outlet_at": space.outlet_at if len(space.openings) > 1 else None,
     }
+
+
+def fed_before(model: Model) -> bool:
+    """Whether a feeder was at work where the model goes on from."""
+    return model.end is not None and model.end["fed"] is not None
 
 
 def _window(scene: AnyScene, model: Model) -> int:

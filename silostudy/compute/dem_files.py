@@ -4,8 +4,12 @@ from pathlib import Path
 
 import numpy as np
 
+from silostudy.config.dem import DemScene
+from silostudy.config.grain_scenes import AnyScene
 from silostudy.cube.netcdf import opened
 from silostudy.errors import BadInput
+from silostudy.packing import PACKINGS
+from silostudy.packing.filling import FILLINGS
 from silostudy.packing.given import place
 from silostudy.tables.columns import equal_steps, read_columns
 
@@ -14,6 +18,7 @@ KIND = "grain_kind"
 STRONGEST = 1e6  # m s-2: beyond, no acceleration
 GIVEN = ("disc_x", "disc_y", "disc_radius")
 GIVEN_SPHERES = ("grain_x", "grain_y", "grain_z", "grain_radius")
+RATES = ("disc_u", "disc_v", "disc_spin", "grain_u", "grain_v", "grain_w", "grain_spin_x", "grain_spin_y", "grain_spin_z")
 
 
 def given_discs(file: str, folder: Path) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
@@ -32,6 +37,19 @@ def given_spheres(file: str, folder: Path, kinds: int = 1) -> tuple[np.ndarray, 
     """
     *places, radius = _given(file, folder, "filling.file", GIVEN_SPHERES, "sphere")
     return np.column_stack(places), radius, _kinds(file, folder, kinds) if kinds > 1 else None
+
+
+def rates_left(scene: AnyScene, folder: Path) -> list[str]:
+    """A caution where the file of a given start holds motion: it is left there, and bodies start at rest."""
+    start, known = (scene.packing, PACKINGS) if isinstance(scene, DemScene) else (scene.filling, FILLINGS)
+    if scene.start_from or not known[start.kind].from_file:
+        return []
+    held = opened(folder / start.file, "file")
+    moving = [
+        name for name in RATES if name in held and held[name].dtype.kind in "fiu" and np.nan_to_num(_last(held[name])).any()
+    ]
+    told = f"{start.file}: its {', '.join(moving)} are left: all start at rest; start_from goes on with a run's motion"
+    return [f"note: {told}"] if moving else []
 
 
 def _kinds(file: str, folder: Path, kinds: int) -> np.ndarray:
@@ -72,9 +90,14 @@ def _metres(variable, file: str, key: str) -> np.ndarray:
     unit = variable.attrs.get("units", "m")
     if unit not in ("m", "metre", "meter", "metres", "meters"):
         raise BadInput(key, file, f"{variable.name} must be in m, and the file says {unit}")
-    last = {"snapshot": -1} if variable.sizes.get("snapshot") else {}
     if variable.dtype.kind not in "fiu":
         raise BadInput(key, file, f"{variable.name} must hold numbers, not {variable.dtype}")
+    return _last(variable)
+
+
+def _last(variable) -> np.ndarray:
+    """The values of a variable, of the last snapshot where there are several."""
+    last = {"snapshot": -1} if variable.sizes.get("snapshot") else {}
     return variable.isel(last).to_numpy().astype(float)
 
 

@@ -27,22 +27,26 @@ class Verdict:
         return abs(self.computed - self.value) <= self.tolerance
 
     @property
-    def _digits(self) -> int:
+    def digits(self) -> int:
         """Number of digits that show the tolerance."""
         size = abs(self.value) / self.tolerance
         return max(4, 2 + int(np.ceil(np.log10(size)))) if size > 0.0 else 4
 
     def __str__(self) -> str:
-        told = f"{self.quantity.key} {self.computed:.{self._digits}g} {self.quantity.unit}"
+        told = f"{self.quantity.key} {self.computed:.{self.digits}g} {self.quantity.unit}"
         if np.isnan(self.computed):
             told = f"{self.quantity.key} not seen in this run"
         met = "met" if self.met else "not met"
-        return f"{told}; published {self.value:.{self._digits}g} +- {self.tolerance:.3g} ({self.source}): {met}"
+        return f"{told}; published {self.value:.{self.digits}g} +- {self.tolerance:.3g} ({self.source}): {met}"
 
 
 def verdicts(run: Run, scene: AnyScene) -> list[Verdict]:
     """Verdict on each number that the scene expects."""
-    looks = _looks(run)
+    return verdicts_on(looks_of(run), scene)
+
+
+def verdicts_on(looks: Looks, scene: AnyScene) -> list[Verdict]:
+    """The same of a record that may be another code's."""
     return [_verdict(looks, asked) for asked in scene.expected]
 
 
@@ -64,7 +68,7 @@ def _verdict(looks: Looks, asked: Any) -> Verdict:
     return Verdict(row, value, tolerance, row.find(looks, **arguments), f"{asked.source}, {asked.locator}")
 
 
-def _looks(run: Run) -> Looks:
+def looks_of(run: Run) -> Looks:
     """The run's record, as quantities are computed from it."""
     record, engine = run.recording, run.engine
     weight = np.asarray(engine.gravity, float)

@@ -109,5 +109,7 @@ def observers_notes(run: Run, scene: AnyScene, data: dict[str, np.ndarray]) -> d
     overlaps = [data[name] for name in ("contact_deepest_overlap", "deepest_overlap") if name in data]
     deepest = max((float(np.nanmax(values, initial=0.0)) for values in overlaps), default=0.0)
     if deepest > DEEP:
-        notes["deep_overlaps"] = f"up to {deepest:.1%} of a radius, beyond {DEEP:.0%}: contacts are soft for what they carry"
+        notes["deep_overlaps"] = (
+            f"up to {deepest:.1%} of a radius where records look, beyond {DEEP:.0%}: contacts are soft for what they carry"
+        )
     return notes

@@ -1,6 +1,7 @@
 """Snapshots for ParaView: grains as points with radius and velocity, contacts as lines with force, written by meshio."""
 
 from pathlib import Path
+from xml.etree import ElementTree
 
 import meshio
 import numpy as np
@@ -10,13 +11,21 @@ from silostudy.files import replacing
 
 
 def export(run: Run, folder: Path) -> list[Path]:
-    """Writes two files a snapshot into the folder, NNN-discs.vtu or NNN-spheres.vtu, and NNN-forces.vtu; gives their names."""
-    space = run.engine.space
-    written = []
-    for k, snapshot in enumerate(run.recording.snapshots):
-        written.append(_write(folder / f"{k:03d}-{space.body}s.vtu", grains_mesh(run, snapshot)))
-        written.append(_write(folder / f"{k:03d}-forces.vtu", forces_mesh(snapshot, space.ways)))
-    return written
+    """Writes two files a snapshot into the folder, NNN-discs.vtu or NNN-spheres.vtu, and NNN-forces.vtu; gives their names.
+
+    discs.pvd or spheres.pvd, and forces.pvd, list them with their times (s).
+    """
+    space, snapshots = run.engine.space, run.recording.snapshots
+    meshes = {
+        f"{space.body}s": lambda snapshot: grains_mesh(run, snapshot),
+        "forces": lambda snapshot: forces_mesh(snapshot, space.ways),
+    }
+    written, times = [], [float(snapshot["time"]) for snapshot in snapshots]
+    for name, mesh_of in meshes.items():
+        files = [_write(folder / f"{k:03d}-{name}.vtu", mesh_of(snapshot)) for k, snapshot in enumerate(snapshots)]
+        _list(folder / f"{name}.pvd", dict(zip((file.name for file in files), times, strict=True)))
+        written.append(files)
+    return [file for both in zip(*written, strict=True) for file in both]
 
 
 def solid(vectors: np.ndarray) -> np.ndarray:
@@ -48,6 +57,16 @@ def forces_mesh(snapshot: dict, ways: int) -> meshio.Mesh:
     ends = np.array([[place[int(a)], place[int(b)]] for a, b in pairs[:, :2]]).reshape(-1, ways)
     lines = np.arange(len(ends)).reshape(-1, 2)
     return meshio.Mesh(solid(ends), [("line", lines)], cell_data={"force": [solid(pairs[:, 2 + ways :])]})
+
+
+def _list(path: Path, times: dict[str, float]) -> None:
+    """Write the list of files that ParaView reads as one series in time (s)."""
+    root = ElementTree.Element("VTKFile", type="Collection", version="0.1")
+    collection = ElementTree.SubElement(root, "Collection")
+    for file, time in times.items():
+        ElementTree.SubElement(collection, "DataSet", timestep=f"{time:.9g}", file=file)
+    with replacing(path) as temporary:
+        ElementTree.ElementTree(root).write(temporary)
 
 
 def _write(path: Path, mesh: meshio.Mesh) -> Path:

@@ -12,7 +12,7 @@ from silostudy.cube.variables import attributes
 from silostudy.dem.ledger import ENTRIES
 from silostudy.dem.model import Model
 from silostudy.dem.run import Run
-from silostudy.dem.space.cells import areas, cuts, faces, middles
+from silostudy.dem.space.cells import Face, areas, cuts, faces, middles
 from silostudy.dem.space.felt import TORQUE
 from silostudy.scene.space_silo import LID
 from silostudy.scene.spheres import space_silo_of
@@ -69,11 +69,12 @@ def sphere_notes(scene: SphereScene) -> dict[str, float | str]:
 
 def insert_arrays(scene: SphereScene) -> dict[str, np.ndarray]:
     """Lines (m) in which the slice through the axis along x cuts the inserts, one after the other with a gap after each."""
-    lines = [line for insert in space_silo_of(scene).inserts for line in cuts(insert)]
+    lines = [(insert.name, line) for insert in space_silo_of(scene).inserts for line in cuts(insert)]
     if not lines:
         return {}
-    x, z = np.vstack([np.vstack([line, (np.nan, np.nan)]) for line in lines]).T
-    return {"insert_point": np.arange(len(x)), "insert_x": x, "insert_z": z}
+    x, z = np.vstack([np.vstack([line, (np.nan, np.nan)]) for _, line in lines]).T
+    names = np.repeat([name for name, _ in lines], [len(line) + 1 for _, line in lines])
+    return {"insert_point": np.arange(len(x)), "insert_name": names, "insert_x": x, "insert_z": z}
 
 
 def passages(run: Run) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
@@ -167,7 +168,12 @@ def _felt(force: np.ndarray, whole: np.ndarray, model: Model) -> dict[str, np.nd
             data[f"surface_{name}_force_{what}"] = whole[:, :, way, k]
     data |= {"surface_load": (total[:, :, :2] * lean).sum(axis=2)}
     data |= {"surface_torque": total[:, :, TORQUE]} if model.moving else {}
-    return data | {"surface": np.array([face.name for face in seen])}
+    return data | {"surface": np.array([face.name for face in seen])} | _sheets(seen)
+
+
+def _sheets(seen: list[Face]) -> dict[str, np.ndarray]:
+    """Name of the curved sheet of each face, where some are facets; of others their own."""
+    return {"surface_sheet": np.array([face.sheet or face.name for face in seen])} if any(face.sheet for face in seen) else {}
 
 
 def _cells(model: Model) -> dict[str, np.ndarray]:

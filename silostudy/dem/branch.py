@@ -14,6 +14,7 @@ from silostudy.dem.arrays import Memory
 from silostudy.dem.checkpoint import checkpoint, restore
 from silostudy.dem.contacts import Contact
 from silostudy.dem.drive import MASS
+from silostudy.dem.floors import exchanged, nearest_of
 from silostudy.dem.model import Model
 from silostudy.dem.neighbours import LOW, SHIFT
 from silostudy.dem.varied import Varied
@@ -33,7 +34,7 @@ def end_of(run) -> dict[str, Any]:
         "gone": run.gone + run.dropped,
         "looked": run.looked,
         "over": run.over,
-        "fed": (run.feeder.rate, run.feeder.owed) if run.feeder else None,
+        "fed": run.feeder.stand if run.feeder else None,
         "fixed": fixed(model),
         "walls": walls(model),
         "stated": values(model, (model.pair_contact, model.wall_contact)),
@@ -48,10 +49,13 @@ def fixed(model: Model) -> dict[str, Any]:
     columns = (model.place, model.radius, model.mass, *([] if model.kind is None else [model.kind]))
     return {
         "grains (sizes, density, packing, seed)": tuple(np.ascontiguousarray(column).tobytes() for column in columns),
-        "contact laws, or surfaces that differ": repr([(contact.laws, isinstance(contact, Varied)) for contact in contacts]),
+        "contact laws": repr([contact.laws for contact in contacts]),
+        "surfaces: some have frictions of their own there or here, by `surfaces` or an event, and none on the other side": [
+            isinstance(contact, Varied) for contact in contacts
+        ],
         "march.integrator": model.integrator,
-        "march.step_s": model.step,
         "march.step": model.pace,
+        "march.step_s": model.step,
     }
 
 
@@ -69,6 +73,14 @@ def changed(end: Mapping[str, Any], name: str) -> bool:
 
 def _shape_then(end: Mapping[str, Any], name: str) -> np.ndarray:
     return end["engine"]["shape"][list(end["walls"]).index(name)]
+
+
+def opening(model: Model, end: Mapping[str, Any]) -> bool:
+    """Whether an outlet was still being opened at a speed then."""
+    now, wider = end["engine"]["shape"], end["engine"]["shape"].copy()
+    for wall in range(len(wider)):
+        model.space.widen(wider, wall, model.dt)
+    return not np.array_equal(now, wider)
 
 
 def values(model: Model, contacts: Contacts) -> Values:
@@ -96,7 +108,8 @@ def differences(model: Model, end: Mapping[str, Any]) -> Iterator[str]:
     for name, now in fixed(model).items():
         then = end["fixed"][name]
         if then != now:
-            yield f"other {name}" + (f": {then} there, {now} here" if name.startswith("march") else "")
+            told = f": {then} there, {now} here, and must be given as it is there" if name.startswith("march") else ""
+            yield f"other {name}{told}"
             return
     units = {coefficient.name: coefficient.unit for contact in (model.pair_contact, model.wall_contact) for row in contact.rows
              for coefficient in row.coefficients}  # fmt: skip
@@ -109,17 +122,31 @@ def differences(model: Model, end: Mapping[str, Any]) -> Iterator[str]:
 def _other_walls(model: Model, end: Mapping[str, Any]) -> Iterator[str]:
     """Walls that stand there and are others here, or that stand here alone; what waits to stand or to open may differ."""
     here, live = walls(model), dict(zip(end["walls"], end["engine"]["live"], strict=True))
+    passed, own = exchanged(model, end, here)
     for name, stands in live.items():
         box, shape = here.get(name, (b"", np.empty(0)))
         other = box != end["walls"][name][0] or (changed(end, name) and not np.array_equal(shape, end["walls"][name][1]))
-        if stands and other:
+        if stands and other and name not in passed:
             yield f"another wall {name}: an outlet that is open, and the silo's body, stay as they are"
     for wall in model.walls:
-        if wall.live and wall.name not in live:
+        if wall.live and wall.name not in {*live, *own}:
             yield f"no wall {wall.name}, which stands here"
     moves = model.space.motion_of(end["engine"]["shape"])[:, 1:].any() or (end["engine"]["drive"][:, MASS] > 0.0).any()
     if moves and not model.moving:
         yield "walls in motion: an event here must move them too"
+
+
+def as_events_left(model: Model, end: Mapping[str, Any]) -> list[str]:
+    """Frictions and gravity, in words, with which a branch goes on as events left them there, other than its scene states."""
+    stated = values(model, (model.pair_contact, model.wall_contact))
+    left: dict[tuple[str, float], list[str]] = {}
+    for (wall, _, name), now in end["held"].items():
+        if now != end["stated"][wall, _, name] == stated.get((wall, _, name)):
+            left.setdefault((name, now), []).append(wall or "grains")
+    told = [f"{name} {now:g} of {', '.join(dict.fromkeys(walls))}" for (name, now), walls in left.items()]
+    gravity = tuple(map(float, end["engine"]["gravity"]))
+    moved = gravity != tuple(map(float, end["gravity"])) == tuple(map(float, model.gravity))
+    return told + ([f"gravity_m_s2 {list(gravity)}"] if moved else [])
 
 
 def go_on(run, end: Mapping[str, Any]) -> None:
@@ -130,7 +157,7 @@ def go_on(run, end: Mapping[str, Any]) -> None:
     run.over = copy.deepcopy(end["over"])  # one end may have several branches
     run.began = run.since = run.opened = engine.step
     if run.feeder and end["fed"]:
-        run.feeder.rate, run.feeder.owed = end["fed"]
+        run.feeder.stand = end["fed"]
 
 
 def _here(engine, end: Mapping[str, Any]) -> dict[str, np.ndarray]:
@@ -142,6 +169,7 @@ def _here(engine, end: Mapping[str, Any]) -> dict[str, np.ndarray]:
         **_walls_here(engine, end),
         **_memories_here(engine, end),
         "window": engine.record.window,
+        "whole": engine.record.whole,
         "account": account,
         "gravity": saved["gravity"] if same else np.array(model.gravity),
         "coefficients": np.array(_coefficients_here(engine, end)),
@@ -152,8 +180,11 @@ def _walls_here(engine, end: Mapping[str, Any]) -> dict[str, np.ndarray]:
     """State of the walls: which stand, where, and what moves them; of those that had changed by then, as they were there."""
     here = {name: getattr(engine.walls, name).copy() for name in ("live", "shape", "drive")}
     numbers = {wall.name: number for number, wall in enumerate(engine.model.walls)}
+    passed, own = exchanged(engine.model, end, walls(engine.model))
     for then, name in enumerate(end["walls"]):
         stands = end["engine"]["live"][then]
+        if name in {*passed, *own}:
+            continue
         if name in numbers:
             here["live"][numbers[name]] = stands
         if stands:
@@ -169,9 +200,14 @@ def _memories_here(engine, end: Mapping[str, Any]) -> dict[str, np.ndarray]:
     """Histories at walls, under the numbers that these have here."""
     saved, model = end["engine"], engine.model
     live = dict(zip(end["walls"], saved["live"], strict=True))
-    number = np.array([model.wall_number(name) if stands else 0 for name, stands in live.items()])
+    passed, own = exchanged(model, end, walls(model))
+    number = np.array([model.wall_number(name) if stands and name not in passed else 0 for name, stands in live.items()])
     near = Memory(*(saved[f"wall_{name}"] for name in Memory._fields))
-    key = (near.key >> SHIFT) << SHIFT | number[near.key & LOW]
+    body, wall = near.key >> SHIFT, number[near.key & LOW]
+    moved = np.isin(near.key & LOW, [list(live).index(name) for name in passed])
+    if moved.any():
+        wall[moved] = nearest_of(engine, own, saved["rows"][body[moved]][:, model.space.place])
+    key = body << SHIFT | wall
     order = np.argsort(key, kind="stable")
     return {f"wall_{name}": column for name, column in near.picked(order, key[order])._asdict().items()}
 

@@ -27,6 +27,12 @@ def named(function, key: str):
     return function
 
 
+def is_compiled(function) -> bool:
+    """Whether a compiled form of a function that is named by its key is kept from before."""
+    folder = Path(getattr(config, "CACHE_DIR"))  # noqa: B009 (numba makes its settings at run time)
+    return any(folder.rglob(f"*.{function.py_func.__qualname__}-*.nbi"))
+
+
 def piece(*key):
     """Register an inner function of a kernel under a name of its own for this key.
 

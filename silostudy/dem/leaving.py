@@ -4,6 +4,8 @@ from collections.abc import Callable, Sequence
 from typing import TypeAlias
 
 import numpy as np
+from scipy.sparse import coo_array
+from scipy.sparse.csgraph import connected_components
 from scipy.spatial import cKDTree
 
 from silostudy.dem.snapshot import length
@@ -20,7 +22,7 @@ def lowest(model, walls: Sequence) -> float:
 
 
 def below(engine, floor: float) -> np.ndarray:
-    """Bodies that are wholly below the floor (m) and touch no other body any more."""
+    """Bodies that are wholly below the floor (m) and touch no other body any more; of cohesive ones, clumps that are."""
     height, largest = engine.bodies.rows[: engine.n, engine.space.place[-1]], engine.bodies.radius[: engine.n].max(initial=0.0)
     low = np.flatnonzero(height < floor + largest)  # none higher touches one that is wholly below
     place, radius = engine.bodies.rows[low][:, engine.space.place], engine.radius[low]
@@ -28,9 +30,19 @@ def below(engine, floor: float) -> np.ndarray:
     if sunk.any():
         i, j = cKDTree(place).query_pairs(2.0 * largest, output_type="ndarray").T
         touch = length(place[i] - place[j]) <= radius[i] + radius[j]
-        sunk[i[touch]] = sunk[j[touch]] = False
+        if engine.model.pair_contact.laws.cohesion.acts:
+            sunk = whole_clumps(sunk, i[touch], j[touch])
+        else:
+            sunk[i[touch]] = sunk[j[touch]] = False
         gone[low[sunk]] = True
     return gone
+
+
+def whole_clumps(sunk: np.ndarray, i: np.ndarray, j: np.ndarray) -> np.ndarray:
+    """Mask of the bodies in clumps, held together by the pairs (i, j), that have sunk as a whole."""
+    pairs = coo_array((np.ones(len(i)), (i, j)), shape=(len(sunk), len(sunk)))
+    count, clump = connected_components(pairs, directed=False)
+    return np.bincount(clump, ~sunk, count)[clump] == 0
 
 
 def number_of(engine, what: tuple) -> int | None:

@@ -18,6 +18,7 @@ from silostudy.dem.varied import Varied, set_at_wall, set_of_pair
 from silostudy.dem.walls import GROWTH, draw_back
 from silostudy.errors import BadInput, unknown
 
+FLOOR = "floor"  # name of the floor, or before a number that of its pieces
 TINY = 1e-200  # kg m: beyond it and its inverse, squares of what the engine computes with leave the range of numbers
 
 

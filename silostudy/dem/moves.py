@@ -7,7 +7,7 @@ import numpy as np
 from silostudy.dem.drive import DRAG, HELD, LOAD, MASS, STOP_FORCE, STOP_HEIGHT, pressing
 from silostudy.dem.engine import Engine
 from silostudy.dem.events import Event
-from silostudy.dem.space.surfaces import TURN
+from silostudy.dem.space.rows import TURN
 from silostudy.dem.walls import BELT
 
 CALM = 0.01  # of the load, and of the speed that nothing resists: a lid under less is at rest

@@ -16,6 +16,9 @@ class Pace:
     ticks: int = 1
     longest: int = 1
 
+    def __str__(self) -> str:
+        return f"follow, from {self.ticks} to {self.longest} ticks" if self.share else "fixed"
+
     def after(self, ticks: int, borne: float) -> int:
         """Ticks of the steps that follow on steps of so many, where the contacts bear a step of `borne` ticks."""
         allowed = min(self.longest, max(1, int(self.share * borne)))

@@ -282,7 +282,7 @@ class Run:
     def checkpoint(self) -> dict:
         """Everything that going on depends on: the engine's arrays, where the events stand, and what was recorded."""
         stand = {name: getattr(self, name) for name in ("next_event", "since", "opened", "come", "came", "looked", "over")}
-        fed = (self.feeder.rate, self.feeder.owed) if self.feeder else None
+        fed = self.feeder.stand if self.feeder else None
         return {"engine": checkpoint(self.engine), "stand": stand, "recording": self.recording, "fed": fed}
 
     def restore(self, saved: dict) -> None:
@@ -291,4 +291,4 @@ class Run:
         vars(self).update(saved["stand"])
         self.recording = saved["recording"]
         if self.feeder:
-            self.feeder.rate, self.feeder.owed = saved["fed"]
+            self.feeder.stand = saved["fed"]

@@ -1,17 +1,13 @@
 """A bin of spheres as figures see it: its walls' cells, its phases, the column at rest and Janssen's curve for it."""
 
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 import pandas as pd
 import xarray as xr
-from matplotlib.axes import Axes
-from matplotlib.lines import Line2D
 
 from silostudy.cube.contents import levelled
 from silostudy.errors import BadInput
-from silostudy.figures.style import AID
 
 WALLS = ("wall", "hopper")  # surfaces whose names begin so are walls
 EARLY = 0.25  # share of the solid: what figures call discharge ends when so much is out, since an empty bin presses on nothing
@@ -34,35 +30,6 @@ def in_discharge(cube: xr.Dataset, after: np.ndarray, time: np.ndarray) -> np.nd
         return flow
     late = cube["outflow_time"].values[cube["outflow_mass"].values > EARLY * float(cube["grain_mass"].sum())]
     return flow[(time[flow] <= min(late, default=np.inf)) | (flow == flow[:1])]
-
-
-def outline_of(cube: xr.Dataset) -> np.ndarray:
-    """Corners (n, 2; m) of the silo where a plane through the axis cuts it: the right side down, the left side up."""
-    half, outlet, aside, low, top = (
-        float(cube.attrs[name])
-        for name in ("half_width_m", "outlet_half_width_m", "outlet_middle_m", "transition_height_m", "top_height_m")
-    )
-    return np.array([(half, top), (half, low), (aside + outlet, 0.0), (aside - outlet, 0.0), (-half, low), (-half, top)])
-
-
-def outline(panel: Axes, cube: xr.Dataset) -> list[tuple[Line2D, float]]:
-    """Draws the silo where the plane through the axis cuts it (cm); gives what shuts each outlet, and when (s) that goes."""
-    x, z = 100.0 * outline_of(cube).T
-    looks: dict[str, Any] = {"color": "black", "linewidth": 1, "gid": AID}
-    if "insert_x" in cube:
-        panel.plot(100.0 * cube["insert_x"], 100.0 * cube["insert_z"], **looks)
-    if "outlet" not in cube:
-        for part in (slice(3), slice(3, 6)):
-            panel.plot(x[part], z[part], **looks)
-        return [(panel.plot(x[2:4], z[2:4], **looks)[0], opened_at(cube))]
-    for side in (slice(2), slice(4, 6)):
-        panel.plot(x[side], z[side], **looks)
-    holes = 100.0 * np.column_stack([cube["outlet_left"], cube["outlet_right"]])
-    edges = np.sort(holes[np.isfinite(holes[:, 0])].ravel())
-    for ends in np.array([x[4], *edges, x[1]]).reshape(-1, 2):
-        panel.plot(ends, [0.0, 0.0], **looks)
-    times = cube["outlet_opened"].values
-    return [(panel.plot(hole, [0.0, 0.0], **looks)[0], float(time)) for hole, time in zip(holes, times, strict=True)]
 
 
 def phases(cube: xr.Dataset) -> pd.DataFrame:

@@ -12,6 +12,7 @@ from matplotlib.patches import Polygon
 
 from silostudy.errors import BadInput
 from silostudy.figures import bin as bins
+from silostudy.figures import silo_cut
 from silostudy.figures.style import AID, WIDTH, foot, headline, plt, save
 
 CM = 100.0  # of a metre
@@ -34,8 +35,8 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     high = min(top, 1.1 * float(cells["height_cm"][cells["solid_fraction"].notna()].max()))
     figure, panels = plt.subplots(1, len(SHOWN), figsize=(WIDTH, min(7.0, 2.7 + 2.25 * high / (2.0 * half))), sharey=True)
     for panel, (name, (label, colours)) in zip(panels, SHOWN.items(), strict=True):
-        mesh = _halves(panel, cells, name, colours, bins.outline_of(cube))
-        bins.outline(panel, cube)
+        mesh = _halves(panel, cells, name, colours, silo_cut.outline_of(cube))
+        silo_cut.draw(panel, cube, 0.0)
         panel.set(xlabel="from the axis (cm)", xlim=(-half - 0.3, half + 0.3), ylim=(-0.3, high), aspect="equal")
         panel.xaxis.set_major_formatter(lambda value, _: f"{abs(value):g}")
         panel.axvline(0.0, color="white", linewidth=0.8, gid=AID)

@@ -7,8 +7,8 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.collections import EllipseCollection
 
-from silostudy.figures import layers
-from silostudy.figures.bin import opened_at, outline
+from silostudy.figures import layers, silo_cut
+from silostudy.figures.bin import opened_at
 from silostudy.figures.style import foot, headline, plt
 
 MOST = 60  # frames
@@ -24,7 +24,7 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     shots = frames(cube, first)
     half, top = (float(cube.attrs[name]) * CM for name in ("half_width_m", "top_height_m"))
     figure, panel = plt.subplots(figsize=(5.0, min(8.0, 2.4 + 3.0 * (top + BELOW) / (2.0 * half))))
-    plugs = outline(panel, cube)
+    silo = silo_cut.draw(panel, cube, 0.0)
     panel.set(xlabel="across (cm)", ylabel="height above the outlet (cm)", aspect="equal")
     panel.set(xlim=(-half - 0.5, half + 0.5), ylim=(-BELOW, top))
     panel.grid(False)
@@ -38,10 +38,8 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
         shown.remove()
         shown = panel.add_collection(_slice(cube, shots[number], first, panel))
         time = float(cube["snapshot_time"][shots[number]])
-        for plug, opened in plugs:
-            plug.set_visible(not time > opened)
-        shut = sum(plug.get_visible() for plug, _ in plugs)
-        panel.set_title(f"t = {time:.2f} s, {'outlet shut' if shut == len(plugs) else 'outlet open'}")
+        silo.set_segments(silo_cut.standing(cube, time))
+        panel.set_title(f"t = {time:.2f} s, {'outlet open' if time > opened_at(cube) else 'outlet shut'}")
 
     layers.save(figure, show, len(shots), stem)
 

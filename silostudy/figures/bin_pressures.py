@@ -38,7 +38,8 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     table = _profiles(panels[0, -1], cube, cells, None if why else of)
     headline(figure, _message(cells, table))
     left_out = f"Janssen's curve is left out: {why}." if why else ""
-    foot(figure, f"{cube.attrs['title']}; {bins.EARLY_WORDS}.", left_out, handles=panels[0, -1].get_legend_handles_labels()[0])
+    early = f"; {bins.EARLY_WORDS}" if len(shown) > 1 else ""
+    foot(figure, f"{cube.attrs['title']}{early}.", left_out, handles=panels[0, -1].get_legend_handles_labels()[0])
     save(figure, pd.concat([cells.assign(kind="cell"), table], ignore_index=True), stem)
 
 
@@ -66,13 +67,32 @@ def _map(panel: Axes, cells: pd.DataFrame, column: str, most: float) -> QuadMesh
     """Cells as rectangles of angle and height, coloured by pressure (kPa); all walls of a kind go round together."""
     for _, kind in cells.groupby(cells["surface"].str.split("_").str[0], sort=False):
         heights = np.unique(kind["height_m"])
-        grid = kind.sort_values(["height_m", "angle_deg"])[column].to_numpy().reshape(len(heights), -1) / KPA
-        angles = np.linspace(0.0, 360.0, grid.shape[1] + 1)
         high = heights[1] - heights[0] if len(heights) > 1 else 2.0 * heights[0]
-        edges = np.append(heights - high / 2, heights[-1] + high / 2)
-        mesh = panel.pcolormesh(angles, edges, grid, cmap="viridis", vmin=0.0, vmax=most)
+        for height, row in kind.groupby("height_m"):
+            angles, ring = around(row)
+            edges = [height - high / 2, height + high / 2]
+            mesh = panel.pcolormesh(angles, edges, ring[column].to_numpy()[None] / KPA, cmap="viridis", vmin=0.0, vmax=most)
     panel.grid(False)
     return mesh
+
+
+def around(row: pd.DataFrame) -> tuple[np.ndarray, pd.DataFrame]:
+    """Edges (degrees) of a level's cells from one turn before the first to one after it, and those cells.
+
+    Wall after wall, edges midway between cells.  Those that are no part of their wall, which narrows in a hopper, are left out.
+    """
+    there = row[row["area_m2"].notna()]
+    walls = there.groupby("surface", sort=False)["angle_deg"]
+    middle = walls.transform(lambda own: np.degrees(np.angle(np.exp(1j * np.radians(own)).sum())) % 360.0)
+    if walls.ngroups == 1:
+        middle = middle * 0.0 + 180.0
+    angle = middle + (there["angle_deg"] - middle + 180.0) % 360.0 - 180.0
+    ring = there.assign(angle_deg=angle, middle=middle).sort_values(["middle", "angle_deg"])
+    places = np.add.outer(
+        (-360.0, 0.0, 360.0), ring["angle_deg"].to_numpy()
+    ).ravel()  # three times around: the middle one, and its ends
+    edges = np.maximum.accumulate((places[:-1] + places[1:]) / 2.0)
+    return edges, ring.iloc[np.tile(np.arange(len(ring)), 3)[1:-1]]
 
 
 def _transition(panel: Axes, cube: xr.Dataset) -> None:

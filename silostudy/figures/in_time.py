@@ -1,40 +1,28 @@
-"""A scene of grains in time: forces on its surfaces, mass through its outlets, what happened, and a sentence on all of it."""
+"""A scene of grains in time: forces on its surfaces, the panels of its figure, and a sentence on all of it."""
 
-from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from collections.abc import Sequence
 
 import numpy as np
 import pandas as pd
 import xarray as xr
 from matplotlib.axes import Axes
+from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
 from silostudy.errors import BadInput
+from silostudy.figures import moments
 from silostudy.figures.bin import opened_at
-from silostudy.figures.style import INK, REST, series
+from silostudy.figures.flow_in_time import Flow
+from silostudy.figures.style import REST, WIDTH, plt, series
 
 FELT = 0.05  # of the largest force at rest: surfaces with less are not said to carry anything
-CLOSEST = 0.06  # share of the axis of time between two events whose words are both written
 SHOWN = 11  # surfaces with a look of their own, the most loaded ones; further ones are grey
-
-
-@dataclass(frozen=True)
-class Flow:
-    """Mass that had left (table of time_s, outlet and the column `mass`), of how much, and the unit of it in words."""
-
-    table: pd.DataFrame
-    mass: str
-    filled: float
-    unit: str
-
-    def told(self) -> str:
-        """Mass that left, and how fast it did between the first grain and the last."""
-        if self.table.empty:
-            return "nothing leaves"
-        through = self.table.groupby("time_s")[self.mass].sum()
-        lasts, after_first = float(np.ptp(through.index)), float(through.iloc[-1] - through.iloc[0])
-        rate = f", {after_first / lasts:.3g} {self.unit}/s on average" if lasts > 0.0 else ""
-        return f"{through.iloc[-1]:.3g} of {self.filled:.3g} {self.unit} leave{rate}"
+ROOM = 1.2  # of the largest force: words of events stand above it
+LATE = 0.2  # of the end of a run: what begins later goes on from another run
+# inches
+MARGIN = 0.7  # beside a panel
+TALL = 4.9  # a snapshot at most
+LOWER = 4.3  # all below the snapshots
 
 
 def check_recorded(cube: xr.Dataset, force: str) -> None:
@@ -45,85 +33,103 @@ def check_recorded(cube: xr.Dataset, force: str) -> None:
             raise BadInput(key, "nothing", "must be given: the figure of a scene shows what it records")
 
 
-def flow_of(cube: xr.Dataset, passing: str, mass: str, filled: str, column: str, unit: str) -> Flow:
-    """Mass that had left at the times of a name, by outlet where they have names; mass, filled: names in the cube."""
-    table = pd.DataFrame({"time_s": [], "outlet": [], column: []})
-    if passing in cube:
-        through = cube[f"outlet_{mass}"] if "outlet" in cube else cube[mass].expand_dims(outlet=["outlet"])
-        table = through.to_dataframe(column).reset_index().rename(columns={passing: "time_s"})
-    return Flow(table[["time_s", "outlet", column]], column, float(cube[filled].sum()), unit)
+def forces(cube: xr.Dataset, force: np.ndarray, column: str) -> pd.DataFrame:
+    """Force on each surface that is ever touched, mean of each window (by its end), as a long table.
 
-
-def snapshots(cube: xr.Dataset, passing: str) -> tuple[int, int]:
-    """The last snapshot before anything has passed the outlet, at the times of that name, and the last of all."""
-    time = cube["snapshot_time"].values
-    left = cube[passing].values if passing in cube else time[:0]
-    before = np.flatnonzero(time < left[0]) if left.size else np.arange(len(time))
-    return (int(before[-1]) if before.size else 0), len(time) - 1
-
-
-def forces(time: np.ndarray, force: np.ndarray, surfaces: Iterable[str], column: str) -> pd.DataFrame:
-    """Force on each surface that is ever touched, mean of each window (by its end), as a long table."""
-    tables = [pd.DataFrame({"surface": name, "time_s": time, column: values})
-              for name, values in zip(surfaces, force.T, strict=True) if values.any()]  # fmt: skip
+    Facets of a curved sheet count as one surface.
+    """
+    names = cube["surface_sheet" if "surface_sheet" in cube else "surface"].values.astype(str)
+    tables = [pd.DataFrame({"surface": name, "time_s": cube["window_time"].values, column: values})
+              for name in dict.fromkeys(names) if (values := force[:, names == name].sum(axis=1)).any()]  # fmt: skip
     return pd.concat(tables, ignore_index=True) if tables else pd.DataFrame(columns=["surface", "time_s", column])
 
 
-def draw_forces(panel: Axes, table: pd.DataFrame, column: str, opened: float) -> list[Line2D]:
+def draw_forces(panel: Axes, table: pd.DataFrame, column: str, cube: xr.Dataset) -> list[Line2D]:
     """A step a window and a line a surface, thick where the force rises most; nothing while a surface is not touched."""
     ranked = list(table.groupby("surface")[column].max().sort_values(ascending=False).index)
-    most, _ = pushed(table, column, opened)
-    lines = []
+    most, lines = subject(cube, table, column), []
     for name, group in table.groupby("surface", sort=False):
         number, touched = ranked.index(name), group[column].where(group[column] != 0.0)
         style = series(number) | {"markersize": 4, "markevery": max(1, len(group) // 8)} if number < SHOWN else REST
         style |= {"linestyle": "-", "linewidth": 2.0 if name == most else 0.9}
-        lines += panel.plot(group["time_s"], touched, drawstyle="steps-pre", label=name.replace("_", " "), **style)
-    panel.set(title="forces on the surfaces", xlabel="time (s)", xlim=(0, None), ylim=(0, None))
-    return lines
-
-
-def draw_flow(panel: Axes, flow: Flow) -> None:
-    """A step a grain and a line an outlet, with its name at its end where there are several."""
-    outlets = list(flow.table.groupby("outlet", sort=False))
-    for number, (name, group) in enumerate(outlets):
-        look = series(number) | {"marker": "none", "linewidth": 1.8}
-        panel.plot(group["time_s"], group[flow.mass], drawstyle="steps-post", **look)
-        if len(outlets) > 1:
-            panel.annotate(
-                str(name),
-                (group["time_s"].iloc[-1], group[flow.mass].iloc[-1]),
-                (-4, 4),
-                textcoords="offset points",
-                ha="right",
-                fontsize="small",
-            )
-    panel.set(title="mass through the outlet" + "s" * (len(outlets) > 1), xlabel="time (s)", ylim=(0, None))
-
-
-def mark_events(panels: Sequence[Axes], cube: xr.Dataset) -> None:
-    """A line at each event, with its words in the first panel where they have room."""
-    low, high = panels[0].get_xlim()
-    written = -np.inf
-    for when, what in zip(cube["event_time"].values, cube["event_action"].values, strict=True):
-        for panel in panels:
-            panel.axvline(when, color="0.6", linewidth=0.8)
-        if when - written > CLOSEST * (high - low):
-            words, place = str(what).split(": ")[-1].replace("_", " "), panels[0].get_xaxis_transform()
-            panels[0].text(when, 0.98, words, transform=place, rotation=90, va="top", ha="right", fontsize="small", color=INK)
-            written = when
-
-
-def message(cube: xr.Dataset, table: pd.DataFrame, column: str, flow: Flow) -> str:
-    """Message: what leaves, and the surface whose force rises most over that at rest once the outlet opens."""
-    opened = opened_at(cube)
-    surface, rise = pushed(table, column, opened)
-    if not np.isfinite(opened):
-        return f"At rest the largest force is that on {_quoted(surface)}" if surface else "Nothing touches a surface"
-    rises = (
-        f"; the force on {_quoted(surface)} comes to {rise:.2g} times that at rest, more than on any other" if surface else ""
+        label = name.replace("_", " ") if number < SHOWN else f"{len(ranked) - SHOWN} more" if number == SHOWN else "_"
+        lines += panel.plot(group["time_s"], touched, drawstyle="steps-pre", label=label, **style)
+    start, end = _lasts(cube)
+    panel.set(
+        title="forces on the surfaces",
+        xlabel="time (s)",
+        xlim=(start, end),
+        ylim=(0, ROOM * table[column].max() if len(table) else None),
     )
-    return f"Once the outlet opens {flow.told()}{rises}"
+    named = [line for line in lines if line.get_label() != "_"]
+    return sorted(named, key=lambda line: line.get_color() == REST["color"])
+
+
+def _lasts(cube: xr.Dataset) -> tuple[float, float]:
+    """Start and end (s) of the axis of time, which begins late where the run goes on from another's end."""
+    times = np.concatenate([cube[name].values for name in ("window_time", "event_time")])
+    start = times.min() if times.min() > LATE * times.max() else 0.0
+    return float(start), float(times.max() + 0.02 * (times.max() - start))
+
+
+def lay_out(shots: Sequence[int], flow: Flow, box: tuple[float, float, float, float]) -> tuple[Figure, dict[str, Axes], float]:
+    """Figure and panels (a number a snapshot, "force", and "mass" where any leaves), and the width (inches) of a lower one.
+
+    box: left, right, low and high edge of the snapshots, of one unit.
+    """
+    names = [str(number) for number in range(len(shots))]
+    below = ["force", "mass" if len(flow.table) else "force"]
+    rows: list = [names * (2 // len(names)), below]
+    wide = WIDTH - MARGIN if len(names) == 1 else WIDTH / 2 - MARGIN
+    tall = min(TALL, wide * (box[3] - box[2]) / (box[1] - box[0]))
+    figure, panels = plt.subplot_mosaic(rows, figsize=(WIDTH, tall + LOWER), height_ratios=(tall + 0.7, 3.2))
+    for name in names:
+        panels[name].set(xlabel="across (cm)", ylabel="height (cm)", aspect="equal", xlim=box[:2], ylim=box[2:])
+        panels[name].grid(False)
+    if "mass" in panels:
+        panels["mass"].sharex(panels["force"])
+    return figure, panels, WIDTH / len(set(below)) - MARGIN
+
+
+def message(cube: xr.Dataset, table: pd.DataFrame, column: str, unit: str, flow: Flow) -> str:
+    """Message: what leaves, and the surface whose force rises most over that at rest; or that with the largest force."""
+    opened, (since, begins) = opened_at(cube), moments.begins(cube)
+    if np.isfinite(opened):
+        return f"{begins} {flow.told()}{_rises(*pushed(table, column, opened))}"
+    surface = subject(cube, table, column)
+    if np.isinf(since):
+        when = "At rest" if str(cube["event_action"].values[-1]).startswith("rest") else "At the end"
+        return f"{when} the largest force is that on {_quoted(surface)}" if surface else "Nothing touches a surface"
+    leaves, begins = (f"{flow.told()}; ", begins[0].lower() + begins[1:]) if len(flow.table) else ("", begins)
+    if not surface:
+        return f"{leaves}{begins} nothing touches a surface"
+    own = _later(cube, table, since)
+    time, most = own.loc[own[own["surface"] == surface][column].idxmax(), ["time_s", column]]
+    return f"{leaves}{begins} the largest force is {most:.3g} {unit}, on {_quoted(surface)} at {time:.2g} s"
+
+
+def _later(cube: xr.Dataset, table: pd.DataFrame, since: float) -> pd.DataFrame:
+    """The forces of the windows that begin after a time (s)."""
+    begun = np.append(0.0, cube["window_time"].values[:-1])
+    return table[table["time_s"].isin(cube["window_time"].values[begun >= since])]
+
+
+def subject(cube: xr.Dataset, table: pd.DataFrame, column: str) -> str:
+    """The surface that the message is on; none where nothing touches one."""
+    opened, (since, _) = opened_at(cube), moments.begins(cube)
+    if np.isfinite(opened) or np.isinf(since):
+        return pushed(table, column, opened)[0]
+    later = _later(cube, table, since)
+    return str(later.loc[later[column].idxmax(), "surface"]) if (later[column] > 0.0).any() else ""
+
+
+def _rises(surface: str, rise: float) -> str:
+    """Words on the surface whose force rises most over that at rest; none where there is none."""
+    if not surface or np.isnan(rise):
+        return ""
+    if not rise > 1.0:
+        return "; no surface is pressed more than at rest"
+    return f"; the force on {_quoted(surface)} comes to {rise:.2g} times that at rest, more than on any other"
 
 
 def pushed(table: pd.DataFrame, column: str, opened: float) -> tuple[str, float]:

@@ -2,47 +2,55 @@
 
 from pathlib import Path
 
-import matplotlib.pyplot as plt
 import numpy as np
 import pandas as pd
 import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.collections import EllipseCollection, LineCollection
 
-from silostudy.figures import in_time
-from silostudy.figures.bin import opened_at, outline
-from silostudy.figures.style import AID, WIDTH, foot, headline, save
+from silostudy.figures import in_time, moments, silo_cut
+from silostudy.figures.flow_in_time import draw_flow, flow_of
+from silostudy.figures.style import AID, foot, headline, save
 
 CM = 100.0
-LONGEST = 3.0  # diameters: the line of the largest contact force
+LONGEST = 2.0  # diameters: the line of the largest contact force
 FORCE = "force_N"  # column of the forces
 MASS = "mass_kg"  # column of the mass
 
 
 def draw(cube: xr.Dataset, stem: Path) -> None:
-    """Writes the figure: slices of two snapshots, the forces on the surfaces, and the mass through the outlets."""
+    """Writes the figure: slices of snapshots, the forces on the surfaces, and the mass through the outlets."""
     in_time.check_recorded(cube, "surface_normal_force")
-    figure, panels = plt.subplot_mosaic([["rest", "flow"], ["force", "mass"]], figsize=(WIDTH, 9.2), height_ratios=(1.7, 1))
-    near, tables = _near(cube), []
-    for panel, snapshot in zip((panels["rest"], panels["flow"]), in_time.snapshots(cube, "outflow_time"), strict=True):
-        tables.append(_chains(near, snapshot, LONGEST * float(cube["grain_radius"].mean()) / _largest(near)))
-        _draw_slice(panel, cube, snapshot, tables[-1])
-    push = cube["surface_normal_force"].values
-    force = in_time.forces(cube["window_time"].values, push, cube["surface"].values, FORCE)
-    flow = in_time.flow_of(cube, "outflow_time", "outflow_mass", "grain_mass", MASS, "kg")
-    lines = in_time.draw_forces(panels["force"], force, FORCE, opened_at(cube))
-    in_time.draw_flow(panels["mass"], flow)
+    force = in_time.forces(cube, cube["surface_normal_force"].values, FORCE)
+    flow = flow_of(cube, "outflow_time", "outflow_mass", "grain_mass", MASS, "kg")
+    shots = moments.snapshots(cube, _sizes(cube), flow)
+    box = silo_cut.view(cube, float(cube["grain_z"].isel(snapshot=shots).max()))
+    figure, panels, wide = in_time.lay_out(shots, flow, box)
+    near = _near(cube)
+    largest = _largest(near, shots)
+    tables = [_chains(near, shot, LONGEST * float(cube["grain_radius"].mean()) / largest) for shot in shots]
+    for number, (shot, table) in enumerate(zip(shots, tables, strict=True)):
+        _draw_slice(panels[str(number)], cube, shot, table, largest)
+    lines = in_time.draw_forces(panels["force"], force, FORCE, cube)
     panels["force"].set(ylabel="normal force (N)")
-    panels["mass"].set(ylabel="mass that has passed (kg)")
-    panels["mass"].sharex(panels["force"])
-    in_time.mark_events((panels["force"], panels["mass"]), cube)
-    headline(figure, in_time.message(cube, force, FORCE, flow))
+    if "mass" in panels:
+        draw_flow(panels["mass"], flow)
+        panels["mass"].set(ylabel="mass that has passed (kg)")
+    moments.mark_events([panel for name, panel in panels.items() if name in ("force", "mass")], cube, wide)
+    headline(figure, in_time.message(cube, force, FORCE, "N", flow))
     about = (
         "Spheres that the plane through the axis cuts, and contacts within a mean radius of it: a line as long and wide as the "
     )
-    about += f"force in the plane, at most {_largest(near):.3g} N. Forces: normal, mean of each window."
-    foot(figure, f"{cube.attrs['title']}.", about, handles=lines)
+    about += f"force in the plane, at most {largest:.3g} N. Forces: normal, mean of each window."
+    foot(figure, f"{cube.attrs['title']}.", f"{moments.told(shots, flow)}{about}", handles=lines)
     save(figure, pd.concat([*tables, force, flow.table], ignore_index=True), stem)
+
+
+def _sizes(cube: xr.Dataset) -> np.ndarray:
+    """Size (N) of the force of each contact."""
+    if "contact_x" not in cube:
+        return np.empty(0)
+    return np.linalg.norm([cube[f"contact_load_{way}"].values for way in "xyz"], axis=0)
 
 
 def _near(cube: xr.Dataset) -> xr.Dataset:
@@ -53,14 +61,14 @@ def _near(cube: xr.Dataset) -> xr.Dataset:
     return cube[names].isel(contact=np.abs(cube["contact_y"].values) < float(cube["grain_radius"].mean()))
 
 
-def _largest(near: xr.Dataset) -> float:
-    """Largest force (N) in the plane; one where nothing touches."""
-    return float(np.hypot(near["contact_load_x"].values, near["contact_load_z"].values).max(initial=0.0)) or 1.0
+def _largest(near: xr.Dataset, shots: list[int]) -> float:
+    """Largest force (N) in the plane in some snapshots; one where nothing touches."""
+    shown = near.isel(contact=np.isin(near["contact_snapshot"].values, shots))
+    return float(np.hypot(shown["contact_load_x"].values, shown["contact_load_z"].values).max(initial=0.0)) or 1.0
 
 
-def _draw_slice(panel: Axes, cube: xr.Dataset, snapshot: int, chains: pd.DataFrame) -> None:
-    """The spheres that the plane cuts, as the circles that it cuts them in, and the contacts near it."""
-    outline(panel, cube)
+def _draw_slice(panel: Axes, cube: xr.Dataset, snapshot: int, chains: pd.DataFrame, largest: float) -> None:
+    """The spheres that the plane cuts, as the circles that it cuts them in, and contacts, as wide as their force."""
     shot, radius = cube.isel(snapshot=snapshot), cube["grain_radius"].values
     x, y, z = (shot[f"grain_{way}"].values for way in "xyz")
     cut = np.flatnonzero(np.abs(y) < radius)
@@ -68,14 +76,11 @@ def _draw_slice(panel: Axes, cube: xr.Dataset, snapshot: int, chains: pd.DataFra
     style: dict = {"facecolors": "0.92", "edgecolors": "0.75", "linewidths": 0.4, "gid": AID}
     panel.add_collection(EllipseCollection(size, size, 0.0, units="xy", offsets=np.column_stack([x[cut], z[cut]]) * CM,
                                            offset_transform=panel.transData, **style))  # fmt: skip
-    widths = np.clip(4.0 * chains["force_N"] / max(chains["force_N"].max(), 1e-300), 0.2, 4.0) if len(chains) else None
+    silo_cut.draw(panel, cube, float(shot["snapshot_time"]))
+    widths = np.clip(4.0 * chains["force_N"] / largest, 0.2, 4.0)
     ends = chains.filter(like="_cm").to_numpy().reshape(-1, 2, 2)
     panel.add_collection(LineCollection(list(ends), linewidths=widths, colors="k"))
-    half, top = (float(cube.attrs[name]) * CM for name in ("half_width_m", "top_height_m"))
-    high = min(top, 1.1 * float(cube["grain_z"].max()) * CM)
-    panel.set(xlabel="across (cm)", ylabel="height (cm)", aspect="equal", xlim=(-1.05 * half, 1.05 * half), ylim=(-1.0, high))
     panel.set_title(f"{float(shot['snapshot_time']):.3g} s: {np.isfinite(z).sum()} spheres")
-    panel.grid(False)
 
 
 def _chains(near: xr.Dataset, snapshot: int, scale: float) -> pd.DataFrame:

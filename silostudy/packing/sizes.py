@@ -123,7 +123,7 @@ SIZES: Family[Sizes] = Family(
                 PackingField(
                     name="passing",
                     argument="passing",
-                    text="share of mass that passes each, from 0 to 1",
+                    text="share of mass that passes each, from 0 to 1; between two openings sizes are even by number",
                     kind=tuple[float, ...],
                 ),
             ),

@@ -7,6 +7,7 @@ from pydantic import BaseModel
 
 from silostudy.scene.laboratory_cell_discs import DiscCase
 
+LETS_OUT = ("open_slit", "open_outlet", "feed", "take_away", "remove_disc")  # what events do that grains leave by
 HIGH_FRICTION = 1.5  # beyond any row of this package's tables, whose largest is below 1
 DEEP = 0.05  # of a radius: an overlap beyond which contacts are too soft for what they bear
 FRICTIONS = ("sliding_friction", "wall_friction", "disc_friction", "sphere_friction")  # keys of sliding friction
@@ -43,6 +44,15 @@ def late_events(scene: Any) -> Iterator[str]:
             ends = f"the run ends before, at march.limit_s = {scene.march.limit_s:g}"
             yield f"events.{number} comes at {earliest:g} s or later: {ends}"
             return
+
+
+def early_shares(scene: Any) -> Iterator[str]:
+    """A caution for an event that waits for a share discharged before any event lets grains out."""
+    for number, event in enumerate(scene.events):
+        if event.do in LETS_OUT:
+            return
+        if event.when == "discharged" and not scene.start_from:
+            yield f"events.{number} waits for a share discharged, and no event before it lets grains out"
 
 
 def narrow_cell(case: Any) -> Iterator[str]:

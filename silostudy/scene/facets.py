@@ -28,7 +28,7 @@ def read_triangles(path: Path) -> np.ndarray:
         raise BadInput("mesh", str(path), f"is no mesh that can be read: {error}") from None
 
 
-def facets_of(triangles: np.ndarray, name: str, unit: str) -> list[dict[str, Any]]:
+def facets_of(triangles: np.ndarray, name: str, unit: str, where: str = "") -> list[dict[str, Any]]:
     """Entries of a scene's `inserts`; BadInput for an unknown unit, or for more or fewer triangles than a sheet may have."""
     if unit not in UNITS:
         raise BadInput("--unit", unit, f"unknown; known: {', '.join(UNITS)}")
@@ -36,7 +36,8 @@ def facets_of(triangles: np.ndarray, name: str, unit: str) -> list[dict[str, Any
     across = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     corners = corners[0.5 * np.linalg.norm(across, axis=1) > LEAST]
     if not 1 <= len(corners) <= MOST:
-        raise BadInput("mesh", f"{len(corners)} triangles", f"must be from 1 to {MOST}: a coarser mesh may do")
+        told = "a coarser mesh may do" if len(corners) else "none in the file has an area"
+        raise BadInput("mesh", f"{len(corners)} triangles", f"must be from 1 to {MOST}: {told}", where)
     return [
         {"kind": "polygon", "name": f"{name}_{number}", "sheet": name, "corners_m": corner.tolist()}
         for number, corner in enumerate(corners, 1)

@@ -4,7 +4,7 @@ from collections.abc import Iterator
 from typing import Any
 
 from silostudy.dem.model import Model
-from silostudy.scene.cautions import high_frictions, late_events
+from silostudy.scene.cautions import early_shares, high_frictions, late_events
 from silostudy.scene.clinging import deep_pulls
 from silostudy.scene.idle import powerless, untaken
 
@@ -15,7 +15,14 @@ READ = ("fields", "contact_statistics")  # sections of a record that are read ev
 def notes(scene: Any, model: Model) -> list[str]:
     """Lines on what is possible in a scene, and hardly meant."""
     kinds = tuple(scene.grain_kinds) if hasattr(scene, "grain_kinds") else scene.kinds
-    told = (high_frictions(scene), late_events(scene), untaken(scene), powerless(model, kinds), deep_pulls(model, kinds))
+    told = (
+        high_frictions(scene),
+        late_events(scene),
+        early_shares(scene),
+        untaken(scene),
+        powerless(model, kinds),
+        deep_pulls(model, kinds),
+    )
     return [f"note: {text}" for texts in (*told, short_records(scene, model)) for text in texts]
 
 

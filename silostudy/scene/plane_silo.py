@@ -9,11 +9,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from silostudy.dem.model import Model, Wall
+from silostudy.dem.model import FLOOR, Model, Wall
 from silostudy.scene.plane_checks import require_lines, require_slits
 
-# names of walls
-FLOOR = "floor"
+# names of walls besides the floor
 LID = "lid"
 SIDES = ("left", "right")
 HALVES = ("floor_left", "floor_right")  # of a flat floor beside its slit: they wait for it to open

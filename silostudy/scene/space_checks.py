@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from silostudy.dem.space.joints import ends, flat_joints
 from silostudy.dem.space.level import Outline
-from silostudy.dem.space.surfaces import CIRCLE, RECTANGLE
+from silostudy.dem.space.rows import CIRCLE, RECTANGLE
 from silostudy.dem.space.walls import FlatPiece, Surface, TurnedLine
 from silostudy.errors import BadInput
 

@@ -9,15 +9,15 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from silostudy.dem.model import FLOOR
 from silostudy.dem.space.level import Hole, LevelPiece, Outline
 from silostudy.dem.space.network import all_from_wall
-from silostudy.dem.space.surfaces import CIRCLE, RECTANGLE
+from silostudy.dem.space.rows import CIRCLE, RECTANGLE
 from silostudy.dem.space.walls import FlatPiece, Surface, TurnedLine, walls_of
 from silostudy.scene.silo import Silo
 from silostudy.scene.space_checks import require_surfaces
 
-# names of surfaces
-FLOOR = "floor"  # the whole of a flat one, or the plug in a hopper's outlet
+# names of surfaces besides the floor, which is the plug in a hopper's outlet too
 LID = "lid"
 WALL = "wall"
 HOPPER = "hopper"

@@ -6,7 +6,7 @@ from silostudy.config.spheres import SphereScene
 from silostudy.dem.events import TRIGGERS, Event
 from silostudy.dem.space.joints import flat_joints, turned_joints
 from silostudy.dem.space.level import LevelPiece
-from silostudy.dem.space.surfaces import CIRCLE
+from silostudy.dem.space.rows import CIRCLE
 from silostudy.dem.space.walls import Surface, TurnedLine
 from silostudy.errors import BadInput
 from silostudy.scene.dem import walls_of_event

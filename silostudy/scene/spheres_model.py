@@ -142,6 +142,9 @@ def check_rain(scene: SphereScene, space: SpaceSilo, radii: np.ndarray, where: s
             "filling.width_m", filling.width_m, f"must be {2.0 * largest:.4g} m or more, the largest diameter", where
         )
     outline, aside = space.outline(height), scene.silo.filling_eccentricity_m
+    widest = float(np.ptp(outline.box, axis=0).max())
+    if filling.width_m is not None and filling.width_m > widest:
+        raise BadInput("filling.width_m", filling.width_m, f"must be at most {widest:.4g} m, the silo's width there", where)
     if aside and filling.width_m is None:
         allowed = "of a stream that is as wide as the silo: give filling.width_m, or leave it out"
         raise BadInput("silo.filling_eccentricity_m", aside, allowed, where)

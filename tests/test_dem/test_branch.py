@@ -10,6 +10,7 @@ from silostudy.__main__ import main
 from silostudy.compute.branches import keep_end
 from silostudy.compute.dem import run_of, scene_model
 from silostudy.cube.io import read
+from silostudy.dem.branch import as_events_left
 from silostudy.errors import BadInput
 from tests.test_dem.small import SMALL, carried, scene_of
 
@@ -68,11 +69,49 @@ def test_another_outlet_and_another_friction(tmp_path):
     assert same_motion(rubbing, carried(scene_of(events=[asked, OPENS, stop(0.2)], **PLAIN)))
 
 
+SHUT = {"silo": {"width_m": 0.17, "height_m": 0.4, "wall_cells": 5}}
+ONE, WIDER = ([{"name": name, "width_m": wide, "middle_m": 0.09}] for name, wide in (("one", 0.05), ("other", 0.09)))
+TWO = [{"name": "left", "width_m": 0.03, "middle_m": 0.04}, {"name": "right", "width_m": 0.06, "middle_m": 0.12}]
+
+
+@pytest.mark.parametrize("outlets", [WIDER, TWO])
+def test_other_outlets_by_names_in_place_of_shut_ones(outlets, tmp_path):
+    """As if the filling had been over these all along; once one is open, the floor stays as it is."""
+    ended(tmp_path, stop(0.05), **SHUT, outlets=ONE)
+    opened = {"do": "open_slit", "outlets": [outlets[-1]["name"]]}
+    whole = carried(scene_of(events=[OPENS | opened, stop(0.2)], **PLAIN | SHUT, outlets=outlets))
+    branch = branched(tmp_path, AT_ONCE | opened, stop(0.2), **SHUT, outlets=outlets)
+    assert same_motion(branch, whole)
+    assert branch.dropped == whole.dropped > 0.0
+    ended(tmp_path, OPENS, stop(0.1), **SHUT, outlets=ONE)
+    with pytest.raises(BadInput, match="another wall floor_1: an outlet that is open"):
+        branched(tmp_path, stop(0.2), **SHUT, outlets=outlets)
+
+
+@pytest.mark.parametrize(
+    ("begins", "changes"),
+    [
+        (OPENS | {"speed_m_s": 0.5}, {**SHUT, "outlets": ONE}),
+        ({"when": "time", "value": 0.05, "do": "feed", "rate_kg_s": 20.0}, {}),
+    ],
+)
+def test_an_outlet_that_opens_and_a_feeder_go_on(begins, changes, tmp_path):
+    """Stopped while the outlet opens, or the feeder feeds, to which no event of the branch belongs."""
+    whole = carried(scene_of(events=[begins, stop(0.2)], **PLAIN | changes))
+    first = ended(tmp_path, begins, stop(0.1), **changes)
+    branch = branched(tmp_path, stop(0.2), **changes)
+    assert same_motion(branch, whole)
+    assert branch.dropped > 0.0
+    assert first.dropped + branch.dropped == pytest.approx(whole.dropped, rel=1e-12)
+
+
 def test_what_events_changed_stays(tmp_path):
     changes = [{"when": "time", "value": 0.01, "do": "set_friction", "disc_friction": 0.3},
                {"when": "time", "value": 0.02, "do": "set_gravity", "gravity_m_s2": [1.0, -9.0]}]  # fmt: skip
     ended(tmp_path, *changes, stop(0.04))
     branch = branched(tmp_path, stop(0.08))
+    model = branch.engine.model
+    assert as_events_left(model, model.end) == ["sliding_friction 0.3 of grains", "gravity_m_s2 [1.0, -9.0]"]
     assert same_motion(branch, carried(scene_of(events=[*changes, stop(0.08)], **PLAIN)))
 
 
@@ -91,6 +130,8 @@ def test_what_has_left_before_counts_towards_a_share(tmp_path):
         ({"discs__normal_stiffness_N_m2": 9e6}, "other normal_stiffness: 9.46e+06 N m-2 there, 9e+06 here"),
         ({"discs__tangential": "spring-slider-total"}, "other contact laws"),
         ({"march__step_s": 2e-5}, "other march.step_s: 2.5e-05 there, 2e-05 here"),
+        ({"march__step": "follow", "march__step_s": None}, "other march.step: fixed there, follow, from "),
+        ({"surfaces": {"left": {"sliding_friction": 0.1}}}, "other surfaces: some have frictions of their own"),
         ({"silo__height_m": 0.5}, "another wall left"),
         ({"silo__lid": True}, "no wall lid, which stands here"),
         ({"march__limit_s": 0.03}, "march.limit_s = 0.03: must be above 0.05 s, where first.end ends"),

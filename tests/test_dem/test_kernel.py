@@ -10,12 +10,14 @@ from types import FunctionType
 
 import numpy as np
 import pytest
+from numba import config
 from numba.core.dispatcher import Dispatcher
 from numba.core.extending import _Intrinsic
 
 import silostudy.dem
 from silostudy.choice.dem import load
 from silostudy.compute.dem import scene_model
+from silostudy.dem.cache import is_compiled
 from silostudy.dem.engine import Engine
 from silostudy.dem.integrate import INTEGRATORS
 from silostudy.dem.kernel import kernel
@@ -123,6 +125,14 @@ def test_order_of_convergence(integrator):
     errors = np.array([np.hypot(*(end(dt) - exact)) for dt in (4e-6, 2e-6, 1e-6)])
     orders = np.log2(errors[:-1] / errors[1:])
     assert orders == pytest.approx(INTEGRATORS[integrator].order, abs=0.2)
+
+
+def test_a_kernel_is_kept_from_its_first_step(monkeypatch, tmp_path):
+    engine = Engine(five_grains())
+    engine.step_to(1)
+    assert is_compiled(engine._kernel)
+    monkeypatch.setattr(config, "CACHE_DIR", str(tmp_path))
+    assert not is_compiled(engine._kernel)
 
 
 KEPT = """

@@ -1,10 +1,13 @@
 """Which discs went over the walls of a silo, and which through its slit, where lines outside carry them on."""
 
-from silostudy.dem.engine import Engine
-from silostudy.dem.leaving import Over
-from silostudy.dem.model import Wall
+import pytest
 
-from .scenes import free
+from silostudy.dem.engine import Engine
+from silostudy.dem.leaving import Over, below
+from silostudy.dem.model import Wall
+from silostudy.dem.pieces import Laws
+
+from .scenes import RADIUS, contact, free
 from .small import carried, scene_of
 from .test_lines import WEIGHT, line
 
@@ -35,3 +38,16 @@ def test_what_went_over_a_wall_is_known_wherever_a_line_carries_it():
     height[:] = -0.05
     over.look(engine)
     assert over.went.tolist() == [True, False, True]
+
+
+@pytest.mark.parametrize(
+    ("cohesion", "gone"), [("none", [False] * 4 + [True]), ("constant-pull", [True, True, False, False, True])]
+)
+def test_clumps_of_cohesive_discs_leave_as_a_whole(cohesion, gone):
+    """A pair in touch below the outlet, a pair of which the upper is still in it, and a single disc."""
+    sticky = contact(laws=Laws.of(cohesion=cohesion), **({"pull": 1.0} if cohesion != "none" else {}))
+    low, gap = -3.0 * RADIUS, 1.99 * RADIUS
+    places = [(0.0, low), (gap, low), (10.0 * RADIUS, low), (10.0 * RADIUS, low + gap), (20.0 * RADIUS, low)]
+    engine = Engine(free(*zip(*places, strict=True), pair_contact=sticky))
+    mask = below(engine, -0.5 * RADIUS)
+    assert [bool(mask[list(engine.labels).index(label)]) for label in range(5)] == gone

@@ -3,6 +3,7 @@
 import pytest
 
 from silostudy.compute.dem_cube import cube_of
+from silostudy.dem.feeder import shortfall
 from silostudy.dem.ledger import TURNOVER, WALLS, balance
 from silostudy.errors import BadInput
 from tests.test_dem.small import carried, scene_of
@@ -41,3 +42,14 @@ def test_discs_are_pressed_and_fed_from_the_file_to_the_cube():
     start = -float(started.mass @ started.bodies.rows[: started.n, :2] @ started.gravity)
     assert account[WALLS] > 0.0
     assert abs(balance(account) - start) < 1e-9 * account[TURNOVER]
+
+
+@pytest.mark.parametrize(("rate", "told"), [(RATE / 2.0, False), (40.0 * RATE, True)])
+def test_a_feeder_that_cannot_keep_its_rate_is_told(rate, told):
+    feed = [{"when": "time", "value": 0.05, "do": "feed", "rate_kg_s": rate}, {"when": "after", "value": 0.2, "do": "stop"}]
+    run = carried(scene_of(events=feed, record={}))
+    missed = 1.0 - run.dropped / (rate * 0.2)
+    assert bool(shortfall(run)) == told == (missed > 0.5)
+    if told:
+        assert shortfall(run).startswith(f"the feeder took {100.0 * run.feeder.missed / run.feeder.asked:.2g} % less than the")
+        assert run.feeder.missed / run.feeder.asked == pytest.approx(missed, abs=0.02)

@@ -3,6 +3,7 @@
 import re
 from dataclasses import replace
 from pathlib import Path
+from xml.etree import ElementTree
 
 import meshio
 import numpy as np
@@ -135,6 +136,9 @@ def test_paraview(small, tmp_path):
     assert len(discs.points) == len(run.engine.model.x)
     assert np.all(discs.point_data["radius"] == 0.01)
     assert len(forces.cells_dict["line"]) == len(run.recording.snapshots[0]["pairs"])
+    series = ElementTree.parse(tmp_path / "discs.pvd").iter("DataSet")
+    listed = [(float(entry.get("timestep")), entry.get("file")) for entry in series]
+    assert listed == [(pytest.approx(0.05), "000-discs.vtu"), (pytest.approx(0.2), "001-discs.vtu")]
 
 
 @pytest.mark.parametrize(

@@ -119,3 +119,29 @@ def test_fields_that_fade_everywhere_give_no_ratio(width, told):
     cube = bin_cube()
     cube.attrs["field_width_m"] *= width
     assert told in bin_fields._message(cube, bin_fields.phases(cube))
+
+
+def test_cells_of_a_hopper_that_narrows_go_round_wall_by_wall():
+    """Four walls of four cells; the outer two are no part of a wall that has narrowed, and would lie beyond its corners."""
+    off = np.array([-60.0, -20.0, 20.0, 60.0])
+    angles = (np.add.outer([0.0, 90.0, 180.0, 270.0], off) % 360.0).ravel()
+    walls = {"surface": np.repeat([f"hopper_{k}" for k in range(1, 5)], 4), "area_m2": np.tile([np.nan, 1, 1, np.nan], 4)}
+    row = pd.DataFrame(walls | {"angle_deg": angles, "number": np.arange(16)})
+    edges, cells = bin_pressures.around(row)
+    assert cells["area_m2"].notna().all()
+    inside = [
+        (number, low, high) for number, low, high in zip(cells["number"], edges[:-1], edges[1:], strict=True) if 0 <= low < 360
+    ]
+    assert [number for number, *_ in inside] == [2, 5, 6, 9, 10, 13, 14, 1]
+    assert [low for _, low, _ in inside] == pytest.approx(np.arange(0.0, 360.0, 45.0))
+    assert edges[0] <= 0.0
+    assert edges[-1] >= 360.0
+
+
+@pytest.mark.parametrize("count", [1, 6])
+def test_cells_around_a_round_wall_are_equal(count):
+    angle = (np.arange(count) + 0.5) * 360.0 / count
+    edges, cells = bin_pressures.around(pd.DataFrame({"surface": "wall", "area_m2": 1.0, "angle_deg": angle}))
+    assert np.diff(edges) == pytest.approx(360.0 / count)
+    assert np.unique(edges % (360.0 / count)) == pytest.approx(0.0)
+    assert len(cells) == len(edges) - 1

@@ -5,7 +5,8 @@ from math import radians
 import numpy as np
 import pytest
 
-from silostudy.dem.space.surfaces import FLAT, NEXT, OUT_OF_REACH, nearest
+from silostudy.dem.space.rows import FLAT, NEXT, OUT_OF_REACH
+from silostudy.dem.space.surfaces import nearest
 from silostudy.dem.space.walls import walls_of
 from silostudy.scene.silo import Hopper, Silo
 from silostudy.scene.space_silo import FLOOR, Outlet, SpaceSilo

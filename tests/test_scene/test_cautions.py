@@ -3,6 +3,7 @@
 from math import pi
 
 import pytest
+import xarray as xr
 import yaml
 
 from silostudy.__main__ import main
@@ -149,6 +150,14 @@ def test_a_sweep_s_case_that_takes_no_value_is_no_reason_for_a_note(tmp_path, ca
     assert notes(tmp_path / "silo.yaml", content | {"sweep": [{"axis": "law", "points": laws}]}, capsys) == []
 
 
+@pytest.mark.parametrize(("first", "count"), [("open_outlet", 0), ("set_gravity", 1)])
+def test_a_share_discharged_before_anything_is_let_out_is_noted(first, count, tmp_path, capsys):
+    given = {"gravity_m_s2": [0.0, 0.0, -9.81]} if first == "set_gravity" else {}
+    events = [{"when": "time", "value": 0.05, "do": first, **given}, {"when": "discharged", "value": 0.5, "do": "stop"}]
+    found = notes(tmp_path / "bin.yaml", bin_of_spheres(events=events), capsys)
+    assert found == ["note: events.1 waits for a share discharged, and no event before it lets grains out"] * count
+
+
 @pytest.mark.parametrize("work", [0.05, 1.0, 50.0])
 def test_the_overlap_of_jkr_without_load_is_that_of_its_closed_form(work):
     """At no load a^3 = 9 pi w R^2/(2 E*), and the overlap a^2/(3 R)."""
@@ -173,3 +182,12 @@ def test_explain_tells_an_explosion_in_a_line(monkeypatch, tmp_path, capsys):
     told = capsys.readouterr().out
     assert "no cost is told, since a sample of these grains does not come to rest: sphere 29 ran away" in told
     assert "note: spheres.rolling_friction = 0.1: no chosen law takes it" in told
+
+
+@pytest.mark.parametrize(("speed", "told"), [(0.1, ["its grain_u are left: all start at rest"]), (0.0, [])])
+def test_motion_in_the_file_of_a_given_start_is_left_and_told(speed, told, tmp_path, capsys):
+    columns = dict.fromkeys(("grain_x", "grain_y"), 0.0) | {"grain_z": 0.05, "grain_radius": 0.004, "grain_u": speed}
+    xr.Dataset({name: ("grain", [value]) for name, value in columns.items()}).to_netcdf(tmp_path / "one.nc")
+    content = bin_of_spheres(filling={"kind": "given", "file": "one.nc"}, sizes=None)
+    found = notes(tmp_path / "bin.yaml", content, capsys)
+    assert [note.removeprefix("note: one.nc: ")[: len(words)] for note, words in zip(found, told, strict=True)] == told

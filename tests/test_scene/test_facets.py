@@ -7,8 +7,9 @@ import pytest
 import yaml
 
 from silostudy.__main__ import main
+from silostudy.dem.space.flat import apart_from, piece_of
 from silostudy.dem.space.inserts import polygon
-from silostudy.dem.space.surfaces import FLAT
+from silostudy.dem.space.rows import FLAT, LAST
 from silostudy.dem.space.walls import TurnedLine, walls_of
 from silostudy.errors import BadInput
 from silostudy.scene.facets import MOST, facets_of
@@ -55,6 +56,23 @@ def test_a_push_has_no_jump_along_the_mesh():
     assert np.linalg.norm(np.diff(pushes, axis=0), axis=1).max() < 1.1 * 2 * pi / SIDES * most
 
 
+@pytest.mark.parametrize("sides", [48, 100])
+def test_groups_of_a_sheet_pass_over_no_nearest_piece(sides):
+    """At the wall, over edges and corners, on the axis, beyond the ends: the piece that one finds who looks at all."""
+    grouped = shape_of(cylinder(sides))
+    plain = grouped.copy()
+    plain[:, LAST] = 0.0
+    random = np.random.default_rng(7)
+    places = [*random.uniform((0.9, 0.0, -0.02), (1.05, 2 * pi, HIGH + 0.02), (300, 3)), (0.0, 0.0, 0.05)]
+    places += [(r, 2 * pi * k / sides, z) for r in (0.9, 1.0) for k in range(sides) for z in (0.0, 0.3 * HIGH)]
+    for r, turn, z in places:
+        point = WIDE * r * cos(turn), WIDE * r * sin(turn), z
+        found = piece_of(grouped, 0, *point)
+        apart = [apart_from(grouped, k, *point)[0] for k in range(len(grouped))]
+        assert found == piece_of(plain, 0, *point)
+        assert apart[found] == min(apart)
+
+
 def test_corners_of_a_mesh_stay_corners():
     """In the corner of a box each face pushes, however its triangles lie; a coarse cylinder has faces, too."""
     a = 0.05
@@ -74,8 +92,8 @@ def test_what_cannot_be_a_sheet():
         facets_of(cylinder(4), "mesh", "inch")
     with pytest.raises(BadInput, match=f"mesh = '2004 triangles': must be from 1 to {MOST}"):
         facets_of(cylinder(501), "mesh", "m")
-    with pytest.raises(BadInput, match="mesh = '0 triangles'"):
-        facets_of(np.zeros((3, 3, 3)), "mesh", "m")
+    with pytest.raises(BadInput, match=r"a\.stl: mesh = '0 triangles': .*none in the file has an area"):
+        facets_of(np.zeros((3, 3, 3)), "mesh", "m", "a.stl")
 
 
 @pytest.mark.long

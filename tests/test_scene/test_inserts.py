@@ -10,7 +10,8 @@ from scipy.spatial import cKDTree
 
 from silostudy.dem.space.cells import areas, faces
 from silostudy.dem.space.inserts import cone, cylinder, disc, polygon
-from silostudy.dem.space.surfaces import OUT_OF_REACH, nearest
+from silostudy.dem.space.rows import OUT_OF_REACH
+from silostudy.dem.space.surfaces import nearest
 from silostudy.dem.space.walls import walls_of
 from silostudy.errors import BadInput
 from silostudy.scene.silo import Hopper, Silo

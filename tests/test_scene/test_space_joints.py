@@ -6,7 +6,8 @@ from math import cos, hypot, pi, sin, sqrt, tan
 import numpy as np
 import pytest
 
-from silostudy.dem.space.surfaces import OUT_OF_REACH, nearest, square_apart
+from silostudy.dem.space.rows import OUT_OF_REACH
+from silostudy.dem.space.surfaces import nearest, square_apart
 from silostudy.dem.space.walls import FlatPiece, walls_of
 from tests.test_scene.sheet import Sheet
 from tests.test_scene.spaces import (

@@ -9,7 +9,9 @@ from hypothesis import strategies as st
 from scipy.spatial import cKDTree
 
 from silostudy.dem.space.felt import flat_frame, turned_frame
-from silostudy.dem.space.surfaces import FLAT, OUT_OF_REACH, TURNED, nearest, piece_of
+from silostudy.dem.space.flat import piece_of
+from silostudy.dem.space.rows import FLAT, OUT_OF_REACH, TURNED
+from silostudy.dem.space.surfaces import nearest
 from silostudy.dem.space.walls import walls_of
 from silostudy.errors import BadInput
 from silostudy.scene.silo import Hopper

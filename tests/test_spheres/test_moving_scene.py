@@ -9,7 +9,7 @@ from silostudy.compute.dem_cube import cube_of
 from silostudy.config.load import validated
 from silostudy.config.spheres import SphereScene
 from silostudy.dem.ledger import TURNOVER, balance
-from silostudy.dem.space.surfaces import MORE, OPEN, RIM
+from silostudy.dem.space.rows import MORE, OPEN, RIM
 from silostudy.errors import BadInput
 from silostudy.scene.spheres_about import sphere_effects
 from tests.test_spheres.small import carried, content, run

@@ -12,7 +12,8 @@ from silostudy.dem.space import lanes as of_lanes
 from silostudy.dem.space.felt import flat_frame, turned_frame
 from silostudy.dem.space.lanes import HISTORIES, NEW, OLD, STRETCH
 from silostudy.dem.space.motion import carry
-from silostudy.dem.space.surfaces import OUT_OF_REACH, nearest
+from silostudy.dem.space.rows import OUT_OF_REACH
+from silostudy.dem.space.surfaces import nearest
 from silostudy.dem.space.walls import FlatPiece, TurnedLine, walls_of
 from silostudy.errors import BadInput
 

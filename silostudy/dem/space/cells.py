@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from silostudy.dem.space.level import LevelPiece, Outline
-from silostudy.dem.space.surfaces import ACROSS, CIRCLE, NORMAL, UPWARD
+from silostudy.dem.space.rows import ACROSS, CIRCLE, NORMAL, UPWARD
 from silostudy.dem.space.walls import FlatPiece, TurnedLine
 
 CUT = 33  # points of a line that a plane cuts a turned surface in
@@ -20,13 +20,14 @@ class Face:
     """One face of a surface that has cells of its own: the surface's name, or that and `_back`.
 
     wall: number of the surface; count: of cells; lean: vertical components (1) of the normal that presses it and of the upward
-    direction along it.
+    direction along it; sheet: name of the curved sheet that it is a facet of, or that and `_back`.
     """
 
     name: str
     wall: int
     count: int
     lean: tuple[float, float]
+    sheet: str = ""
 
 
 def faces(surfaces, roof: str) -> list[Face]:
@@ -35,8 +36,8 @@ def faces(surfaces, roof: str) -> list[Face]:
     for number, surface in enumerate(surfaces):
         normal, along = uprightness(surface, surface.name == roof)
         for back in range(surface.faces):
-            name, lean = f"{surface.name}_back" if back else surface.name, (-normal if back else normal, along)
-            listed.append(Face(name, number, int(np.prod(surface.cells)), lean))
+            name, sheet = (f"{of}_back" if back and of else of for of in (surface.name, surface.sheet))
+            listed.append(Face(name, number, int(np.prod(surface.cells)), (-normal if back else normal, along), sheet))
     return listed
 
 

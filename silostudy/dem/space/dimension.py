@@ -41,7 +41,8 @@ from silostudy.dem.space.motion import (
     whole,
 )
 from silostudy.dem.space.network import all_from_wall, bent, densest
-from silostudy.dem.space.surfaces import RISE, height_of, lift, motion_of, nearest, widen
+from silostudy.dem.space.rows import RISE
+from silostudy.dem.space.surfaces import height_of, lift, motion_of, nearest, widen
 from silostudy.dem.space.walk import walk
 from silostudy.dem.space.walls import beside, cell_count, extents, walls_of
 

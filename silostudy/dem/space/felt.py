@@ -6,6 +6,7 @@ from numba import njit
 from numba.extending import register_jitable
 
 from silostudy.dem.cache import OPTIONS
+from silostudy.dem.space.flat import piece_of
 from silostudy.dem.space.lanes import (
     APART_P,
     CURVED,
@@ -26,7 +27,7 @@ from silostudy.dem.space.lanes import (
     Z,
 )
 from silostudy.dem.space.motion import three
-from silostudy.dem.space.surfaces import (
+from silostudy.dem.space.rows import (
     ACROSS,
     ALONG_R,
     ALONG_Z,
@@ -41,9 +42,8 @@ from silostudy.dem.space.surfaces import (
     TURN,
     TURNED,
     UPWARD,
-    nearest,
-    piece_of,
 )
+from silostudy.dem.space.surfaces import nearest
 
 STRAIGHT = 1.0 - 1e-9  # cosine between a contact's normal and its surface's: below it an edge pushes
 

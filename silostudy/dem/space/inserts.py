@@ -19,6 +19,8 @@ def polygon(name: str, corners: tuple, side: str, sheet: str = "") -> FlatPiece:
 
 def cone(name: str, radii: tuple[float, float], heights: tuple[float, float], axis: tuple[float, float]) -> TurnedLine:
     """A cone or frustum; its line starts where it is narrower, so that its front looks up."""
+    if not max(radii) > 0.0:
+        raise BadInput(f"{name}.radii_m", radii, "one of both must be above 0")
     start, end = sorted(zip(radii, heights, strict=True))
     return TurnedLine(name=name, start=start, end=end, axis=axis, faces=2)
 

@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from silostudy.dem.space.surfaces import (
+from silostudy.dem.space.rows import (
     END_END,
     END_WAY,
     FLAT,

@@ -5,7 +5,7 @@ from math import cos, hypot, nan, pi, sin, sqrt, tan
 
 import numpy as np
 
-from silostudy.dem.space.surfaces import (
+from silostudy.dem.space.rows import (
     ACROSS,
     CIRCLE,
     FULL,

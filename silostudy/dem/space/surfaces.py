@@ -18,47 +18,40 @@ from numba import njit
 from numba.extending import register_jitable
 
 from silostudy.dem.cache import OPTIONS
-
-# kinds of surface, in the first column of their shapes
-TURNED = 0.0
-FLAT = 1.0
-LEVEL = 2.0
-# kinds of sides and ends besides free ones, 0
-JOINED = 1.0  # it does not push
-MEETS = 2.0  # an edge of two that meet at an angle: it pushes what is over neither
-OUT_OF_REACH = 1e30  # m: component of a vector to what does not push
-AXIS_X, AXIS_Y, START_R, START_Z, ALONG_R, ALONG_Z, LENGTH, START_END, END_END = range(1, 10)  # columns of a turned line
-START_WAY = 10  # unit vector (r, z) into what its start meets
-END_WAY = 12  # the same at its end
-# columns of a flat piece
-COUNT = 1  # corners
-NORMAL = 2  # unit normal
-NEXT = 5  # next piece of its sheet; 0: none
-FRONT = 6  # 1: its front alone pushes
-# columns of a level piece
-HEIGHT = 1  # m
-OUTLINE = 4  # five numbers
-HOLES = 9  # how many it has
-# columns of both: unit vectors in the plane, each followed by its least coordinate and its length
-ACROSS = 10
-UPWARD = 15
-# columns of any surface
-RISE = 20  # speed upward (m/s)
-TURN = 21  # spin about the upright axis x = y = 0 (rad/s)
-MORE = 22  # first column of what a flat piece says of each side, and a level piece of each hole
-# columns of a side, from its first: three numbers of where it starts, then
-SIDE = 3  # its kind
-SIDE_WAY = 4  # unit vector into what it meets
-PER_SIDE = 7  # how many they are
-# columns of a hole, from its first
-OPEN = 0  # 1: open
-RIM = 1  # its outline, five numbers
-GROWTH = 6  # speed of its half width (m/s)
-FULL = 7  # half width to come (m)
-PER_HOLE = 8  # how many they are
-# numbers of sides of an outline; others are regular polygons, one side facing x
-CIRCLE = 0.0
-RECTANGLE = 4.0
+from silostudy.dem.space.flat import apart_from, nearest_flat, piece_of
+from silostudy.dem.space.rows import (
+    ALONG_R,
+    ALONG_Z,
+    AXIS_X,
+    AXIS_Y,
+    CIRCLE,
+    END_END,
+    END_WAY,
+    FLAT,
+    FOLLOWS,
+    FULL,
+    GROWTH,
+    HEIGHT,
+    HOLES,
+    JOINED,
+    LENGTH,
+    LEVEL,
+    MEETS,
+    MORE,
+    OPEN,
+    OUT_OF_REACH,
+    OUTLINE,
+    PER_HOLE,
+    RECTANGLE,
+    RIM,
+    RISE,
+    START_END,
+    START_R,
+    START_WAY,
+    START_Z,
+    TURN,
+    TURNED,
+)
 
 
 @njit(**OPTIONS)
@@ -81,11 +74,14 @@ def nearest(shape, wall, x, y, z):
 def square_apart(shape, wall, x, y, z):
     """Square of the distance (m2) of (x, y, z) from the surface and all its edges, or less; joined edges count too.
 
-    It changes by no more than a point moves, so that what comes over a joint was listed before.
+    It changes by no more than a point moves, so that what comes over a joint was listed before; endless of a piece that
+    another stands for.
     """
     if shape[wall, 0] == TURNED:
         return apart_from_turned(shape, wall, x, y, z)
     if shape[wall, 0] == FLAT:
+        if shape[wall, FOLLOWS] == 1.0:
+            return np.inf
         return apart_from(shape, piece_of(shape, wall, x, y, z), x, y, z)[0]
     height, beyond = z - shape[wall, HEIGHT], margin(shape, wall, OUTLINE, x, y)
     if beyond < 0.0:
@@ -128,81 +124,6 @@ def nearest_turned(shape, wall, x, y, z):
 
 
 @njit(**OPTIONS)
-def piece_of(shape, wall, x, y, z):
-    """Number of the piece nearest to a point, in a sheet that begins with this piece."""
-    if shape[wall, NEXT] == 0.0:
-        return wall
-    nearer, piece = wall, wall
-    least, joined = apart_from(shape, wall, x, y, z)
-    while shape[piece, NEXT] > 0.0:
-        piece = int(shape[piece, NEXT])
-        square, ends = apart_from(shape, piece, x, y, z)
-        if square < least or (square == least and ends and not joined):
-            nearer, least, joined = piece, square, ends
-    return nearer
-
-
-@njit(**OPTIONS)
-def apart_from(shape, wall, x, y, z):
-    """Square of the distance (m2) of a point from a flat piece, and whether what is nearest is joined to another surface."""
-    side, dx, dy, dz = side_of(shape, wall, x, y, z)
-    return dx * dx + dy * dy + dz * dz, passes_on(shape, wall, side, dx, dy, dz)
-
-
-@njit(**OPTIONS)
-def passes_on(shape, wall, side, dx, dy, dz):
-    """Whether what is nearest to a point, on a side of a flat piece, is another surface's to push from."""
-    if side < 0:
-        return False
-    kind, way = shape[wall, MORE + PER_SIDE * side + SIDE], MORE + PER_SIDE * side + SIDE_WAY
-    over = dx * shape[wall, way] + dy * shape[wall, way + 1] + dz * shape[wall, way + 2] >= 0.0
-    return kind == JOINED or (kind == MEETS and over)
-
-
-@njit(**OPTIONS)
-def nearest_flat(shape, wall, x, y, z):
-    """Vector (m) from a convex polygon's nearest point: in its plane where the point stands over it, else on a side."""
-    side, dx, dy, dz = side_of(shape, wall, x, y, z)
-    behind = shape[wall, FRONT] == 1.0 and facing(shape, wall, dx, dy, dz) < 0.0
-    if behind or passes_on(shape, wall, side, dx, dy, dz):
-        return OUT_OF_REACH, OUT_OF_REACH, OUT_OF_REACH
-    return dx, dy, dz
-
-
-@njit(**OPTIONS)
-def side_of(shape, wall, x, y, z):
-    """Number of a polygon's side that is nearest to a point, -1 where that stands over it, and the vector (m) from there.
-
-    A corner of a joined side and another is the joined side's.
-    """
-    count, best, nearer, way = int(shape[wall, COUNT]), np.inf, -1, (0.0, 0.0, 0.0)
-    nx, ny, nz = shape[wall, NORMAL], shape[wall, NORMAL + 1], shape[wall, NORMAL + 2]
-    for k in range(count):
-        a, b = MORE + PER_SIDE * k, MORE + PER_SIDE * ((k + 1) % count)
-        sx, sy, sz = (
-            shape[wall, b] - shape[wall, a],
-            shape[wall, b + 1] - shape[wall, a + 1],
-            shape[wall, b + 2] - shape[wall, a + 2],
-        )
-        px, py, pz = x - shape[wall, a], y - shape[wall, a + 1], z - shape[wall, a + 2]
-        inward = nx * (sy * pz - sz * py) + ny * (sz * px - sx * pz) + nz * (sx * py - sy * px)
-        if inward >= 0.0:
-            continue
-        share = min(max((px * sx + py * sy + pz * sz) / (sx * sx + sy * sy + sz * sz), 0.0), 1.0)
-        dx, dy, dz = px - share * sx, py - share * sy, pz - share * sz
-        if share == 1.0:  # to the bit as the next side says it, or one corner would have two distances
-            dx, dy, dz = x - shape[wall, b], y - shape[wall, b + 1], z - shape[wall, b + 2]
-        square = dx * dx + dy * dy + dz * dz
-        if square < best or (square == best and shape[wall, a + SIDE] == JOINED):
-            best, nearer, way = square, k, (dx, dy, dz)
-    if nearer >= 0:
-        return nearer, way[0], way[1], way[2]
-    px, py, pz = x - shape[wall, MORE], y - shape[wall, MORE + 1], z - shape[wall, MORE + 2]
-    height = px * nx + py * ny + pz * nz
-    return nearer, height * nx, height * ny, height * nz
-
-
-@njit(**OPTIONS)
 def margin(shape, wall, outline, x, y):
     """Distance (m) of (x, y) inside an outline; negative outside of it, where it is no true distance for polygons."""
     sides, half = shape[wall, outline], shape[wall, outline + 3]
@@ -214,12 +135,6 @@ def margin(shape, wall, outline, x, y):
     part = 2.0 * pi / sides
     facing = part * floor(atan2(y, x) / part + 0.5)
     return half - (x * cos(facing) + y * sin(facing))
-
-
-@njit(**OPTIONS)
-def facing(shape, wall, dx, dy, dz):
-    """Component (m) towards a flat piece's front of a vector from its nearest point."""
-    return dx * shape[wall, NORMAL] + dy * shape[wall, NORMAL + 1] + dz * shape[wall, NORMAL + 2]
 
 
 @njit(**OPTIONS)

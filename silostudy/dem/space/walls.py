@@ -1,19 +1,22 @@
 """Surfaces of a scene of spheres as users of the engine write them: turned lines and flat pieces, each with a name."""
 
 from dataclasses import dataclass
-from math import hypot
+from math import ceil, hypot, sqrt
 
 import numpy as np
 
 from silostudy.dem.arrays import Walls
 from silostudy.dem.drive import standing
 from silostudy.dem.space.joints import join, sheets
-from silostudy.dem.space.surfaces import (
+from silostudy.dem.space.rows import (
     ACROSS,
+    BOX,
     COUNT,
     FLAT,
+    FOLLOWS,
     FRONT,
     JOINED,
+    LAST,
     MORE,
     NEXT,
     NORMAL,
@@ -26,6 +29,7 @@ from silostudy.errors import BadInput
 
 LEVEL = 1e-9  # height of a unit vector: a piece whose normal is more upright than this is level
 FLAT_ENOUGH = 1e-6  # of a piece's extent: distance of its corners from its plane
+FEW = 8  # pieces of a sheet that are looked at one by one
 STRAIGHT = 1e-12  # of its square: how much a corner may turn inward
 
 
@@ -170,10 +174,20 @@ def walls_of(surfaces) -> Walls:
         shape[number, : len(row)] = row
     for sheet in sheets(surfaces):
         live[sheet[1:]] = False
-        shape[sheet[:-1], NEXT] = sheet[1:]
+        shape[sheet[:-1], NEXT], shape[sheet[1:], FOLLOWS] = sheet[1:], 1.0
+        group(shape, surfaces, sheet)
     join(shape, surfaces)
     cells = np.column_stack([np.cumsum(total) - total, counts[:, :2], back]).reshape(-1, 4)
     return Walls(shape, live, cells, standing(len(rows)))
+
+
+def group(shape: np.ndarray, surfaces, sheet: list[int]) -> None:
+    """Write into the rows of a sheet of many pieces its groups of some that follow each other, each with the box around it."""
+    size = ceil(sqrt(len(sheet)))
+    for pieces in (sheet[k : k + size] for k in range(0, len(sheet), size) if len(sheet) > FEW):
+        corners = np.concatenate([surfaces[number].corners for number in pieces])
+        shape[pieces[0], LAST] = pieces[-1]
+        shape[pieces[0], BOX : BOX + 6] = *corners.min(axis=0), *corners.max(axis=0)
 
 
 def extents(surfaces) -> list[np.ndarray]:

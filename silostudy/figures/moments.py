@@ -1,0 +1,98 @@
+"""Moments of a scene of grains: what happened when, which snapshots show it, and how events are marked over time."""
+
+from collections.abc import Sequence
+from itertools import product
+
+import numpy as np
+import xarray as xr
+from matplotlib.axes import Axes
+from matplotlib.patheffects import withStroke
+
+from silostudy.figures.bin import opened_at
+from silostudy.figures.flow_in_time import Flow
+from silostudy.figures.style import INK
+
+APART = 13.0  # points between two lines of words that stand beside each other, upright
+OFF = 2.0  # points between the words of an event and its line
+MOST = 3  # words of events that come too close after each other to be written apart
+
+
+def words(action: str) -> str:
+    """Words of an event: what was done, without what it waited for."""
+    return str(action).split(": ")[-1].replace("_", " ")
+
+
+def first(cube: xr.Dataset) -> tuple[float, str]:
+    """Time (s) and words of the first event that does something with the grains; endless and none where they are left alone."""
+    for time, action in zip(cube["event_time"].values, cube["event_action"].values, strict=True):
+        if words(action) != "stop":
+            return float(time), words(action)
+    return np.inf, ""
+
+
+def snapshots(cube: xr.Dataset, force: np.ndarray, flow: Flow) -> list[int]:
+    """The snapshots that show a scene, before and after: see `told`; force: of each contact.
+
+    One alone where both are the same.
+    """
+    time, load = cube["snapshot_time"].values, _load(cube, force)
+    begun = flow.begins if len(flow.table) else np.nextafter(first(cube)[0], np.inf)
+    before, later = np.flatnonzero(time < begun)[-1:], np.flatnonzero(time >= begun)
+    if not len(flow.table):
+        after = later[np.argsort(load[later])[-1:]]
+    else:
+        after = later[np.argsort(np.abs(time[later] - flow.halfway), kind="stable")[:1]]
+    return [int(shot) for shot in (*before, *after)]
+
+
+def told(shots: Sequence[int], flow: Flow) -> str:
+    """Words on which snapshots are shown; none of a single one."""
+    if len(shots) < 2:
+        return ""
+    if len(flow.table):
+        return "Snapshots: the last before any grain has left, and that nearest to when half of what leaves is out. "
+    return "Snapshots: the last before the first event, and that with the largest forces since. "
+
+
+def _load(cube: xr.Dataset, force: np.ndarray) -> np.ndarray:
+    """Sum of the forces of all contacts of each snapshot."""
+    shot = cube["contact_snapshot"].values if "contact_snapshot" in cube else np.zeros(0, int)
+    return np.bincount(shot, weights=force, minlength=cube.sizes["snapshot"])
+
+
+def mark_events(panels: Sequence[Axes], cube: xr.Dataset, inches: float) -> None:
+    """A line at each event, with its words in the first panel, so many inches wide; of those that are close, words together."""
+    (low, high), times = panels[0].get_xlim(), cube["event_time"].values
+    for panel, time in product(panels, times):
+        panel.axvline(time, color="0.6", linewidth=0.8)
+    apart = APART / 72 / inches * (high - low)
+    for group in _groups(times, apart):
+        when, said = float(times[group[0]]), _joined([words(cube["event_action"].values[number]) for number in group])
+        aside, place = (1.0 if when - low < apart else -1.0), panels[0].get_xaxis_transform()
+        look: dict = {"va": "top", "ha": "left" if aside > 0.0 else "right", "fontsize": "small", "color": INK, "rotation": 90}
+        text = panels[0].annotate(said, (when, 0.98), (OFF * aside, 0.0), place, "offset points", **look)
+        text.set_path_effects([withStroke(linewidth=2.5, foreground="white")])
+
+
+def _groups(times: np.ndarray, apart: float) -> list[list[int]]:
+    """Numbers of events that come less than `apart` after the first of their group."""
+    groups: list[list[int]] = []
+    for number, time in enumerate(times):
+        if groups and time - times[groups[-1][0]] < apart:
+            groups[-1].append(number)
+        else:
+            groups.append([number])
+    return groups
+
+
+def _joined(said: list[str]) -> str:
+    """Words of events one after the other, those beyond MOST by their count."""
+    return ", ".join(said[:MOST] + ([f"{len(said) - MOST} more"] if len(said) > MOST else []))
+
+
+def begins(cube: xr.Dataset) -> tuple[float, str]:
+    """Time (s) at which the outlet opens, or else the first event comes, and how a sentence on what follows begins."""
+    opened, (time, what) = opened_at(cube), first(cube)
+    if np.isfinite(opened):
+        return opened, "Once the outlet opens"
+    return time, f"From \N{LEFT DOUBLE QUOTATION MARK}{what}\N{RIGHT DOUBLE QUOTATION MARK} on"

@@ -1,0 +1,155 @@
+"""The silo where the plane of a figure cuts it: walls, inserts, what shuts outlets, and the lid, as they stand at a time."""
+
+from collections.abc import Iterator
+from typing import NamedTuple
+
+import numpy as np
+import xarray as xr
+from matplotlib.axes import Axes
+from matplotlib.collections import LineCollection
+
+from silostudy.figures.bin import opened_at
+from silostudy.figures.style import AID
+
+CM = 100.0  # of a metre
+FLOOR = "floor"  # one piece that goes as the outlet opens, where outlets have no names
+LID = "lid"
+AWAY = ": take away "  # of an event: what follows are names of inserts
+BELOW = 0.12  # of the width: what is shown below the lowest part
+ROOM = 1.1  # of the height of the highest grain: what is shown of a silo that is less filled
+
+
+class CutLine(NamedTuple):
+    """A line (n, 2; m) across and up in which the plane cuts a part, and the time (s) from which that is gone, or endless."""
+
+    name: str
+    line: np.ndarray
+    goes: float = np.inf
+
+
+def standing(cube: xr.Dataset, time: float) -> list[np.ndarray]:
+    """Lines (n, 2; cm) of all that stands at a time (s)."""
+    away = taken_away(cube, time)
+    lines = [part.line for part in parts(cube) if not time > part.goes and part.name not in away]
+    return [CM * line for line in (*lines, *lid(cube, time))]
+
+
+def draw(panel: Axes, cube: xr.Dataset, time: float) -> LineCollection:
+    """Draws all that stands at a time (s)."""
+    lines = LineCollection(standing(cube, time), colors="black", linewidths=1.2, capstyle="projecting", zorder=3, gid=AID)
+    panel.add_collection(lines)
+    return lines
+
+
+def parts(cube: xr.Dataset) -> Iterator[CutLine]:
+    """All parts of the silo but its lid."""
+    if "disc" in cube.dims:
+        yield from (CutLine(name, line, _opens(cube) if name == FLOOR else np.inf) for name, line in _walls(cube))
+    else:
+        yield from _sides(cube)
+        yield from _inserts(cube)
+    if "outlet" in cube:
+        holes = np.column_stack([cube["outlet_left"], cube["outlet_right"]])
+        times = np.where(np.isnan(cube["outlet_opened"]), np.where(_passed(cube), -np.inf, np.inf), cube["outlet_opened"])
+        yield from (
+            CutLine("", _level(*hole), time) for hole, time in zip(holes, times, strict=True) if np.isfinite(hole).all()
+        )
+
+
+def _opens(cube: xr.Dataset) -> float:
+    """Time (s) at which an outlet without a name opens; before all of a run that goes on where another had opened it."""
+    opened = opened_at(cube)
+    return -np.inf if np.isinf(opened) and np.any(_passed(cube)) else opened
+
+
+def _passed(cube: xr.Dataset) -> np.ndarray:
+    """Whether grains left by each outlet, or by that without a name, on their own: no feeder took them."""
+    mass = "discharged_mass" if "disc" in cube.dims else "outflow_mass"
+    names = [name for name in (f"outlet_{mass}", mass) if name in cube]
+    fed = any(str(action).endswith(": feed") for action in cube["event_action"].values)
+    return cube[names[0]].values[-1] > 0.0 if names and not fed else np.zeros(cube.sizes.get("outlet", 1), bool)
+
+
+def lid(cube: xr.Dataset, time: float) -> list[np.ndarray]:
+    """The line (2, 2; m) of the lid at a time (s): where it began, and from then on where the ends of windows saw it."""
+    own = cube["wall_name"].values == LID if "wall_name" in cube else np.zeros(0, bool)
+    if not own.any():
+        return []
+    up = "wall_cell_y" if "disc" in cube.dims else "wall_cell_z"
+    began, left, right = float(cube[up].values[own].mean()), *edges(cube)
+    seen = (
+        ([0.0, *cube["window_time"].values], [began, *cube["lid_height"].values]) if "lid_height" in cube else ([0.0], [began])
+    )
+    return [_level(left, right, float(np.interp(time, *seen)))]
+
+
+def edges(cube: xr.Dataset) -> tuple[float, float]:
+    """Places (m) of the inner sides of the silo."""
+    if "disc" in cube.dims:
+        sides = cube["wall_cell_x"].values[np.isin(cube["wall_name"].values, ["left", "right"])]
+        return float(sides.min()), float(sides.max())
+    half = float(cube.attrs["half_width_m"])
+    return -half, half
+
+
+def view(cube: xr.Dataset, tops: float) -> tuple[float, float, float, float]:
+    """Left, right, low and high edge (cm) of a picture of the silo; tops: height (m) of the highest grain that it shows.
+
+    What is empty of a high silo is cut off, but for a picture about as high as it is wide.
+    """
+    lines = np.vstack([part.line for part in parts(cube)])
+    (left, right), (low, high) = edges(cube), (lines[:, 1].min(), lines[:, 1].max())
+    aside = 0.05 * (right - left)
+    shown = min(high, max(ROOM * tops, low + right - left))
+    return CM * (left - aside), CM * (right + aside), CM * (low - BELOW * (right - left)), CM * (shown + 0.2 * aside)
+
+
+def taken_away(cube: xr.Dataset, time: float) -> set[str]:
+    """Names of inserts that are gone at a time (s)."""
+    done = [str(action).partition(AWAY) for action in cube["event_action"].values[cube["event_time"].values < time]]
+    return {name for _, took, names in done if took for name in names.split(", ")}
+
+
+def outline_of(cube: xr.Dataset) -> np.ndarray:
+    """Corners (n, 2; m) of a silo of spheres where a plane through the axis cuts it: the right side down, the left side up."""
+    half, outlet, aside, low, top = (
+        float(cube.attrs[name])
+        for name in ("half_width_m", "outlet_half_width_m", "outlet_middle_m", "transition_height_m", "top_height_m")
+    )
+    return np.array([(half, top), (half, low), (aside + outlet, 0.0), (aside - outlet, 0.0), (-half, low), (-half, top)])
+
+
+def _sides(cube: xr.Dataset) -> Iterator[CutLine]:
+    """Walls and bottom of a silo of spheres."""
+    corners = outline_of(cube)
+    if "outlet" not in cube:
+        yield from (CutLine("", corners[:3]), CutLine("", corners[3:]), CutLine("", corners[2:4], _opens(cube)))
+        return
+    yield from (CutLine("", corners[:2]), CutLine("", corners[4:]))
+    holes = np.column_stack([cube["outlet_left"], cube["outlet_right"]])
+    ends = [corners[4, 0], *np.sort(holes[np.isfinite(holes[:, 0])].ravel()), corners[1, 0]]
+    yield from (CutLine("", _level(*piece)) for piece in np.reshape(ends, (-1, 2)))
+
+
+def _inserts(cube: xr.Dataset) -> Iterator[CutLine]:
+    """Lines of the inserts of a silo of spheres, which a gap ends each."""
+    if "insert_x" not in cube:
+        return
+    line = np.column_stack([cube["insert_x"], cube["insert_z"]])
+    names = cube["insert_name"].values.astype(str) if "insert_name" in cube else np.full(len(line), "")
+    gaps = np.flatnonzero(np.isnan(line[:, 0]))
+    for start, end in zip(np.r_[0, gaps[:-1] + 1], gaps, strict=True):
+        yield CutLine(names[start], line[start:end])
+
+
+def _walls(cube: xr.Dataset) -> Iterator[tuple[str, np.ndarray]]:
+    """Name and line of each wall of a silo of discs but its lid: from its first cell to its last, which are its ends."""
+    places, names = np.column_stack([cube["wall_cell_x"], cube["wall_cell_y"]]), cube["wall_name"].values.astype(str)
+    for name in dict.fromkeys(names):
+        if name != LID:
+            yield name, places[names == name][[0, -1]]
+
+
+def _level(left: float, right: float, height: float = 0.0) -> np.ndarray:
+    """A level line (2, 2)."""
+    return np.array([(left, height), (right, height)])

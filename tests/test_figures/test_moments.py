@@ -1,0 +1,60 @@
+"""Moments of a scene: the snapshots that show it, and the words of its events."""
+
+import matplotlib.pyplot as plt
+import numpy as np
+import pandas as pd
+import pytest
+import xarray as xr
+
+from silostudy.figures.flow_in_time import Flow
+from silostudy.figures.moments import mark_events, snapshots, told
+
+
+def scene(*events, shots=(0.0, 1.0, 2.0, 3.0), contacts=(1, 2, 3)):
+    times, actions = zip(*events, strict=True)
+    events = {"event_time": ("event", list(times)), "event_action": ("event", list(actions))}
+    return xr.Dataset(events | {"snapshot_time": ("snapshot", list(shots)), "contact_snapshot": ("contact", list(contacts))})
+
+
+def flow(*times):
+    mass = np.arange(1.0, len(times) + 1.0)
+    return Flow(pd.DataFrame({"time_s": list(times), "outlet": "outlet", "mass_kg": mass}), "mass_kg", 10.0, "kg")
+
+
+def test_a_discharge_is_shown_before_it_and_halfway():
+    cube = scene((0.9, "rest: open"), (3.0, "after: stop"))
+    assert snapshots(cube, np.ones(3), flow(1.5, 1.8, 1.9, 2.9)) == [1, 2]
+    assert "half of what leaves" in told([1, 2], flow(1.5))
+
+
+def test_a_scene_that_stays_shut_is_shown_before_its_first_event_and_most_loaded():
+    cube = scene((0.5, "rest: lower"), (3.0, "after: stop"))
+    assert snapshots(cube, np.array([1.0, 9.0, 1.0]), flow()) == [0, 2]
+    assert "largest forces" in told([0, 2], flow())
+
+
+@pytest.mark.parametrize("contacts", [(1, 2, 3), ()])
+def test_a_scene_that_only_comes_to_rest_is_shown_once(contacts):
+    cube = scene((3.0, "rest: stop"), contacts=contacts)
+    cube = cube if contacts else cube.drop_vars("contact_snapshot")
+    assert snapshots(cube, np.ones(len(contacts)), flow()) == [3]
+    assert told([3], flow()) == ""
+
+
+def said(*events):
+    figure, panel = plt.subplots(figsize=(5.0, 3.0))
+    panel.set_xlim(0.0, 10.0)
+    mark_events([panel], scene(*events), 4.0)
+    texts = [(text.get_text(), text.xy[0]) for text in panel.texts]
+    plt.close(figure)
+    return texts
+
+
+def test_an_event_that_comes_again_has_its_words_again():
+    assert said((2.0, "rest: press"), (4.0, "lid_rests: press")) == [("press", 2.0), ("press", 4.0)]
+
+
+def test_events_that_come_close_are_told_together():
+    assert said((2.0, "rest: lower"), (2.0, "after: press"), (4.0, "time: stop")) == [("lower, press", 2.0), ("stop", 4.0)]
+    many = [(2.0 + 0.01 * k, "after: feed") for k in range(5)]
+    assert said(*many) == [("feed, feed, feed, 2 more", 2.0)]
