@@ -1,14 +1,16 @@
 """The end of a discrete-element run on disk, and scenes that go on from it."""
 
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 from silostudy.compute.checkpoints import program, read_whole, write_whole
 from silostudy.config.grain_scenes import AnyScene
 from silostudy.cube.netcdf import is_file
-from silostudy.dem.branch import differences, end_of
+from silostudy.dem.branch import differences, end_of, opening
 from silostudy.dem.model import Model
 from silostudy.dem.run import Run
+from silostudy.dem.varied import Varied
 from silostudy.errors import BadInput
 
 KEY = "start_from"
@@ -19,10 +21,15 @@ def keep_end(run: Run, path: Path) -> None:
     write_whole((KEY, program(), end_of(run)), path)
 
 
-def end_for(scene: AnyScene, model: Model, folder: Path, where: str) -> dict[str, Any]:
-    """The end that a scene goes on from; BadInput where there is none, or it is of another scene than this one's model."""
+def branched(scene: AnyScene, model: Model, folder: Path, where: str) -> Model:
+    """The model of a scene that goes on from an end; BadInput where there is none, or it is of another scene than this one's.
+
+    What moves there, or has frictions of its own, does so here too.
+    """
     assert scene.start_from is not None
     end = _read(scene.start_from, folder, where)
+    if end["apart"] and not isinstance(model.wall_contact, Varied):
+        model = replace(model, wall_contact=Varied((model.wall_contact,) * len(model.walls)))
     if other := next(differences(model, end), None):
         raise BadInput(KEY, scene.start_from, f"is the end of a run with {other}", where)
     then = int(end["engine"]["step"]) * model.dt
@@ -30,7 +37,7 @@ def end_for(scene: AnyScene, model: Model, folder: Path, where: str) -> dict[str
         raise BadInput(
             "march.limit_s", scene.march.limit_s, f"must be above {then:.6g} s, where {scene.start_from} ends", where
         )
-    return end
+    return replace(model, end=end, moving=model.moving or opening(model, end))
 
 
 def _read(file: str, folder: Path, where: str) -> dict[str, Any]:

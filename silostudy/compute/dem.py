@@ -6,14 +6,13 @@ from functools import singledispatch
 from pathlib import Path
 from typing import Any
 
-from silostudy.compute.branches import end_for
+from silostudy.compute.branches import branched
 from silostudy.compute.checkpoints import resume, save
 from silostudy.compute.dem_files import given_discs, given_spheres, quake_steps
 from silostudy.compute.observers import observers_of
 from silostudy.config.dem import DemScene
 from silostudy.config.grain_scenes import AnyScene
 from silostudy.config.spheres import SphereScene
-from silostudy.dem.branch import opening
 from silostudy.dem.engine import Engine
 from silostudy.dem.feeder import Feeder
 from silostudy.dem.model import Model
@@ -37,10 +36,7 @@ def scene_model(scene: AnyScene, folder: Path, where: str = "") -> Model:
         if error.where or not where:
             raise
         raise BadInput(error.field, error.value, error.allowed, where) from None
-    if not scene.start_from:
-        return model
-    end = end_for(scene, model, folder, where)
-    return replace(model, end=end, moving=model.moving or opening(model, end))
+    return branched(scene, model, folder, where) if scene.start_from else model
 
 
 @singledispatch

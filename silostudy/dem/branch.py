@@ -33,6 +33,7 @@ def end_of(run) -> dict[str, Any]:
         "came": run.came,
         "gone": run.gone + run.dropped,
         "looked": run.looked,
+        "apart": isinstance(model.wall_contact, Varied),  # whether some walls have frictions of their own
         "over": run.over,
         "fed": run.feeder.stand if run.feeder else None,
         "fixed": fixed(model),

@@ -85,3 +85,26 @@ def test_another_silo_or_another_material_is_refused(tmp_path):
         branched(tmp_path, stop(0.1), silo__diameter_m=0.061)
     with pytest.raises(BadInput, match="other hertz_stiffness"):
         branched(tmp_path, stop(0.1), wall__youngs_modulus_MPa=99)
+
+
+FILLING = 0.0501
+ON_THE_FLOOR = {"when": "time", "value": 0.03, "do": "set_friction", "wall_friction": 0.05, "surfaces": ["floor"]}
+WIDENS = {"when": "time", "value": 0.03, "do": "open_outlet", "speed_m_s": 0.5}
+
+
+@pytest.mark.parametrize(
+    ("before", "then", "records"),
+    [
+        ([ON_THE_FLOOR], [], {}),
+        ([WIDENS], [], {}),
+        ([], [OPENS | {"when": "time", "value": 0.06, "speed_m_s": 0.5}], {}),
+        ([], [], {"record__wall_force_window_s": None}),
+    ],
+    ids=["a floor of its own friction", "an outlet that opens", "one that opens in the branch", "other records"],
+)
+def test_a_branch_goes_on_whatever_moves_or_is_recorded(before, then, records, tmp_path):
+    whole = carried(scene_of(events=[*before, *then, stop(0.08)], **copy.deepcopy(FLAT)))
+    ended(tmp_path, *before, stop(FILLING))
+    branch, _ = branched(tmp_path, *then, stop(0.08), **records)
+    assert same_motion(branch, whole)
+    assert branch.engine.n > 0
