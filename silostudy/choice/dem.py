@@ -39,7 +39,7 @@ def scene_traits(scene: DemScene) -> dict[str, float]:
     """The dynamics before rest, and the contacts (1); BadInput for a scene of a kind that was not measured.
 
     fall: gap over the overlap that a disc's weight makes, times the root of the layers of discs.  The errors go with
-    restlessness; the others say which scenes were measured.
+    restlessness or its root; the others say which scenes were measured.
     """
     walls = scene.walls or scene.discs
     for key, value, measured in _kinds(scene, walls):
@@ -52,9 +52,11 @@ def scene_traits(scene: DemScene) -> dict[str, float]:
     fall = gap * sqrt(0.5 * scene.packing.fill_height_m / scene.radius_m)
     direct, ratio = scene.discs.normal_damping_N_s_m2, _ratio(scene.discs)
     damping = direct / (2.0 * sqrt(mass * stiffness)) if direct is not None else ratio
+    unrest = restlessness(fall, damping, walls.sliding_friction)
     return {
         "fall": fall,
-        "restlessness": restlessness(fall, damping, walls.sliding_friction),
+        "restlessness": unrest,
+        "restlessness_root": sqrt(unrest),
         "damping_ratio": damping,
         "wall_stiffness_ratio": walls.normal_stiffness_N_m2 / stiffness,
         "stiffness_ratio": scene.discs.stiffness_ratio,

@@ -1,7 +1,7 @@
 """Sets three ways to an accuracy asked for beside each other, on scenes that no front was measured on: `bench certificate`."""
 
-SILOS = 12  # of discs whose step is asked for; each takes half a minute of CPU time
-FILLINGS = 6  # of each
+SILOS = 12  # of discs whose step is asked for; each takes one to two minutes of CPU time
+FILLINGS = 60  # of each, as in trials of the front
 PACKINGS = 4  # of discs whose mean is asked for
 RUNS = 120  # of each
 

@@ -112,6 +112,7 @@ def test_the_fall_of_a_scene():
     traits = scene_traits(validated(DemScene, copy.deepcopy(SCENE), "asked.yaml"))
     assert traits["fall"] == pytest.approx(4e-5 / overlap * sqrt(10), rel=1e-12)
     assert traits["restlessness"] == restlessness(traits["fall"], traits["damping_ratio"], traits["wall_friction"])
+    assert traits["restlessness_root"] == pytest.approx(traits["restlessness"] ** 0.5, rel=1e-12)
     assert restlessness(16.0, 0.5, 0.2) / restlessness(1.0, 1.0, 0.2) == pytest.approx(2.0 ** (4 * 0.87 + 0.7), rel=1e-12)
     assert restlessness(16.0, 0.0, 0.2) == inf
     assert traits["damping_ratio"] == pytest.approx(3977 / (2 * sqrt(2650 * pi * 0.01**2 * 9.46e6)), rel=1e-12)
