@@ -29,6 +29,7 @@ def end_of(run) -> dict[str, Any]:
     model, engine = run.engine.model, run.engine
     return {
         "engine": checkpoint(engine),
+        "body": model.space.body,
         "come": run.come,
         "came": run.came,
         "gone": run.gone + run.dropped,
@@ -51,9 +52,6 @@ def fixed(model: Model) -> dict[str, Any]:
     return {
         "grains (sizes, density, packing, seed)": tuple(np.ascontiguousarray(column).tobytes() for column in columns),
         "contact laws": repr([contact.laws for contact in contacts]),
-        "surfaces: some have frictions of their own there or here, by `surfaces` or an event, and none on the other side": [
-            isinstance(contact, Varied) for contact in contacts
-        ],
         "march.integrator": model.integrator,
         "march.step": model.pace,
         "march.step_s": model.step,
@@ -105,6 +103,9 @@ def _meant(model: Model, number: int, *, pairs: bool, varied: bool) -> list[tupl
 
 def differences(model: Model, end: Mapping[str, Any]) -> Iterator[str]:
     """Differences, in words, between a model and the end that it is to go on from."""
+    if end["body"] != model.space.body:
+        yield f"{end['body']}s, and the scene is of {model.space.body}s"
+        return
     yield from _other_walls(model, end)
     for name, now in fixed(model).items():
         then = end["fixed"][name]

@@ -13,6 +13,7 @@ from silostudy.cube.io import read
 from silostudy.dem.branch import as_events_left
 from silostudy.errors import BadInput
 from tests.test_dem.small import SMALL, carried, scene_of
+from tests.test_spheres.small import scene_of as spheres_of
 
 pytestmark = pytest.mark.long
 OPENS = {"when": "time", "value": 0.05, "do": "open_slit"}
@@ -131,7 +132,6 @@ def test_what_has_left_before_counts_towards_a_share(tmp_path):
         ({"discs__tangential": "spring-slider-total"}, "other contact laws"),
         ({"march__step_s": 2e-5}, "other march.step_s: 2.5e-05 there, 2e-05 here"),
         ({"march__step": "follow", "march__step_s": None}, "other march.step: fixed there, follow, from "),
-        ({"surfaces": {"left": {"sliding_friction": 0.1}}}, "other surfaces: some have frictions of their own"),
         ({"silo__height_m": 0.5}, "another wall left"),
         ({"silo__lid": True}, "no wall lid, which stands here"),
         ({"march__limit_s": 0.03}, "march.limit_s = 0.03: must be above 0.05 s, where first.end ends"),
@@ -143,6 +143,23 @@ def test_an_end_of_another_scene_is_refused(changes, told, tmp_path):
         branched(tmp_path, stop(0.02), record__wall_force_window_s=None, **changes)
     assert told in str(caught.value)
     assert "\n" not in str(caught.value)
+
+
+def test_spheres_do_not_go_on_from_discs(tmp_path):
+    ended(tmp_path, stop(0.05))
+    scene = spheres_of(start_from="first.end")
+    with pytest.raises(BadInput, match="is the end of a run with discs, and the scene is of spheres"):
+        scene_model(scene, tmp_path, "branch.yaml")
+
+
+def test_a_surface_of_its_own_friction_from_the_branch_on(tmp_path):
+    asked = {"when": "time", "value": 0.05, "do": "set_friction", "wall_friction": 0.5, "surfaces": ["left"]}
+    whole = carried(scene_of(events=[asked, stop(0.1)], **PLAIN))
+    ended(tmp_path, stop(0.05))
+    event = branched(tmp_path, asked | {"when": "after", "value": 0.0}, stop(0.1))
+    stated = branched(tmp_path, stop(0.1), surfaces={"left": {"sliding_friction": 0.5}})
+    assert same_motion(event, whole)
+    assert same_motion(stated, whole)
 
 
 def test_an_open_outlet_stays_as_it_is(tmp_path):
