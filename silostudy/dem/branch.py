@@ -217,9 +217,11 @@ def _memories_here(engine, end: Mapping[str, Any]) -> dict[str, np.ndarray]:
 def _coefficients_here(engine, end: Mapping[str, Any]) -> list[float]:
     """Coefficients in the order of a checkpoint: as they stand there, where both models state the same, else as stated here."""
     model, values_here = engine.model, []
+    passed, own = exchanged(model, end, walls(model))
     for pairs, contact in zip((True, False), engine.contacts, strict=True):
         for number, coefficients in enumerate(contact.sets):
-            of = _meant(model, number, pairs=pairs, varied=isinstance(contact, Varied))[0]
+            wall, kind = _meant(model, number, pairs=pairs, varied=isinstance(contact, Varied))[0]
+            of = (min(passed), kind) if wall in own - passed else (wall, kind)  # a new piece has what the floor had
             for row in coefficients.rows:
                 for name in (coefficient.name for coefficient in row.coefficients):
                     now = coefficients.coefficients[name]

@@ -23,13 +23,11 @@ def standing(count: int) -> np.ndarray:
 
 
 @register_jitable
-def pressing(cells, now, wall):
-    """Force (N, in the plane N/m) that presses a wall in this step."""
-    last = cells[wall + 1, 0] if wall + 1 < cells.shape[0] else now.shape[0]
-    force = 0.0
-    for cell in range(cells[wall, 0], last):
-        force += now[cell, 0]
-    return force
+def pressing(cells, record, wall):
+    """Force (N, in the plane N/m) that presses a wall in this step, on both its faces."""
+    first, back = cells[wall, 0], cells[wall, cells.shape[1] - 1]
+    force = record.whole_now[record.owner[first], 0]
+    return force + record.whole_now[record.owner[first + back], 0] if back > 0 else force
 
 
 def drive_pass(pieces):
@@ -38,9 +36,9 @@ def drive_pass(pieces):
     rise, lift, height_of, widen = space.rise, space.lift, space.height_of, space.widen
 
     @piece("drive", pieces)
-    def way_of(walls, now, q, dt):
+    def way_of(walls, record, q, dt):
         shape, drive = walls.shape, walls.drive
-        force, speed = pressing(walls.cells, now, q), shape[q, rise]
+        force, speed = pressing(walls.cells, record, q), shape[q, rise]
         if not drive[q, MASS] > 0.0:
             shape[q, rise] = 0.0 if force >= drive[q, STOP_FORCE] else speed
             return shape[q, rise] * dt
@@ -49,7 +47,7 @@ def drive_pass(pieces):
         return way
 
     @piece("drive", pieces)
-    def drive_walls(walls, now, dt):
+    def drive_walls(walls, record, dt):
         most = 0.0
         for q in range(walls.live.size):
             if widen(walls.shape, q, dt):
@@ -57,7 +55,7 @@ def drive_pass(pieces):
                 most = np.inf
             if walls.drive[q, MASS] == 0.0 and walls.shape[q, rise] == 0.0:
                 continue
-            way, left = way_of(walls, now, q, dt), walls.drive[q, STOP_HEIGHT] - height_of(walls.shape, q)
+            way, left = way_of(walls, record, q, dt), walls.drive[q, STOP_HEIGHT] - height_of(walls.shape, q)
             arrives = left * (left - way) <= 0.0
             way = left if arrives else way
             lift(walls.shape, q, way)

@@ -134,7 +134,7 @@ def kernel(pieces: Pieces):
                 add_to_window(shared.record)
             if moving:
                 if number == 0:
-                    way = drive_walls(shared.walls, shared.record.now, march.dt)
+                    way = drive_walls(shared.walls, shared.record, march.dt)
                     said[0] = max(said[0], pass_way_on(shared.blocks, (march.bodies + BLOCK - 1) // BLOCK, way))
                 meet(gate, parties)
             if worst(said) == EXPLODED:

@@ -55,7 +55,7 @@ OF_LID = ("lower", "press", "move")
 
 def force_on_lid(engine: Engine) -> float:
     """Force (N) that pressed the lid in the last step."""
-    return float(pressing(engine.walls.cells, engine.record.now, engine.lid))
+    return float(pressing(engine.walls.cells, engine.record, engine.lid))
 
 
 def lid_stress(engine: Engine) -> float:

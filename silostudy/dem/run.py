@@ -101,6 +101,8 @@ class Run:
         if self.began in self.snapshots and not self.recording.snapshots:
             self.recording.snapshots.append(snapshot(self.engine))
         self._act_where_due(checks=self.began > 0 and self.began % self.check == 0)
+        if self.began and self.began % (EVERY * self.check) < self.engine.ticks and not self.done:
+            follow(self.engine, self.recording.steps)  # the run that it goes on from ended at this look, before it
 
     @property
     def trouble(self) -> str:

@@ -48,16 +48,18 @@ def keep(now, window):
 
 @njit(**OPTIONS)
 def add_to_window(record):
-    """Add this step's wall forces to the window, contact by contact in the order of the discs."""
+    """Add this step's wall forces to the window, contact by contact in the order of the discs.
+
+    Those of a whole wall are no sums of cells: their bits, by which a lid moves, do not hang on how many cells there are.
+    """
     now, whole = record.now, record.whole_now
     now[:] = 0.0
     whole[:] = 0.0
     for part in range(record.counts.size):
         for k in range(record.counts[part]):
+            cell = record.cell[part, k]
             for way in range(now.shape[1]):
-                now[record.cell[part, k], way] += record.force[part, k, way]
-    for c in range(now.shape[0]):
-        for way in range(now.shape[1]):
-            whole[record.owner[c], way] += now[c, way]
+                now[cell, way] += record.force[part, k, way]
+                whole[record.owner[cell], way] += record.force[part, k, way]
     keep(now, record.window)
     keep(whole, record.whole)

@@ -106,6 +106,16 @@ def test_an_outlet_that_opens_and_a_feeder_go_on(begins, changes, tmp_path):
     assert first.dropped + branch.dropped == pytest.approx(whole.dropped, rel=1e-12)
 
 
+def test_new_pieces_of_a_floor_have_the_friction_that_an_event_gave_it(tmp_path):
+    asked = {"when": "time", "value": 0.02, "do": "set_friction", "wall_friction": 0.6}
+    ended(tmp_path, asked, stop(0.05), **SHUT, outlets=ONE, surfaces={"left": {"sliding_friction": 0.1}})
+    branch = branched(tmp_path, stop(0.1), **SHUT, outlets=TWO, surfaces={"left": {"sliding_friction": 0.1}})
+    engine = branch.engine
+    numbers = [engine.model.wall_number(f"floor_{piece}") for piece in (1, 2, 3)]
+    rows = [engine.contacts[1].sets[number].coefficients["sliding_friction"] for number in numbers]
+    assert rows == [0.6] * 3
+
+
 def test_what_events_changed_stays(tmp_path):
     changes = [{"when": "time", "value": 0.01, "do": "set_friction", "disc_friction": 0.3},
                {"when": "time", "value": 0.02, "do": "set_gravity", "gravity_m_s2": [1.0, -9.0]}]  # fmt: skip
@@ -143,6 +153,16 @@ def test_an_end_of_another_scene_is_refused(changes, told, tmp_path):
         branched(tmp_path, stop(0.02), record__wall_force_window_s=None, **changes)
     assert told in str(caught.value)
     assert "\n" not in str(caught.value)
+
+
+@pytest.mark.parametrize("stopped", [0.1, 0.13])  # at a look at the contacts, by which steps change, and between two
+def test_steps_that_follow_go_on(stopped, tmp_path):
+    following = {"march__step": "follow", "march__step_s": None}
+    whole = carried(scene_of(events=[stop(0.2)], **PLAIN | following))
+    ended(tmp_path, stop(stopped), **following)
+    branch = branched(tmp_path, stop(0.2), **following)
+    assert same_motion(branch, whole)
+    assert branch.recording.steps[-1][1] == whole.recording.steps[-1][1] > whole.recording.steps[0][1]
 
 
 def test_spheres_do_not_go_on_from_discs(tmp_path):

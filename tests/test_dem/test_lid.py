@@ -1,5 +1,6 @@
 """Discs share what moves: a lid that is pressed and moved, a feeder under the slit; the ledger closes over both."""
 
+import numpy as np
 import pytest
 
 from silostudy.compute.dem_cube import cube_of
@@ -42,6 +43,13 @@ def test_discs_are_pressed_and_fed_from_the_file_to_the_cube():
     start = -float(started.mass @ started.bodies.rows[: started.n, :2] @ started.gravity)
     assert account[WALLS] > 0.0
     assert abs(balance(account) - start) < 1e-9 * account[TURNOVER]
+
+
+@pytest.mark.long
+def test_how_many_cells_a_wall_has_changes_no_bit_of_what_a_lid_does():
+    runs = [carried(scene_of(events=EVENTS, silo__lid=True, silo__wall_cells=cells)) for cells in (3, 8)]
+    assert np.array_equal(*(run.engine.bodies.rows[: run.engine.n] for run in runs))
+    assert np.array_equal(*(np.array(run.recording.whole) for run in runs))
 
 
 @pytest.mark.parametrize(("rate", "told"), [(RATE / 2.0, False), (40.0 * RATE, True)])
