@@ -4,7 +4,7 @@ import numpy as np
 
 from silostudy.accuracy.laws_in_lammps import CannotSay
 from silostudy.dem.space.level import LevelPiece
-from silostudy.dem.space.surfaces import CIRCLE
+from silostudy.dem.space.rows import CIRCLE
 from silostudy.dem.space.walls import FlatPiece, Surface, TurnedLine
 from silostudy.scene.space_silo import LID
 

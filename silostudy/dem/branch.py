@@ -14,7 +14,7 @@ from silostudy.dem.arrays import Memory
 from silostudy.dem.checkpoint import checkpoint, restore
 from silostudy.dem.contacts import Contact
 from silostudy.dem.drive import MASS
-from silostudy.dem.floors import exchanged, nearest_of
+from silostudy.dem.floors import changed, exchanged, nearest_of
 from silostudy.dem.model import Model
 from silostudy.dem.neighbours import LOW, SHIFT
 from silostudy.dem.varied import Varied
@@ -63,15 +63,6 @@ def walls(model: Model) -> dict[str, tuple[bytes, np.ndarray]]:
     shapes, boxes = model.space.walls_of(model.walls).shape, model.space.extents(model.walls)
     rows = zip(model.walls, boxes, shapes, strict=True)
     return {wall.name: (np.ascontiguousarray(box).tobytes(), np.trim_zeros(shape, "b")) for wall, box, shape in rows}
-
-
-def changed(end: Mapping[str, Any], name: str) -> bool:
-    """Whether a wall has been moved, or an outlet in it opened, by then."""
-    return not np.array_equal(np.trim_zeros(_shape_then(end, name), "b"), end["walls"][name][1])
-
-
-def _shape_then(end: Mapping[str, Any], name: str) -> np.ndarray:
-    return end["engine"]["shape"][list(end["walls"]).index(name)]
 
 
 def opening(model: Model, end: Mapping[str, Any]) -> bool:
@@ -167,22 +158,22 @@ def _here(engine, end: Mapping[str, Any]) -> dict[str, np.ndarray]:
     model, saved = engine.model, end["engine"]
     account = saved["account"] if saved["account"].shape == engine.ledger.account.shape else engine.ledger.account
     same = model.gravity == end["gravity"]
+    floors = exchanged(model, end, walls(model))
     return {
-        **_walls_here(engine, end),
-        **_memories_here(engine, end),
+        **_walls_here(engine, end, *floors),
+        **_memories_here(engine, end, *floors),
         "window": engine.record.window,
         "whole": engine.record.whole,
         "account": account,
         "gravity": saved["gravity"] if same else np.array(model.gravity),
-        "coefficients": np.array(_coefficients_here(engine, end)),
+        "coefficients": np.array(_coefficients_here(engine, end, *floors)),
     }
 
 
-def _walls_here(engine, end: Mapping[str, Any]) -> dict[str, np.ndarray]:
+def _walls_here(engine, end: Mapping[str, Any], passed: set[str], own: set[str]) -> dict[str, np.ndarray]:
     """State of the walls: which stand, where, and what moves them; of those that had changed by then, as they were there."""
     here = {name: getattr(engine.walls, name).copy() for name in ("live", "shape", "drive")}
     numbers = {wall.name: number for number, wall in enumerate(engine.model.walls)}
-    passed, own = exchanged(engine.model, end, walls(engine.model))
     for then, name in enumerate(end["walls"]):
         stands = end["engine"]["live"][then]
         if name in {*passed, *own}:
@@ -198,11 +189,10 @@ def _walls_here(engine, end: Mapping[str, Any]) -> dict[str, np.ndarray]:
     return here
 
 
-def _memories_here(engine, end: Mapping[str, Any]) -> dict[str, np.ndarray]:
+def _memories_here(engine, end: Mapping[str, Any], passed: set[str], own: set[str]) -> dict[str, np.ndarray]:
     """Histories at walls, under the numbers that these have here."""
     saved, model = end["engine"], engine.model
     live = dict(zip(end["walls"], saved["live"], strict=True))
-    passed, own = exchanged(model, end, walls(model))
     number = np.array([model.wall_number(name) if stands and name not in passed else 0 for name, stands in live.items()])
     near = Memory(*(saved[f"wall_{name}"] for name in Memory._fields))
     body, wall = near.key >> SHIFT, number[near.key & LOW]
@@ -214,10 +204,9 @@ def _memories_here(engine, end: Mapping[str, Any]) -> dict[str, np.ndarray]:
     return {f"wall_{name}": column for name, column in near.picked(order, key[order])._asdict().items()}
 
 
-def _coefficients_here(engine, end: Mapping[str, Any]) -> list[float]:
+def _coefficients_here(engine, end: Mapping[str, Any], passed: set[str], own: set[str]) -> list[float]:
     """Coefficients in the order of a checkpoint: as they stand there, where both models state the same, else as stated here."""
     model, values_here = engine.model, []
-    passed, own = exchanged(model, end, walls(model))
     for pairs, contact in zip((True, False), engine.contacts, strict=True):
         for number, coefficients in enumerate(contact.sets):
             wall, kind = _meant(model, number, pairs=pairs, varied=isinstance(contact, Varied))[0]

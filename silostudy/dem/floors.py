@@ -19,6 +19,15 @@ def pieces_of(boxes: Mapping[str, Any], live) -> dict[str, Any]:
     return {name: box for (name, box), stands in walls if stands and PIECE.fullmatch(name)}
 
 
+def changed(end: Mapping[str, Any], name: str) -> bool:
+    """Whether a wall has been moved, or an outlet in it opened, by then."""
+    return not np.array_equal(np.trim_zeros(_shape_then(end, name), "b"), end["walls"][name][1])
+
+
+def _shape_then(end: Mapping[str, Any], name: str) -> np.ndarray:
+    return end["engine"]["shape"][list(end["walls"]).index(name)]
+
+
 def exchanged(model: Model, end: Mapping[str, Any], here: Mapping[str, Any]) -> tuple[set[str], set[str]]:
     """Names of the pieces of the floor there and here, where these stand for those; none where both are the same.
 
@@ -31,8 +40,7 @@ def exchanged(model: Model, end: Mapping[str, Any], here: Mapping[str, Any]) -> 
         return set(), set()
     numbers = [list(end["walls"]).index(name) for name in there]
     still = np.array_equal(end["engine"]["drive"][numbers], standing(len(numbers)))
-    whole = all(np.array_equal(np.trim_zeros(end["engine"]["shape"][k], "b"), end["walls"][name][1])
-                for k, name in zip(numbers, there, strict=True))  # fmt: skip
+    whole = not any(changed(end, name) for name in there)
     return (set(there), set(own)) if still and whole and _reach(model, there) == _reach(model, own) else (set(), set())
 
 

@@ -12,7 +12,7 @@ from silostudy.commands.bench_codes import FILLINGS, differences
 from silostudy.compute.dem import scene_model
 from silostudy.contact import elastic
 from silostudy.dem.space.level import Hole, LevelPiece, Outline
-from silostudy.dem.space.surfaces import CIRCLE
+from silostudy.dem.space.rows import CIRCLE
 from silostudy.scene.spheres import space_silo_of
 from silostudy.tables.code_differences import CODE_DIFFERENCES
 from tests.conftest import ROOT

@@ -10,6 +10,7 @@ from silostudy.__main__ import main
 from silostudy.dem.space.flat import apart_from, piece_of
 from silostudy.dem.space.inserts import polygon
 from silostudy.dem.space.rows import FLAT, LAST
+from silostudy.dem.space.surfaces import square_apart
 from silostudy.dem.space.walls import TurnedLine, walls_of
 from silostudy.errors import BadInput
 from silostudy.scene.facets import MOST, facets_of
@@ -58,13 +59,19 @@ def test_a_push_has_no_jump_along_the_mesh():
 
 @pytest.mark.parametrize("sides", [48, 100])
 def test_groups_of_a_sheet_pass_over_no_nearest_piece(sides):
-    """At the wall, over edges and corners, on the axis, beyond the ends: the piece that one finds who looks at all."""
+    """At the wall, over edges and corners, on the axis, beyond the ends: the piece that one finds who looks at all.
+
+    Lists hold the first piece, which stands for all, and none of the others.
+    """
     grouped = shape_of(cylinder(sides))
     plain = grouped.copy()
     plain[:, LAST] = 0.0
     random = np.random.default_rng(7)
     places = [*random.uniform((0.9, 0.0, -0.02), (1.05, 2 * pi, HIGH + 0.02), (300, 3)), (0.0, 0.0, 0.05)]
     places += [(r, 2 * pi * k / sides, z) for r in (0.9, 1.0) for k in range(sides) for z in (0.0, 0.3 * HIGH)]
+    assert [square_apart(grouped, k, WIDE, 0.0, 0.05) < np.inf for k in range(len(grouped))] == [True] + [False] * (
+        4 * sides - 1
+    )
     for r, turn, z in places:
         point = WIDE * r * cos(turn), WIDE * r * sin(turn), z
         found = piece_of(grouped, 0, *point)

@@ -183,8 +183,10 @@ def walls_of(surfaces) -> Walls:
 
 def group(shape: np.ndarray, surfaces, sheet: list[int]) -> None:
     """Write into the rows of a sheet of many pieces its groups of some that follow each other, each with the box around it."""
+    if len(sheet) <= FEW:
+        return
     size = ceil(sqrt(len(sheet)))
-    for pieces in (sheet[k : k + size] for k in range(0, len(sheet), size) if len(sheet) > FEW):
+    for pieces in (sheet[k : k + size] for k in range(0, len(sheet), size)):
         corners = np.concatenate([surfaces[number].corners for number in pieces])
         shape[pieces[0], LAST] = pieces[-1]
         shape[pieces[0], BOX : BOX + 6] = *corners.min(axis=0), *corners.max(axis=0)
