@@ -61,7 +61,7 @@ class Wall:
 
     @property
     def reach(self) -> tuple[float, float]:
-        """From where to where it reaches with outlets shut, m from its own start."""
+        """Least and largest distance (m) from its own start to which it reaches with outlets shut."""
         start = dist(self.floor.origin, self.start) if self.floor else 0.0
         begin, end = self.floor.seams if self.floor else (0.0, dist(self.start, self.end))
         return begin - start, end - start
