@@ -60,7 +60,7 @@ def test_one_filling_is_refused_where_its_scatter_is_shown(name, outputs, told):
     filling["values"]["seed"] = [1]
     with pytest.raises(BadInput) as caught:
         study_of(content, "s.yaml", path.parent)
-    assert str(caught.value).startswith(f"s.yaml: file: {told} needs two values at least on the axis filling")
+    assert str(caught.value).startswith(f"s.yaml: {told} needs two values at least on the axis filling")
 
 
 def test_misses_are_in_tolerances():
