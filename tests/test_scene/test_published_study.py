@@ -17,7 +17,7 @@ from silostudy.scene.scenes import scene_in
 from silostudy.sweep.merge import merge
 from silostudy.tables.published_cases import published_numbers, published_of
 from tests.conftest import ROOT
-from tests.test_figures.small_cubes import published_cube
+from tests.test_figures.made_scenes import published_cube
 from tests.test_sweep.sweeps import compute
 
 STUDY = ROOT / "config/studies/published-cases.yaml"
