@@ -7,7 +7,7 @@ from typing import Any
 from silostudy.compute.checkpoints import program, read_whole, write_whole
 from silostudy.config.grain_scenes import AnyScene
 from silostudy.cube.netcdf import is_file
-from silostudy.dem.branch import differences, end_of, opening
+from silostudy.dem.branch import differences, end_of, with_motion
 from silostudy.dem.model import Model
 from silostudy.dem.run import Run
 from silostudy.dem.varied import Varied
@@ -30,6 +30,7 @@ def branched(scene: AnyScene, model: Model, folder: Path, where: str) -> Model:
     end = _read(scene.start_from, folder, where)
     if end["apart"] and not isinstance(model.wall_contact, Varied):
         model = replace(model, wall_contact=Varied((model.wall_contact,) * len(model.walls)))
+    model = _in_its_step(scene, model, end)
     if other := next(differences(model, end), None):
         raise BadInput(KEY, scene.start_from, f"is the end of a run with {other}", where)
     then = int(end["engine"]["step"]) * model.dt
@@ -37,7 +38,14 @@ def branched(scene: AnyScene, model: Model, folder: Path, where: str) -> Model:
         raise BadInput(
             "march.limit_s", scene.march.limit_s, f"must be above {then:.6g} s, where {scene.start_from} ends", where
         )
-    return replace(model, end=end, moving=model.moving or opening(model, end))
+    return replace(with_motion(model, end), end=end)
+
+
+def _in_its_step(scene: AnyScene, model: Model, end: dict[str, Any]) -> Model:
+    """A model in the step that was chosen there, where none is asked for and that is shorter: a lid there may call for it."""
+    step = end["fixed"]["march.step_s"]
+    follows = end["fixed"]["march.step"] == model.pace and scene.march.step_s is None and model.quake is None
+    return replace(model, dt=step / model.pace.ticks) if follows and step < model.step else model
 
 
 def _read(file: str, folder: Path, where: str) -> dict[str, Any]:

@@ -6,6 +6,7 @@ mass that has left; records begin anew.
 
 import copy
 from collections.abc import Iterator, Mapping
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -42,6 +43,7 @@ def end_of(run) -> dict[str, Any]:
         "stated": values(model, (model.pair_contact, model.wall_contact)),
         "held": values(model, engine.contacts),
         "gravity": model.gravity,
+        "lid": model.lid,
     }
 
 
@@ -65,12 +67,21 @@ def walls(model: Model) -> dict[str, tuple[bytes, np.ndarray]]:
     return {wall.name: (np.ascontiguousarray(box).tobytes(), np.trim_zeros(shape, "b")) for wall, box, shape in rows}
 
 
-def opening(model: Model, end: Mapping[str, Any]) -> bool:
-    """Whether an outlet was still being opened at a speed then."""
+def in_motion(model: Model, end: Mapping[str, Any]) -> bool:
+    """Whether a wall moved, turned or ran along itself then, bore a load, or was drawn back from an outlet."""
     now, wider = end["engine"]["shape"], end["engine"]["shape"].copy()
     for wall in range(len(wider)):
         model.space.widen(wider, wall, model.dt)
-    return not np.array_equal(now, wider)
+    loaded = (end["engine"]["drive"][:, MASS] > 0.0).any()
+    return bool(loaded or model.space.motion_of(now)[:, 1:].any() or not np.array_equal(now, wider))
+
+
+def with_motion(model: Model, end: Mapping[str, Any]) -> Model:
+    """A model whose walls go on to move as they did then, its lid the lighter of those of both."""
+    if not in_motion(model, end):
+        return model
+    lids = [lid for lid in (model.lid, end["lid"]) if lid is not None]
+    return replace(model, moving=True, lid=min(lids, key=lambda lid: lid.mass, default=None))
 
 
 def values(model: Model, contacts: Contacts) -> Values:
@@ -118,15 +129,13 @@ def _other_walls(model: Model, end: Mapping[str, Any]) -> Iterator[str]:
     passed, own = exchanged(model, end, here)
     for name, stands in live.items():
         box, shape = here.get(name, (b"", np.empty(0)))
-        other = box != end["walls"][name][0] or (changed(end, name) and not np.array_equal(shape, end["walls"][name][1]))
-        if stands and other and name not in passed:
+        moved = changed(end, name)  # one that waits to stand may run along itself
+        other = box != end["walls"][name][0] or (moved and not np.array_equal(shape, end["walls"][name][1]))
+        if (stands or moved) and other and name not in passed:
             yield f"another wall {name}: an outlet that is open, and the silo's body, stay as they are"
     for wall in model.walls:
         if wall.live and wall.name not in {*live, *own}:
             yield f"no wall {wall.name}, which stands here"
-    moves = model.space.motion_of(end["engine"]["shape"])[:, 1:].any() or (end["engine"]["drive"][:, MASS] > 0.0).any()
-    if moves and not model.moving:
-        yield "walls in motion: an event here must move them too"
 
 
 def as_events_left(model: Model, end: Mapping[str, Any]) -> list[str]:
@@ -182,7 +191,7 @@ def _walls_here(engine, end: Mapping[str, Any], passed: set[str], own: set[str])
             here["live"][numbers[name]] = stands
         if stands:
             here["drive"][numbers[name]] = end["engine"]["drive"][then]
-        if stands and changed(end, name):
+        if changed(end, name):
             shape, row = end["engine"]["shape"][then], here["shape"][numbers[name]]
             most = min(len(shape), len(row))  # rows are as long as the walls with most holes or sides ask for
             row[:most] = shape[:most]

@@ -106,6 +106,31 @@ def test_an_outlet_that_opens_and_a_feeder_go_on(begins, changes, tmp_path):
     assert first.dropped + branch.dropped == pytest.approx(whole.dropped, rel=1e-12)
 
 
+LID = {"silo": {**SMALL["silo"], "lid": True}, "march": {"limit_s": 1.0}}
+DOWN = {"when": "time", "value": 0.02, "do": "lower_lid"}
+
+
+@pytest.mark.parametrize(
+    ("begins", "changes"),
+    [
+        ([DOWN, {"when": "after", "do": "press_lid", "stress_kPa": 5.0, "speed_m_s": 0.5, "lid_mass_kg": 0.2}], LID),
+        ([DOWN, {"when": "after", "do": "move_lid", "speed_m_s": 0.02, "until_stress_kPa": 50.0}], LID),
+        ([{"when": "time", "value": 0.02, "do": "run_belt", "speed_m_s": 0.3, "surfaces": ["floor"]}], {}),
+    ],
+)
+def test_walls_in_motion_go_on(begins, changes, tmp_path):
+    """Stopped while a lid is pressed or moved, or a belt runs, to which no event of the branch belongs."""
+    whole = carried(scene_of(events=[*begins, stop(0.12)], **PLAIN | changes))
+    first = ended(tmp_path, *begins, stop(0.05), **changes)
+    branch = branched(tmp_path, stop(0.12), **changes)
+    assert same_motion(branch, whole)
+    assert branch.engine.dt == whole.engine.dt
+    motion = [run.engine.space.motion_of(run.engine.walls.shape) for run in (first, branch, whole)]
+    assert motion[0][:, 1:].any()
+    assert np.array_equal(motion[1], motion[2])
+    assert np.array_equal(branch.recording.motion[-1], whole.recording.motion[-1])
+
+
 def test_new_pieces_of_a_floor_have_the_friction_that_an_event_gave_it(tmp_path):
     asked = {"when": "time", "value": 0.02, "do": "set_friction", "wall_friction": 0.6}
     ended(tmp_path, asked, stop(0.05), **SHUT, outlets=ONE, surfaces={"left": {"sliding_friction": 0.1}})
