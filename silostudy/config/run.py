@@ -120,8 +120,8 @@ class GrainScene(OwnMethods):
     rest: RestConfig = described("what `when: rest` waits for", "", default=RestConfig())
     start_from: str | None = described(
         "end of an earlier run (record.keep_end), relative to this file: this one goes on from there with the clock; grains, "
-        "laws, stiffness and what stands of the silo must be the same; frictions, gravity, an outlet still shut, events, "
-        "records and the limit may be others; null: it starts",
+        "laws, stiffness and what stands of the silo must be the same; frictions, gravity, outlets that are shut there, "
+        "events, records and the limit may be others; what moves there goes on; null: it starts",
         "",
         default=None,
     )

@@ -15,7 +15,7 @@ from silostudy.dem.arrays import Memory
 from silostudy.dem.checkpoint import checkpoint, restore
 from silostudy.dem.contacts import Contact
 from silostudy.dem.drive import MASS
-from silostudy.dem.floors import changed, exchanged, nearest_of
+from silostudy.dem.floors import Exchange, changed, exchanged, nearest_of
 from silostudy.dem.model import Model
 from silostudy.dem.neighbours import LOW, SHIFT
 from silostudy.dem.varied import Varied
@@ -60,11 +60,13 @@ def fixed(model: Model) -> dict[str, Any]:
     }
 
 
-def walls(model: Model) -> dict[str, tuple[bytes, np.ndarray]]:
-    """Box around each wall, and its shape at the start, by its name, in their order."""
+def walls(model: Model) -> dict[str, tuple[bytes, np.ndarray, tuple[str, ...]]]:
+    """Box around each wall, its shape at the start, and its outlets, by its name, in their order."""
     shapes, boxes = model.space.walls_of(model.walls).shape, model.space.extents(model.walls)
     rows = zip(model.walls, boxes, shapes, strict=True)
-    return {wall.name: (np.ascontiguousarray(box).tobytes(), np.trim_zeros(shape, "b")) for wall, box, shape in rows}
+    return {
+        wall.name: (np.ascontiguousarray(box).tobytes(), np.trim_zeros(shape, "b"), wall.outlets) for wall, box, shape in rows
+    }
 
 
 def in_motion(model: Model, end: Mapping[str, Any]) -> bool:
@@ -126,15 +128,17 @@ def differences(model: Model, end: Mapping[str, Any]) -> Iterator[str]:
 def _other_walls(model: Model, end: Mapping[str, Any]) -> Iterator[str]:
     """Walls that stand there and are others here, or that stand here alone; what waits to stand or to open may differ."""
     here, live = walls(model), dict(zip(end["walls"], end["engine"]["live"], strict=True))
-    passed, own = exchanged(model, end, here)
+    floors = exchanged(model, end, here)
+    if floors.lost:
+        yield f"the outlet {floors.lost} open, which this scene has not: only outlets that are shut there may be others"
     for name, stands in live.items():
-        box, shape = here.get(name, (b"", np.empty(0)))
+        box, shape, _ = here.get(name, (b"", np.empty(0), ()))
         moved = changed(end, name)  # one that waits to stand may run along itself
         other = box != end["walls"][name][0] or (moved and not np.array_equal(shape, end["walls"][name][1]))
-        if (stands or moved) and other and name not in passed:
-            yield f"another wall {name}: an outlet that is open, and the silo's body, stay as they are"
+        if (stands or moved) and other and name not in floors.passed:
+            yield f"another wall {name}: the silo stays as it is there, but for outlets that are shut"
     for wall in model.walls:
-        if wall.live and wall.name not in {*live, *own}:
+        if wall.live and wall.name not in {*live, *floors.own}:
             yield f"no wall {wall.name}, which stands here"
 
 
@@ -168,24 +172,26 @@ def _here(engine, end: Mapping[str, Any]) -> dict[str, np.ndarray]:
     account = saved["account"] if saved["account"].shape == engine.ledger.account.shape else engine.ledger.account
     same = model.gravity == end["gravity"]
     floors = exchanged(model, end, walls(model))
+    stand = _walls_here(engine, end, floors)
+    engine.walls.shape[:] = stand["shape"]
     return {
-        **_walls_here(engine, end, *floors),
-        **_memories_here(engine, end, *floors),
+        **stand,
+        **_memories_here(engine, end, floors),
         "window": engine.record.window,
         "whole": engine.record.whole,
         "account": account,
         "gravity": saved["gravity"] if same else np.array(model.gravity),
-        "coefficients": np.array(_coefficients_here(engine, end, *floors)),
+        "coefficients": np.array(_coefficients_here(engine, end, floors)),
     }
 
 
-def _walls_here(engine, end: Mapping[str, Any], passed: set[str], own: set[str]) -> dict[str, np.ndarray]:
+def _walls_here(engine, end: Mapping[str, Any], floors: Exchange) -> dict[str, np.ndarray]:
     """State of the walls: which stand, where, and what moves them; of those that had changed by then, as they were there."""
     here = {name: getattr(engine.walls, name).copy() for name in ("live", "shape", "drive")}
     numbers = {wall.name: number for number, wall in enumerate(engine.model.walls)}
     for then, name in enumerate(end["walls"]):
         stands = end["engine"]["live"][then]
-        if name in {*passed, *own}:
+        if name in {*floors.passed, *floors.own}:
             continue
         if name in numbers:
             here["live"][numbers[name]] = stands
@@ -195,31 +201,35 @@ def _walls_here(engine, end: Mapping[str, Any], passed: set[str], own: set[str])
             shape, row = end["engine"]["shape"][then], here["shape"][numbers[name]]
             most = min(len(shape), len(row))  # rows are as long as the walls with most holes or sides ask for
             row[:most] = shape[:most]
+    for name, shape in zip(floors.own, floors.rows, strict=True):
+        here["shape"][numbers[name], : len(shape)] = shape
     return here
 
 
-def _memories_here(engine, end: Mapping[str, Any], passed: set[str], own: set[str]) -> dict[str, np.ndarray]:
+def _memories_here(engine, end: Mapping[str, Any], floors: Exchange) -> dict[str, np.ndarray]:
     """Histories at walls, under the numbers that these have here."""
     saved, model = end["engine"], engine.model
     live = dict(zip(end["walls"], saved["live"], strict=True))
-    number = np.array([model.wall_number(name) if stands and name not in passed else 0 for name, stands in live.items()])
+    number = np.array([model.wall_number(name) if stands and name not in floors.passed else 0 for name, stands in live.items()])
     near = Memory(*(saved[f"wall_{name}"] for name in Memory._fields))
     body, wall = near.key >> SHIFT, number[near.key & LOW]
-    moved = np.isin(near.key & LOW, [list(live).index(name) for name in passed])
-    if moved.any():
-        wall[moved] = nearest_of(engine, own, saved["rows"][body[moved]][:, model.space.place])
+    for name, takes in zip(floors.passed, floors.takes, strict=True):
+        moved = (near.key & LOW) == list(live).index(name)
+        heirs = tuple(piece for piece, heir in zip(floors.own, takes, strict=True) if heir)
+        wall[moved] = nearest_of(engine, heirs, saved["rows"][body[moved]][:, model.space.place])
     key = body << SHIFT | wall
     order = np.argsort(key, kind="stable")
     return {f"wall_{name}": column for name, column in near.picked(order, key[order])._asdict().items()}
 
 
-def _coefficients_here(engine, end: Mapping[str, Any], passed: set[str], own: set[str]) -> list[float]:
+def _coefficients_here(engine, end: Mapping[str, Any], floors: Exchange) -> list[float]:
     """Coefficients in the order of a checkpoint: as they stand there, where both models state the same, else as stated here."""
     model, values_here = engine.model, []
     for pairs, contact in zip((True, False), engine.contacts, strict=True):
         for number, coefficients in enumerate(contact.sets):
             wall, kind = _meant(model, number, pairs=pairs, varied=isinstance(contact, Varied))[0]
-            of = (min(passed), kind) if wall in own - passed else (wall, kind)  # a new piece has what the floor had
+            new = wall in floors.own and wall not in floors.passed
+            of = (floors.passed[0], kind) if new else (wall, kind)  # a new piece has what the floor had
             for row in coefficients.rows:
                 for name in (coefficient.name for coefficient in row.coefficients):
                     now = coefficients.coefficients[name]

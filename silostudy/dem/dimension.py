@@ -36,6 +36,9 @@ class Dimension:
     rise: int  # column of a wall's shape: its speed upward
     height_of: Callable  # (shape, wall) -> height of a level wall (m)
     motion_of: Callable  # shape -> of every wall its height where it is level (m), speed upward (m/s), and spin (rad/s)
+    handed_on: (
+        Callable  # (now, begun, here) -> rows of a floor with what is open of another, which go on for which, what is lost
+    )
     widen: Callable  # (shape, wall, dt) -> whether the holes that grow in a wall have taken it away
     lift: Callable  # (shape, wall, way): moves a level wall up
     walls_of: Callable  # the walls of a model as arrays

@@ -60,6 +60,11 @@ class Wall:
             raise BadInput(f"{self.name}.cells", self.cells, "must be 1 or more")
 
     @property
+    def outlets(self) -> tuple[str, ...]:
+        """Names of the outlets at its ends, of a piece of a floor."""
+        return self.floor.outlets if self.floor else ()
+
+    @property
     def reach(self) -> tuple[float, float]:
         """Least and largest distance (m) from its own start to which it reaches with outlets shut."""
         start = dist(self.floor.origin, self.start) if self.floor else 0.0
@@ -68,7 +73,7 @@ class Wall:
 
     def opened(self, row: np.ndarray, names: tuple[str, ...], speed: float = 0.0) -> None:
         """Draw it back, in its row, from outlets of these names: at once, or at a speed (m/s) of their width."""
-        for end, name in enumerate(self.floor.outlets if self.floor else ()):
+        for end, name in enumerate(self.outlets):
             if name and name in names:
                 row[GROWTH + end] = speed / 2.0
                 draw_back(row[None], 0, end, 0.0 if speed else inf)

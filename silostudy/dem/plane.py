@@ -36,6 +36,7 @@ from silostudy.dem.lanes import (
     scatter_rolling,
 )  # fmt: skip
 from silostudy.dem.network import all_from_wall, densest
+from silostudy.dem.outlets import handed_on
 from silostudy.dem.pieces import Laws
 from silostudy.dem.walls import (
     RISE,
@@ -233,6 +234,7 @@ PLANE = Dimension(
     rise=RISE,
     height_of=height_of,
     motion_of=motion_of,
+    handed_on=handed_on,
     widen=widen,
     lift=lift,
     walls_of=walls_of,

@@ -13,6 +13,7 @@ from silostudy.cube.io import read
 from silostudy.dem.branch import as_events_left
 from silostudy.errors import BadInput
 from tests.test_dem.small import SMALL, carried, scene_of
+from tests.test_dem.test_seams import OUT, ROLLING, slit
 from tests.test_spheres.small import scene_of as spheres_of
 
 pytestmark = pytest.mark.long
@@ -77,7 +78,7 @@ TWO = [{"name": "left", "width_m": 0.03, "middle_m": 0.04}, {"name": "right", "w
 
 @pytest.mark.parametrize("outlets", [WIDER, TWO])
 def test_other_outlets_by_names_in_place_of_shut_ones(outlets, tmp_path):
-    """As if the filling had been over these all along; once one is open, the floor stays as it is."""
+    """As if the filling had been over these all along; once one is open, it stays."""
     ended(tmp_path, stop(0.05), **SHUT, outlets=ONE)
     opened = {"do": "open_slit", "outlets": [outlets[-1]["name"]]}
     whole = carried(scene_of(events=[OPENS | opened, stop(0.2)], **PLAIN | SHUT, outlets=outlets))
@@ -85,7 +86,9 @@ def test_other_outlets_by_names_in_place_of_shut_ones(outlets, tmp_path):
     assert same_motion(branch, whole)
     assert branch.dropped == whole.dropped > 0.0
     ended(tmp_path, OPENS, stop(0.1), **SHUT, outlets=ONE)
-    with pytest.raises(BadInput, match="another wall floor_1: an outlet that is open"):
+    with pytest.raises(
+        BadInput, match="the outlet one open, which this scene has not: only outlets that are shut there may be"
+    ):
         branched(tmp_path, stop(0.2), **SHUT, outlets=outlets)
 
 
@@ -104,6 +107,20 @@ def test_an_outlet_that_opens_and_a_feeder_go_on(begins, changes, tmp_path):
     assert same_motion(branch, whole)
     assert branch.dropped > 0.0
     assert first.dropped + branch.dropped == pytest.approx(whole.dropped, rel=1e-12)
+
+
+@pytest.mark.parametrize("speed", [None, 0.2])
+@pytest.mark.parametrize("others", [[], [slit("b", 0.05), slit("c", 0.1)]])
+def test_other_shut_outlets_while_one_is_open_or_opens(others, speed, tmp_path):
+    """Discs have rolled over those that were shut, and lie on the edges of the one that stays, which may have another name."""
+    begins = {"when": "time", "value": 0.1, "do": "open_slit", "outlets": ["out"], "speed_m_s": speed}
+    then = [{"when": "time", "value": 0.2, "do": "open_slit", "outlets": ["c"], "speed_m_s": 0.2}] if others else []
+    changes = ROLLING | SHUT
+    whole = carried(scene_of(events=[begins, *then, stop(0.3)], **changes, outlets=[*others, OUT]))
+    ended(tmp_path, begins, stop(0.2), **changes, outlets=[OUT, slit("a", 0.1), slit("d", 0.06, 0.02)])
+    branch = branched(tmp_path, *then, stop(0.3), **changes, outlets=[OUT | {"name": "gate"}, *others])
+    assert same_motion(branch, whole)
+    assert branch.engine.n < 30
 
 
 LID = {"silo": {**SMALL["silo"], "lid": True}, "march": {"limit_s": 1.0}}
@@ -209,7 +226,7 @@ def test_a_surface_of_its_own_friction_from_the_branch_on(tmp_path):
 
 def test_an_open_outlet_stays_as_it_is(tmp_path):
     ended(tmp_path, OPENS, stop(0.1))
-    with pytest.raises(BadInput, match="another wall floor_left: an outlet that is open"):
+    with pytest.raises(BadInput, match="another wall floor_left: the silo stays as it is there, but for outlets that are shut"):
         branched(tmp_path, stop(0.2), silo__slit_width_m=0.08)
 
 

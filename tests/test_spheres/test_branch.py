@@ -89,6 +89,7 @@ def test_another_silo_or_another_material_is_refused(tmp_path):
 
 FILLING = 0.0501
 ON_THE_FLOOR = {"when": "time", "value": 0.03, "do": "set_friction", "wall_friction": 0.05, "surfaces": ["floor"]}
+TURNS = {"when": "time", "value": 0.03, "do": "rotate", "spin_rad_s": 5.0, "surfaces": ["wall"]}
 WIDENS = {"when": "time", "value": 0.03, "do": "open_outlet", "speed_m_s": 0.5}
 
 
@@ -97,10 +98,17 @@ WIDENS = {"when": "time", "value": 0.03, "do": "open_outlet", "speed_m_s": 0.5}
     [
         ([ON_THE_FLOOR], [], {}),
         ([WIDENS], [], {}),
+        ([TURNS], [], {}),
         ([], [OPENS | {"when": "time", "value": 0.06, "speed_m_s": 0.5}], {}),
         ([], [], {"record__wall_force_window_s": None}),
     ],
-    ids=["a floor of its own friction", "an outlet that opens", "one that opens in the branch", "other records"],
+    ids=[
+        "a floor of its own friction",
+        "an outlet that opens",
+        "a wall that turns",
+        "one that opens in the branch",
+        "other records",
+    ],
 )
 def test_a_branch_goes_on_whatever_moves_or_is_recorded(before, then, records, tmp_path):
     whole = carried(scene_of(events=[*before, *then, stop(0.08)], **copy.deepcopy(FLAT)))
@@ -108,3 +116,19 @@ def test_a_branch_goes_on_whatever_moves_or_is_recorded(before, then, records, t
     branch, _ = branched(tmp_path, *then, stop(0.08), **records)
     assert same_motion(branch, whole)
     assert branch.engine.n > 0
+
+
+WEST, EAST = ({"name": name, "width_m": 0.018, "middle_m": [x, 0.0]} for name, x in (("west", -0.014), ("east", 0.015)))
+SLOT = {"name": "slot", "width_m": 0.01, "length_m": 0.02, "middle_m": [0.014, 0.0]}
+
+
+def test_other_outlets_in_place_of_shut_ones_while_one_opens(tmp_path):
+    begins = {"when": "time", "value": 0.03, "do": "open_outlet", "outlets": ["west"], "speed_m_s": 0.2}
+    then = {"when": "time", "value": 0.06, "do": "open_outlet", "outlets": ["slot"]}
+    whole = carried(scene_of(events=[begins, then, stop(0.15)], **copy.deepcopy(FLAT) | {"outlets": [SLOT, WEST]}))
+    ended(tmp_path, begins, stop(FILLING), outlets=[WEST, EAST])
+    branch, _ = branched(tmp_path, then, stop(0.15), outlets=[SLOT, WEST])
+    assert same_motion(branch, whole)
+    assert branch.dropped == whole.dropped > 0.0
+    with pytest.raises(BadInput, match="the outlet west open, which this scene has not"):
+        branched(tmp_path, then, stop(0.15), outlets=[SLOT])

@@ -41,6 +41,7 @@ from silostudy.dem.space.motion import (
     whole,
 )
 from silostudy.dem.space.network import all_from_wall, bent, densest
+from silostudy.dem.space.outlets import handed_on
 from silostudy.dem.space.rows import RISE
 from silostudy.dem.space.surfaces import height_of, lift, motion_of, nearest, widen
 from silostudy.dem.space.walk import walk
@@ -72,6 +73,7 @@ SPACE = Dimension(
     rise=RISE,
     height_of=height_of,
     motion_of=motion_of,
+    handed_on=handed_on,
     widen=widen,
     lift=lift,
     walls_of=walls_of,

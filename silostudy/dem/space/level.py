@@ -146,6 +146,11 @@ class LevelPiece(Surface):
     holes: tuple[Hole, ...] = ()
 
     @property
+    def outlets(self) -> tuple[str, ...]:
+        """Names of its holes."""
+        return tuple(hole.name for hole in self.holes)
+
+    @property
     def shape(self) -> np.ndarray:
         """The row of numbers that kernels read."""
         row, ((x, y), (right, back)) = np.zeros(MORE + PER_HOLE * len(self.holes)), self.outline.box

@@ -52,6 +52,11 @@ class Surface:
         if min(self.cells) < 1:
             raise BadInput(f"{self.name}.cells", self.cells, "must be 1 or more each way")
 
+    @property
+    def outlets(self) -> tuple[str, ...]:
+        """Names of the outlets that it has."""
+        return ()
+
     def covers(self, places: np.ndarray) -> np.ndarray:
         """Mask of places (n, 3) that stand over or under the box around it."""
         ends = np.array(self.corners)[:, :2]  # type: ignore[attr-defined]
