@@ -109,7 +109,7 @@ def test_an_outlet_that_opens_and_a_feeder_go_on(begins, changes, tmp_path):
     assert first.dropped + branch.dropped == pytest.approx(whole.dropped, rel=1e-12)
 
 
-@pytest.mark.parametrize("speed", [None, 0.2])
+@pytest.mark.parametrize("speed", [None, 0.35])
 @pytest.mark.parametrize("others", [[], [slit("b", 0.05), slit("c", 0.1)]])
 def test_other_shut_outlets_while_one_is_open_or_opens(others, speed, tmp_path):
     """Discs have rolled over those that were shut, and lie on the edges of the one that stays, which may have another name."""
