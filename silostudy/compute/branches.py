@@ -38,14 +38,28 @@ def branched(scene: AnyScene, model: Model, folder: Path, where: str) -> Model:
         raise BadInput(
             "march.limit_s", scene.march.limit_s, f"must be above {then:.6g} s, where {scene.start_from} ends", where
         )
+    _check_stop(scene, then, model.dt, where)
     return replace(with_motion(model, end), end=end)
 
 
 def _in_its_step(scene: AnyScene, model: Model, end: dict[str, Any]) -> Model:
     """A model in the step that was chosen there, where none is asked for and that is shorter: a lid there may call for it."""
     step = end["fixed"]["march.step_s"]
-    follows = end["fixed"]["march.step"] == model.pace and scene.march.step_s is None and model.quake is None
+    follows = end["fixed"]["march.step"] == model.pace.kind and scene.march.step_s is None and model.quake is None
     return replace(model, dt=step / model.pace.ticks) if follows and step < model.step else model
+
+
+def _check_stop(scene: AnyScene, then: float, tick: float, where: str) -> None:
+    """BadInput where the stop of a scene that goes on at a time (s) comes at once."""
+    time = then
+    for event in scene.events:
+        if event.when not in ("time", "after"):
+            return
+        time = max(time, event.value) if event.when == "time" else time + event.value
+    if round(time / tick) <= round(then / tick):
+        number, last = len(scene.events) - 1, scene.events[-1]
+        told = f"the run would stop where it begins: must come after {then:.6g} s, where {scene.start_from} ends"
+        raise BadInput(f"events.{number}.value", last.value, told, where)
 
 
 def _read(file: str, folder: Path, where: str) -> dict[str, Any]:

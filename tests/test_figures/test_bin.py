@@ -6,12 +6,14 @@ import numpy as np
 import pandas as pd
 import pytest
 import xarray as xr
+from matplotlib.text import Text
 
 from silostudy.cube.contents import levelled
 from silostudy.figures import bin_fields, bin_pressures
 from silostudy.figures.bin import Column, column, doubt, in_discharge, janssen, opened_at, phases, profile
 from silostudy.pressure.janssen import normal_pressure
 from tests.test_figures.small_cubes import bin_cube
+from tests.test_figures.test_content import drawn as figure_of
 
 COLUMN = Column(surface=1.0, unit_weight=8e3, wall_friction=0.3, lateral_pressure_ratio=0.5)
 
@@ -86,7 +88,10 @@ def test_a_column_after_janssen_is_found_again():
 def test_a_column_that_janssen_says_nothing_of_is_doubted(changes, why):
     heights = np.append(np.linspace(0.41, 2.0, 20), 0.405)
     cells = pd.DataFrame({"surface": "wall", "height_m": heights})
-    cube = xr.Dataset(attrs={"transition_height_m": 0.4, "hydraulic_radius_m": 0.25})
+    cube = xr.Dataset(
+        {"event_time": ("event", []), "event_action": ("event", [])},
+        attrs={"transition_height_m": 0.4, "hydraulic_radius_m": 0.25},
+    )
     found = doubt(replace(COLUMN, **changes), cube, cells)
     assert why in found
     assert bool(found) == bool(why)
@@ -97,7 +102,10 @@ def test_a_single_layer_has_no_level_surface():
 
 
 def test_one_level_of_wall_cells_bears_no_curve():
-    cube = xr.Dataset(attrs={"transition_height_m": 0.0, "hydraulic_radius_m": 0.25})
+    cube = xr.Dataset(
+        {"event_time": ("event", []), "event_action": ("event", [])},
+        attrs={"transition_height_m": 0.0, "hydraulic_radius_m": 0.25},
+    )
     cells = pd.DataFrame({"surface": "wall", "height_m": [0.7, 2.1]})
     assert "1 of at least 2 levels of wall cells" in doubt(COLUMN, cube, cells)
 
@@ -145,3 +153,22 @@ def test_cells_around_a_round_wall_are_equal(count):
     assert np.diff(edges) == pytest.approx(360.0 / count)
     assert np.unique(edges % (360.0 / count)) == pytest.approx(0.0)
     assert len(cells) == len(edges) - 1
+
+
+def turning(cube):
+    spin = np.ones((cube.sizes["window_time"], cube.sizes["surface"]))
+    return cube.assign(surface_spin=(("window_time", "surface"), spin))
+
+
+def flowing(cube):
+    """A run that goes on from another in flow: nothing opens the outlet any more."""
+    return cube.assign(event_action=("event", ["after: friction"] * cube.sizes["event"]))
+
+
+@pytest.mark.parametrize(("changed", "told"), [(turning, "while surfaces turn"), (flowing, "while grains flow")])
+def test_what_turns_or_flows_is_not_said_to_rest(changed, told, tmp_path, monkeypatch):
+    output = figure_of("bin_pressures", [changed(bin_cube())], tmp_path, monkeypatch)
+    titles = [panel.get_title() for panel in output.figure.axes]
+    assert told in titles
+    assert "at rest" not in titles
+    assert not any("at rest" in text.get_text() for text in output.figure.findobj(Text))
