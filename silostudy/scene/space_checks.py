@@ -47,8 +47,6 @@ def require_hopper(space: SpaceSilo) -> None:
         raise BadInput(
             "outlets", space.outlets[0].name, "is of a flat floor; the hopper has its own, silo.hopper.outlet_width_m"
         )
-    if space.gated and space.plan.sides not in (CIRCLE, RECTANGLE):
-        raise BadInput("silo.plan", silo.plan, "opens its outlet at once: a gate that slides is round or has four sides")
     if space.wedge and space.plan.sides != RECTANGLE:
         raise BadInput("wedge", space.wedge, f"stands below a square or rectangular plan, not a {silo.plan} one")
     if not 0.0 <= hopper.outlet_width <= silo.diameter:
