@@ -59,7 +59,10 @@ def require_hopper(space: SpaceSilo) -> None:
         allowed = f"the hopper must have a height: an outlet narrower than its top, {silo.diameter:g} m, at {angle:g} degrees"
         raise BadInput("silo.hopper.outlet_width_m", hopper.outlet_width, allowed)
     if silo.outlet_eccentricity and space.plan.sides == CIRCLE:
-        allowed = "must be 0: the engine has no surface for the wall of an eccentric cone; take a flat floor or a pyramid"
+        allowed = (
+            "must be 0: the engine has no surface for the wall of an eccentric cone, however its outlet opens; take a flat "
+            f"floor, or a pyramid of up to {MOST_SIDES} sides (silo.plan: polygonal)"
+        )
         raise BadInput("silo.outlet_eccentricity_m", silo.outlet_eccentricity, allowed)
     most, opening = (silo.diameter - hopper.outlet_width) / 2, space.opening
     assert opening is not None
