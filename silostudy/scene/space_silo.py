@@ -162,8 +162,10 @@ class SpaceSilo:
         assert opening is not None
         opens = bool(self.openings)
         faces = sides_between(HOPPER, opening, 0.0, self.plan, self.bottom, cells, not opens, True)
+        if not opens:
+            return faces
         plug = level(FLOOR, opening, 0.0, cells)
-        return (gate_of(plug, OUTLET) if self.gated else plug, *faces) if opens else faces
+        return (gate_of(plug, OUTLET) if self.gated else plug, *faces)
 
 
 def level(name: str, outline: Outline, height: float, cells: tuple[int, int], holes: tuple[Hole, ...] = ()) -> Surface:
