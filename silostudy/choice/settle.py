@@ -10,7 +10,7 @@ from silostudy.choice.promise import Choice
 from silostudy.config.asked import Asked, put
 from silostudy.config.load import validated
 from silostudy.config.own import OwnMethods
-from silostudy.errors import BadInput
+from silostudy.errors import within
 from silostudy.scene.expand import Case, Expansion, identity
 from silostudy.stages import FILE_KINDS
 from silostudy.tables.asked import quantities
@@ -26,10 +26,8 @@ def settled(asking: A, scenes: Sequence[Any], where: str) -> tuple[A, Choice]:
     if not by_front:
         return asking, Choice(asking.accuracy, {}, {}, "by the runs themselves")
     traits = resolve_name(FILE_KINDS[asking.kind].traits)
-    try:
+    with within(where):
         choice = choose(asking.fronts, by_front, traits(asking, scenes))
-    except BadInput as error:
-        raise BadInput(error.field, error.value, error.allowed, where) from None
     return with_settings(asking, choice.settings, where), replace(choice, asked=asking.accuracy)
 
 

@@ -113,7 +113,7 @@ def scene_checked(path: Path) -> tuple[list[str], float]:
 
     scene, choice = load(path)
     model = scene_model(scene, path.parent, str(path))
-    task = run_of(scene, model)  # tells too what is impossible by the step alone
+    task = run_of(scene, model, str(path))  # tells too what is impossible by the step alone
     seconds = cost(SceneCase(scene, path.parent))
     run = f"{len(model.x)} {model.space.body}s, {steps_ahead(task)}: about {told_time(seconds)} of one core"
     told = [run, *told_before(scene, model, path.parent), *chosen_for(promises([choice] if choice else []))]

@@ -69,7 +69,7 @@ def run_ensemble(chosen, scene, choice, outputs: list[Path]) -> None:
 
     def carried(seed: int):
         member = scene.model_copy(update={"seed": seed})
-        task = run_of(member, _model(chosen, member))
+        task = run_of(member, _model(chosen, member), str(chosen.scene))
         carry_through(task, member, checkpoint_of(member, outputs[seed]), lambda step: None)
         return member, task
 
@@ -97,7 +97,7 @@ def run_one(chosen, scene, choice, output: Path) -> None:
     model = _model(chosen, scene)
     for line in told_before(scene, model, chosen.scene.parent):
         print(f"silostudy: {line}", file=sys.stderr)
-    task = run_of(scene, model, threads=chosen.threads)
+    task = run_of(scene, model, str(chosen.scene), threads=chosen.threads)
     if not is_compiled(kernel(model.pieces)):
         print("silostudy: the kernel of these laws is compiled first, once: that takes 20 to 40 s", file=sys.stderr)
     with progress(task) as tell:
@@ -110,7 +110,7 @@ def run_one(chosen, scene, choice, output: Path) -> None:
         key, value = ("march.limit_s", scene.march.limit_s) if task.recording.waiting else ("march.step_s", model.step)
         if task.recording.buried:
             key, value = "filling.count", len(model.x)
-        raise BadInput(key, value, f"{task.trouble}; what was recorded is in {output}")
+        raise BadInput(key, value, f"{task.trouble}; what was recorded is in {output}", str(chosen.scene))
 
 
 def _model(chosen, scene):

@@ -17,7 +17,7 @@ from silostudy.dem.engine import Engine
 from silostudy.dem.feeder import Feeder
 from silostudy.dem.model import Model
 from silostudy.dem.run import Run
-from silostudy.errors import BadInput
+from silostudy.errors import BadInput, within
 from silostudy.packing import PACKINGS
 from silostudy.packing.filling import FILLINGS
 from silostudy.scene.dem import events_of, plane_silo_of, rest_of
@@ -27,15 +27,24 @@ from silostudy.scene.sphere_events import sphere_events
 from silostudy.scene.spheres import rain_of, space_silo_of
 from silostudy.scene.spheres_model import sphere_model
 
+STEPPED = {"gravity": "gravity_m_s2", "dt": "march.step_s", "wall_contact": "walls"}  # words of a model -> keys of a scene
+DISC_KEYS = STEPPED | {
+    "x": "packing", "y": "packing", "radius": "radius_m", "density": "density_kg_m3", "pair_contact": "discs",
+}  # fmt: skip
+SPHERE_KEYS = STEPPED | {
+    "x": "filling",
+    "y": "filling",
+    "z": "filling",
+    "radius": "sizes",
+    "density": "grain",
+    "pair_contact": "spheres",
+}
+
 
 def scene_model(scene: AnyScene, folder: Path, where: str = "") -> Model:
     """The engine's model of a scene; BadInput for a start or a step that cannot be."""
-    try:
+    with within(where, SPHERE_KEYS if isinstance(scene, SphereScene) else DISC_KEYS):
         model = _started(scene, folder, where)
-    except BadInput as error:
-        if error.where or not where:
-            raise
-        raise BadInput(error.field, error.value, error.allowed, where) from None
     return branched(scene, model, folder, where) if scene.start_from else model
 
 
@@ -62,18 +71,19 @@ def _(scene: DemScene, folder: Path, where: str) -> Model:
     return replace(model, quake=quake_steps(scene.quake.file, folder, dt=model.dt, limit=scene.march.limit_s))
 
 
-def run_of(scene: AnyScene, model: Model, *, threads: int = 1) -> Run:
-    """The run that a scene asks for."""
-    happens = _of_spheres(scene, model) if isinstance(scene, SphereScene) else _of_discs(scene, model)
-    return Run(
-        Engine(model, threads=threads),
-        limit=scene.march.limit_s,
-        window=_window(scene, model),
-        snapshots=_steps_of(scene, model.dt),
-        observers=observers_of(scene, model),
-        rest=rest_of(scene),
-        **happens,
-    )
+def run_of(scene: AnyScene, model: Model, where: str = "", *, threads: int = 1) -> Run:
+    """The run that a scene asks for; BadInput for records that cannot be."""
+    with within(where):
+        happens = _of_spheres(scene, model) if isinstance(scene, SphereScene) else _of_discs(scene, model)
+        return Run(
+            Engine(model, threads=threads),
+            limit=scene.march.limit_s,
+            window=_window(scene, model),
+            snapshots=_steps_of(scene, model.dt),
+            observers=observers_of(scene, model),
+            rest=rest_of(scene),
+            **happens,
+        )
 
 
 def _of_discs(scene: DemScene, model: Model) -> dict[str, Any]:

@@ -7,7 +7,7 @@ import numpy as np
 from silostudy.config.dem import DemScene
 from silostudy.config.grain_scenes import AnyScene
 from silostudy.cube.netcdf import opened
-from silostudy.errors import BadInput
+from silostudy.errors import BadInput, within
 from silostudy.packing import PACKINGS
 from silostudy.packing.filling import FILLINGS
 from silostudy.packing.given import place
@@ -104,7 +104,8 @@ def _last(variable) -> np.ndarray:
 def quake_steps(file: str, folder: Path, *, dt: float, limit: float) -> np.ndarray:
     """Acceleration (m s-2) of the box at every step, across and up, between the points of its record; none beyond its ends."""
     path = folder / file
-    columns = read_columns(path, QUAKE)
+    with within(keys={"file": "quake.file"}):
+        columns = read_columns(path, QUAKE)
     if sorted(columns.head) != sorted(QUAKE):
         raise BadInput("quake.file", file, f"must begin with the names of its columns, {', '.join(QUAKE)}", str(path))
     places = [columns.head.index(name) for name in QUAKE]

@@ -9,7 +9,7 @@ from typing import Annotated, Any, ClassVar, Self
 
 from pydantic import Field, field_validator, model_validator
 
-from silostudy.config.fields import Strict, described
+from silostudy.config.fields import KeyMistake, Strict, described
 from silostudy.tables.asked import quantities
 
 
@@ -27,7 +27,7 @@ class Asked(Strict):
     @model_validator(mode="before")
     @classmethod
     def _leave_open(cls, content: Any) -> Any:
-        """The content with None for every setting that the accuracy decides; ValueError where one is given all the same."""
+        """The content with None for every setting that the accuracy decides; KeyMistake where one is given all the same."""
         asked = content.get("accuracy") if isinstance(content, dict) else None
         if not isinstance(asked, dict):
             return content
@@ -42,7 +42,7 @@ class Asked(Strict):
         known = quantities(cls.fronts)
         for name in asked or ():
             if name not in known:
-                raise ValueError(f"{name} is unknown; known: {', '.join(known)}")
+                raise KeyMistake(name, f"is unknown; known: {', '.join(known)}")
         return asked
 
     @model_validator(mode="after")
@@ -56,7 +56,7 @@ class Asked(Strict):
             if node is None or self.decides(key):
                 continue
             if getattr(node, last) is None and type(node).model_fields[last].default is not None:
-                raise ValueError(f"{key} must be given: no accuracy that decides it is asked for")
+                raise KeyMistake(key, "must be given: no accuracy that decides it is asked for")
         return self
 
     def decides(self, key: str) -> bool:
@@ -71,15 +71,15 @@ class Asked(Strict):
 
 
 def put(content: dict[str, Any], dotted: str, value: Any) -> None:
-    """Sets a dotted key in a content, its parents too; ValueError where it has a value already."""
+    """Sets a dotted key in a content, its parents too; KeyMistake where it has a value already."""
     *parents, last = dotted.split(".")
     node = content
     for parent in parents:
         node = node.setdefault(parent, {})
         if node is None:
-            raise ValueError(f"{parent} is null, but the accuracy asked for decides {dotted}")
+            raise KeyMistake(parent, f"is null, but the accuracy asked for decides {dotted}")
         if not isinstance(node, dict):
             return  # the models say what is wrong with it
     if node.get(last) is not None:
-        raise ValueError(f"give either accuracy or {dotted}, and not both: it is chosen for the accuracy")
+        raise KeyMistake(dotted, "give either accuracy or this, and not both: it is chosen for the accuracy")
     node[last] = value

@@ -16,7 +16,7 @@ from pydantic import (
 )
 
 from silostudy.catalogue import Family
-from silostudy.config.fields import Strict, described
+from silostudy.config.fields import KeyMistake, Strict, described
 from silostudy.config.own import Families, families_of, key_of
 from silostudy.contact import DEFAULTS, LAWS, Law
 from silostudy.contact.coefficient import Coefficient
@@ -176,7 +176,7 @@ class ContactConfig(LawsConfig):
                         f"give either {' or '.join(group)}, and not {'both' if len(group) == 2 else 'more than one'}"
                     )
                 if not given:
-                    raise ValueError(f"the law {law.key} needs the key {group[0]}")
+                    raise KeyMistake(group[0], f"must be given: the law {law.key} needs it")
         if self.restitution is not None and self.laws["normal"].damped is None:
-            raise ValueError(f"restitution differs with the speed under the law {self.normal}: give damping_ratio instead")
+            raise KeyMistake("restitution", f"differs with the speed under the law {self.normal}: give damping_ratio instead")
         return self

@@ -9,7 +9,7 @@ from silostudy.catalogue import Family
 from silostudy.config.asked import Asked
 from silostudy.config.contact import ContactConfig
 from silostudy.config.disc_mixture import DiscPairConfig, OtherDiscConfig, check_disc_kinds
-from silostudy.config.fields import Strict, described, one_of
+from silostudy.config.fields import KeyMistake, Strict, described, one_of
 from silostudy.config.mixture import GRAIN, WALLS
 from silostudy.config.moves import MovingEvent, Takes
 from silostudy.config.run import MEANS, GrainScene, Recorded
@@ -36,9 +36,9 @@ class BoxConfig(Strict):
     @model_validator(mode="after")
     def _slit_in_floor(self) -> Self:
         if self.slit_width_m >= self.width_m:
-            raise ValueError(f"slit_width_m must be smaller than the floor, {self.width_m:g} m")
+            raise KeyMistake("slit_width_m", f"must be smaller than the floor, {self.width_m:g} m")
         if self.hopper_half_angle_deg is not None and self.slit_width_m == 0:
-            raise ValueError("a hopper needs a slit_width_m: it is the width of its outlet")
+            raise KeyMistake("slit_width_m", "must be above 0 in a hopper: it is the width of its outlet")
         return self
 
 
@@ -105,11 +105,11 @@ class EventConfig(MovingEvent):
     @model_validator(mode="after")
     def _has_what_it_needs(self) -> Self:
         if self.do == "remove_disc" and (self.disc is None) == (self.near_m is None):
-            raise ValueError("remove_disc needs either disc or near_m")
+            raise KeyMistake("do", "needs either disc or near_m")
         if self.do == "set_friction" and self.disc_friction is None and self.wall_friction is None:
-            raise ValueError("set_friction needs disc_friction or wall_friction")
+            raise KeyMistake("do", "needs disc_friction or wall_friction")
         if self.do == "set_friction" and self.surfaces and self.wall_friction is None:
-            raise ValueError("surfaces are where a wall_friction changes: give that too")
+            raise KeyMistake("surfaces", "are where a wall_friction changes: give that too")
         return self
 
 
@@ -220,7 +220,7 @@ class DemScene(Asked, GrainScene):
     def _records_what_is_drawn(self) -> Self:
         record = self.record
         if self.outputs and not (record.wall_force_window_s and (record.snapshots_s or record.snapshots_every_s)):
-            raise ValueError("outputs need record.wall_force_window_s, and record.snapshots_every_s or snapshots_s")
+            raise KeyMistake("outputs", "need record.wall_force_window_s, and record.snapshots_every_s or snapshots_s")
         return self
 
     @model_validator(mode="after")
@@ -235,41 +235,42 @@ class DemScene(Asked, GrainScene):
     @model_validator(mode="after")
     def _one_step(self) -> Self:
         if self.decides("march.step_factor") and self.march.step_s is not None:
-            raise ValueError("give either accuracy or march.step_s, and not both")
+            raise KeyMistake("march.step_s", "give either accuracy or this, and not both")
         return self
 
     @model_validator(mode="after")
     def _cells_of_the_plane(self) -> Self:
         if self.record.fields is not None and len(self.record.fields.cells) != 2:
-            raise ValueError(f"record.fields.cells must be two, across and up, not {len(self.record.fields.cells)}")
+            raise KeyMistake("record.fields.cells", f"must be two, across and up, not {len(self.record.fields.cells)}")
         return self
 
     @model_validator(mode="after")
     def _outlets_open(self) -> Self:
         if self.outlets and (self.silo.slit_width_m or self.silo.hopper_half_angle_deg is not None):
-            raise ValueError("outlets are of a flat floor without a silo.slit_width_m")
+            raise KeyMistake("outlets", "are of a flat floor without a silo.slit_width_m")
         shut = known = [outlet.name for outlet in self.outlets]
         for number, event in enumerate(self.events):
             if event.do != "open_slit":
                 continue
             if not known and (event.outlets or event.speed_m_s is not None):
-                raise ValueError(f"events.{number}: names and speeds are of outlets, and the scene has none")
-            for name in event.outlets:
+                raise KeyMistake(f"events.{number}.do", "names and speeds are of outlets, and the scene has none")
+            for place, name in enumerate(event.outlets):
                 if name not in known:
-                    raise ValueError(f"events.{number}.outlets: {name} is unknown; known: {', '.join(known)}")
+                    raise KeyMistake(f"events.{number}.outlets.{place}", f"unknown; known: {', '.join(known)}")
             if known and not (opening := [name for name in shut if name in event.outlets or not event.outlets]):
-                raise ValueError(f"events.{number} opens nothing: open by then")
+                raise KeyMistake(f"events.{number}.do", "opens nothing: open by then")
             shut = [name for name in shut if name not in opening] if known else shut
         return self
 
     @model_validator(mode="after")
     def _events_fit(self) -> Self:
-        for event in self.events:
+        for number, event in enumerate(self.events):
             if event.do in ("open_slit", "feed") and self.silo.slit_width_m == 0 and not self.outlets:
-                raise ValueError(f"{event.do} needs a silo.slit_width_m above 0, or outlets")
+                raise KeyMistake(f"events.{number}.do", "needs a silo.slit_width_m above 0, or outlets")
             if event.of_lid and not self.silo.lid:
-                raise ValueError(f"{event.do} when {event.when} needs silo.lid: true")
-        removed = [event.disc for event in self.events if event.disc is not None]
-        if len(set(removed)) < len(removed):
-            raise ValueError("events remove a disc twice")
+                raise KeyMistake(f"events.{number}.{event.asks_for_lid}", "needs silo.lid: true")
+        removed = [event.disc for event in self.events]
+        for number, disc in enumerate(removed):
+            if disc is not None and disc in removed[:number]:
+                raise KeyMistake(f"events.{number}.disc", "is taken out twice")
         return self

@@ -4,7 +4,7 @@ from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from silostudy.config.contact import ContactConfig
-from silostudy.config.fields import Strict, described
+from silostudy.config.fields import KeyMistake, Strict, described
 from silostudy.config.mixture import Share, check_pairs, check_shares
 from silostudy.config.surfaces import apart_from
 
@@ -35,11 +35,11 @@ class DiscPairConfig(DiscPairApart):
 
 
 def check_disc_kinds(others: Mapping[str, OtherDiscConfig], pairs: Sequence[DiscPairConfig], from_file: bool) -> None:
-    """ValueError for kinds without a name or a share of their own, or that a file cannot tell, and for pairs of none."""
+    """KeyMistake for kinds without a name or a share of their own, or that a file cannot tell, and for pairs of none."""
     check_pairs(others, pairs)
     if others and from_file:
-        raise ValueError("other_grains: a file of discs does not tell their kinds; take another packing")
+        raise KeyMistake("other_grains", "a file of discs does not tell their kinds; take another packing")
     for name, kind in others.items():
         if (kind.mass_share is None) == (kind.number_share is None):
-            raise ValueError(f"other_grains.{name}: give either mass_share or number_share")
+            raise KeyMistake(f"other_grains.{name}", "give either mass_share or number_share")
     check_shares(others)

@@ -7,7 +7,7 @@ from pydantic import model_validator
 
 from silostudy.catalogue import Family
 from silostudy.config.contact import LawsConfig
-from silostudy.config.fields import Strict, described
+from silostudy.config.fields import KeyMistake, Strict, described
 from silostudy.config.own import key_of
 from silostudy.contact import NO_COHESION, NO_ROLLING, NO_TWISTING, SPHERE_LAWS, Law
 from silostudy.contact.normal import hertz
@@ -34,7 +34,7 @@ class MaterialConfig(Strict):
     @model_validator(mode="after")
     def _whole(self) -> Self:
         if self.material is None and None in (self.youngs_modulus_MPa, self.poissons_ratio):
-            raise ValueError("give a material, or youngs_modulus_MPa and poissons_ratio")
+            raise KeyMistake("material", "must be given, or youngs_modulus_MPa and poissons_ratio")
         return self
 
 
@@ -84,9 +84,10 @@ class TouchConfig(LawsConfig):
         given = self.model_dump()  # with the fields that laws bring along
         for field, law in taken:
             if field not in OF_PAIR and given.get(field, law) is None:
-                raise ValueError(f"the law {law.key} needs the key {field}")
+                raise KeyMistake(field, f"must be given: the law {law.key} needs it")
         if self.normal_stiffness_N_m is not None and "normal_stiffness_N_m" not in dict(taken):
-            raise ValueError(f"normal_stiffness_N_m: no law here has linear springs: {self.normal} takes the materials' moduli")
+            told = f"no law here has linear springs: {self.normal} takes the materials' moduli"
+            raise KeyMistake("normal_stiffness_N_m", told)
         return self
 
     @model_validator(mode="after")
@@ -96,7 +97,7 @@ class TouchConfig(LawsConfig):
         for name, law in self.laws.items():
             if _behind_dashpots(law) and springs - _behind_dashpots(law):
                 fitting = [row.key for row in self.choices[name].values() if not springs - (_behind_dashpots(row) or springs)]
-                raise ValueError(f"the {name} law {law.key} does not go with {normal.key}: take {' or '.join(fitting)}")
+                raise KeyMistake(name, f"the law {law.key} does not go with {normal.key}: take {' or '.join(fitting)}")
         return self
 
 

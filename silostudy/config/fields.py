@@ -20,6 +20,14 @@ def chosen_by(key: str, *known: str) -> Any:
     return {"custom_error_type": "union_tag_unknown", "custom_error_message": SECTION, "custom_error_context": told}
 
 
+class KeyMistake(ValueError):
+    """A mistake in the value of a key below the section whose model finds it."""
+
+    def __init__(self, key: str, allowed: str):
+        self.key = key
+        super().__init__(allowed)
+
+
 class Strict(BaseModel):
     """A frozen model that refuses unknown keys."""
 
@@ -55,7 +63,7 @@ class ValueRange(Strict):
     @model_validator(mode="after")
     def _log_needs_positive(self):
         if self.spacing == "log" and not (self.start > 0 and self.stop > 0):
-            raise ValueError("spacing log needs start and stop above 0")
+            raise KeyMistake("spacing", "log needs start and stop above 0")
         return self
 
     def expand(self) -> list[float]:

@@ -1,6 +1,6 @@
 """Reads YAML files into models and turns every mistake into one line: file, key, value, what is allowed."""
 
-from collections.abc import Collection
+from collections.abc import Collection, Mapping
 from pathlib import Path
 from typing import Any, TypeVar
 
@@ -8,6 +8,7 @@ import yaml
 from pydantic import BaseModel, ValidationError
 
 from silostudy.config.fields import SECTION, Strict, described
+from silostudy.config.mistakes import WORDS, below, message_of
 from silostudy.config.own import OwnMethods
 from silostudy.config.own_rows import Families, joined
 from silostudy.config.places import keys_at
@@ -18,15 +19,6 @@ from silostudy.stages import FILE_KINDS, KINDS, borrowed
 from silostudy.tables.units import SUFFIXES
 
 M = TypeVar("M", bound=BaseModel)
-NUMBER = "must be a number"
-WHOLE = "must be a whole number"
-SWITCH = "must be true or false"
-WORDS = {  # type of a mistake -> what is said of it
-    "tuple_type": "must be a list", "list_type": "must be a list", "string_type": "must be text",
-    "dict_type": SECTION, "model_type": SECTION, "model_attributes_type": SECTION,
-    "float_type": NUMBER, "float_parsing": NUMBER, "bool_type": SWITCH, "bool_parsing": SWITCH,
-    "int_type": WHOLE, "int_parsing": WHOLE, "int_from_float": WHOLE,
-}  # fmt: skip
 
 
 class Project(Strict):
@@ -103,18 +95,17 @@ class Mistakes(BadInput):
     def __reduce__(self):
         return type(self), (self.lines,)
 
+    def placed(self, where: str, keys: Mapping[str, str]) -> None:
+        """Each line names its file and keys as it is."""
+
 
 def _line(item: Any, content: Any, where: str, model: type[BaseModel]) -> str:
     """Line `file: key = value: what is allowed`, without the names that pydantic gives to branches of a union."""
-    path: list[str] = []
-    node = content
-    for part in item["loc"]:
-        if _holds(node, part):
-            node = node[part]
-        elif part is not item["loc"][-1] or item["type"] != "missing":
-            continue
-        path.append(str(part))
-    key, value = ".".join(path) or "file", item["input"]
+    further = below(item)
+    path, held = _placed([*item["loc"], *further], content, len(further) or item["type"] == "missing")
+    key, value = ".".join(path), held if further else item["input"]
+    if not key:
+        return f"{where}: {message_of(item)}"
     if item["type"].startswith("union_tag") and isinstance(value, dict):
         return _untold(item, ".".join([*path, item["ctx"]["discriminator"].strip("'")]), where)
     if item["type"] == "missing":
@@ -122,7 +113,26 @@ def _line(item: Any, content: Any, where: str, model: type[BaseModel]) -> str:
     shown = f" = {value!r}" if not isinstance(value, dict) and len(repr(value)) <= 80 else ""
     if item["type"] == "extra_forbidden":
         return f"{where}: {key}{shown}: {_unknown_key(str(item['loc'][-1]), keys_at(model, item['loc'][:-1]))}"
-    return f"{where}: {key}{shown}: {_allowed(item)}"
+    return f"{where}: {key}{shown}: {message_of(item)}"
+
+
+def _placed(parts: list[Any], content: Any, always: int) -> tuple[list[str], Any]:
+    """Keys on the way to a value in a content, without the names of branches of unions, and that value; {} where it has none.
+
+    always: so many of the last keys are told though the content does not hold them.
+    """
+    path, node = [], content
+    for number, part in enumerate(parts):
+        last, branch = number >= len(parts) - always, isinstance(node, dict) and node.get("kind") == part != parts[-1]
+        part = int(part) if isinstance(node, list) and str(part).isdecimal() else part
+        if _holds(node, part) and not branch:
+            node = node[part]
+        elif last:
+            node = {}
+        else:
+            continue
+        path.append(str(part))
+    return path, node
 
 
 def _unknown_key(key: str, known: list[str]) -> str:
@@ -144,14 +154,6 @@ def _untold(item: Any, key: str, where: str) -> str:
 def _holds(node: Any, part: Any) -> bool:
     in_list = isinstance(node, list) and isinstance(part, int) and part < len(node)
     return in_list or (isinstance(node, dict) and part in node)
-
-
-def _allowed(item: Any) -> str:
-    if item["type"] == "too_short":
-        return f"must hold {item['ctx']['min_length']} or more"
-    if item["type"] == "too_long":
-        return f"must hold {item['ctx']['max_length']} at most"
-    return WORDS.get(item["type"]) or item["msg"].removeprefix("Value error, ").replace("Input should be", "must be")
 
 
 def _unit_hint(key: str, siblings: Any) -> str:

@@ -7,7 +7,7 @@ import numpy as np
 from pydantic import AfterValidator, Field
 
 from silostudy.config.elastic import GrainConfig, MaterialConfig, TouchConfig
-from silostudy.config.fields import described, one_of
+from silostudy.config.fields import KeyMistake, described, one_of
 from silostudy.config.surfaces import apart_from
 from silostudy.errors import BadInput
 from silostudy.packing.sizes import SIZES
@@ -22,7 +22,7 @@ def _drawable(sizes: Any) -> Any:
     try:
         SIZES[sizes.kind].radii(np.random.default_rng(0), TRIED, sizes)
     except BadInput as error:
-        raise ValueError(error.reason.removeprefix("sizes.")) from None
+        raise KeyMistake(error.field.removeprefix("sizes."), error.allowed) from None
     return sizes
 
 
@@ -58,37 +58,37 @@ class PairConfig(PairApart):
 
 
 def check_kinds(others: Mapping[str, OtherGrainConfig], pairs: Sequence[PairConfig], from_file: bool) -> None:
-    """ValueError for kinds without a name, sizes or a share of their own, and for pairs of none."""
+    """KeyMistake for kinds without a name, sizes or a share of their own, and for pairs of none."""
     check_pairs(others, pairs)
     for name, kind in others.items():
         told = (kind.sizes, kind.mass_share, kind.number_share)
         if from_file and told != (None, None, None):
-            raise ValueError(f"other_grains.{name}: sizes and shares must be left out: the file gives them")
+            raise KeyMistake(f"other_grains.{name}", "sizes and shares must be left out: the file gives them")
         if not from_file and kind.sizes is None:
-            raise ValueError(f"other_grains.{name}: sizes are missing")
+            raise KeyMistake(f"other_grains.{name}.sizes", "is missing")
         if not from_file and (kind.mass_share is None) == (kind.number_share is None):
-            raise ValueError(f"other_grains.{name}: give either mass_share or number_share")
+            raise KeyMistake(f"other_grains.{name}", "give either mass_share or number_share")
     check_shares(others)
 
 
 def check_pairs(others: Mapping[str, Any], pairs: Sequence[Any]) -> None:
-    """ValueError for kinds without a name of their own, and for pairs of none, or that stand twice."""
+    """KeyMistake for kinds without a name of their own, and for pairs of none, or that stand twice."""
     for name in others:
         if name in (GRAIN, WALLS):
-            raise ValueError(f"other_grains.{name}: the name is taken")
+            raise KeyMistake(f"other_grains.{name}", "the name is taken")
     kinds, met = (GRAIN, *others), [tuple(sorted(pair.between)) for pair in pairs]
     for number, (pair, names) in enumerate(zip(pairs, met, strict=True)):
         if not set(pair.between) & set(kinds):
-            raise ValueError(f"pairs.{number}.between: names no kind of grains; known: {', '.join(kinds)}")
+            raise KeyMistake(f"pairs.{number}.between", f"names no kind of grains; known: {', '.join(kinds)}")
         if names in met[:number]:
-            raise ValueError(f"pairs.{number}.between: the pair stands twice")
+            raise KeyMistake(f"pairs.{number}.between", "the pair stands twice")
 
 
 def check_shares(others: Mapping[str, Any]) -> None:
-    """ValueError for shares of mass beside shares of number, or that leave nothing for `grain`."""
+    """KeyMistake for shares of mass beside shares of number, or that leave nothing for `grain`."""
     for share in ("mass_share", "number_share"):
         given = [value for kind in others.values() if (value := getattr(kind, share)) is not None]
         if given and len(given) < len(others):
-            raise ValueError(f"other_grains: give the {share} of every kind, or of none")
+            raise KeyMistake("other_grains", f"give the {share} of every kind, or of none")
         if not sum(given) < 1.0:
-            raise ValueError(f"other_grains: {share} adds up to {sum(given):g}; it must leave a rest to {GRAIN}")
+            raise KeyMistake("other_grains", f"{share} adds up to {sum(given):g}; it must leave a rest to {GRAIN}")

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, Self
 
 from pydantic import model_validator
 
-from silostudy.config.fields import described
+from silostudy.config.fields import KeyMistake, described
 from silostudy.config.run import Waiting
 from silostudy.dem.events import TRIGGERS
 
@@ -72,15 +72,20 @@ class MovingEvent(Waiting):
         """Whether it needs a lid."""
         return self.do in OF_LID or TRIGGERS[self.when].of_lid
 
+    @property
+    def asks_for_lid(self) -> str:
+        """The key by which an event asks for a lid: what it does, what it waits for, or else the surfaces that it is about."""
+        return "do" if self.do in OF_LID else "when" if TRIGGERS[self.when].of_lid else "surfaces"
+
     @model_validator(mode="after")
     def _has_what_it_takes(self) -> Self:
         taken = self.takes[self.do]
         given = {name for name in self.model_fields_set - {"do", "when", "value"} if getattr(self, name) is not None}
         for name in taken.needs:
             if name not in given:
-                raise ValueError(f"{self.do} needs {name}")
+                raise KeyMistake(name, f"must be given where do is {self.do}")
         for name in sorted(given - {*taken.needs, *taken.may}):
-            raise ValueError(f"{self.do} takes no {name}; it takes {', '.join((*taken.needs, *taken.may)) or 'nothing'}")
+            raise KeyMistake(name, f"{self.do} takes no {name}; it takes {', '.join((*taken.needs, *taken.may)) or 'nothing'}")
         if self.do not in EITHER_WAY and self.speed_m_s is not None and not self.speed_m_s > 0.0:
-            raise ValueError(f"{self.do} needs a speed_m_s above 0")
+            raise KeyMistake("speed_m_s", f"must be above 0 where do is {self.do}")
         return self

@@ -5,7 +5,7 @@ from typing import Annotated, Self, TypeAlias
 
 from pydantic import Field, model_validator
 
-from silostudy.config.fields import Strict, described
+from silostudy.config.fields import KeyMistake, Strict, described
 
 Cells: TypeAlias = Annotated[int, Field(ge=1, le=1000)]
 MOST = 100_000  # cells
@@ -32,7 +32,7 @@ class FieldsConfig(Strict):
     @model_validator(mode="after")
     def _few_enough(self) -> Self:
         if prod(self.cells) > MOST:
-            raise ValueError(f"cells must be {MOST} at most together, not {prod(self.cells)}")
+            raise KeyMistake("cells", f"must be {MOST} at most together, not {prod(self.cells)}")
         return self
 
 

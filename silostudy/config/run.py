@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal, Self, TypeAlias
 from pydantic import Field, model_validator
 
 from silostudy.config.contact import LawsConfig
-from silostudy.config.fields import Strict, described, one_of
+from silostudy.config.fields import KeyMistake, Strict, described, one_of
 from silostudy.config.observers import FieldsConfig, StatisticsConfig
 from silostudy.config.own import OwnMethods
 from silostudy.dem.events import TRIGGERS
@@ -49,9 +49,9 @@ class MarchConfig(Strict):
         if self.step == "follow":
             for name in ("step_s", "beyond_stability"):
                 if getattr(self, name):
-                    raise ValueError(f"step: follow chooses the time step: leave out {name}")
+                    raise KeyMistake(name, "must be left out: step: follow chooses the time step")
             if self.step_factor is None:
-                raise ValueError("give either accuracy or step: follow, and not both: none is measured for steps that change")
+                raise KeyMistake("step", "give either accuracy or this, and not both: none is measured for steps that change")
         return self
 
 
@@ -78,10 +78,10 @@ class Waiting(Strict):
     @model_validator(mode="after")
     def _as_the_trigger_takes(self) -> Self:
         if self.value and not TRIGGERS[self.when].takes_value:
-            raise ValueError(f"value must be left out where when is {self.when}")
+            raise KeyMistake("value", f"must be left out where when is {self.when}")
         most = TRIGGERS[self.when].most
         if most is not None and self.value > most:
-            raise ValueError(f"value must be a share, {most:g} or less, where when is {self.when}")
+            raise KeyMistake("value", f"must be a share, {most:g} or less, where when is {self.when}")
         return self
 
 
@@ -147,16 +147,16 @@ class GrainScene(OwnMethods):
     def _recorded_in_time(self) -> Self:
         limit, window = self.march.limit_s, self.record.wall_force_window_s
         if window is not None and window > limit:
-            raise ValueError(f"record.wall_force_window_s = {window:g} must not be longer than march.limit_s = {limit:g}")
+            raise KeyMistake("record.wall_force_window_s", f"must not be longer than march.limit_s, {limit:g} s")
         for name in ("fields", "contact_statistics"):
             asked = getattr(self.record, name)
             if asked is not None and asked.every_s > limit:
-                raise ValueError(f"record.{name}.every_s = {asked.every_s:g} must not be longer than march.limit_s = {limit:g}")
-        for time in self.record.snapshots_s:
+                raise KeyMistake(f"record.{name}.every_s", f"must not be longer than march.limit_s, {limit:g} s")
+        for number, time in enumerate(self.record.snapshots_s):
             if time > limit:
-                raise ValueError(f"record.snapshots_s = {time:g} lies beyond march.limit_s = {limit:g}")
+                raise KeyMistake(f"record.snapshots_s.{number}", f"lies beyond march.limit_s, {limit:g} s")
         if len(set(self.record.snapshots_s)) < len(self.record.snapshots_s):
-            raise ValueError("record.snapshots_s names a time twice")
+            raise KeyMistake("record.snapshots_s", "names a time twice")
         return self
 
     @model_validator(mode="after")
@@ -164,14 +164,14 @@ class GrainScene(OwnMethods):
         looked = self.record.snapshots_s or self.record.snapshots_every_s
         unseen = [outcome.kind for outcome in self.expected if OUTCOMES[outcome.kind].of_snapshots and not looked]
         if unseen:
-            raise ValueError(f"expected: {', '.join(unseen)} needs record.snapshots_s or record.snapshots_every_s")
+            raise KeyMistake("expected", f"{', '.join(unseen)} needs record.snapshots_s or record.snapshots_every_s")
         unfelt = [
             outcome.kind
             for outcome in self.expected
             if OUTCOMES[outcome.kind].of_windows and not self.record.wall_force_window_s
         ]
         if unfelt:
-            raise ValueError(f"expected: {', '.join(unfelt)} needs record.wall_force_window_s")
+            raise KeyMistake("expected", f"{', '.join(unfelt)} needs record.wall_force_window_s")
         return self
 
     @property
@@ -183,11 +183,11 @@ class GrainScene(OwnMethods):
     @model_validator(mode="after")
     def _records_what_means_are_of(self) -> Self:
         if self.of_fillings and not self.record.wall_force_window_s:
-            raise ValueError(f"accuracy: {', '.join(self.of_fillings)} needs record.wall_force_window_s")
+            raise KeyMistake("accuracy", f"{', '.join(self.of_fillings)} needs record.wall_force_window_s")
         return self
 
     @model_validator(mode="after")
     def _ends_with_a_stop(self) -> Self:
         if self.events[-1].do != "stop":
-            raise ValueError("the last event must be a stop")
+            raise KeyMistake(f"events.{len(self.events) - 1}.do", "the last event must be a stop")
         return self

@@ -5,7 +5,7 @@ from typing import ClassVar, Literal, Self
 
 from pydantic import model_validator
 
-from silostudy.config.fields import described
+from silostudy.config.fields import KeyMistake, described
 from silostudy.config.moves import MovingEvent, Takes
 
 
@@ -61,7 +61,7 @@ class SphereEventConfig(MovingEvent):
     @model_validator(mode="after")
     def _has_what_it_needs(self) -> Self:
         if self.do == "set_friction" and self.sphere_friction is None and self.wall_friction is None:
-            raise ValueError("set_friction needs sphere_friction or wall_friction")
+            raise KeyMistake("do", "needs sphere_friction or wall_friction")
         if self.do == "set_friction" and self.surfaces and self.wall_friction is None:
-            raise ValueError("surfaces are where a wall_friction changes: give that too")
+            raise KeyMistake("surfaces", "are where a wall_friction changes: give that too")
         return self

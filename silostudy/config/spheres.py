@@ -7,7 +7,7 @@ from pydantic import model_validator
 from silostudy.catalogue import Family
 from silostudy.config.asked import Asked
 from silostudy.config.elastic import GrainConfig, MaterialConfig, TouchConfig
-from silostudy.config.fields import Strict, described, one_of
+from silostudy.config.fields import KeyMistake, Strict, described, one_of
 from silostudy.config.mixture import GRAIN, WALLS, OtherGrainConfig, PairConfig, SizesConfig, SphereSurfaceConfig, check_kinds
 from silostudy.config.observers import Cells
 from silostudy.config.run import MEANS, GrainScene, Recorded
@@ -158,31 +158,31 @@ class SphereScene(Asked, GrainScene):
     def _sizes_known(self) -> Self:
         if (self.sizes is None) != FILLINGS[self.filling.kind].from_file:
             told = "must be left out: the file gives them" if self.sizes else "is missing"
-            raise ValueError(f"sizes {told}, where filling.kind is {self.filling.kind}")
+            raise KeyMistake("sizes", f"{told}, where filling.kind is {self.filling.kind}")
         return self
 
     @model_validator(mode="after")
     def _records_what_is_drawn(self) -> Self:
         record = self.record
         if self.outputs and not (record.wall_force_window_s and (record.snapshots_s or record.snapshots_every_s)):
-            raise ValueError("outputs need record.wall_force_window_s, and record.snapshots_every_s or snapshots_s")
+            raise KeyMistake("outputs", "need record.wall_force_window_s, and record.snapshots_every_s or snapshots_s")
         for key in self.outputs:
             if "rings" in OUTPUTS[key].demands and (record.fields is None or len(record.fields.cells) != 2):
-                raise ValueError(f"{key} needs record.fields with two numbers of cells")
+                raise KeyMistake("outputs", f"{key} needs record.fields with two numbers of cells")
         return self
 
     @model_validator(mode="after")
     def _cells_of_the_plan(self) -> Self:
         fields = self.record.fields
         if fields is not None and len(fields.cells) == 2 and self.silo.plan != "circular":
-            raise ValueError("record.fields.cells must be three, along x, y and z, where silo.plan is not circular")
+            raise KeyMistake("record.fields.cells", "must be three, along x, y and z, where silo.plan is not circular")
         return self
 
     @model_validator(mode="after")
     def _opens(self) -> Self:
-        for event in self.events:
+        for number, event in enumerate(self.events):
             if (event.of_lid or "lid" in event.surfaces) and not self.lid:
-                raise ValueError(f"{event.do} when {event.when} needs lid: true")
+                raise KeyMistake(f"events.{number}.{event.asks_for_lid}", "needs lid: true")
         known = [outlet.name for outlet in self.outlets]
         hopper = self.silo.hopper is not None and self.silo.hopper.outlet_width_m > 0.0
         shut = ["the hopper's"] if hopper else list(known)
@@ -190,13 +190,15 @@ class SphereScene(Asked, GrainScene):
             if event.do not in ("open_outlet", "feed"):
                 continue
             if not (hopper or known):
-                raise ValueError(f"{event.do} needs an outlet: silo.hopper.outlet_width_m above 0, or outlets of a flat floor")
+                told = "needs an outlet: silo.hopper.outlet_width_m above 0, or outlets of a flat floor"
+                raise KeyMistake(f"events.{number}.do", told)
             if event.do == "feed":
                 continue
-            for name in event.outlets:
+            for place, name in enumerate(event.outlets):
                 if name not in known:
-                    raise ValueError(f"events.{number}.outlets: {name} is unknown; known: {', '.join(known) or 'none by name'}")
+                    told = f"unknown; known: {', '.join(known) or 'none by name'}"
+                    raise KeyMistake(f"events.{number}.outlets.{place}", told)
             if not (opening := [name for name in shut if name in event.outlets or not event.outlets]):
-                raise ValueError(f"events.{number} opens nothing: open by then")
+                raise KeyMistake(f"events.{number}.do", "opens nothing: open by then")
             shut = [name for name in shut if name not in opening]
         return self

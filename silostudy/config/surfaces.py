@@ -7,7 +7,8 @@ from pydantic import ConfigDict, ValidationError, ValidationInfo, create_model, 
 
 from silostudy.catalogue import Family
 from silostudy.config.contact import LawsConfig, own_coefficients, own_fields
-from silostudy.config.fields import Strict, described
+from silostudy.config.fields import KeyMistake, Strict, described
+from silostudy.config.mistakes import below, message_of
 from silostudy.config.own import families_of
 
 S = TypeVar("S", bound=LawsConfig)
@@ -40,7 +41,7 @@ class Apart(Strict):
         known = [*type(self).model_fields, *(coefficient.field for coefficient in own)]
         for name in self.__pydantic_extra__ or ():
             if name not in known:
-                raise ValueError(f"{name}: unknown key; known: {', '.join(known)}; laws are those of the section")
+                raise KeyMistake(name, f"unknown key; known: {', '.join(known)}; laws are those of the section")
         return self
 
 
@@ -65,9 +66,9 @@ def _null(field: Any) -> Any:
 
 
 def in_place(section: S, values: Mapping[str, Any], key: str) -> S:
-    """The section with what differs from it in its place; ValueError names the key where the whole is not sound."""
+    """The section with what differs from it in its place; KeyMistake where the whole is not sound."""
     try:
         return section.with_values(values)
     except ValidationError as error:
-        told = ((".".join(map(str, (key, *item["loc"]))), item["msg"].removeprefix("Value error, ")) for item in error.errors())
-        raise ValueError("; ".join(f"{place}: {message}" for place, message in told)) from None
+        first = error.errors()[0]
+        raise KeyMistake(".".join((key, *map(str, first["loc"]), *below(first))), message_of(first)) from None

@@ -131,12 +131,14 @@ class Model:
         names = [wall.name for wall in self.walls]
         if len(set(names)) < len(names):
             raise BadInput("walls", names, "each wall needs a name of its own")
-        for law in (*self.pair_contact.laws.rows, *self.wall_contact.laws.rows):
-            if law.acts and f"{self.space.body}s" not in law.grains:
-                raise BadInput("law", law.key, f"is a law of {' and '.join(law.grains)}, not of {self.space.body}s")
-        for normal in (self.pair_contact.laws.normal, self.wall_contact.laws.normal):
-            if self.unequal and normal.one_size:
-                raise BadInput("normal", normal.key, "the curve is for discs of one size")
+        for name in ("pair_contact", "wall_contact"):
+            laws = getattr(self, name).laws
+            for family, law in vars(laws).items():
+                if law.acts and f"{self.space.body}s" not in law.grains:
+                    told = f"is a law of {' and '.join(law.grains)}, not of {self.space.body}s"
+                    raise BadInput(f"{name}.{family}", law.key, told)
+            if self.unequal and laws.normal.one_size:
+                raise BadInput(f"{name}.normal", laws.normal.key, "the curve is for discs of one size")
         self._check_sets()
 
     def _check_sets(self) -> None:

@@ -13,7 +13,7 @@ def place(*, width, height, radius, across, gap, offset=0.0, seed=0):
 
     Kiyama & Fujimura (1983), section 5 (1): s = `across` discs span the width. Neighbours along a slope and discs at
     the walls and floor keep a gap (m). Every disc is moved at random by up to `offset` (m) each way.
-    Raises BadInput where s discs do not fit, or rows overlap, or the offset is larger than the gap allows.
+    Raises BadInput where s discs or a row do not fit, or rows overlap, or the offset is larger than the gap allows.
     """
     if across < 2 or across != int(across):
         raise BadInput("across", across, "must be a whole number of discs, 2 or more")
@@ -26,6 +26,8 @@ def place(*, width, height, radius, across, gap, offset=0.0, seed=0):
         raise BadInput("offset", offset, f"must lie in 0 ... {gap / (2.0 * sqrt(2.0)):.4g} m, or discs may overlap")
     rise = sqrt((2.0 * radius + gap) ** 2 - (pitch / 2.0) ** 2)
     levels = floor((height - 2.0 * radius - gap) / rise) + 1
+    if levels < 1:
+        raise BadInput("height", height, f"must be {2.0 * radius + gap:.4g} m or more: not one row of discs lies below it")
     counts = [across - level % 2 for level in range(levels)]
     level = np.repeat(np.arange(levels), counts)
     number = np.concatenate([np.arange(count) for count in counts])

@@ -13,13 +13,14 @@ from silostudy.config.grain_scenes import AnyScene
 from silostudy.config.moves import OF_LID
 from silostudy.contact import NO_TANGENTIAL, TANGENTIAL, spring
 from silostudy.contact.coefficient import Given
+from silostudy.contact.family import Law
 from silostudy.dem.events import TRIGGERS, Event
 from silostudy.dem.inserts import LINES, Insert
 from silostudy.dem.model import Contact, Wall
 from silostudy.dem.pieces import Laws
 from silostudy.dem.rest import REST, STEADY, USUAL, Rest
 from silostudy.dem.varied import Varied
-from silostudy.errors import BadInput
+from silostudy.errors import BadInput, within
 from silostudy.packing import PACKINGS
 from silostudy.scene.disc_mixture import radii_of_kinds, uneven
 from silostudy.scene.lid import lid_action, moves
@@ -45,10 +46,8 @@ def plane_silo_of(scene: DemScene, where: str = "") -> PlaneSilo:
     half_angle = None if angle is None else radians(angle)
     inserts = tuple(inserted(number, insert, LINES) for number, insert in enumerate(scene.inserts))
     slits = tuple(Slit(outlet.name, outlet.middle_m, outlet.width_m) for outlet in scene.outlets)
-    try:
+    with within(where):
         return PlaneSilo(config.width_m, config.height_m, config.slit_width_m, half_angle, config.lid, inserts, slits)
-    except BadInput as error:
-        raise BadInput(error.field, error.value, error.allowed, error.where or where) from None
 
 
 def inserted(number: int, config: Any, rows: Mapping[str, Insert]) -> Any:
@@ -73,9 +72,16 @@ def contact_of(
         laws |= {"tangential": TANGENTIAL[NO_TANGENTIAL]}
     given = Given(config.model_dump(), radius, density, laws["normal"], wall, uneven)
     coefficients: dict[str, float] = {}
-    for law in laws.values():
-        coefficients |= law.prepared(given)
-    return Contact(Laws(**laws), coefficients)
+    with within(keys=keys_of("walls" if wall else "discs", laws)):
+        for law in laws.values():
+            coefficients |= law.prepared(given)
+        return Contact(Laws(**laws), coefficients)
+
+
+def keys_of(section: str, laws: Mapping[str, Law]) -> dict[str, str]:
+    """Keys of a section of contacts: of the families of its laws, and of the coefficients that come from a field of its own."""
+    own = (coefficient for law in laws.values() for coefficient in law.coefficients)
+    return {name: f"{section}.{name}" for name in laws} | {row.name: f"{section}.{row.field}" for row in own}
 
 
 def contacts_of(scene: DemScene, radii: np.ndarray, where: str = "") -> tuple[Contact | Varied, Contact | Varied]:

@@ -10,13 +10,14 @@ from silostudy.config.grain_scenes import AnyScene
 from silostudy.dem.model import Model, Wall
 from silostudy.dem.pace import FIXED, following
 from silostudy.dem.stability import chosen_step, packed_bound
-from silostudy.errors import BadInput
+from silostudy.errors import BadInput, within
 from silostudy.packing import PACKINGS
-from silostudy.scene.dem import check_events, check_start, contacts_of, plane_silo_of, room
+from silostudy.scene.dem import check_events, check_start, contacts_of, events_of, plane_silo_of, room
 from silostudy.scene.disc_mixture import densities_of_kinds, kinds_of, radii_of_kinds
 from silostudy.scene.lid import check_lid, lid_of, moves
 
 M = TypeVar("M", bound=Model)
+SIZES = {"width": "silo.width_m", "radius": "radius_m"}  # arguments of a packing -> keys of a scene
 
 
 def placed(scene: DemScene):
@@ -27,7 +28,8 @@ def placed(scene: DemScene):
     packing, of_kinds = PACKINGS[scene.packing.kind], radii_of_kinds(scene)
     known = {"width": scene.silo.width_m, "radius": float(of_kinds.max()), "seed": scene.seed}
     size = {name: value for name, value in known.items() if name in packing.needs}
-    x, y, radius = packing.place(**size, **packing.arguments(scene.packing))
+    with within(keys=SIZES | {row.argument: f"packing.{row.name}" for row in packing.asks}):
+        x, y, radius = packing.place(**size, **packing.arguments(scene.packing))
     silo, kind = plane_silo_of(scene), kinds_of(scene, len(x))
     if kind is not None:
         radius = radius * of_kinds[kind] / of_kinds.max()
@@ -65,6 +67,7 @@ def unshaken_scene_model(scene: DemScene, discs, where: str = "") -> Model:
     )  # fmt: skip
     touching = silo.width / (2.0 * float(radius.min()))
     model = replace(model, lid=lid_of(scene.events, silo.width, touching, float(model.mass.sum())))
+    events_of(scene, float(model.mass.sum()), where)
     return stepped(scene, model, where)
 
 

@@ -12,7 +12,8 @@ from pathlib import Path
 from typing import Any
 
 from silostudy.config.fields import Strict
-from silostudy.config.load import WHOLE, Mistakes, own_validated, read_yaml, study_of
+from silostudy.config.load import Mistakes, own_validated, read_yaml, study_of
+from silostudy.config.mistakes import WHOLE
 from silostudy.config.sample import SampledRange
 from silostudy.errors import BadInput
 from silostudy.stages import KINDS

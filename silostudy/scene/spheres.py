@@ -16,8 +16,8 @@ from silostudy.dem.pieces import Laws
 from silostudy.dem.rain import Rain
 from silostudy.dem.space.inserts import INSERTS
 from silostudy.dem.varied import Varied
-from silostudy.errors import BadInput
-from silostudy.scene.dem import inserted, walls_contact
+from silostudy.errors import BadInput, within
+from silostudy.scene.dem import inserted, keys_of, walls_contact
 from silostudy.scene.lid import slides
 from silostudy.scene.silo_from import silo_of
 from silostudy.scene.space_silo import Outlet, SpaceSilo
@@ -36,7 +36,7 @@ def space_silo_of(scene: SphereScene, where: str = "") -> SpaceSilo:
         Outlet(width=outlet.width_m, length=outlet.length_m, middle=outlet.middle_m, name=outlet.name)
         for outlet in scene.outlets
     )
-    try:
+    with within(where):
         return SpaceSilo(
             silo=silo_of(scene.silo, nan, where, ""),
             outlets=outlets,
@@ -45,8 +45,6 @@ def space_silo_of(scene: SphereScene, where: str = "") -> SpaceSilo:
             lid=scene.lid,
             gated=slides(scene.events),
         )
-    except BadInput as error:
-        raise BadInput(error.field, error.value, error.allowed, error.where or where) from None
 
 
 def material_of(config: MaterialConfig) -> Material:
@@ -130,9 +128,10 @@ def _contact(section: str, config: TouchConfig, body: ElasticBody, other: Elasti
     fields["materials"] = tuple((of.material.youngs_modulus, of.material.poissons_ratio) for of in (body, other))
     given = Given(fields, nan, body.material.density, laws["normal"], wall, True)
     coefficients: dict[str, float] = {}
-    for law in laws.values():
-        coefficients |= law.prepared(given)
-    return Contact(Laws(**laws), coefficients)
+    with within(where, keys_of(section, laws)):
+        for law in laws.values():
+            coefficients |= law.prepared(given)
+        return Contact(Laws(**laws), coefficients)
 
 
 def plane_of_rain(scene: SphereScene, space: SpaceSilo, largest: float) -> float:

@@ -40,10 +40,7 @@ def sphere_model(scene: SphereScene, given: Start | None, where: str = "") -> Sp
     check_turning(scene, space, where)
     sphere_events(scene, space, 0.0, where)
     random = np.random.default_rng(scene.seed)
-    try:
-        places, radii, kind = given or _started(scene, space, random)
-    except BadInput as error:
-        raise BadInput(error.field, error.value, error.allowed, where) from None
+    places, radii, kind = given or _started(scene, space, random)
     check_outlet(scene, space, radii, kind, where)
     if row.rains:
         check_rain(scene, space, radii, where)

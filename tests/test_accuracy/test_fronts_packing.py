@@ -65,7 +65,7 @@ def test_the_cube_records_what_was_chosen():
     [
         ({"offset_m": 5e-5}, "measured on no such scene"),
         ({"scene": {"across": 12}}, "measured on no such scene"),  # a packing of another kind
-        ({"runs": 7}, "either accuracy or runs"),
+        ({"runs": 7}, "runs = 7: give either accuracy or this"),
     ],
 )
 def test_refusals(more, message):

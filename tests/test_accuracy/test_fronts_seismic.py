@@ -108,5 +108,5 @@ def test_levels_keep_the_moment_and_a_shell_study_reads_the_same_ones(tmp_path):
 def test_a_setting_beside_an_accuracy_is_refused():
     content = identifying(0.7, refinement=4) | {"accuracy": {"effective_mass_coefficient": 0.01}}
     content["identification"]["refinement"] = 4
-    with pytest.raises(BadInput, match=r"either accuracy or identification\.refinement"):
+    with pytest.raises(BadInput, match=r"identification\.refinement = .*: give either accuracy or this"):
         expanded(content, STUDIES)

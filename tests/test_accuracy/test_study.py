@@ -22,7 +22,7 @@ from silostudy.figures import (
     work_precision,
 )
 from tests.conftest import expanded
-from tests.test_figures.content import told as words_of
+from tests.test_figures.words import told as words_of
 
 CONTENT = {
     "kind": "accuracy",

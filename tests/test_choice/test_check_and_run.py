@@ -173,11 +173,11 @@ def test_a_scene_as_asked_does_not_march():
 @pytest.mark.parametrize(
     ("content", "message"),
     [
-        (ONE | {"runs": None}, "runs must be given: no accuracy that decides it is asked for"),
-        (SMALL | {"uncertainty": {"log2_samples": None}}, "uncertainty.log2_samples must be given"),
-        (identifying(0.7) | {"relative_depth": None}, "relative_depth must be given"),
+        (ONE | {"runs": None}, "runs = None: must be given: no accuracy that decides it is asked for"),
+        (SMALL | {"uncertainty": {"log2_samples": None}}, "uncertainty.log2_samples = None: must be given"),
+        (identifying(0.7) | {"relative_depth": None}, "relative_depth = None: must be given"),
         (identifying(0.7, refinement=None) | {"accuracy": {"effective_mass_coefficient": 0.01}, "relative_depth": None},
-         "relative_depth must be given"),
+         "relative_depth = None: must be given"),
     ],
 )  # fmt: skip
 def test_null_stands_for_a_setting_that_an_accuracy_decides_and_for_no_other(content, message):
@@ -186,7 +186,9 @@ def test_null_stands_for_a_setting_that_an_accuracy_decides_and_for_no_other(con
 
 
 def test_a_section_that_is_switched_off_cannot_be_asked_of():
-    with pytest.raises(BadInput, match=r"uncertainty is null, but the accuracy asked for decides uncertainty\.log2_samples"):
+    with pytest.raises(
+        BadInput, match=r"uncertainty = None: is null, but the accuracy asked for decides uncertainty\.log2_samples"
+    ):
         study_of(SMALL | {"uncertainty": None, "accuracy": {"pressure_quantile": 0.05}}, "study.yaml")
 
 

@@ -146,7 +146,7 @@ def test_two_laws_of_one_key_are_two_kernels():
 
 @pytest.mark.parametrize(("context", "discs", "message"), [
     (None, {}, "discs.normal = 'toy-square': unknown; known: spring-dashpot"),
-    (FAMILIES, {"toy_square_N_m3": None}, "the law toy-square needs the key toy_square_N_m3"),
+    (FAMILIES, {"toy_square_N_m3": None}, "toy_square_N_m3: must be given: the law toy-square needs it"),
     (FAMILIES, {"toy_square_N_m3": 0.0}, r"discs.toy_square_N_m3 = 0\.0: must be greater than 0"),
     (FAMILIES, {"toy_drag_N_s_m2": "much"}, "discs.toy_drag_N_s_m2 = 'much': must be a number"),
     (FAMILIES, {"toy_sqare_N_m3": 1.0}, r"discs.toy_sqare_N_m3 = 1\.0: unknown key"),

@@ -37,7 +37,7 @@ from tests.test_checks.studies import cube_of as checks_of
 from tests.test_checks.studies import study as checks_study
 from tests.test_compute.test_beside import swept
 from tests.test_dem.small import carried, scene_of
-from tests.test_figures.small_cubes import published_cube
+from tests.test_figures.made_scenes import published_cube
 from tests.test_figures.test_hopper_figures import BIN
 from tests.test_laboratory.made_up import cube_of as made_up
 from tests.test_laboratory.made_up import expansion as laboratory

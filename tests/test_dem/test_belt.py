@@ -101,8 +101,8 @@ def asked(**changes):
 @pytest.mark.parametrize(
     ("changes", "told"),
     [
-        ({"speed_m_s": 0.1}, "run_belt needs surfaces"),
-        ({"surfaces": ["floor"]}, "run_belt needs speed_m_s"),
+        ({"speed_m_s": 0.1}, "surfaces: must be given where do is run_belt"),
+        ({"surfaces": ["floor"]}, "speed_m_s: must be given where do is run_belt"),
         ({"speed_m_s": 0.1, "surfaces": ["floor"], "stress_kPa": 1.0}, "run_belt takes no stress_kPa; it takes speed_m_s"),
     ],
 )

@@ -36,11 +36,11 @@ REFUSED = {
     "fields too late": ({"record": {"fields": {"cells": [3, 3], "every_s": 99}}}, "must not be longer than march.limit_s"),
     "rest has no value": (
         {"events": [{"when": "rest", "value": 3.0, "do": "stop"}]},
-        "value must be left out where when is rest",
+        "events.0.value = 3.0: must be left out where when is rest",
     ),
     "a disc removed twice": (
         {"events": [*[{"when": "after", "do": "remove_disc", "disc": 1}] * 2, {"when": "after", "do": "stop"}]},
-        "events remove a disc twice",
+        "events.1.disc = 1: is taken out twice",
     ),
     "no such record": ({"quake": {"file": "none.csv"}}, "none.csv"),
 }

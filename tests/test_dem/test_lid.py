@@ -20,9 +20,9 @@ EVENTS = [
 
 
 def test_a_lid_that_the_silo_does_not_have():
-    with pytest.raises(BadInput, match=r"lower_lid when time needs silo\.lid: true"):
+    with pytest.raises(BadInput, match=r"events\.0\.do = 'lower_lid': needs silo\.lid: true"):
         scene_of(events=EVENTS)
-    with pytest.raises(BadInput, match=r"feed needs a silo\.slit_width_m above 0"):
+    with pytest.raises(BadInput, match=r"events\.3\.do = 'feed': needs a silo\.slit_width_m above 0"):
         scene_of(events=EVENTS, silo__lid=True, silo__slit_width_m=0.0)
 
 

@@ -104,8 +104,8 @@ WRONG = {
     ),
     "overlap": ({"outlets": [*TWO, {"name": "a", "width_m": 0.02, "middle_m": 0.06}]}, "one, a.*must not overlap"),
     "one name": ({"outlets": [TWO[0], {**TWO[1], "name": "one"}]}, "each outlet needs a name of its own"),
-    "beside a slit": ({"outlets": TWO, "silo": SMALL["silo"]}, "outlets are of a flat floor without a silo.slit_width_m"),
-    "unknown": ({"outlets": TWO, "do": {"outlets": ["three"]}}, "events.0.outlets: three is unknown; known: one, two"),
+    "beside a slit": ({"outlets": TWO, "silo": SMALL["silo"]}, "outlets.*: are of a flat floor without a silo.slit_width_m"),
+    "unknown": ({"outlets": TWO, "do": {"outlets": ["three"]}}, "events.0.outlets.0 = 'three': unknown; known: one, two"),
     "a speed of a slit": ({"silo": SMALL["silo"], "do": {"speed_m_s": 0.1}}, "names and speeds are of outlets"),
     "none": ({}, "needs a silo.slit_width_m above 0, or outlets"),
 }

@@ -1,124 +1,25 @@
-"""What a drawn figure holds, for tests: its data against the CSV beside it, the units of its axes, where its words stand."""
+"""What a drawn figure holds, for tests: its data against the CSV beside it."""
 
-import re
 from collections.abc import Iterator
-from itertools import combinations, product
+from itertools import product
 from typing import Any
 
 import numpy as np
 import pandas as pd
 from matplotlib.axes import Axes
-from matplotlib.category import StrCategoryFormatter
-from matplotlib.collections import LineCollection, PathCollection, PolyCollection, QuadMesh
-from matplotlib.colors import BoundaryNorm, to_hex, to_rgb
+from matplotlib.collections import LineCollection, PolyCollection, QuadMesh
+from matplotlib.colors import BoundaryNorm
 from matplotlib.container import BarContainer, ErrorbarContainer
 from matplotlib.contour import ContourSet
 from matplotlib.figure import Figure
 from matplotlib.image import AxesImage
-from matplotlib.lines import Line2D
-from matplotlib.text import Text
-from matplotlib.ticker import FuncFormatter
-from matplotlib.transforms import Bbox
 
-from silostudy.figures.style import AID, NAMED
-from silostudy.tables.constants import STANDARD_GRAVITY
+from silostudy.figures.style import AID
+from tests.test_figures.labels import is_categorical, label_of, unit_of, unit_of_column
 
 PRINTED = 1e-6  # relative: a CSV has seven significant digits
-# unit as an axis writes it -> (dimension, size in SI)
-UNITS = {
-    "m": ("m", 1.0), "cm": ("m", 1e-2), "mm": ("m", 1e-3), "s": ("s", 1.0), "ms": ("s", 1e-3), "Hz": ("Hz", 1.0),
-    "Pa": ("Pa", 1.0), "kPa": ("Pa", 1e3), "MPa": ("Pa", 1e6), "t/m²": ("Pa", 9806.65), "kN": ("N", 1e3), "N": ("N", 1.0),
-    "N/m": ("N/m", 1.0), "kN/m": ("N/m", 1e3), "kN m": ("N m", 1e3), "N m": ("N m", 1.0), "disc weights": ("disc", 1.0),
-    "m/s": ("m/s", 1.0), "cm/s": ("m/s", 1e-2), "m/s²": ("m/s²", 1.0), "gal": ("m/s²", 1e-2),
-    "g": ("m/s²", STANDARD_GRAVITY), "°": ("rad", np.pi / 180),
-    "kg": ("kg", 1.0), "kg/m": ("kg/m", 1.0), "rad": ("rad", 1.0), "%": ("1", 1e-2), "1": ("1", 1.0),
-    "kg m⁻¹ s⁻¹": ("kg/m/s", 1.0), "kg/s": ("kg/s", 1.0),
-}  # fmt: skip
-IN_NAMES = {"t_m2": "t/m²", "m_s2": "m/s²", "m_s": "m/s", "deg": "°", "percent": "%", "disc_weights": "disc weights",
-            "kN_m": "kN/m", "N_m": "N/m", "cm_s": "cm/s", "kg_m_s": "kg m⁻¹ s⁻¹", "kg_s": "kg/s", "kg_m": "kg/m"}  # fmt: skip
-IN_CUBES = {"m s-2": "m/s²", "m s-1": "m/s", "N m-1": "N/m", "kg m-1 s-1": "kg m⁻¹ s⁻¹", "kg s-1": "kg/s"}
-QUOTIENT = re.compile(
-    r"\b(over|ratio|relative|factor|coefficient|share|chance|index|number|utilisation|C_eff)\b|/|=|²"
-)  # has no unit
-DEPTH = re.compile(r"^(relative )?depth\b")
 
 
-def unit_of(label: str) -> tuple[str, float] | None:
-    """(dimension, size in SI) of the unit that a label names; of a quotient, one; None where it says neither."""
-    named = [UNITS[text] for text in re.findall(r"\(([^()]*)\)", label) if text in UNITS]
-    named += [UNITS[label]] if label in UNITS else []
-    return named[0] if named else ("1", 1.0) if QUOTIENT.search(label) else None
-
-
-def unit_of_column(name: str, units: dict[str, str]) -> tuple[str, float] | None:
-    """(dimension, size in SI) of the unit at the end of a column's name, or of the cube's variable of that name; else one."""
-    parts = name.split("_")
-    for length in (3, 2, 1):
-        end = "_".join(parts[-length:])
-        text = IN_NAMES.get(end, end)
-        if len(parts) > length and text in UNITS:
-            return UNITS[text]
-    text = units.get(name, "1")
-    return UNITS.get(IN_CUBES.get(text, text))
-
-
-def is_categorical(axes: Axes, way: str) -> bool:
-    """Whether an axis counts names instead of a quantity: its ticks, or those of an axis that it is shared with, are words."""
-    axis = getattr(axes, f"{way}axis")
-    if not isinstance(axis.get_major_formatter(), FuncFormatter | StrCategoryFormatter):  # what set_xticks with labels makes
-        return False
-    texts = [text.get_text() for one in _sharing(axes, way) for text in getattr(one, f"get_{way}ticklabels")()]
-    return any(text and not _is_number(text) for text in texts)
-
-
-def _sharing(axes: Axes, way: str) -> list[Axes]:
-    """Axes, and those that they share an axis with."""
-    others = getattr(axes, f"get_shared_{way}_axes")().get_siblings(axes) if axes.name == "rectilinear" else []
-    return [axes, *(one for one in others if one is not axes)]
-
-
-def _is_number(text: str) -> bool:
-    try:
-        float(text.replace("\N{MINUS SIGN}", "-"))
-    except ValueError:
-        return False
-    return True
-
-
-def label_of(axes: Axes, way: str) -> str:
-    """The label that an axis carries, or another that it is shared with, or the figure."""
-    labels = [getattr(one, f"get_{way}label")() for one in _sharing(axes, way)]
-    labels.append(getattr(axes.get_figure(), f"get_sup{way}label")())
-    return next((label for label in labels if label), "")
-
-
-def panels(figure: Figure) -> list[Axes]:
-    """The axes that are seen, with the further scales on their edges."""
-    seen = [axes for axes in figure.axes if axes.get_visible() and axes.axison]
-    return [one for axes in seen for one in (axes, *axes.child_axes)]
-
-
-def unlabelled(figure: Figure, drawn: set[str]) -> Iterator[str]:
-    """Axes with tick labels whose label names no unit and no quotient."""
-    for axes in panels(figure):
-        for way in "xy":
-            axis = getattr(axes, f"{way}axis")
-            shown = [text for text in (*axis.get_ticklabels(), *axis.get_ticklabels(minor=True)) if id(text) in drawn]
-            label = label_of(axes, way)
-            if shown and not is_categorical(axes, way) and unit_of(label) is None:
-                yield f"{way} axis of {axes.get_title()!r} says {label!r}: no unit"
-
-
-def rising_depths(figure: Figure) -> Iterator[str]:
-    """Axes of depth that do not run down."""
-    for axes in panels(figure):
-        if DEPTH.match(axes.get_xlabel()):
-            yield f"{axes.get_xlabel()!r} runs across"
-        if DEPTH.match(label_of(axes, "y")) and not axes.yaxis_inverted():
-            yield f"{label_of(axes, 'y')!r} runs up"
-
-
-# ---- data ----
 def data(axes: Axes) -> Iterator[tuple[str, np.ndarray, bool]]:
     """(what, points, whether all of them belong to one pair of columns) of every artist that shows data.
 
@@ -126,16 +27,16 @@ def data(axes: Axes) -> Iterator[tuple[str, np.ndarray, bool]]:
     style.AID.
     """
     for line in axes.lines:
-        if _shows(line, axes) and line not in _caps(axes):
+        if shows(line, axes) and line not in caps(axes):
             points = np.asarray(line.get_xydata(), dtype=float)
             closed = len(points) > 2 and np.array_equal(points[0], points[-1])  # an outline has its two edges in two columns
             yield f"line {line.get_label()!r}", points, not closed
     for found in axes.collections:
         if found.get_offset_transform() is axes.transData and found.get_gid() != AID:
             yield f"points {found.get_label()!r}", np.ma.filled(found.get_offsets().astype(float), np.nan), True
-        elif isinstance(found, LineCollection) and _shows(found, axes) and found.get_segments():
+        elif isinstance(found, LineCollection) and shows(found, axes) and found.get_segments():
             yield f"bars {found.get_label()!r}", np.array(found.get_segments()), False
-        elif isinstance(found, PolyCollection) and _shows(found, axes) and found.get_paths():
+        elif isinstance(found, PolyCollection) and shows(found, axes) and found.get_paths():
             points = np.concatenate([path.vertices[:-1] for path in found.get_paths()])
             yield f"band {found.get_label()!r}", points[(points != 0.0).all(axis=1)], False  # an area may stand on an axis
     for bars in axes.containers:
@@ -145,12 +46,12 @@ def data(axes: Axes) -> Iterator[tuple[str, np.ndarray, bool]]:
             yield f"bars {bars.get_label()!r}", np.column_stack((middles, bars.datavalues)[:: 1 if upright else -1]), True
 
 
-def _caps(axes: Axes) -> list:
+def caps(axes: Axes) -> list:
     """The caps of error bars, which end where the bars do."""
     return [cap for bars in axes.containers if isinstance(bars, ErrorbarContainer) for cap in bars.lines[1]]
 
 
-def _shows(artist: Any, axes: Axes) -> bool:
+def shows(artist: Any, axes: Axes) -> bool:
     return (
         artist.get_gid() != AID
         and artist.get_visible()
@@ -251,96 +152,3 @@ def bare(figure: Figure) -> Iterator[str]:
     for axes in figure.axes:
         if axes.get_visible() and axes.axison and not any((axes.lines, axes.collections, axes.patches, axes.images)):
             yield f"nothing on {axes.get_title()!r}"
-
-
-# ---- look ----
-def colour_alone(figure: Figure) -> Iterator[str]:
-    """Curves, points and bars of one axes that nothing but their colour tells apart.
-
-    Greys are background, and a curve with its name at its end (style.NAMED) needs no look of its own.  Bands are not asked:
-    they lie round curves.
-    """
-    for axes in panels(figure):
-        first: dict = {}
-        for what, colour, shape in _looks(axes):
-            other, its = first.setdefault(shape, (what, colour))
-            if its != colour:
-                yield f"{what} and {other} of {axes.get_title()!r} differ by colour alone"
-
-
-def _looks(axes: Axes) -> Iterator[tuple[str, str, tuple]]:
-    """(what, colour, all else of its look) of every curve, cloud of points and set of bars that is no background."""
-    for line in axes.lines:
-        if _shows(line, axes) and line.get_gid() != NAMED and line not in _caps(axes) and not _is_grey(line.get_color()):
-            drawn = line.get_linestyle() not in ("None", "none", "", " ")
-            shape = str(line._unscaled_dash_pattern) if drawn else "points", str(line.get_marker()), is_hollow(line)
-            yield f"line {line.get_label()!r}", to_hex(line.get_color()), shape
-    for points in axes.collections:
-        if isinstance(points, PathCollection) and points.get_array() is None and points.get_gid() != AID:
-            face, edge = points.get_facecolor(), points.get_edgecolor()
-            colours = {to_hex(colour) for colour in (face if len(face) else edge)}
-            if len(colours) == 1 and not _is_grey(next(iter(colours))):
-                shape = points.get_paths()[0].vertices.tobytes()
-                yield f"points {points.get_label()!r}", next(iter(colours)), (shape, len(face) > 0)
-    for bars in (bars for bars in axes.containers if isinstance(bars, BarContainer)):
-        colours = {to_hex(bar.get_facecolor()) for bar in bars}
-        if len(colours) == 1 and not _is_grey(next(iter(colours))):
-            yield f"bars {bars.get_label()!r}", next(iter(colours)), ("bars", bars[0].get_hatch() or "")
-
-
-def is_hollow(line: Line2D) -> bool:
-    """Whether a line's markers are not filled with its colour."""
-    return to_hex(line.get_markerfacecolor(), keep_alpha=True) != to_hex(line.get_color(), keep_alpha=True)
-
-
-def _is_grey(colour: Any) -> bool:
-    red, green, blue = to_rgb(colour)
-    return red == green == blue != 0.0
-
-
-# ---- words ----
-def told(figure: Figure) -> str:
-    """All words of a figure's headline, of its legends and of what stands over them, in a row."""
-    texts = [figure.get_suptitle()]
-    for legend in figure.legends:
-        texts += [legend.get_title().get_text(), *(text.get_text() for text in legend.get_texts())]
-    return " ".join(" ".join(texts).split())
-
-
-def outside(words: list[tuple[str, Bbox]], figure: Figure) -> Iterator[str]:
-    """Words that the canvas cuts."""
-    canvas = figure.bbox.padded(1.0)
-    for text, box in words:
-        if not (canvas.contains(box.x0, box.y0) and canvas.contains(box.x1, box.y1)):
-            yield f"{text!r} leaves the canvas"
-
-
-def overlapping(texts: list[tuple[Text, Bbox]]) -> Iterator[str]:
-    """Words that lie over one another."""
-    shapes = [(text.get_text(), box, _corners(text, box)) for text, box in texts]
-    for (one, box, shape), (other, its, its_shape) in combinations(shapes, 2):
-        if box.overlaps(its) and _overlap(shape, its_shape):
-            yield f"{one!r} lies over {other!r}"
-
-
-def _corners(text: Text, box: Bbox) -> np.ndarray:
-    """Corners of a word as it is turned, a little inside its ink's box: letters that just touch are read."""
-    turn = np.radians(text.get_rotation())
-    middle = np.array([box.x0 + box.x1, box.y0 + box.y1]) / 2
-    if abs(np.sin(2 * turn)) < 1e-6:
-        width, height, turn = box.width, box.height, 0.0
-    else:  # the upright box of a turned one: its height is known from the size of the letters
-        height = text.get_fontsize() * text.get_figure(root=True).dpi / 72 * (1 + text.get_text().count("\n"))
-        width = (box.width - height * abs(np.sin(turn))) / abs(np.cos(turn))
-    inner = np.array([width - 2.0, 0.7 * height]) / 2
-    along, up = np.array([np.cos(turn), np.sin(turn)]), np.array([-np.sin(turn), np.cos(turn)])
-    return np.array([middle + i * inner[0] * along + j * inner[1] * up for i, j in ((-1, -1), (1, -1), (1, 1), (-1, 1))])
-
-
-def _overlap(one: np.ndarray, other: np.ndarray) -> bool:
-    """Whether two rectangles overlap: no side of either parts them."""
-    for side in (one[1] - one[0], one[3] - one[0], other[1] - other[0], other[3] - other[0]):
-        mine, its = one @ side, other @ side
-        if mine.max() <= its.min() or its.max() <= mine.min():
-            return False
-    return True

@@ -19,7 +19,7 @@ from matplotlib.transforms import Bbox
 from silostudy.cube.silence import silences
 from silostudy.figures.style import DPI
 from silostudy.tables.outputs import ENDINGS, OUTPUTS
-from tests.test_figures import content
+from tests.test_figures import content, labels, looks, words
 from tests.test_figures.small_cubes import cubes_of
 
 LEAST_TEXT = 12.0  # px, where
@@ -60,8 +60,8 @@ class Drawn:
         """Everything that is wrong with it, in words."""
         if self.figure is None:
             return [] if self.table is None or len(self.table) else ["the table is empty"]  # a note is read in tests/test_note
-        found = [*content.unlabelled(self.figure, {id(text) for text, _ in self.texts}), *content.rising_depths(self.figure)]
-        found += [*content.bare(self.figure), *content.outside(self.words, self.figure), *content.overlapping(self.texts)]
+        found = [*labels.unlabelled(self.figure, {id(text) for text, _ in self.texts}), *labels.rising_depths(self.figure)]
+        found += [*content.bare(self.figure), *words.outside(self.words, self.figure), *words.overlapping(self.texts)]
         if self.table is not None:
             found += [*content.lost(self.figure, self.table, self.units)] if len(self.table) else ["the CSV is empty"]
         return found
@@ -75,7 +75,7 @@ class Drawn:
         found = [f"{text!r} is small" for text in small]
         found += [] if self.figure.get_suptitle().strip() else ["no title"]
         found += ["too tall"] if self.figure.get_figheight() * DPI > WINDOW else []
-        return [*found, *content.colour_alone(self.figure)]
+        return [*found, *looks.colour_alone(self.figure)]
 
 
 def drawn(key: str, cubes: list[xr.Dataset], folder: Path, monkeypatch: pytest.MonkeyPatch) -> Drawn:

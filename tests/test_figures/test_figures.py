@@ -9,7 +9,7 @@ from silostudy.figures import fig_4_2_11, governing_method, overpressure_over_sl
 from silostudy.tables.handbook import TONNE_PER_M2
 from silostudy.tables.outputs import OUTPUTS
 from tests.conftest import expanded
-from tests.test_figures.content import told
+from tests.test_figures.words import told
 
 
 @pytest.fixture

@@ -23,7 +23,7 @@ from silostudy.figures.steps import jumps, over_depth
 from silostudy.tables.measured import measured_pressures
 from silostudy.tables.outputs import OUTPUTS
 from tests.conftest import ROOT, expanded
-from tests.test_figures.content import told
+from tests.test_figures.words import told
 
 MODULES = (
     comparison_today,

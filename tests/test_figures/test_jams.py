@@ -10,7 +10,7 @@ import xarray as xr
 from silostudy.figures import jams_over_outlet
 from silostudy.figures.beside import told
 from silostudy.figures.jams_over_outlet import over_outlet, power, share_interval
-from tests.test_figures.small_cubes import jam_cube
+from tests.test_figures.made_scenes import jam_cube
 
 
 def test_interval_of_a_share():

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from silostudy.figures.ladder_walls import DEPTHS, wall_ladders
-from tests.test_figures.small_cubes import ladder_cube
+from tests.test_figures.made_scenes import ladder_cube
 
 MEAN_OFF = 0.02  # of chance in the means of six fillings
 

@@ -9,7 +9,8 @@ from silostudy.figures.intervals import changed
 from silostudy.figures.ladder_rungs import setting_label
 from silostudy.figures.ladders import CODE, FILLING, LAW, PEAK, QUANTITIES, _unseen, draw, ladders, quantities
 from silostudy.tables.code_differences import CODE_DIFFERENCES
-from tests.test_figures.small_cubes import expansion_of, ladder_cube, shaken_ladder_cube
+from tests.test_figures.made_scenes import ladder_cube, shaken_ladder_cube
+from tests.test_figures.small_studies import expansion_of
 from tests.test_laboratory.made_up import cube_of as made_up
 
 

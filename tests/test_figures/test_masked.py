@@ -19,8 +19,8 @@ from silostudy.figures import (
 )
 from silostudy.figures.style import AID
 from tests.conftest import ROOT
-from tests.test_figures.content import told
 from tests.test_figures.small_cubes import cube_of, cubes_of
+from tests.test_figures.words import told
 
 HOOP = "hoop_stress_at_yield"
 

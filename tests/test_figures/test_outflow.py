@@ -7,7 +7,7 @@ import xarray as xr
 
 from silostudy.errors import BadInput
 from silostudy.figures.outflow_over_outlet import constant, draw, flows, line, power
-from tests.test_figures.small_cubes import flow_cube
+from tests.test_figures.made_scenes import flow_cube
 
 DIAMETER = 0.004  # m
 

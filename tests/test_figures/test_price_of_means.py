@@ -5,7 +5,7 @@ import pytest
 
 from silostudy.errors import BadInput
 from silostudy.figures.price_of_means import ASKED, MARKED, prices, steps_of
-from tests.test_figures.small_cubes import ladder_cube
+from tests.test_figures.made_scenes import ladder_cube
 
 FIRST, FINEST, SOFT = "as the others are held against", "an eighth of the step", "modulus 1 MPa"
 

@@ -6,7 +6,7 @@ import pytest
 import xarray as xr
 
 from silostudy.figures import switch_in_time
-from tests.test_figures.small_cubes import walls_cube
+from tests.test_figures.made_scenes import walls_cube
 
 STEP = 1e-3  # s: a window
 SPEED = 20.0  # m/s

@@ -22,7 +22,7 @@ HARD = {"restitution": 0.5, "sliding_friction": 0.25, "normal_stiffness_N_m2": 4
     [
         ({"stresses_kPa": [1, 60]}, "stresses_kPa = 60.0: kPa: more than 2% of the grains' modulus, 2 MPa"),
         ({"scene__radius_m": 0}, r"scene.*radius_m = 0: must be greater than 0"),
-        ({"scene__discs": {"restitution": 0.5}}, "needs the key normal_stiffness_N_m2|give either"),
+        ({"scene__discs": {"restitution": 0.5}}, "normal_stiffness_N_m2: must be given|give either"),
         ({"scene__walls": HARD | {"sliding_friction": 0.0}}, "scene.walls: sliding_friction must be above 0"),
         ({"cells": [4, 8]}, "cells.0 = 4: must be greater than or equal to 5"),
         ({"scene": {key: value for key, value in DISCS["scene"].items() if key != "walls"}}, "walls: is missing"),

@@ -68,7 +68,7 @@ WRONG = {
     ),
     "a taken name": ({"walls": STONES}, (), "other_grains.walls: the name is taken"),
     "no rest": ({"stones": STONES, "dust": {**STONES, "number_share": 0.8}}, (), "adds up to 1.05"),
-    "a pair of none": ({}, [{"between": ["stnes", "left"]}], "pairs.0.between: names no kind of grains; known: grain"),
+    "a pair of none": ({}, [{"between": ["stnes", "left"]}], "pairs.0.between = .*: names no kind of grains; known: grain"),
     "an unknown surface": ({}, [{"between": ["grain", "roof"], "sliding_friction": 0.1}], "roof.*known: grain, floor"),
     "a surface's name": ({"left": STONES}, (), "other_grains = 'left': is a kind of grains and a surface"),
     "too few": ({"stones": {**STONES, "number_share": 1e-4}}, (), "leave none to stones"),

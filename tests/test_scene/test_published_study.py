@@ -17,7 +17,7 @@ from silostudy.scene.scenes import scene_in
 from silostudy.sweep.merge import merge
 from silostudy.tables.published_cases import published_numbers, published_of
 from tests.conftest import ROOT
-from tests.test_figures.small_cubes import published_cube
+from tests.test_figures.made_scenes import published_cube
 from tests.test_sweep.sweeps import compute
 
 STUDY = ROOT / "config/studies/published-cases.yaml"
@@ -60,7 +60,7 @@ def test_one_filling_is_refused_where_its_scatter_is_shown(name, outputs, told):
     filling["values"]["seed"] = [1]
     with pytest.raises(BadInput) as caught:
         study_of(content, "s.yaml", path.parent)
-    assert str(caught.value).startswith(f"s.yaml: file: {told} needs two values at least on the axis filling")
+    assert str(caught.value).startswith(f"s.yaml: {told} needs two values at least on the axis filling")
 
 
 def test_misses_are_in_tolerances():

@@ -18,7 +18,7 @@ from silostudy.figures import (
 )
 from silostudy.tables.outputs import OUTPUTS
 from tests.conftest import expanded
-from tests.test_figures.content import told as words_of
+from tests.test_figures.words import told as words_of
 from tests.test_seismic.conftest import SASAKI
 
 FIGURES = (seismic_resonance, seismic_histories, seismic_spectra, seismic_indices, seismic_recovery, seismic_demand)

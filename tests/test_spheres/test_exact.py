@@ -189,7 +189,7 @@ def test_all_spheres_stay_inside(settled):
     ("changes", "message"),
     [
         ({"gravity": (0.0, -9.81)}, "gravity = .* must have three components"),
-        ({"pair_contact": of_discs()}, "law = 'line-contact': is a law of discs, not of spheres"),
+        ({"pair_contact": of_discs()}, "pair_contact.normal = 'line-contact': is a law of discs, not of spheres"),
         ({"radius": np.array([0.0])}, "radius = 0.0: must be positive"),
     ],
 )

@@ -166,7 +166,7 @@ def test_a_grain_of_one_contact_is_a_rattler():
 REFUSED = {
     "one cell": ({"cells": [4], "every_s": 0.1}, "record.fields.cells = \\[4\\]: must hold 2 or more"),
     "four cells": ({"cells": [4, 4, 4, 4], "every_s": 0.1}, "must hold 3 at most"),
-    "too late": ({"cells": [4, 4], "every_s": 9.0}, "every_s = 9 must not be longer than march.limit_s = 1"),
+    "too late": ({"cells": [4, 4], "every_s": 9.0}, "every_s = 9.0: must not be longer than march.limit_s, 1 s"),
     "rings of a square": ({"cells": [4, 4], "every_s": 0.1}, "must be three, along x, y and z"),
     "a wide kernel": ({"cells": [4, 4, 4], "width_mm": 1000, "every_s": 0.1}, "width_mm = 1000.0: spreads over"),
 }

@@ -47,8 +47,9 @@ def test_the_bound_of_linear_springs_knows_no_overlap():
 @pytest.mark.parametrize(
     ("section", "told"),
     [
-        ({"normal": "spring-dashpot", "tangential": "spring-slider"}, "spring-dashpot needs the key normal_stiffness_N_m"),
-        ({"normal": "spring-dashpot", "normal_stiffness_N_m": 1e3}, "tangential law mindlin does not go with spring-dashpot"),
+        ({"normal": "spring-dashpot", "tangential": "spring-slider"},
+         "normal_stiffness_N_m: must be given: the law spring-dashpot needs it"),
+        ({"normal": "spring-dashpot", "normal_stiffness_N_m": 1e3}, "tangential: the law mindlin does not go with spring"),
         ({"tangential": "spring-slider", "normal_stiffness_N_m": 1e3}, "spring-slider does not go with hertz: take"),
         ({"normal_stiffness_N_m": 1e3}, "no law here has linear springs: hertz takes the materials' moduli"),
         ({**LINEAR, "normal_stiffness_N_m": 0.0}, "must be greater than 0"),

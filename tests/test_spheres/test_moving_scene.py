@@ -34,17 +34,17 @@ def pressing(**changes):
 @pytest.mark.parametrize(
     ("events", "changes", "said"),
     [
-        ([{"when": "rest", "do": "press_lid"}, STOP], {}, "press_lid needs stress_kPa"),
-        ([{"when": "rest", "do": "press_lid", "stress_kPa": 1, "speed_m_s": 0}, STOP], {}, "needs a speed_m_s above 0"),
+        ([{"when": "rest", "do": "press_lid"}, STOP], {}, "events.0.stress_kPa: must be given where do is press_lid"),
+        ([{"when": "rest", "do": "press_lid", "stress_kPa": 1, "speed_m_s": 0}, STOP], {}, "speed_m_s = 0: must be above 0"),
         ([{"when": "rest", "do": "lower_lid", "stress_kPa": 1}, STOP], {}, "lower_lid takes no stress_kPa; it takes nothing"),
         (
             [{"when": "rest", "do": "press_lid", "stress_kPa": 1, "until_height_m": 0.1}, STOP], {},
             "press_lid takes no until_height_m; it takes stress_kPa, speed_m_s, lid_mass_kg",
         ),
-        (PRESS, {"lid": False}, "lower_lid when rest needs lid: true"),
-        ([{"when": "lid_stress", "value": 3, "do": "stop"}], {"lid": False}, "stop when lid_stress needs lid: true"),
-        ([{"when": "rest", "do": "rotate", "spin_rad_s": 1}, STOP], {}, "rotate needs surfaces"),
-        ([{"when": "rest", "do": "feed", "rate_kg_s": 1}, STOP], {}, "feed needs an outlet"),
+        (PRESS, {"lid": False}, "events.0.do = 'lower_lid': needs lid: true"),
+        ([{"when": "lid_stress", "value": 3, "do": "stop"}], {"lid": False}, "events.0.when = 'lid_stress': needs lid: true"),
+        ([{"when": "rest", "do": "rotate", "spin_rad_s": 1}, STOP], {}, "events.0.surfaces: must be given where do is rotate"),
+        ([{"when": "rest", "do": "feed", "rate_kg_s": 1}, STOP], {}, "events.0.do = 'feed': needs an outlet"),
     ],
 )  # fmt: skip
 def test_events_that_lack_or_have_too_much(events, changes, said):
