@@ -92,8 +92,9 @@ class Memory(NamedTuple):
 
 
 class Walls(NamedTuple):
-    """Walls. shape (n, 21): start x, y (m), unit direction, length (m), kinds of the ends, speed of rise (m/s), of each end the
-    unit direction of the wall that it meets, how far (m) the wall reaches beyond its ends, speed along it (columns of `walls`).
+    """Walls. shape (n, 20): start x, y (m) of its line, unit direction, from where to where along it the wall reaches (m),
+    kinds of the ends, speed of rise (m/s), of each end the unit direction of the wall that it meets, from where to where it
+    reaches once outlets are open (m), how fast it is drawn back, kinds of the ends then, speed along it (columns of `walls`).
 
     The solid lies left of the direction.
     """
@@ -129,10 +130,11 @@ class Scratch(NamedTuple):
     wide_begin: np.ndarray  # where those of each body begin
     wide_body: np.ndarray  # bodies that may come near walls
     wide_wall: np.ndarray  # and which
+    seams: np.ndarray  # entries of the list at walls behind that of the same body at the piece of a floor before theirs
     cross: np.ndarray  # keys of pairs of the wide list whose first body belongs to an earlier thread
     slot: np.ndarray
     ghost: np.ndarray
-    counts: np.ndarray  # ghosts, kept pair histories, kept wall histories, a body pressed too deep, entries of wide_body
+    counts: np.ndarray  # ghosts, kept histories of pairs, of walls, a body pressed too deep, entries of wide_body, of seams
 
 
 class Ledger(NamedTuple):

@@ -83,3 +83,21 @@ def _gap_of_sphere(bodies, shape, wall, i):
 @overload(square_gap, jit_options={"forceinline": True})
 def _square_gap(bodies, shape, wall, i):
     return _gap_of_sphere if bodies.instance_class is Spheres else _gap_of_disc
+
+
+def goes_on_from(bodies, shape, wall, before):
+    """Whether a wall goes straight on from another: pieces of a floor of discs, at shut outlets."""
+    return (_none_of_spheres if isinstance(bodies, Spheres) else _goes_on_of_discs)(bodies, shape, wall, before)
+
+
+def _goes_on_of_discs(bodies, shape, wall, before):
+    return before == wall - 1 and plane_walls.seam_before(shape, wall)
+
+
+def _none_of_spheres(bodies, shape, wall, before):
+    return False
+
+
+@overload(goes_on_from, jit_options={"forceinline": True})
+def _goes_on_from(bodies, shape, wall, before):
+    return _none_of_spheres if bodies.instance_class is Spheres else _goes_on_of_discs

@@ -13,9 +13,10 @@ JOINED = 1.0  # it does not push
 MEETS = 2.0  # it pushes what is beyond the end of another wall that it meets
 SHUT = 3.0  # it goes straight on in another wall
 # columns of a wall's shape
-ENDS = 5  # kinds of both ends
-RISE = 7  # speed of rise (m/s)
-WAYS = 8  # unit directions of the walls that the ends meet
+REACH = 4  # from where and to where it stands, along its line from the line's start (m)
+ENDS = 6  # kinds of both ends
+RISE = 8  # speed of rise (m/s)
+WAYS = 9  # unit directions of the walls that the ends meet
 CLOSE = 1e-9  # of the longest wall: places that are no farther apart are one
 STRAIGHT = 1e-12  # rad: walls whose directions differ by less go straight on
 
@@ -33,7 +34,7 @@ def join(shape: np.ndarray, walls) -> None:
     """Write into the rows of walls what the ends of lines are that meet others, or stand on them."""
     if all(wall.faces == 1 for wall in walls):
         return
-    close = CLOSE * float(shape[:, 4].max())
+    close = CLOSE * float(shape[:, REACH + END].max())
     for tips in meeting([tip for number, wall in enumerate(walls) if wall.stays for tip in tips_of(number, wall)], close):
         if any(walls[tip.wall].faces > 1 for tip in tips):
             if len(tips) > 1:

@@ -16,10 +16,11 @@ from silostudy.dem.drive import drive_pass
 from silostudy.dem.integrate import INTEGRATORS
 from silostudy.dem.neighbours import harvest, list_pairs, list_walls
 from silostudy.dem.pieces import Pieces
+from silostudy.dem.seams import carry_over
 from silostudy.dem.sweep import EXPLODED, FRESH, REMEMBERED, SHORT_OF_ROOM, STALE, sweep_pass
 from silostudy.dem.threads import meet
 from silostudy.dem.watch import add_to_window
-from silostudy.dem.wide import GHOSTS, PRESSED, allow, allow_wide, list_wide, wide_holds
+from silostudy.dem.wide import GHOSTS, PRESSED, SEAMS, allow, allow_wide, list_wide, wide_holds
 
 
 @njit(**OPTIONS)
@@ -100,7 +101,7 @@ def kernel(pieces: Pieces):
     sweep = sweep_pass(pieces)
     shaken, watched, pushed, moving = pieces.shaken, pieces.watched, pieces.space.pushed, pieces.moving
     drive_walls = drive_pass(pieces)
-    half_start = INTEGRATORS[pieces.integrator].half_start
+    half_start, seamed = INTEGRATORS[pieces.integrator].half_start, pieces.space.ways == 2 and pieces.wall_laws.stores
 
     def run(shared, share, march):
         clock, said, gate, number, parties = shared.clock, shared.said, shared.gate, share.number, march.parties
@@ -114,6 +115,8 @@ def kernel(pieces: Pieces):
                 meet(gate, parties)
                 if worst(said) != FRESH:
                     break
+            if seamed and share.scratch.counts[SEAMS] > 0:
+                carry_over(shared.bodies.rows, shared.walls.shape, share.near, share.scratch)
             if step >= march.stop:
                 break
             copy_ghosts(shared.bodies, share.scratch, share.base)

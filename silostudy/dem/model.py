@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
-from math import inf, isfinite, pi
+from math import dist, inf, isfinite, pi
 from typing import Any, ClassVar
 
 import numpy as np
@@ -23,12 +23,22 @@ TINY = 1e-200  # kg m: beyond it and its inverse, squares of what the engine com
 
 
 @dataclass(frozen=True)
+class FloorPiece:
+    """A piece of a floor: where the floor starts (m), and how far from there (m) the piece reaches while the outlets are shut
+    whose names `outlets` has, a name for each end or none: to seams, where it goes straight on in the piece beside it."""
+
+    origin: tuple[float, float]
+    seams: tuple[float, float]
+    outlets: tuple[str, str]
+
+
+@dataclass(frozen=True)
 class Wall:
     """A straight wall from start to end (m), the solid on its left; `cells` equal parts have their force recorded.
 
     An end that is joined to another wall does not push as a point.  faces: 2 for a line whose back has cells of its own; what
     its ends meet is found (see `joints`).  stays: whether it stands to the end, so that lines may be joined to it.
-    leaves: how far (m) it reaches beyond its ends while the outlets are shut whose names `outlets` has.
+    floor: what it is of a floor of several pieces.
     """
 
     name: str
@@ -39,8 +49,7 @@ class Wall:
     joined: tuple[bool, bool] = (False, False)
     faces: int = 1
     stays: bool = True
-    leaves: tuple[float, float] = (0.0, 0.0)
-    outlets: tuple[str, str] = ("", "")
+    floor: FloorPiece | None = None
 
     def __post_init__(self):
         if not all(isfinite(value) for value in (*self.start, *self.end)):
@@ -50,9 +59,16 @@ class Wall:
         if self.cells < 1:
             raise BadInput(f"{self.name}.cells", self.cells, "must be 1 or more")
 
+    @property
+    def reach(self) -> tuple[float, float]:
+        """Least and largest distance (m) from its own start to which it reaches with outlets shut."""
+        start = dist(self.floor.origin, self.start) if self.floor else 0.0
+        begin, end = self.floor.seams if self.floor else (0.0, dist(self.start, self.end))
+        return begin - start, end - start
+
     def opened(self, row: np.ndarray, names: tuple[str, ...], speed: float = 0.0) -> None:
         """Draw it back, in its row, from outlets of these names: at once, or at a speed (m/s) of their width."""
-        for end, name in enumerate(self.outlets):
+        for end, name in enumerate(self.floor.outlets if self.floor else ()):
             if name and name in names:
                 row[GROWTH + end] = speed / 2.0
                 draw_back(row[None], 0, end, 0.0 if speed else inf)

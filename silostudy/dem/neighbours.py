@@ -9,11 +9,11 @@ from numba import njit
 
 from silostudy.dem import history
 from silostudy.dem.arrays import BEHIND, BLOCK
-from silostudy.dem.body import place, square_gap
+from silostudy.dem.body import goes_on_from, place, square_gap
 from silostudy.dem.cache import OPTIONS
 from silostudy.dem.varied import set_at_wall, set_of_pair
 from silostudy.dem.vectors import WIDTH
-from silostudy.dem.wide import GHOSTS, KEPT_PAIRS, KEPT_WALLS, PRESSED, SHIFT, WIDE_WALLS
+from silostudy.dem.wide import GHOSTS, KEPT_PAIRS, KEPT_WALLS, PRESSED, SEAMS, SHIFT, WIDE_WALLS
 
 LOW = (1 << SHIFT) - 1  # bits of a key that hold the second body's number
 TOO_DEEP = 0.5  # of the smaller radius: discs or walls that overlap by more are no longer in touch but pressed through
@@ -195,7 +195,7 @@ def list_crossing(bodies, contacts, memory, blocks, scratch, gap, fill, base):
 @njit(**OPTIONS)
 def list_walls(bodies, near, memory, walls, blocks, scratch, gap, dummy):
     """List the bodies near each live wall, in the order (body, wall); False if room is short."""
-    fill, spot = 0, 0
+    fill, spot, seams = 0, 0, 0
     for t in range(scratch.counts[WIDE_WALLS]):
         i, q = scratch.wide_body[t], scratch.wide_wall[t]
         radius = bodies.radius[i if bodies.radius.size > 1 else 0]
@@ -213,7 +213,11 @@ def list_walls(bodies, near, memory, walls, blocks, scratch, gap, dummy):
         if near.which.size > 1:
             near.which[fill] = set_at_wall(bodies.kind[i if bodies.kind.size > 1 else 0], q, walls.live.size)
         spot = recall(near, fill, (np.int64(i) << SHIFT) | q, memory, spot)
+        if fill > 0 and near.first[fill - 1] == i and goes_on_from(bodies, walls.shape, q, near.second[fill - 1]):
+            scratch.seams[seams] = fill
+            seams += 1
         fill += 1
+    scratch.counts[SEAMS] = seams
     near.begin[0] = pad(near, fill, dummy, 0)
     return True
 

@@ -4,6 +4,9 @@ from math import sqrt
 
 import numpy as np
 
+from silostudy.dem.joints import REACH
+from silostudy.dem.walls import OUT_OF_REACH, seam_before
+
 CELLS = 3  # of the lattice, each way from the origin
 
 
@@ -14,7 +17,11 @@ def densest() -> np.ndarray:
 
 
 def all_from_wall(shape: np.ndarray, wall: int, places: np.ndarray) -> np.ndarray:
-    """Vectors (n, 2; m) from a wall's nearest points, those of its ends among them, to places."""
-    x, y, tx, ty, length = shape[wall, :5]
-    along = np.clip((places[:, 0] - x) * tx + (places[:, 1] - y) * ty, 0.0, length)
-    return places - np.c_[x + along * tx, y + along * ty]
+    """Vectors (n, 2; m) from a wall's nearest points, those of its ends among them, to places; none across a seam."""
+    x, y, tx, ty, begin, end = shape[wall, : REACH + 2]
+    along = (places[:, 0] - x) * tx + (places[:, 1] - y) * ty
+    nearest = np.clip(along, begin, end)
+    ways = places - np.c_[x + nearest * tx, y + nearest * ty]
+    across = (along >= end) & seam_before(shape, wall + 1) | (along < begin) & seam_before(shape, wall)
+    ways[across] = OUT_OF_REACH
+    return ways

@@ -7,7 +7,7 @@ from silostudy.dem.history import histories
 from silostudy.dem.pieces import Laws
 from silostudy.dem.varied import Varied
 from silostudy.dem.vectors import WIDTH
-from silostudy.dem.wide import KEPT_PAIRS, KEPT_WALLS
+from silostudy.dem.wide import KEPT_PAIRS, KEPT_WALLS, SEAMS
 
 NEAR_ROOM = 1024  # bodies near one, to begin with
 
@@ -25,7 +25,7 @@ class Part:
         self.varied = engine.model.pieces.varied
         widths = (contact.ordered.shape[1] for contact in engine.contacts if isinstance(contact, Varied))
         self.coefficients = aligned(max(widths, default=0) * engine.space.stretch)
-        self.counts = np.zeros(5, np.int64)
+        self.counts = np.zeros(SEAMS + 1, np.int64)
         self.make_lists()
 
     def _memory(self, room: int, laws: Laws) -> Memory:
@@ -74,6 +74,7 @@ class Part:
             wide_begin=np.zeros(engine.most + 1, np.int64),
             wide_body=np.zeros(2 * self.wall_room, np.int32),
             wide_wall=np.zeros(2 * self.wall_room, np.int32),
+            seams=np.zeros(self.wall_room, np.int32),
             cross=np.zeros(4 * self.ghost_room + 1, np.int64),
             slot=np.zeros(engine.most if engine.threads > 1 else 0, np.int32),
             ghost=np.zeros(self.ghost_room, np.int32),

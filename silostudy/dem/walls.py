@@ -13,7 +13,7 @@ from numba.extending import register_jitable
 from silostudy.dem.arrays import Walls
 from silostudy.dem.cache import OPTIONS
 from silostudy.dem.drive import standing
-from silostudy.dem.joints import END, ENDS, FREE, JOINED, MEETS, RISE, SHUT, START, WAYS, join
+from silostudy.dem.joints import END, ENDS, FREE, JOINED, MEETS, REACH, RISE, SHUT, START, WAYS, join
 from silostudy.dem.lanes import (
     DISTANCE,
     DU,
@@ -37,15 +37,12 @@ from silostudy.dem.lanes import (
 
 OUT_OF_REACH = 1e30  # m: component of a vector to what does not push
 # columns of a shape
-LOW = 1  # height of its start (m)
-LENGTH = 4  # m
+LOW = 1  # height of its line's start (m)
 # columns of a wall that reaches beyond its own ends where outlets are shut
-OWN_START = 12  # where it starts itself (m)
-OWN_LENGTH = 13  # its own length (m)
-LEAVES = 14  # how far it reaches beyond either end (m)
-GROWTH = 16  # how fast that is drawn back (m/s)
-OPENED = 18  # kinds of the ends once it is
-BELT = 20  # speed (m/s) at which its face runs along it, as a belt's: it stays where it is
+OWN = 13  # where it starts and ends itself, as it stands (m)
+GROWTH = 15  # how fast it is drawn back to there (m/s)
+OPENED = 17  # kinds of the ends once it is
+BELT = 19  # speed (m/s) at which its face runs along it, as a belt's: it stays where it is
 
 
 @register_jitable
@@ -63,22 +60,24 @@ def ends_straight(shape, wall, dx, dy):
 
 @njit(**OPTIONS)
 def nearest(shape, wall, x, y):
-    """Vector (m) from the wall's nearest point to (x, y), and that point's distance (m) from the wall's start.
+    """Vector (m) from the wall's nearest point to (x, y), and that point's distance (m) from the start of the wall's line.
 
     Beyond an end that is joined to another wall there is nothing to touch: the vector is then out of any disc's reach.
-    Where two walls meet, one has the point for both: it pushes those alone that are beyond the ends of both.
+    Where two walls meet, one has the point for both: it pushes those alone that are beyond the ends of both.  Pieces of a floor
+    have one line: what pushes has the same bits wherever shut outlets part them.
     """
-    dx, dy, length = x - shape[wall, 0], y - shape[wall, 1], shape[wall, 4]
+    dx, dy, begin, end = x - shape[wall, 0], y - shape[wall, 1], shape[wall, REACH + START], shape[wall, REACH + END]
     along = dx * shape[wall, 2] + dy * shape[wall, 3]
-    if along <= 0.0:
-        if (along < 0.0 and shape[wall, ENDS + START] == JOINED) or meets_before(shape, wall, START, dx, dy):
+    if along <= begin:
+        dx, dy = dx - begin * shape[wall, 2], dy - begin * shape[wall, 3]
+        if (along < begin and shape[wall, ENDS + START] == JOINED) or meets_before(shape, wall, START, dx, dy):
             return OUT_OF_REACH, OUT_OF_REACH, along
-        return dx, dy, 0.0
-    if along >= length:
-        dx, dy = dx - length * shape[wall, 2], dy - length * shape[wall, 3]
-        if (along > length and shape[wall, ENDS + END] == JOINED) or ends_straight(shape, wall, dx, dy):
+        return dx, dy, begin
+    if along >= end:
+        dx, dy = dx - end * shape[wall, 2], dy - end * shape[wall, 3]
+        if (along > end and shape[wall, ENDS + END] == JOINED) or ends_straight(shape, wall, dx, dy):
             return OUT_OF_REACH, OUT_OF_REACH, along
-        return dx, dy, length
+        return dx, dy, end
     return dx - along * shape[wall, 2], dy - along * shape[wall, 3], along
 
 
@@ -89,9 +88,22 @@ def square_apart(shape, wall, x, y):
     It changes by no more than a point moves, so that what comes over a joint was listed before.
     """
     dx, dy = x - shape[wall, 0], y - shape[wall, 1]
-    along = min(max(dx * shape[wall, 2] + dy * shape[wall, 3], 0.0), shape[wall, 4])
+    along = min(max(dx * shape[wall, 2] + dy * shape[wall, 3], shape[wall, REACH + START]), shape[wall, REACH + END])
     dx, dy = dx - along * shape[wall, 2], dy - along * shape[wall, 3]
     return dx * dx + dy * dy
+
+
+@register_jitable
+def seam_before(shape, wall):
+    """Whether a wall begins at a seam: where it goes straight on from the wall before it."""
+    return wall > 0 and shape[wall - 1, ENDS + END] == SHUT
+
+
+@register_jitable
+def is_beyond(shape, wall, x, y):
+    """Whether (x, y) is beyond the start of a wall, which then pushes there in place of the one that it goes on from."""
+    along = (x - shape[wall, 0]) * shape[wall, 2] + (y - shape[wall, 1]) * shape[wall, 3]
+    return along >= shape[wall, REACH + START]
 
 
 @register_jitable
@@ -147,15 +159,10 @@ def widen(shape, wall, dt):
 @register_jitable
 def draw_back(shape, wall, end, way):
     """Draw a wall that reaches beyond its own end back by a way (m), at most to there."""
-    way = min(way, shape[wall, LEAVES + end])
-    shape[wall, LEAVES + end] -= way
-    shape[wall, LENGTH] -= way
-    if end == START:
-        shape[wall, 0] += way * shape[wall, 2]
-        shape[wall, 1] += way * shape[wall, 3]
-        shape[wall, OWN_START] -= way
+    now, own = shape[wall, REACH + end], shape[wall, OWN + end]
+    shape[wall, REACH + end] = min(now + way, own) if end == START else max(now - way, own)
     shape[wall, ENDS + end] = FREE
-    if shape[wall, LEAVES + end] == 0.0:
+    if shape[wall, REACH + end] == own:
         shape[wall, ENDS + end], shape[wall, GROWTH + end] = shape[wall, OPENED + end], 0.0
 
 
@@ -183,9 +190,9 @@ def note_walls(rows, walls, near, start, count, force, record, part):
     """
     for k in range(count):
         i, q, slot = near.first[start + k], near.second[start + k], start + k
-        tx, ty, length = walls.shape[q, 2], walls.shape[q, 3], walls.shape[q, OWN_LENGTH]
+        tx, ty, own = walls.shape[q, 2], walls.shape[q, 3], walls.shape[q, OWN + START]
         dx, dy, along = nearest(walls.shape, q, rows[i, X], rows[i, Y])
-        along -= walls.shape[q, OWN_START]
+        along, length = along - own, walls.shape[q, OWN + END] - own
         upward = -1.0 if ty < 0.0 else 1.0
         fx, fy = force[FORCE_X, k], force[FORCE_Y, k]
         inner, back = walls.cells[q, 1], walls.cells[q, 2]
@@ -202,28 +209,29 @@ def walls_of(walls) -> Walls:
 
 
 def shape_of(walls) -> np.ndarray:
-    """Start, direction, length (m), the kinds of both ends, a speed of none, what the ends meet and reach, a row a wall."""
+    """Start of its line, direction, reach (m), kinds of both ends, no speed, what the ends meet, own reach: a row a wall."""
     rows = np.zeros((len(walls), BELT + 1))
     for row, wall in zip(rows, walls, strict=True):
         (x0, y0), (x1, y1) = wall.start, wall.end
         length = hypot(x1 - x0, y1 - y0)
         row[: ENDS + 2] = (
-            x0, y0, (x1 - x0) / length, (y1 - y0) / length, length, *(JOINED if joined else FREE for joined in wall.joined)
+            x0, y0, (x1 - x0) / length, (y1 - y0) / length, 0.0, length, *(JOINED if joined else FREE for joined in wall.joined)
         )  # fmt: skip
     join(rows, walls)
-    rows[:, OPENED : OPENED + 2], rows[:, OWN_LENGTH] = rows[:, ENDS : ENDS + 2], rows[:, LENGTH]
+    rows[:, OPENED : OPENED + 2], rows[:, OWN : OWN + 2] = rows[:, ENDS : ENDS + 2], rows[:, REACH : REACH + 2]
     for row, wall in zip(rows, walls, strict=True):
-        reach(row, wall.leaves)
+        if wall.floor is not None:
+            reach(row, wall)
     return rows
 
 
-def reach(row: np.ndarray, leaves: tuple[float, float]) -> None:
-    """Let a wall reach beyond its ends (m), where it goes straight on in another wall that reaches as far."""
-    row[LEAVES : LEAVES + 2], row[OWN_START] = leaves, leaves[START]
-    row[:2] -= leaves[START] * row[2:4]
-    row[LENGTH] += sum(leaves)
+def reach(row: np.ndarray, wall) -> None:
+    """Let a piece of a floor stand on the floor's line, and reach to the seams where it goes straight on in others."""
+    floor = wall.floor
+    row[:2], row[REACH : REACH + 2] = floor.origin, floor.seams
+    row[OWN : OWN + 2] = [hypot(x - floor.origin[0], y - floor.origin[1]) for x, y in (wall.start, wall.end)]
     for end, kind in ((START, JOINED), (END, SHUT)):
-        if leaves[end]:
+        if floor.outlets[end]:
             row[ENDS + end] = kind
 
 

@@ -19,7 +19,7 @@ LOOK_FAR = 300.0  # steps that a wide list should last
 WIDE_MOST = 0.5  # of the smallest radius: largest way before the next wide list
 WIDE_LEAST = 0.04  # of the smallest radius: the smallest
 FEW = 32  # numbers that are ranked rather than sorted
-GHOSTS, KEPT_PAIRS, KEPT_WALLS, PRESSED, WIDE_WALLS = range(5)  # places in Scratch.counts
+GHOSTS, KEPT_PAIRS, KEPT_WALLS, PRESSED, WIDE_WALLS, SEAMS = range(6)  # places in Scratch.counts
 
 
 @njit(**OPTIONS)

@@ -230,7 +230,8 @@ def room(wall: Wall, x, y) -> np.ndarray:
     inside = ((x1 - x0) * (y - y0) - (y1 - y0) * (x - x0)) / length
     if wall.faces > 1:
         return np.hypot(inside, np.maximum(np.maximum(-along, along - length), 0.0))
-    return np.where((along >= -wall.leaves[0]) & (along <= length + wall.leaves[1]), inside, np.inf)
+    begin, end = wall.reach
+    return np.where((along >= begin) & (along <= end), inside, np.inf)
 
 
 def law_effect(name: str, family: str, contacts: Mapping[str, Contact | Varied]) -> Effect:

@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from silostudy.dem.model import FLOOR, Model, Wall
+from silostudy.dem.model import FLOOR, FloorPiece, Model, Wall
 from silostudy.scene.plane_checks import require_lines, require_slits
 
 # names of walls besides the floor
@@ -72,10 +72,10 @@ class PlaneSilo:
         """The parts of the floor, from the left: each reaches to the middle of the shut slits beside it."""
         slits = sorted(self.slits, key=lambda slit: slit.middle)
         starts, ends = [0.0, *(slit.edges[1] for slit in slits)], [*(slit.edges[0] for slit in slits), self.width]
-        names, halves = ["", *(slit.name for slit in slits), ""], [0.0, *(slit.width / 2.0 for slit in slits), 0.0]
+        names, seams = ["", *(slit.name for slit in slits), ""], [0.0, *(slit.middle for slit in slits), self.width]
         return tuple(
-            Wall(f"{FLOOR}_{n + 1}", (start, 0.0), (end, 0.0), cells, leaves=(halves[n], halves[n + 1]),
-                 outlets=(names[n], names[n + 1]))
+            Wall(f"{FLOOR}_{n + 1}", (start, 0.0), (end, 0.0), cells,
+                 floor=FloorPiece((0.0, 0.0), (seams[n], seams[n + 1]), (names[n], names[n + 1])))
             for n, (start, end) in enumerate(zip(starts, ends, strict=True))
         )  # fmt: skip
 
