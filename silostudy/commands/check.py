@@ -132,13 +132,13 @@ def told_before(scene, model, folder: Path) -> list[str]:
     from silostudy.compute.dem_files import rates_left
     from silostudy.config.spheres import SphereScene
     from silostudy.scene.notes import notes
-    from silostudy.scene.spheres_about import softening, warnings
+    from silostudy.scene.spheres_about import softening
 
     cautions = [*notes(scene, model), *rates_left(scene, folder)]
     branch = branch_told(scene, model) if model.end else []
     if not isinstance(scene, SphereScene):
         return [*branch, *cautions]
-    return [*branch, *cautions, *softening(scene, model), *(f"warning: {line}" for line in warnings(scene, model))]
+    return [*branch, *cautions, *softening(scene, model)]
 
 
 def branch_told(scene, model) -> list[str]:

@@ -179,6 +179,7 @@ def keep(task, scene, choice, output: Path) -> None:
 def where_discs_are(task) -> str:
     """Number of discs that are left in the silo, and how the others left it."""
     counts = {**task.recording.left, "not in yet": task.engine.most - task.come}
+    counts["gone before this run"] = len(task.engine.model.x) - task.engine.n - sum(counts.values())
     gone = ", ".join(f"{count} {way}" for way, count in counts.items() if count)
     return f"{task.engine.n} of {len(task.engine.model.x)} {task.engine.space.body}s still there" + (
         f" ({gone})" if gone else ""

@@ -90,7 +90,7 @@ def _of_spheres(scene, model) -> list[str]:
     from silostudy.dem.stability import packed_bound
     from silostudy.scene.coefficients import coefficient_lines, impact_lines
     from silostudy.scene.notes import notes
-    from silostudy.scene.spheres_about import materials, shares, softening, sphere_effects, warnings, wave_times
+    from silostudy.scene.spheres_about import materials, shares, softening, sphere_effects, wave_times
 
     lines = [
         f"{scene.title}: {len(model.x)} spheres, diameters {2e3 * model.radius.min():.4g} to {2e3 * model.radius.max():.4g} mm"
@@ -108,7 +108,7 @@ def _of_spheres(scene, model) -> list[str]:
         lines.append(f"  {unpriced(explosion)}")
     for effect in sphere_effects(scene):
         lines.append(f"  {effect.name:30}{'on ' if effect.on else 'off'}  {listed(effect):42}{effect.why}")
-    return lines + [f"  {line}" for line in (*notes(scene, model), *(f"warning: {line}" for line in warnings(scene, model)))]
+    return lines + [f"  {line}" for line in notes(scene, model)]
 
 
 def run_cost(scene, model, price: float, memory: float) -> str:

@@ -44,6 +44,7 @@ def branched(scene: AnyScene, model: Model, folder: Path, where: str) -> Model:
         raise BadInput(
             "march.limit_s", scene.march.limit_s, f"must be above {then:.6g} s, where {scene.start_from} ends", where
         )
+    _check_stop(scene, then, model.dt, where)
     return replace(model, end=end, moving=model.moving or opening(model, end))
 
 
@@ -53,6 +54,19 @@ def as_there(wall: Any, end: Mapping[str, Any]) -> Any:
         return wall
     gate = gate_of(wall, OUTLET)
     return gate if np.array_equal(np.trim_zeros(gate.shape, "b"), end["walls"][FLOOR][1]) else wall
+
+
+def _check_stop(scene: AnyScene, then: float, tick: float, where: str) -> None:
+    """BadInput where the stop of a scene that goes on at a time (s) comes at once."""
+    time = then
+    for event in scene.events:
+        if event.when not in ("time", "after"):
+            return
+        time = max(time, event.value) if event.when == "time" else time + event.value
+    if round(time / tick) <= round(then / tick):
+        number, last = len(scene.events) - 1, scene.events[-1]
+        told = f"the run would stop where it begins: must come after {then:.6g} s, where {scene.start_from} ends"
+        raise BadInput(f"events.{number}.value", last.value, told, where)
 
 
 def _read(file: str, folder: Path, where: str) -> dict[str, Any]:

@@ -7,7 +7,7 @@ from silostudy.choice.promise import Choice, promises
 from silostudy.compute.expected import notes_of, verdicts
 from silostudy.compute.lid_cube import lid_arrays
 from silostudy.compute.observers import SOURCES, observed, observers_notes
-from silostudy.compute.sphere_cube import in_space, mean_outflow, opened_at, sphere_arrays, sphere_notes
+from silostudy.compute.sphere_cube import in_space, mean_outflow, opened, sphere_arrays, sphere_notes
 from silostudy.config.dem import DemScene
 from silostudy.config.grain_scenes import AnyScene
 from silostudy.config.spheres import SphereScene
@@ -43,16 +43,26 @@ def cube_of(run: Run, scene: AnyScene, choice: Choice | None = None) -> xr.Datas
         "steps": steps_made(run),
         f"{body}s_left": run.engine.n,
         **{f"{body}s_{way}": count for way, count in record.left.items()},
+        **begun(run),
         **notes_of(verdicts(run, scene)),
         **observers_notes(run, scene, data),
     }
     if isinstance(scene, SphereScene):
-        filled, notes = in_space(filled), notes | sphere_notes(scene) | mean_outflow(run)
+        filled, notes = in_space(filled), notes | sphere_notes(scene, run) | mean_outflow(run)
     elif scene.other_grains:
         notes |= {"grain_kinds": ", ".join(scene.kinds)}
     if run.trouble:
         notes["stopped"] = run.trouble
     return assemble(scene, "dem", filled, sources=[*sources_of(model), *(SOURCES if scene.record.fields else ())], notes=notes)
+
+
+def begun(run: Run) -> dict[str, float]:
+    """Attributes of a run that goes on from another: when it began (s), and the mass of all there or yet to come."""
+    engine = run.engine
+    if not run.began:
+        return {}
+    mass = engine.mass.sum() + engine.model.mass[run.come :].sum() + sum(run.recording.lost.values())
+    return {"began_s": run.began * engine.model.dt, "began_with_kg": float(mass)}
 
 
 def steps_of(run: Run) -> dict[str, np.ndarray]:
@@ -88,7 +98,7 @@ def slit_arrays(run: Run, scene: DemScene) -> dict[str, np.ndarray]:
     names = [slit.name for slit in slits]
     return {
         "outlet": np.array(names), "outlet_left": left, "outlet_right": right,
-        "outlet_opened": np.array(list(opened_at(run, names).values())), "outlet_discharged_mass": through[:, until].T,
+        **opened(run, dict(zip(names, right - left, strict=True))), "outlet_discharged_mass": through[:, until].T,
     }  # fmt: skip
 
 

@@ -1,6 +1,6 @@
 """The cube of everything that the run of a scene of spheres recorded."""
 
-from collections.abc import Iterable
+from collections.abc import Mapping
 from math import nan
 from typing import Any
 
@@ -14,7 +14,7 @@ from silostudy.dem.model import Model
 from silostudy.dem.run import Run
 from silostudy.dem.space.cells import Face, areas, cuts, faces, middles
 from silostudy.dem.space.felt import TORQUE
-from silostudy.scene.space_silo import LID
+from silostudy.scene.space_silo import LID, SpaceSilo
 from silostudy.scene.spheres import space_silo_of
 
 FELT = (
@@ -50,11 +50,13 @@ def in_space(arrays: dict[str, np.ndarray]) -> dict[str, Any]:
     }
 
 
-def sphere_notes(scene: SphereScene) -> dict[str, float | str]:
-    """Attributes that figures draw the silo by, m."""
+def sphere_notes(scene: SphereScene, run: Run) -> dict[str, float | str]:
+    """Attributes that figures draw the silo by, m and s."""
     space = space_silo_of(scene)
     cut = next(iter(space.openings.values()), space.opening)
+    whole = opened(run, widths(space))["outlet_whole"] if not scene.outlets else np.empty(0)
     return {
+        **({"outlet_whole_s": float(whole[0])} if np.isfinite(whole).any() else {}),
         "half_width_m": space.plan.half[0],
         "outlet_half_width_m": cut.half[0] if cut else 0.0,
         "outlet_middle_m": cut.middle[0] if cut else 0.0,
@@ -113,20 +115,28 @@ def outlet_arrays(run: Run, scene: SphereScene) -> dict[str, np.ndarray]:
     last = np.flatnonzero(np.diff(time, append=np.inf))
     left, right = np.array([opening.chord for opening in openings.values()]).T
     return {
-        "outlet": np.array(list(openings)), "outlet_opened": np.array(list(opened_at(run, openings).values())),
+        "outlet": np.array(list(openings)), **opened(run, widths(space_silo_of(scene))),
         "outlet_left": left, "outlet_right": right,
         "outlet_outflow_mass": np.cumsum(mass[:, None] * through, axis=0)[last],
         "outlet_mean_outflow": np.array([mean_rate(time[own], mass[own]) for own in through.T]),
     }  # fmt: skip
 
 
-def opened_at(run: Run, names: Iterable[str]) -> dict[str, float]:
-    """Time (s) at which each outlet opened; missing where it did not."""
-    opened = dict.fromkeys(names, np.nan)
+def widths(space: SpaceSilo) -> dict[str, float]:
+    """Width (m) along x of each outlet by its name, by which those grow that open at a speed."""
+    return {name: 2.0 * opening.half[0] for name, opening in space.openings.items()}
+
+
+def opened(run: Run, widths: Mapping[str, float]) -> dict[str, np.ndarray]:
+    """Times (s) at which each outlet, by its name and width (m), opened, and was open altogether; missing: it did not."""
+    times = dict.fromkeys(widths, (np.nan, np.nan))
     for event, (when, *_) in zip(run.events, run.recording.happened, strict=False):
         if event.action == "open holes":
-            opened |= {name: when for name in event.what[1] if np.isnan(opened[name])}
-    return opened
+            _, names, speed = event.what
+            lasts = {name: widths[name] / speed if speed else 0.0 for name in names if name in widths}
+            times |= {name: (when, when + long) for name, long in lasts.items() if np.isnan(times[name][0])}
+    first, last = np.array(list(times.values()), float).reshape(-1, 2).T
+    return {"outlet_opened": first, "outlet_whole": last}
 
 
 def _windows(run: Run) -> dict[str, np.ndarray]:

@@ -15,10 +15,11 @@ from silostudy.dem.checkpoint import checkpoint, restore
 from silostudy.dem.contacts import Contact
 from silostudy.dem.drive import MASS
 from silostudy.dem.floors import changed, exchanged, nearest_of
-from silostudy.dem.model import Model
+from silostudy.dem.model import FLOOR, Model
 from silostudy.dem.neighbours import LOW, SHIFT
 from silostudy.dem.varied import Varied
 
+MARCH = "march"  # first word of the keys of time stepping
 NUMBER = "1"  # unit of coefficients that a branch may change: frictions
 Contacts = tuple[Contact | Varied, Contact | Varied]
 Values = dict[tuple[str, int, str], float]  # a wall's name, or none; a kind, or a pair's number; a coefficient's name
@@ -42,6 +43,7 @@ def end_of(run) -> dict[str, Any]:
         "stated": values(model, (model.pair_contact, model.wall_contact)),
         "held": values(model, engine.contacts),
         "gravity": model.gravity,
+        "booked": model.booked,
     }
 
 
@@ -53,7 +55,8 @@ def fixed(model: Model) -> dict[str, Any]:
         "grains (sizes, density, packing, seed)": tuple(np.ascontiguousarray(column).tobytes() for column in columns),
         "contact laws": repr([contact.laws for contact in contacts]),
         "march.integrator": model.integrator,
-        "march.step": model.pace,
+        "march.step": model.pace.kind,
+        "march.step_factor": model.pace.factor,
         "march.step_s": model.step,
     }
 
@@ -98,12 +101,16 @@ def differences(model: Model, end: Mapping[str, Any]) -> Iterator[str]:
         yield f"{end['body']}s, and the scene is of {model.space.body}s"
         return
     yield from _other_walls(model, end)
-    for name, now in fixed(model).items():
-        then = end["fixed"][name]
-        if then != now:
-            told = f": {then} there, {now} here, and must be given as it is there" if name.startswith("march") else ""
-            yield f"other {name}{told}"
-            return
+    here, there = fixed(model), end["fixed"]
+    others = [name for name, now in here.items() if there[name] != now]
+    yield from (f"other {name}" for name in others if not name.startswith(MARCH))
+    yield from _other_coefficients(model, end)  # which the step follows from
+    for name in others:
+        yield f"other {name}: {there[name]} there, {here[name]} here, and must be given as it is there"
+
+
+def _other_coefficients(model: Model, end: Mapping[str, Any]) -> Iterator[str]:
+    """Coefficients, frictions apart, that are others than there."""
     units = {coefficient.name: coefficient.unit for contact in (model.pair_contact, model.wall_contact) for row in contact.rows
              for coefficient in row.coefficients}  # fmt: skip
     for key, now in values(model, (model.pair_contact, model.wall_contact)).items():
@@ -116,11 +123,15 @@ def _other_walls(model: Model, end: Mapping[str, Any]) -> Iterator[str]:
     """Walls that stand there and are others here, or that stand here alone; what waits to stand or to open may differ."""
     here, live = walls(model), dict(zip(end["walls"], end["engine"]["live"], strict=True))
     passed, own = exchanged(model, end, here)
+    others = []
     for name, stands in live.items():
         box, shape = here.get(name, (b"", np.empty(0)))
         other = box != end["walls"][name][0] or (changed(end, name) and not np.array_equal(shape, end["walls"][name][1]))
         if stands and other and name not in passed:
-            yield f"another wall {name}: an outlet that is open, and the silo's body, stay as they are"
+            others.append(name)
+    for name in sorted(others, key=lambda name: name.startswith(FLOOR)):  # the body first: floors reach as far as it does
+        open_too = "an outlet that is open, and the silo's body, stay as they are"
+        yield f"another wall {name}: {open_too if name.startswith(FLOOR) else 'the body of the silo stays as it is'}"
     for wall in model.walls:
         if wall.live and wall.name not in {*live, *own}:
             yield f"no wall {wall.name}, which stands here"
@@ -156,7 +167,7 @@ def go_on(run, end: Mapping[str, Any]) -> None:
 def _here(engine, end: Mapping[str, Any]) -> dict[str, np.ndarray]:
     """The parts of a checkpoint that an engine with other walls, records or frictions takes otherwise."""
     model, saved = engine.model, end["engine"]
-    account = saved["account"] if saved["account"].shape == engine.ledger.account.shape else engine.ledger.account
+    account = saved["account"] if end["booked"] else engine.ledger.account  # of what began before nothing is known
     same = model.gravity == end["gravity"]
     floors = exchanged(model, end, walls(model))
     return {

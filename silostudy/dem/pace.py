@@ -16,8 +16,15 @@ class Pace:
     ticks: int = 1
     longest: int = 1
 
-    def __str__(self) -> str:
-        return f"follow, from {self.ticks} to {self.longest} ticks" if self.share else "fixed"
+    @property
+    def kind(self) -> str:
+        """Whether steps follow the contacts or stay."""
+        return "follow" if self.share else "fixed"
+
+    @property
+    def factor(self) -> float:
+        """Step over that which follows freely (1); 0: steps stay."""
+        return self.share / SHARE
 
     def after(self, ticks: int, borne: float) -> int:
         """Ticks of the steps that follow on steps of so many, where the contacts bear a step of `borne` ticks."""

@@ -12,6 +12,9 @@ from silostudy.errors import BadInput
 WALLS = ("wall", "hopper")  # surfaces whose names begin so are walls
 EARLY = 0.25  # share of the solid: what figures call discharge ends when so much is out, since an empty bin presses on nothing
 LEVELS = 2  # heights of wall cells that the solid is to stand against at least, for a curve over depth
+SHORT = 0.25  # of the longest window: the mean of a shorter one jumps more than those of the others
+REST = "at rest"
+TURNING = "while surfaces turn"
 EARLY_WORDS = "in discharge: until a quarter of the solid is out"
 
 
@@ -21,6 +24,32 @@ def opened_at(cube: xr.Dataset) -> float:
         time for time, action in zip(cube["event_time"].values, cube["event_action"].values, strict=True) if "open" in action
     ]
     return float(min(opens, default=np.inf))
+
+
+def began(cube: xr.Dataset) -> float:
+    """Time (s) at which the run began: later than 0 where it goes on from another."""
+    return float(cube.attrs.get("began_s", 0.0))
+
+
+def windows(cube: xr.Dataset) -> tuple[np.ndarray, np.ndarray]:
+    """Starts (s) of the windows of forces, and whether each is about as long as the others: the last may not be."""
+    starts = np.append(began(cube), cube["window_time"].values[:-1])
+    lasts = cube["window_time"].values - starts
+    return starts, lasts >= SHORT * lasts.max(initial=0.0)
+
+
+def passed(cube: xr.Dataset) -> np.ndarray:
+    """Whether grains left by each outlet, or by that without a name, on their own: no feeder took them."""
+    mass = "discharged_mass" if "disc" in cube.dims else "outflow_mass"
+    names = [name for name in (f"outlet_{mass}", mass) if name in cube]
+    fed = any(str(action).endswith(": feed") for action in cube["event_action"].values)
+    return cube[names[0]].values[-1] > 0.0 if names and not fed else np.zeros(cube.sizes.get("outlet", 1), bool)
+
+
+def open_before(cube: xr.Dataset) -> np.ndarray:
+    """Whether each outlet, or that without a name, was open when the run began, since grains left and nothing opened it."""
+    shut = np.isnan(cube["outlet_opened"].values) if "outlet" in cube else np.isinf(opened_at(cube))
+    return np.atleast_1d(passed(cube) & shut)
 
 
 def in_discharge(cube: xr.Dataset, after: np.ndarray, time: np.ndarray) -> np.ndarray:
@@ -37,9 +66,8 @@ def phases(cube: xr.Dataset) -> pd.DataFrame:
 
     At rest: the last whole window before the outlet opened, or of the run; discharge: see in_discharge.
     """
-    time, opened = cube["window_time"].values, opened_at(cube)
-    begun = np.append(0.0, time[:-1])
-    rest, flow = np.flatnonzero(time <= opened), in_discharge(cube, begun >= opened, time)
+    time, opened, (begun, long) = cube["window_time"].values, opened_at(cube), windows(cube)
+    rest, flow = np.flatnonzero((time <= opened) & long), in_discharge(cube, (begun >= opened) & long, time)
     if not len(rest):
         raise BadInput("record.wall_force_window_s", float(time[0]), "must be short enough for a window at rest")
     names = cube["wall_name"].values.astype(str)
@@ -58,6 +86,14 @@ def phases(cube: xr.Dataset) -> pd.DataFrame:
         "pressure_discharge_Pa": mean[flow].mean(axis=0) if len(flow) else nothing,
         "peak_discharge_Pa": most[flow].max(axis=0) if len(flow) else nothing,
     })  # fmt: skip
+
+
+def before(cube: xr.Dataset) -> str:
+    """Words on the window before discharge: at rest, or while surfaces turn, as those of a drum."""
+    if "surface_spin" not in cube:
+        return REST
+    window = np.flatnonzero((cube["window_time"].values <= opened_at(cube)) & windows(cube)[1])[-1]
+    return TURNING if cube["surface_spin"].values[window].any() else REST
 
 
 def profile(cells: pd.DataFrame) -> pd.DataFrame:
@@ -114,6 +150,8 @@ def doubt(of: Column, cube: xr.Dataset, cells: pd.DataFrame) -> str:
             f"less than half a diameter, {half:.2g} m" if deep < half else f"{levels} of at least {LEVELS} levels of wall cells"
         )
         return f"the solid stands {deep:.2g} m deep against the upright walls, {shallow}"
+    if before(cube) == TURNING:
+        return "no column rests while surfaces turn"
     if of.wall_friction < 0.0:
         return f"at rest the walls press the solid down, with a friction of {of.wall_friction:.2g}"
     return "" if of.lateral_pressure_ratio > 0.0 else f"K at rest comes out as {of.lateral_pressure_ratio:.2g}"

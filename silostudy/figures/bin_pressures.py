@@ -12,9 +12,9 @@ from silostudy.figures import bin as bins
 from silostudy.figures.style import AID, BLACK, BLUE, PURPLE, VERMILION, WIDTH, foot, headline, plt, save
 
 KPA = 1e3  # Pa
-MAPS = {"at rest": "pressure_rest_Pa", "in discharge, mean": "pressure_discharge_Pa"}
+MAPS = {bins.REST: "pressure_rest_Pa", "in discharge, mean": "pressure_discharge_Pa"}
 LINES: dict[str, tuple[str, dict]] = {
-    "at rest": ("pressure_rest_Pa", {"color": BLACK, "marker": "o"}),
+    bins.REST: ("pressure_rest_Pa", {"color": BLACK, "marker": "o"}),
     "in discharge, mean": ("pressure_discharge_Pa", {"color": VERMILION, "marker": "s", "linestyle": (0, (4, 2))}),
     "in discharge, mean of the cells' peaks": ("peak_discharge_Pa", {"color": PURPLE, "marker": "^", "linestyle": (0, (1, 1))}),
 }
@@ -22,13 +22,18 @@ LINES: dict[str, tuple[str, dict]] = {
 
 def draw(cube: xr.Dataset, stem: Path) -> None:
     """Writes the figure and the pressures of every cell as CSV."""
-    cells = bins.phases(cube)
+    cells, before = bins.phases(cube), bins.before(cube)
     shown = {name: column for name, column in MAPS.items() if cells[column].notna().any()}
     figure, panels = plt.subplots(1, len(shown) + 1, figsize=(WIDTH, 5.8), sharey=True, squeeze=False)
     most = max(float(cells[column].max()) for column in shown.values()) / KPA or 1.0
     for panel, (name, column) in zip(panels[0], shown.items(), strict=False):
         mesh = _map(panel, cells, column, most)
-        panel.set(title=name, xlabel="angle from the x axis (°)", xlim=(0, 360), xticks=range(0, 361, 90))
+        panel.set(
+            title=before if name == bins.REST else name,
+            xlabel="angle from the x axis (°)",
+            xlim=(0, 360),
+            xticks=range(0, 361, 90),
+        )
         _transition(panel, cube)
     panels[0, 0].set_ylabel("height above the outlet (m)")
     panels[0, 0].set_ylim(0.0, _loaded(cube, cells))
@@ -36,23 +41,23 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     of = bins.column(cube, cells)
     why = bins.doubt(of, cube, cells) if of else ""
     table = _profiles(panels[0, -1], cube, cells, None if why else of)
-    headline(figure, _message(cells, table))
+    headline(figure, _message(cells, table, before))
     left_out = f"Janssen's curve is left out: {why}." if why else ""
     early = f"; {bins.EARLY_WORDS}" if len(shown) > 1 else ""
     foot(figure, f"{cube.attrs['title']}{early}.", left_out, handles=panels[0, -1].get_legend_handles_labels()[0])
     save(figure, pd.concat([cells.assign(kind="cell"), table], ignore_index=True), stem)
 
 
-def _message(cells: pd.DataFrame, table: pd.DataFrame) -> str:
-    """Largest pressures in discharge over the largest at rest, of means over the angle and of single cells."""
+def _message(cells: pd.DataFrame, table: pd.DataFrame, before: str) -> str:
+    """Largest pressures in discharge over the largest before, of means over the angle and of single cells."""
     means = table[table["kind"] == "mean"]
     rest, flow = (float(means[column].max()) for column in MAPS.values())
     if not rest > 0.0:
-        return "Nothing presses on the walls at rest"
+        return f"Nothing presses on the walls {before}"
     if np.isnan(flow):
-        return f"At rest the largest mean around the walls is {rest / KPA:.3g} kPa"
+        return f"{before.capitalize()} the largest mean around the walls is {rest / KPA:.3g} kPa"
     peak = float(cells["peak_discharge_Pa"].max() / rest)
-    mean = f"In discharge the largest mean around the walls is {flow / rest:.2g} times that at rest"
+    mean = f"In discharge the largest mean around the walls is {flow / rest:.2g} times that {before}"
     return f"{mean}, the peak of a cell {peak:.2g} times"
 
 
@@ -105,10 +110,11 @@ def _profiles(panel: Axes, cube: xr.Dataset, cells: pd.DataFrame, of: bins.Colum
     """Means over the angle, and Janssen's curve for a column where there is one; gives the numbers."""
     means = bins.profile(cells)
     for label, (column, style) in LINES.items():
+        told = bins.before(cube) if label == bins.REST else label
         for number, (_, surface) in enumerate(means.groupby("surface")):
             if surface[column].notna().any():
                 panel.plot(surface[column] / KPA, surface["height_m"], markersize=4,
-                           label=label if number == 0 else "_", **style)  # fmt: skip
+                           label=told if number == 0 else "_", **style)  # fmt: skip
     tables = [means.assign(kind="mean")]
     if of:
         heights = np.linspace(float(cube.attrs["transition_height_m"]), of.surface, 40)

@@ -46,7 +46,7 @@ def flow_of(cube: xr.Dataset, passing: str, mass: str, filled: str, column: str,
     if passing in cube:
         through = cube[f"outlet_{mass}"] if "outlet" in cube else cube[mass].expand_dims(outlet=["outlet"])
         table = through.to_dataframe(column).reset_index().rename(columns={passing: "time_s"})
-    return Flow(table[["time_s", "outlet", column]], column, float(cube[filled].sum()), unit)
+    return Flow(table[["time_s", "outlet", column]], column, float(cube.attrs.get("began_with_kg", cube[filled].sum())), unit)
 
 
 def draw_flow(panel: Axes, flow: Flow) -> None:

@@ -11,14 +11,13 @@ from matplotlib.lines import Line2D
 
 from silostudy.errors import BadInput
 from silostudy.figures import moments
-from silostudy.figures.bin import opened_at
+from silostudy.figures.bin import began, open_before, opened_at, windows
 from silostudy.figures.flow_in_time import Flow
-from silostudy.figures.style import REST, WIDTH, plt, series
+from silostudy.figures.style import AID, REST, WIDTH, plt, series
 
 FELT = 0.05  # of the largest force at rest: surfaces with less are not said to carry anything
 SHOWN = 11  # surfaces with a look of their own, the most loaded ones; further ones are grey
 ROOM = 1.2  # of the largest force: words of events stand above it
-LATE = 0.2  # of the end of a run: what begins later goes on from another run
 # inches
 MARGIN = 0.7  # beside a panel
 TALL = 4.9  # a snapshot at most
@@ -36,12 +35,20 @@ def check_recorded(cube: xr.Dataset, force: str) -> None:
 def forces(cube: xr.Dataset, force: np.ndarray, column: str) -> pd.DataFrame:
     """Force on each surface that is ever touched, mean of each window (by its end), as a long table.
 
-    Facets of a curved sheet count as one surface.
+    Facets of a curved sheet count as one surface; a last window that is much shorter than the others is left out.
     """
+    long = windows(cube)[1]
     names = cube["surface_sheet" if "surface_sheet" in cube else "surface"].values.astype(str)
-    tables = [pd.DataFrame({"surface": name, "time_s": cube["window_time"].values, column: values})
-              for name in dict.fromkeys(names) if (values := force[:, names == name].sum(axis=1)).any()]  # fmt: skip
+    tables = [pd.DataFrame({"surface": name, "time_s": cube["window_time"].values[long], column: values})
+              for name in dict.fromkeys(names) if (values := force[long][:, names == name].sum(axis=1)).any()]  # fmt: skip
     return pd.concat(tables, ignore_index=True) if tables else pd.DataFrame(columns=["surface", "time_s", column])
+
+
+def left_out(cube: xr.Dataset) -> str:
+    """Words on a last window that is left out; none where there is none."""
+    begun, long = windows(cube)
+    lasts = float(cube["window_time"].values[-1] - begun[-1])
+    return "" if long.all() else f"; the last, of {lasts:.2g} s only, is left out"
 
 
 def draw_forces(panel: Axes, table: pd.DataFrame, column: str, cube: xr.Dataset) -> list[Line2D]:
@@ -54,6 +61,8 @@ def draw_forces(panel: Axes, table: pd.DataFrame, column: str, cube: xr.Dataset)
         style |= {"linestyle": "-", "linewidth": 2.0 if name == most else 0.9}
         label = name.replace("_", " ") if number < SHOWN else f"{len(ranked) - SHOWN} more" if number == SHOWN else "_"
         lines += panel.plot(group["time_s"], touched, drawstyle="steps-pre", label=label, **style)
+        level = style | {"marker": "", "gid": AID}
+        panel.plot([began(cube), group["time_s"].iloc[0]], [touched.iloc[0]] * 2, **level)  # steps begin where a window ends
     start, end = _lasts(cube)
     panel.set(
         title="forces on the surfaces",
@@ -67,9 +76,8 @@ def draw_forces(panel: Axes, table: pd.DataFrame, column: str, cube: xr.Dataset)
 
 def _lasts(cube: xr.Dataset) -> tuple[float, float]:
     """Start and end (s) of the axis of time, which begins late where the run goes on from another's end."""
-    times = np.concatenate([cube[name].values for name in ("window_time", "event_time")])
-    start = times.min() if times.min() > LATE * times.max() else 0.0
-    return float(start), float(times.max() + 0.02 * (times.max() - start))
+    last, start = max(float(cube[name].max()) for name in ("window_time", "event_time")), began(cube)
+    return start, last + 0.02 * (last - start)
 
 
 def lay_out(shots: Sequence[int], flow: Flow, box: tuple[float, float, float, float]) -> tuple[Figure, dict[str, Axes], float]:
@@ -93,14 +101,17 @@ def lay_out(shots: Sequence[int], flow: Flow, box: tuple[float, float, float, fl
 
 def message(cube: xr.Dataset, table: pd.DataFrame, column: str, unit: str, flow: Flow) -> str:
     """Message: what leaves, and the surface whose force rises most over that at rest; or that with the largest force."""
-    opened, (since, begins) = opened_at(cube), moments.begins(cube)
-    if np.isfinite(opened):
+    opened, (since, begins), before = opened_at(cube), moments.begins(cube), open_before(cube).any()
+    if np.isfinite(opened) and not before:
         return f"{begins} {flow.told()}{_rises(*pushed(table, column, opened))}"
     surface = subject(cube, table, column)
     if np.isinf(since):
         when = "At rest" if str(cube["event_action"].values[-1]).startswith("rest") else "At the end"
         return f"{when} the largest force is that on {_quoted(surface)}" if surface else "Nothing touches a surface"
-    leaves, begins = (f"{flow.told()}; ", begins[0].lower() + begins[1:]) if len(flow.table) else ("", begins)
+    if before:
+        leaves, begins = f"{begins} {flow.told()}; ", "meanwhile"
+    else:
+        leaves, begins = (f"{flow.told()}; ", begins[0].lower() + begins[1:]) if len(flow.table) else ("", begins)
     if not surface:
         return f"{leaves}{begins} nothing touches a surface"
     own = _later(cube, table, since)
@@ -110,14 +121,13 @@ def message(cube: xr.Dataset, table: pd.DataFrame, column: str, unit: str, flow:
 
 def _later(cube: xr.Dataset, table: pd.DataFrame, since: float) -> pd.DataFrame:
     """The forces of the windows that begin after a time (s)."""
-    begun = np.append(0.0, cube["window_time"].values[:-1])
-    return table[table["time_s"].isin(cube["window_time"].values[begun >= since])]
+    return table[table["time_s"].isin(cube["window_time"].values[windows(cube)[0] >= since])]
 
 
 def subject(cube: xr.Dataset, table: pd.DataFrame, column: str) -> str:
     """The surface that the message is on; none where nothing touches one."""
     opened, (since, _) = opened_at(cube), moments.begins(cube)
-    if np.isfinite(opened) or np.isinf(since):
+    if np.isinf(since) or (np.isfinite(opened) and not open_before(cube).any()):
         return pushed(table, column, opened)[0]
     later = _later(cube, table, since)
     return str(later.loc[later[column].idxmax(), "surface"]) if (later[column] > 0.0).any() else ""

@@ -8,7 +8,7 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.patheffects import withStroke
 
-from silostudy.figures.bin import opened_at
+from silostudy.figures.bin import began, open_before, opened_at
 from silostudy.figures.flow_in_time import Flow
 from silostudy.figures.style import INK
 
@@ -91,7 +91,12 @@ def _joined(said: list[str]) -> str:
 
 
 def begins(cube: xr.Dataset) -> tuple[float, str]:
-    """Time (s) at which the outlet opens, or else the first event comes, and how a sentence on what follows begins."""
+    """Time (s) at which the outlet opens, or else the first event comes, and how a sentence on what follows begins.
+
+    Where an outlet was open before, the start of the run.
+    """
+    if open_before(cube).any():
+        return began(cube), f"From {began(cube):.3g} s on"
     opened, (time, what) = opened_at(cube), first(cube)
     if np.isfinite(opened):
         return opened, "Once the outlet opens"

@@ -8,7 +8,7 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.collections import LineCollection
 
-from silostudy.figures.bin import opened_at
+from silostudy.figures.bin import began, open_before, opened_at
 from silostudy.figures.style import AID
 
 CM = 100.0  # of a metre
@@ -20,17 +20,29 @@ ROOM = 1.1  # of the height of the highest grain: what is shown of a silo that i
 
 
 class CutLine(NamedTuple):
-    """A line (n, 2; m) across and up in which the plane cuts a part, and the time (s) from which that is gone, or endless."""
+    """A line (n, 2; m) across and up in which the plane cuts a part, and the times (s) from which a gap grows in its middle,
+    and from which it is gone; endless: it stays."""
 
     name: str
     line: np.ndarray
+    opens: float = np.inf
     goes: float = np.inf
+
+    def left(self, time: float) -> list[np.ndarray]:
+        """Lines that are left at a time (s)."""
+        if not time > self.opens:
+            return [self.line]
+        if time > self.goes:
+            return []
+        half = 0.5 * (time - self.opens) / (self.goes - self.opens)
+        (start, end), middle = self.line, self.line.mean(axis=0)
+        return [np.array([start, middle + half * (start - end)]), np.array([middle + half * (end - start), end])]
 
 
 def standing(cube: xr.Dataset, time: float) -> list[np.ndarray]:
     """Lines (n, 2; cm) of all that stands at a time (s)."""
     away = taken_away(cube, time)
-    lines = [part.line for part in parts(cube) if not time > part.goes and part.name not in away]
+    lines = [line for part in parts(cube) if part.name not in away for line in part.left(time)]
     return [CM * line for line in (*lines, *lid(cube, time))]
 
 
@@ -44,30 +56,24 @@ def draw(panel: Axes, cube: xr.Dataset, time: float) -> LineCollection:
 def parts(cube: xr.Dataset) -> Iterator[CutLine]:
     """All parts of the silo but its lid."""
     if "disc" in cube.dims:
-        yield from (CutLine(name, line, _opens(cube) if name == FLOOR else np.inf) for name, line in _walls(cube))
+        yield from (CutLine(name, line, *(_opens(cube) if name == FLOOR else ())) for name, line in _walls(cube))
     else:
         yield from _sides(cube)
         yield from _inserts(cube)
     if "outlet" in cube:
         holes = np.column_stack([cube["outlet_left"], cube["outlet_right"]])
-        times = np.where(np.isnan(cube["outlet_opened"]), np.where(_passed(cube), -np.inf, np.inf), cube["outlet_opened"])
+        shut = np.where(open_before(cube), -np.inf, np.inf)
+        opened = cube["outlet_opened"]
+        times = [np.where(np.isnan(of), shut, of) for of in (opened, cube.get("outlet_whole", opened))]
         yield from (
-            CutLine("", _level(*hole), time) for hole, time in zip(holes, times, strict=True) if np.isfinite(hole).all()
+            CutLine("", _level(*hole), *when) for hole, *when in zip(holes, *times, strict=True) if np.isfinite(hole).all()
         )
 
 
-def _opens(cube: xr.Dataset) -> float:
-    """Time (s) at which an outlet without a name opens; before all of a run that goes on where another had opened it."""
-    opened = opened_at(cube)
-    return -np.inf if np.isinf(opened) and np.any(_passed(cube)) else opened
-
-
-def _passed(cube: xr.Dataset) -> np.ndarray:
-    """Whether grains left by each outlet, or by that without a name, on their own: no feeder took them."""
-    mass = "discharged_mass" if "disc" in cube.dims else "outflow_mass"
-    names = [name for name in (f"outlet_{mass}", mass) if name in cube]
-    fed = any(str(action).endswith(": feed") for action in cube["event_action"].values)
-    return cube[names[0]].values[-1] > 0.0 if names and not fed else np.zeros(cube.sizes.get("outlet", 1), bool)
+def _opens(cube: xr.Dataset) -> tuple[float, float]:
+    """Times (s) at which an outlet without a name begins to open, and is open; before all where it was so from the start."""
+    opened = -np.inf if open_before(cube).any() else opened_at(cube)
+    return opened, float(cube.attrs.get("outlet_whole_s", opened))
 
 
 def lid(cube: xr.Dataset, time: float) -> list[np.ndarray]:
@@ -76,11 +82,10 @@ def lid(cube: xr.Dataset, time: float) -> list[np.ndarray]:
     if not own.any():
         return []
     up = "wall_cell_y" if "disc" in cube.dims else "wall_cell_z"
-    began, left, right = float(cube[up].values[own].mean()), *edges(cube)
-    seen = (
-        ([0.0, *cube["window_time"].values], [began, *cube["lid_height"].values]) if "lid_height" in cube else ([0.0], [began])
-    )
-    return [_level(left, right, float(np.interp(time, *seen)))]
+    low, left, right = float(cube[up].values[own].mean()), *edges(cube)
+    seen: list = [] if began(cube) and "lid_height" in cube else [(0.0, low)]  # another run had moved it by then
+    seen += zip(cube["window_time"].values, cube["lid_height"].values, strict=True) if "lid_height" in cube else []
+    return [_level(left, right, float(np.interp(time, *np.transpose(seen))))]
 
 
 def edges(cube: xr.Dataset) -> tuple[float, float]:
@@ -123,7 +128,7 @@ def _sides(cube: xr.Dataset) -> Iterator[CutLine]:
     """Walls and bottom of a silo of spheres."""
     corners = outline_of(cube)
     if "outlet" not in cube:
-        yield from (CutLine("", corners[:3]), CutLine("", corners[3:]), CutLine("", corners[2:4], _opens(cube)))
+        yield from (CutLine("", corners[:3]), CutLine("", corners[3:]), CutLine("", corners[2:4], *_opens(cube)))
         return
     yield from (CutLine("", corners[:2]), CutLine("", corners[4:]))
     holes = np.column_stack([cube["outlet_left"], cube["outlet_right"]])

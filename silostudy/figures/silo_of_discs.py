@@ -41,7 +41,8 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     moments.mark_events([panel for name, panel in panels.items() if name in ("force", "mass")], cube, wide)
     headline(figure, in_time.message(cube, force, FORCE, "kN/m", flow))
     chains = (
-        f"Line of a contact: as long and wide as its force, at most {largest:.3g} N/m. Forces: normal, mean of each window."
+        f"Line of a contact: as long and wide as its force, at most {largest:.3g} N/m. Forces: normal, mean of each "
+        f"window{in_time.left_out(cube)}."
     )
     foot(figure, f"{cube.attrs['title']}.", f"{moments.told(shots, flow)}{chains}", handles=lines)
     save(figure, pd.concat([*tables, force, flow.table], ignore_index=True), stem)

@@ -41,7 +41,8 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     about = (
         "Spheres that the plane through the axis cuts, and contacts within a mean radius of it: a line as long and wide as the "
     )
-    about += f"force in the plane, at most {largest:.3g} N. Forces: normal, mean of each window."
+    about += f"force in the plane, at most {largest:.3g} N. Forces: normal, mean of each "
+    about += f"window{in_time.left_out(cube)}."
     foot(figure, f"{cube.attrs['title']}.", f"{moments.told(shots, flow)}{about}", handles=lines)
     save(figure, pd.concat([*tables, force, flow.table], ignore_index=True), stem)
 

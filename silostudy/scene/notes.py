@@ -3,17 +3,23 @@
 from collections.abc import Iterator
 from typing import Any
 
+from silostudy.config.spheres import SphereScene
 from silostudy.dem.model import Model
 from silostudy.scene.cautions import early_shares, high_frictions, late_events
 from silostudy.scene.clinging import deep_pulls
+from silostudy.scene.dem import plane_silo_of
 from silostudy.scene.idle import powerless, untaken
+from silostudy.scene.outflow import narrow
+from silostudy.scene.spheres import space_silo_of
 
 INTERVALS = ("wall_force_window_s", "snapshots_every_s", "checkpoint_every_s")  # of a record
 READ = ("fields", "contact_statistics")  # sections of a record that are read every so often
 
 
 def notes(scene: Any, model: Model) -> list[str]:
-    """Lines on what is possible in a scene, and hardly meant."""
+    """Lines on what is possible in a scene, and hardly meant; a warning where no grains would leave."""
+    silo = space_silo_of(scene) if isinstance(scene, SphereScene) else plane_silo_of(scene)
+    shut = narrow(silo.outlet_widths, 2.0 * float(model.radius.max()), model.space.body)
     kinds = tuple(scene.grain_kinds) if hasattr(scene, "grain_kinds") else scene.kinds
     told = (
         high_frictions(scene),
@@ -23,7 +29,8 @@ def notes(scene: Any, model: Model) -> list[str]:
         powerless(model, kinds),
         deep_pulls(model, kinds),
     )
-    return [f"note: {text}" for texts in (*told, short_records(scene, model)) for text in texts]
+    lines = [f"note: {text}" for texts in (*told, short_records(scene, model)) for text in texts]
+    return lines + [f"warning: {text}" for text in shut]
 
 
 def short_records(scene: Any, model: Model) -> Iterator[str]:

@@ -10,6 +10,7 @@ from typing import NamedTuple
 import numpy as np
 
 from silostudy.dem.model import FLOOR, FloorPiece, Model, Wall
+from silostudy.scene.outflow import OUTLET
 from silostudy.scene.plane_checks import require_lines, require_slits
 
 # names of walls besides the floor
@@ -58,6 +59,11 @@ class PlaneSilo:
         if self.hopper_half_angle is None:
             return 0.0
         return 0.5 * (self.width - self.slit) / tan(self.hopper_half_angle)
+
+    @property
+    def outlet_widths(self) -> dict[str, float]:
+        """Width (m) of each outlet by its name."""
+        return {slit.name: slit.width for slit in self.slits} or ({OUTLET: self.slit} if self.slit else {})
 
     def walls(self, cells: int = 1, half_cells: int | None = None) -> tuple[Wall, ...]:
         """Walls of the silo with the solid on their left: the bottom, closed, then the sides, the lid and the inserts.

@@ -14,6 +14,7 @@ from silostudy.dem.space.level import Hole, LevelPiece, Outline, gate_of
 from silostudy.dem.space.network import all_from_wall
 from silostudy.dem.space.rows import CIRCLE, RECTANGLE
 from silostudy.dem.space.walls import FlatPiece, Surface, TurnedLine, walls_of
+from silostudy.scene.outflow import OUTLET
 from silostudy.scene.silo import Silo
 from silostudy.scene.space_checks import require_surfaces
 
@@ -21,7 +22,6 @@ from silostudy.scene.space_checks import require_surfaces
 LID = "lid"
 WALL = "wall"
 HOPPER = "hopper"
-OUTLET = "outlet"
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -128,6 +128,11 @@ class SpaceSilo:
         if (opening := self.opening) is not None:
             return {OUTLET: opening} if min(opening.half) > 0.0 else {}
         return {outlet.name: outlet.outline(self.silo.outlet_eccentricity) for outlet in self.outlets}
+
+    @property
+    def outlet_widths(self) -> dict[str, float]:
+        """Least width (m) of each outlet by its name."""
+        return {name: 2.0 * min(opening.half) for name, opening in self.openings.items()}
 
     def outlet_at(self, places: np.ndarray) -> np.ndarray:
         """Number of the outlet that each place (n, 3; m) is in, or nearest to being in."""

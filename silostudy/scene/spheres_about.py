@@ -1,4 +1,4 @@
-"""Lines that tell a scene of spheres before it runs: materials, coefficients, softening, times, effects, warnings."""
+"""Lines that tell a scene of spheres before it runs: materials, coefficients, softening, times, effects."""
 
 from collections.abc import Iterator
 from math import pi, sqrt
@@ -15,7 +15,6 @@ from silostudy.scene.cautions import DEEP
 from silostudy.scene.dem import Effect, law_effect, reading_effects, surfaces_effect
 from silostudy.scene.lid import moves
 from silostudy.scene.spheres import MPA, contacts_of, grain_of, material_of, plane_of_rain, space_silo_of
-from silostudy.scene.spheres_model import narrow
 from silostudy.tables.materials import Material
 
 FOOT_SOLID_FRACTION = 0.6  # of a loose random packing: for an estimate alone
@@ -152,11 +151,6 @@ def shares(scene: SphereScene, model: SphereModel) -> list[str]:
         f"{2e3 * model.radius[own].min():.4g} to {2e3 * model.radius[own].max():.4g} mm"
         for name, own in zip(scene.grain_kinds, numbers, strict=False)
     ]
-
-
-def warnings(scene: SphereScene, model: SphereModel) -> list[str]:
-    """Likely mistakes, a line each."""
-    return narrow(space_silo_of(scene), model.radius)
 
 
 def sphere_effects(scene: SphereScene) -> tuple[Effect, ...]:

@@ -20,7 +20,8 @@ from silostudy.scene.dem import DEEPEST
 from silostudy.scene.dem_model import stepped
 from silostudy.scene.lid import check_lid, lid_of, moves
 from silostudy.scene.mixture import drawn
-from silostudy.scene.space_silo import OUTLET, SpaceSilo
+from silostudy.scene.outflow import called
+from silostudy.scene.space_silo import SpaceSilo
 from silostudy.scene.sphere_events import check_turning, sphere_events
 from silostudy.scene.spheres import contacts_of, grain_of, plane_of_rain, space_silo_of
 
@@ -28,7 +29,6 @@ from silostudy.scene.spheres import contacts_of, grain_of, plane_of_rain, space_
 Start: TypeAlias = tuple[np.ndarray, np.ndarray, np.ndarray | None]
 DENSEST = 0.7  # solid fraction that no random packing of nearly equal spheres comes to
 APART = 3.0  # largest radii: between spheres that wait, one above the other over the silo
-FLOWS = 5.0  # largest diameters in an outlet's width: below it arches are to be expected
 
 
 def sphere_model(scene: SphereScene, given: Start | None, where: str = "") -> SphereModel:
@@ -94,7 +94,7 @@ def check_outlet(scene: SphereScene, space: SpaceSilo, radii: np.ndarray, kind: 
     number = int(radii.argmax())
     largest = float(radii[number])
     rooms = {"is wider than the silo": min(space.plan.half)}
-    rooms |= {f"does not pass the {_called(name)}": min(opening.half) for name, opening in space.openings.items()}
+    rooms |= {f"does not pass the {called(name)}": min(opening.half) for name, opening in space.openings.items()}
     for told, half in rooms.items():
         if half < largest:
             field, value = _said_of_largest(scene, 0 if kind is None else int(kind[number]))
@@ -109,17 +109,6 @@ def _said_of_largest(scene: SphereScene, kind: int) -> tuple[str, object]:
     sizes, section = (scene.other_grains[name].sizes, f"other_grains.{name}.sizes") if kind else (scene.sizes, "sizes")
     widest = SIZES[sizes.kind].widest
     return f"{section}.{widest}", getattr(sizes, widest)
-
-
-def narrow(space: SpaceSilo, radii: np.ndarray) -> list[str]:
-    """A warning for each outlet that is so narrow that spheres arch over it."""
-    across = {name: min(opening.half) / float(radii.max()) for name, opening in space.openings.items()}
-    told = f"of the largest diameters wide: below {FLOWS:g} or so spheres arch over it and stay"
-    return [f"the {_called(name)} is {wide:.2g} {told}" for name, wide in across.items() if wide < FLOWS]
-
-
-def _called(name: str) -> str:
-    return name if name == OUTLET else f"outlet {name}"
 
 
 def check_rain(scene: SphereScene, space: SpaceSilo, radii: np.ndarray, where: str) -> None:

@@ -10,9 +10,9 @@ import xarray as xr
 from silostudy.compute.dem import scene_model
 from silostudy.errors import BadInput
 from silostudy.scene.mixture import drawn
+from silostudy.scene.outflow import narrow
 from silostudy.scene.silo import Hopper, Silo
 from silostudy.scene.space_silo import Outlet, SpaceSilo
-from silostudy.scene.spheres_model import narrow
 from tests.test_spheres.small import scene_of
 
 FLAT = {"silo__hopper": None, "events": [{"when": "time", "value": 0.1, "do": "stop"}]}
@@ -84,9 +84,8 @@ def test_slot_of_six_diameters():
     """Wide enough not to be warned of; one of less than five is."""
     silo = Silo(plan="square", diameter=0.1, wall_depth=0.1)
     slot = {width: SpaceSilo(silo=silo, outlets=(Outlet(width=width * 0.004, length=0.1),)) for width in (4.9, 6.0)}
-    radii = np.full(10, 0.002)
-    assert narrow(slot[6.0], radii) == []
-    assert "arch over it" in narrow(slot[4.9], radii)[0]
+    assert narrow(slot[6.0].outlet_widths, 0.004, "sphere") == []
+    assert "arch over it" in narrow(slot[4.9].outlet_widths, 0.004, "sphere")[0]
 
 
 def given(folder, **changes):

@@ -11,6 +11,7 @@ from silostudy.compute.branches import keep_end
 from silostudy.compute.dem import run_of, scene_model
 from silostudy.cube.io import read
 from silostudy.dem.branch import as_events_left
+from silostudy.dem.ledger import CARRIED_OUT, balance
 from silostudy.errors import BadInput
 from tests.test_dem.small import SMALL, carried, scene_of
 from tests.test_spheres.small import scene_of as spheres_of
@@ -141,8 +142,10 @@ def test_what_has_left_before_counts_towards_a_share(tmp_path):
         ({"discs__normal_stiffness_N_m2": 9e6}, "other normal_stiffness: 9.46e+06 N m-2 there, 9e+06 here"),
         ({"discs__tangential": "spring-slider-total"}, "other contact laws"),
         ({"march__step_s": 2e-5}, "other march.step_s: 2.5e-05 there, 2e-05 here"),
-        ({"march__step": "follow", "march__step_s": None}, "other march.step: fixed there, follow, from "),
-        ({"silo__height_m": 0.5}, "another wall left"),
+        ({"march__step": "follow", "march__step_s": None}, "other march.step: fixed there, follow here"),
+        ({"silo__height_m": 0.5}, "another wall left: the body of the silo stays as it is"),
+        ({"silo__width_m": 0.171}, "another wall right: the body of the silo stays as it is"),
+        ({"discs__normal_stiffness_N_m2": 9e6, "march__step_s": None}, "other normal_stiffness: 9.46e+06"),
         ({"silo__lid": True}, "no wall lid, which stands here"),
         ({"march__limit_s": 0.03}, "march.limit_s = 0.03: must be above 0.05 s, where first.end ends"),
     ],
@@ -217,3 +220,39 @@ def test_the_command_keeps_an_end_and_says_what_it_goes_on_from(tmp_path, capsys
     (tmp_path / "first.yaml").write_text(yaml.safe_dump(first))
     assert main(["dem", str(tmp_path / "first.yaml"), str(tmp_path / "first.nc")]) == 2  # it would write over what it reads
     capsys.readouterr()
+
+
+def test_a_pace_of_another_factor_is_told_by_its_key(tmp_path):
+    following = {"march__step": "follow", "march__step_s": None}
+    ended(tmp_path, stop(0.05), **following)
+    with pytest.raises(BadInput, match=r"other march\.step_factor: 1\.0 there, 0\.7 here"):
+        branched(tmp_path, stop(0.1), march__step_factor=0.7, **following)
+
+
+@pytest.mark.parametrize(
+    ("events", "told"),
+    [
+        (
+            [stop(0.03)],
+            r"events\.0\.value = 0\.03: the run would stop where it begins: must come after 0\.05 s, where first\.end",
+        ),
+        ([OPENS, {"when": "after", "value": 0.0, "do": "stop"}], r"events\.1\.value = 0\.0: .*must come after 0\.05 s"),
+    ],
+)
+def test_a_stop_before_the_branch_is_refused(events, told, tmp_path):
+    ended(tmp_path, stop(0.05))
+    with pytest.raises(BadInput, match=rf"branch\.yaml: {told}") as caught:
+        branched(tmp_path, *events)
+    assert "\n" not in str(caught.value)
+
+
+def test_an_energy_balance_that_begins_with_the_branch_closes_from_there(tmp_path):
+    ended(tmp_path, OPENS, stop(0.12))
+    branch = branched(tmp_path, stop(0.2), record__energy=True)
+    entries = np.array(branch.recording.energy)
+    held = [balance(account) for account in entries]
+    turnover = np.abs(np.diff(entries[:, :2], axis=0)).sum()
+    np.testing.assert_allclose(held, held[0], atol=1e-9 * turnover, rtol=0.0)
+    out = entries[:, CARRIED_OUT]
+    assert branch.dropped > 0.0
+    assert out[0] == pytest.approx(0.0, abs=0.1 * abs(out[-1]))  # what had left before is no part of it

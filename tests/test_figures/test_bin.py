@@ -6,12 +6,14 @@ import numpy as np
 import pandas as pd
 import pytest
 import xarray as xr
+from matplotlib.text import Text
 
 from silostudy.cube.contents import levelled
 from silostudy.figures import bin_fields, bin_pressures
 from silostudy.figures.bin import Column, column, doubt, in_discharge, janssen, opened_at, phases, profile
 from silostudy.pressure.janssen import normal_pressure
 from tests.test_figures.small_cubes import bin_cube
+from tests.test_figures.test_content import drawn as figure_of
 
 COLUMN = Column(surface=1.0, unit_weight=8e3, wall_friction=0.3, lateral_pressure_ratio=0.5)
 
@@ -145,3 +147,13 @@ def test_cells_around_a_round_wall_are_equal(count):
     assert np.diff(edges) == pytest.approx(360.0 / count)
     assert np.unique(edges % (360.0 / count)) == pytest.approx(0.0)
     assert len(cells) == len(edges) - 1
+
+
+def test_a_drum_that_turns_is_not_said_to_rest(tmp_path, monkeypatch):
+    cube = bin_cube()
+    spin = np.ones((cube.sizes["window_time"], cube.sizes["surface"]))
+    output = figure_of("bin_pressures", [cube.assign(surface_spin=(("window_time", "surface"), spin))], tmp_path, monkeypatch)
+    titles = [panel.get_title() for panel in output.figure.axes]
+    assert "while surfaces turn" in titles
+    assert "at rest" not in titles
+    assert not any("at rest" in text.get_text() for text in output.figure.findobj(Text))

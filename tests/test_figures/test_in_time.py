@@ -8,8 +8,9 @@ import xarray as xr
 
 from silostudy.errors import BadInput
 from silostudy.figures import silo_of_spheres
-from silostudy.figures.flow_in_time import Flow
-from silostudy.figures.in_time import SHOWN, draw_forces, forces, message, pushed
+from silostudy.figures.flow_in_time import Flow, flow_of
+from silostudy.figures.in_time import SHOWN, draw_forces, forces, left_out, message, pushed
+from silostudy.figures.style import AID
 from tests.test_figures.small_cubes import bin_cube
 from tests.test_figures.test_content import drawn
 
@@ -141,9 +142,11 @@ def test_the_axis_of_a_run_that_goes_on_begins_where_it_does(tmp_path, monkeypat
     later = 10.0
     cube = bin_cube()
     moved = {name: cube[name].copy(data=cube[name].values + later) for name in cube.variables if str(name).endswith("_time")}
-    output = drawn("silo_of_spheres", [cube.assign(moved)], tmp_path, monkeypatch)
+    later_on = cube.assign(moved).assign_attrs(began_s=later)
+    output = drawn("silo_of_spheres", [later_on], tmp_path, monkeypatch)
     panel = next(panel for panel in output.figure.axes if panel.get_title() == "forces on the surfaces")
-    assert panel.get_xlim()[0] >= later
+    assert panel.get_xlim()[0] == later
+    assert {float(line.get_xdata()[0]) for line in panel.lines if line.get_gid() == AID} == {later}
     plt.close("all")
 
 
@@ -174,3 +177,29 @@ def test_surfaces_beyond_those_with_a_look_have_one_entry():
     assert [line.get_label() for line in lines][-1] == "5 more"
     assert len(lines) == SHOWN + 1
     plt.close(figure)
+
+
+def test_a_first_window_has_its_level_and_a_last_short_one_is_left_out():
+    cube = scene(OPENED).assign_coords(window_time=[1.0, 2.0, 3.0, 3.1])
+    assert set(table_of(cube).time_s) == {1.0, 2.0, 3.0}
+    assert left_out(cube) == "; the last, of 0.1 s only, is left out"
+    assert left_out(scene(OPENED)) == ""
+    _, panel = plt.subplots()
+    draw_forces(panel, table_of(cube), "force_N", cube)
+    levels = [line.get_xydata().tolist() for line in panel.lines if line.get_gid() == AID]
+    assert [[0.0, 9.0], [1.0, 9.0]] in levels
+    plt.close("all")
+
+
+def test_a_run_that_goes_on_in_flow_tells_of_no_rest():
+    """An outlet was open before, and another opens: what it began with is not all that there once was."""
+    mass = {"outlet": ["a", "b"], "outlet_opened": ("outlet", [np.nan, 2.0]),
+            "outlet_outflow_mass": (("outflow_time", "outlet"), [[1.0, 0.0], [2.0, 1.0]])}  # fmt: skip
+    cube = scene(OPENED, **mass).assign_attrs(began_s=0.5, began_with_kg=15.0)
+    words = told(cube, flow())
+    assert words.startswith("From 0.5 s on 6 of 20 kg leave, 4 kg/s on average; meanwhile the largest force is 9 N, on ")
+    assert "rest" not in words
+    passing = cube.assign(outflow_mass=("outflow_time", [1.0, 3.0]), grain_mass=("grain", [20.0])).assign_coords(
+        outflow_time=[1.0, 2.0]
+    )
+    assert flow_of(passing, "outflow_time", "outflow_mass", "grain_mass", "mass_kg", "kg").filled == 15.0

@@ -110,3 +110,13 @@ def test_a_silo_that_is_little_filled_is_cut_off_above():
     assert low < 0.0
     assert 20.0 <= high < 22.0
     assert view(cube, 0.39)[3] >= 40.0
+
+
+@pytest.mark.parametrize("named", [True, False])
+def test_the_gap_of_an_outlet_that_opens_at_a_speed_grows(named):
+    outlets = {"outlet": ["a"], "outlet_left": ("outlet", [-0.1]), "outlet_right": ("outlet", [0.1]),
+               "outlet_opened": ("outlet", [1.0]), "outlet_whole": ("outlet", [2.0])}  # fmt: skip
+    cube = spheres(OPEN, **outlets) if named else spheres(OPEN, plug=0.1).assign_attrs(outlet_whole_s=2.0)
+    assert ((-10, 0), (10, 0)) in lines(cube, 1.0)
+    assert {((-10, 0), (-5, 0)), ((5, 0), (10, 0))} <= lines(cube, 1.5)
+    assert not {((-10, 0), (10, 0)), ((-10, 0), (-5, 0))} & lines(cube, 2.1)

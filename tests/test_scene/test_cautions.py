@@ -7,6 +7,7 @@ import xarray as xr
 import yaml
 
 from silostudy.__main__ import main
+from silostudy.compute.dem import scene_model
 from silostudy.config.load import read_yaml
 from silostudy.contact import SPHERE_LAWS
 from silostudy.contact.family import Touch
@@ -16,9 +17,11 @@ from silostudy.dem.pieces import Laws
 from silostudy.scene.cautions import HIGH_FRICTION, late_events
 from silostudy.scene.clinging import pulled_in
 from silostudy.scene.idle import untaken
+from silostudy.scene.notes import notes as all_notes
 from silostudy.scene.scenes import scene_in
 from silostudy.tables.materials import PAIRS
 from tests.conftest import ROOT
+from tests.test_dem.small import scene_of as discs_of
 from tests.test_spheres.small import content as bin_of_spheres
 
 
@@ -191,3 +194,22 @@ def test_motion_in_the_file_of_a_given_start_is_left_and_told(speed, told, tmp_p
     content = bin_of_spheres(filling={"kind": "given", "file": "one.nc"}, sizes=None)
     found = notes(tmp_path / "bin.yaml", content, capsys)
     assert [note.removeprefix("note: one.nc: ")[: len(words)] for note, words in zip(found, told, strict=True)] == told
+
+
+@pytest.mark.parametrize(
+    ("changes", "told"),
+    [
+        ({"silo__slit_width_m": 0.03}, "the outlet is 1.5 of the largest diameters wide: below 5 or so discs may arch over it"),
+        ({"silo__slit_width_m": 0.015}, "the outlet is 0.75 of the largest diameters wide: the largest discs do not pass it"),
+        ({"silo__slit_width_m": 0.11}, None),
+        (
+            {"silo__slit_width_m": 0.0, "outlets": [{"name": "a", "width_m": 0.01, "middle_m": 0.05}],
+             "events": [{"when": "rest", "do": "stop"}]},
+            "the outlet a is 0.5 of the largest diameters wide",
+        ),
+    ],
+)  # fmt: skip
+def test_an_outlet_too_narrow_for_its_discs_is_warned_of(changes, told):
+    scene = discs_of(**changes)
+    warned = [line for line in all_notes(scene, scene_model(scene, ROOT)) if line.startswith("warning: ")]
+    assert [line.startswith(f"warning: {told}") for line in warned] == [True] * (told is not None)

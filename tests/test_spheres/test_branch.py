@@ -81,7 +81,7 @@ def test_one_filling_is_opened_in_several_ways(tmp_path):
 
 def test_another_silo_or_another_material_is_refused(tmp_path):
     ended(tmp_path, stop(0.02))
-    with pytest.raises(BadInput, match="another wall floor"):
+    with pytest.raises(BadInput, match="another wall wall: the body of the silo stays as it is"):
         branched(tmp_path, stop(0.1), silo__diameter_m=0.061)
     with pytest.raises(BadInput, match="other hertz_stiffness"):
         branched(tmp_path, stop(0.1), wall__youngs_modulus_MPa=99)
