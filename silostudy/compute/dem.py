@@ -73,7 +73,7 @@ def _(scene: DemScene, folder: Path, where: str) -> Model:
 
 def run_of(scene: AnyScene, model: Model, where: str = "", *, threads: int = 1) -> Run:
     """The run that a scene asks for; BadInput for records that cannot be."""
-    with within(where):
+    with within(where, {"threads": "--threads"}):
         happens = _of_spheres(scene, model) if isinstance(scene, SphereScene) else _of_discs(scene, model)
         return Run(
             Engine(model, threads=threads),

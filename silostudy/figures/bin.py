@@ -15,6 +15,7 @@ LEVELS = 2  # heights of wall cells that the solid is to stand against at least,
 SHORT = 0.25  # of the longest window: the mean of a shorter one jumps more than those of the others
 REST = "at rest"
 TURNING = "while surfaces turn"
+FLOWING = "while grains flow"
 EARLY_WORDS = "in discharge: until a quarter of the solid is out"
 
 
@@ -89,7 +90,9 @@ def phases(cube: xr.Dataset) -> pd.DataFrame:
 
 
 def before(cube: xr.Dataset) -> str:
-    """Words on the window before discharge: at rest, or while surfaces turn, as those of a drum."""
+    """Words on the window before an outlet opens: at rest, or while surfaces turn, as of a drum, or grains flow already."""
+    if open_before(cube).any():
+        return FLOWING
     if "surface_spin" not in cube:
         return REST
     window = np.flatnonzero((cube["window_time"].values <= opened_at(cube)) & windows(cube)[1])[-1]
@@ -150,8 +153,8 @@ def doubt(of: Column, cube: xr.Dataset, cells: pd.DataFrame) -> str:
             f"less than half a diameter, {half:.2g} m" if deep < half else f"{levels} of at least {LEVELS} levels of wall cells"
         )
         return f"the solid stands {deep:.2g} m deep against the upright walls, {shallow}"
-    if before(cube) == TURNING:
-        return "no column rests while surfaces turn"
+    if before(cube) != REST:
+        return f"no column rests {before(cube)}"
     if of.wall_friction < 0.0:
         return f"at rest the walls press the solid down, with a friction of {of.wall_friction:.2g}"
     return "" if of.lateral_pressure_ratio > 0.0 else f"K at rest comes out as {of.lateral_pressure_ratio:.2g}"

@@ -88,7 +88,10 @@ def test_a_column_after_janssen_is_found_again():
 def test_a_column_that_janssen_says_nothing_of_is_doubted(changes, why):
     heights = np.append(np.linspace(0.41, 2.0, 20), 0.405)
     cells = pd.DataFrame({"surface": "wall", "height_m": heights})
-    cube = xr.Dataset(attrs={"transition_height_m": 0.4, "hydraulic_radius_m": 0.25})
+    cube = xr.Dataset(
+        {"event_time": ("event", []), "event_action": ("event", [])},
+        attrs={"transition_height_m": 0.4, "hydraulic_radius_m": 0.25},
+    )
     found = doubt(replace(COLUMN, **changes), cube, cells)
     assert why in found
     assert bool(found) == bool(why)
@@ -99,7 +102,10 @@ def test_a_single_layer_has_no_level_surface():
 
 
 def test_one_level_of_wall_cells_bears_no_curve():
-    cube = xr.Dataset(attrs={"transition_height_m": 0.0, "hydraulic_radius_m": 0.25})
+    cube = xr.Dataset(
+        {"event_time": ("event", []), "event_action": ("event", [])},
+        attrs={"transition_height_m": 0.0, "hydraulic_radius_m": 0.25},
+    )
     cells = pd.DataFrame({"surface": "wall", "height_m": [0.7, 2.1]})
     assert "1 of at least 2 levels of wall cells" in doubt(COLUMN, cube, cells)
 
@@ -149,11 +155,20 @@ def test_cells_around_a_round_wall_are_equal(count):
     assert len(cells) == len(edges) - 1
 
 
-def test_a_drum_that_turns_is_not_said_to_rest(tmp_path, monkeypatch):
-    cube = bin_cube()
+def turning(cube):
     spin = np.ones((cube.sizes["window_time"], cube.sizes["surface"]))
-    output = figure_of("bin_pressures", [cube.assign(surface_spin=(("window_time", "surface"), spin))], tmp_path, monkeypatch)
+    return cube.assign(surface_spin=(("window_time", "surface"), spin))
+
+
+def flowing(cube):
+    """A run that goes on from another in flow: nothing opens the outlet any more."""
+    return cube.assign(event_action=("event", ["after: friction"] * cube.sizes["event"]))
+
+
+@pytest.mark.parametrize(("changed", "told"), [(turning, "while surfaces turn"), (flowing, "while grains flow")])
+def test_what_turns_or_flows_is_not_said_to_rest(changed, told, tmp_path, monkeypatch):
+    output = figure_of("bin_pressures", [changed(bin_cube())], tmp_path, monkeypatch)
     titles = [panel.get_title() for panel in output.figure.axes]
-    assert "while surfaces turn" in titles
+    assert told in titles
     assert "at rest" not in titles
     assert not any("at rest" in text.get_text() for text in output.figure.findobj(Text))
