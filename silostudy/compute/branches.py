@@ -1,17 +1,23 @@
 """The end of a discrete-element run on disk, and scenes that go on from it."""
 
+from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
+
+import numpy as np
 
 from silostudy.compute.checkpoints import program, read_whole, write_whole
 from silostudy.config.grain_scenes import AnyScene
 from silostudy.cube.netcdf import is_file
 from silostudy.dem.branch import differences, end_of, with_motion
-from silostudy.dem.model import Model
+from silostudy.dem.model import FLOOR, Model
 from silostudy.dem.run import Run
+from silostudy.dem.space.level import gate_of
+from silostudy.dem.space.walls import Surface
 from silostudy.dem.varied import Varied
 from silostudy.errors import BadInput
+from silostudy.scene.space_silo import OUTLET
 
 KEY = "start_from"
 
@@ -30,6 +36,7 @@ def branched(scene: AnyScene, model: Model, folder: Path, where: str) -> Model:
     end = _read(scene.start_from, folder, where)
     if end["apart"] and not isinstance(model.wall_contact, Varied):
         model = replace(model, wall_contact=Varied((model.wall_contact,) * len(model.walls)))
+    model = replace(model, walls=tuple(as_there(wall, end) for wall in model.walls))
     model = _in_its_step(scene, model, end)
     if other := next(differences(model, end), None):
         raise BadInput(KEY, scene.start_from, f"is the end of a run with {other}", where)
@@ -47,6 +54,14 @@ def _in_its_step(scene: AnyScene, model: Model, end: dict[str, Any]) -> Model:
     step = end["fixed"]["march.step_s"]
     follows = end["fixed"]["march.step"] == model.pace.kind and scene.march.step_s is None and model.quake is None
     return replace(model, dt=step / model.pace.ticks) if follows and step < model.step else model
+
+
+def as_there(wall: Any, end: Mapping[str, Any]) -> Any:
+    """A surface of a model, or where it is a hopper's plug that was a gate by the end of a run, that gate."""
+    if wall.name != FLOOR or not isinstance(wall, Surface) or FLOOR not in end["walls"]:
+        return wall
+    gate = gate_of(wall, OUTLET)
+    return gate if np.array_equal(np.trim_zeros(gate.shape, "b"), end["walls"][FLOOR][1]) else wall
 
 
 def _check_stop(scene: AnyScene, then: float, tick: float, where: str) -> None:

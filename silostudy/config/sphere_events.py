@@ -35,7 +35,8 @@ class SphereEventConfig(MovingEvent):
     ] = described("what happens", "")
     speed_m_s: float | None = described(
         "move_lid: downward, negative lifts the lid, 0 stops it; press_lid: where nothing resists, null: 0.1; open_outlet: at "
-        "which the outlet's width along x grows from none to all, from its middle, in a floor at rest; null: at once",
+        "which the outlet's width grows from none to all, from its middle, in a floor or a plug at rest: along x of one with "
+        "four sides, all around of others; null: at once",
         "m s-1",
         default=None,
     )

@@ -55,8 +55,12 @@ def add_bodies(engine: Engine, labels: np.ndarray, places: np.ndarray, velocity:
 
 
 def swap_walls(engine: Engine, gone: str, come: tuple[str, ...]) -> None:
-    """Take a wall away and put others there; contacts that are still in touch with those keep their histories."""
+    """Take a wall away and put others there; contacts that are still in touch with those keep their histories.
+
+    A hole that was growing in it has grown.
+    """
     old, *new = (engine.model.wall_number(name) for name in (gone, *come))
+    engine.space.widen(engine.walls.shape, old, np.inf)
     pairs, near = engine.take_memories()
     disc, wall = near.key >> SHIFT, near.key & LOW
     for k in np.flatnonzero(wall == old):
@@ -84,7 +88,8 @@ def open_holes(engine: Engine, wall: str, names: tuple[str, ...], speed: float) 
     """
     pairs, near = engine.take_memories()
     surfaces: Any = engine.model.walls
-    numbers = [number for number, surface in enumerate(surfaces) if surface.name == wall or surface.name.startswith(f"{wall}_")]
+    named = (number for number, surface in enumerate(surfaces) if surface.name == wall or surface.name.startswith(f"{wall}_"))
+    numbers = [number for number in named if engine.walls.live[number]]
     for number in numbers:
         surfaces[number].opened(engine.walls.shape[number], names, speed)
     body, walls = near.key >> SHIFT, near.key & LOW

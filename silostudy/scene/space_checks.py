@@ -47,8 +47,6 @@ def require_hopper(space: SpaceSilo) -> None:
         raise BadInput(
             "outlets", space.outlets[0].name, "is of a flat floor; the hopper has its own, silo.hopper.outlet_width_m"
         )
-    if space.gated and space.plan.sides not in (CIRCLE, RECTANGLE):
-        raise BadInput("silo.plan", silo.plan, "opens its outlet at once: a gate that slides is round or has four sides")
     if space.wedge and space.plan.sides != RECTANGLE:
         raise BadInput("wedge", space.wedge, f"stands below a square or rectangular plan, not a {silo.plan} one")
     if not 0.0 <= hopper.outlet_width <= silo.diameter:
@@ -61,7 +59,10 @@ def require_hopper(space: SpaceSilo) -> None:
         allowed = f"the hopper must have a height: an outlet narrower than its top, {silo.diameter:g} m, at {angle:g} degrees"
         raise BadInput("silo.hopper.outlet_width_m", hopper.outlet_width, allowed)
     if silo.outlet_eccentricity and space.plan.sides == CIRCLE:
-        allowed = "must be 0: the engine has no surface for the wall of an eccentric cone; take a flat floor or a pyramid"
+        allowed = (
+            "must be 0: the engine has no surface for the wall of an eccentric cone, however its outlet opens; take a flat "
+            f"floor, or a pyramid of up to {MOST_SIDES} sides (silo.plan: polygonal)"
+        )
         raise BadInput("silo.outlet_eccentricity_m", silo.outlet_eccentricity, allowed)
     most, opening = (silo.diameter - hopper.outlet_width) / 2, space.opening
     assert opening is not None

@@ -10,7 +10,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from silostudy.dem.model import FLOOR
-from silostudy.dem.space.level import Hole, LevelPiece, Outline
+from silostudy.dem.space.level import Hole, LevelPiece, Outline, gate_of
 from silostudy.dem.space.network import all_from_wall
 from silostudy.dem.space.rows import CIRCLE, RECTANGLE
 from silostudy.dem.space.walls import FlatPiece, Surface, TurnedLine, walls_of
@@ -167,8 +167,10 @@ class SpaceSilo:
         assert opening is not None
         opens = bool(self.openings)
         faces = sides_between(HOPPER, opening, 0.0, self.plan, self.bottom, cells, not opens, True)
-        plug = (Hole(name=OUTLET, outline=opening),) if self.gated else ()
-        return (level(FLOOR, opening, 0.0, cells, plug), *faces) if opens else faces
+        if not opens:
+            return faces
+        plug = level(FLOOR, opening, 0.0, cells)
+        return (gate_of(plug, OUTLET) if self.gated else plug, *faces)
 
 
 def level(name: str, outline: Outline, height: float, cells: tuple[int, int], holes: tuple[Hole, ...] = ()) -> Surface:

@@ -11,6 +11,7 @@ from silostudy.dem.space.felt import (
     scatter_walls,
     wall_power,
 )
+from silostudy.dem.space.gate import widen
 from silostudy.dem.space.lanes import (
     FORCE,
     HISTORIES,
@@ -43,7 +44,7 @@ from silostudy.dem.space.motion import (
 from silostudy.dem.space.network import all_from_wall, bent, densest
 from silostudy.dem.space.outlets import handed_on
 from silostudy.dem.space.rows import RISE
-from silostudy.dem.space.surfaces import height_of, lift, motion_of, nearest, widen
+from silostudy.dem.space.surfaces import height_of, lift, motion_of, nearest
 from silostudy.dem.space.walk import walk
 from silostudy.dem.space.walls import beside, cell_count, extents, walls_of
 

@@ -21,7 +21,7 @@ from silostudy.dem.space.rows import (
     RIM,
     UPWARD,
 )
-from silostudy.dem.space.walls import Surface
+from silostudy.dem.space.walls import Surface, TurnedLine
 from silostudy.errors import BadInput
 
 ENDLESS = 1e9  # m: half length of a hole that runs from wall to wall
@@ -164,13 +164,28 @@ class LevelPiece(Surface):
         return row
 
     def opened(self, row: np.ndarray, names: tuple[str, ...], speed: float = 0.0) -> None:
-        """Open the holes of these names in its row: at a speed (m/s) of their width along x, or at once where that is none."""
+        """Open the holes of these names in its row: at a speed (m/s) of their width along x, or at once where that is none.
+
+        One that is open goes on from its width.
+        """
         for of, hole in zip(row[MORE:][: PER_HOLE * len(self.holes)].reshape(-1, PER_HOLE), self.holes, strict=True):
             if hole.name in names:
-                of[OPEN], of[GROWTH] = 1.0, speed / 2.0
-                of[RIM + 3] = 0.0 if speed > 0.0 else of[FULL]
+                begun = of[RIM + 3] if of[OPEN] else 0.0
+                of[OPEN], of[GROWTH], of[RIM + 3] = 1.0, speed / 2.0, begun if speed > 0.0 else of[FULL]
 
     @property
     def corners(self) -> np.ndarray:
         """Corners (n, 3) of a box around it, m."""
         return np.column_stack([self.outline.box, [self.height] * 2])
+
+
+def gate_of(plug: Surface, name: str) -> LevelPiece:
+    """A hopper's plug as a gate: a hole of a name grows in it until nothing of it is left."""
+    if isinstance(plug, TurnedLine):
+        (wide, height), sides = plug.end, int(CIRCLE)
+        outline = Outline(sides=sides, half=(wide, wide), middle=plug.axis)
+    else:
+        assert isinstance(plug, LevelPiece)
+        height, outline = plug.height, plug.outline
+    holes = (Hole(name=name, outline=outline),)
+    return LevelPiece(name=plug.name, height=height, outline=outline, holes=holes, cells=plug.cells, coat=plug.coat)

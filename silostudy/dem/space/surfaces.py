@@ -29,13 +29,10 @@ from silostudy.dem.space.rows import (
     END_WAY,
     FLAT,
     FOLLOWS,
-    FULL,
-    GROWTH,
     HEIGHT,
     HOLES,
     JOINED,
     LENGTH,
-    LEVEL,
     MEETS,
     MORE,
     OPEN,
@@ -132,8 +129,7 @@ def margin(shape, wall, outline, x, y):
         return half - sqrt(x * x + y * y)
     if sides == RECTANGLE:
         return min(half - abs(x), shape[wall, outline + 4] - abs(y))
-    part = 2.0 * pi / sides
-    facing = part * floor(atan2(y, x) / part + 0.5)
+    facing = side_facing(sides, x, y)
     return half - (x * cos(facing) + y * sin(facing))
 
 
@@ -153,17 +149,27 @@ def nearest_level(shape, wall, x, y, z):
 
 @njit(**OPTIONS)
 def nearest_rim(shape, wall, outline, x, y):
-    """Level vector (m) from the nearest point of a circle or a rectangle to a point inside it."""
+    """Level vector (m) from the nearest point of an outline to a point inside it."""
     inside, half = margin(shape, wall, outline, x, y), shape[wall, outline + 3]
     x, y = x - shape[wall, outline + 1], y - shape[wall, outline + 2]
     if shape[wall, outline] == RECTANGLE:
         if half - abs(x) == inside:
             return (-inside if x > 0.0 else inside), 0.0
         return 0.0, (-inside if y > 0.0 else inside)
+    if shape[wall, outline] != CIRCLE:
+        facing = side_facing(shape[wall, outline], x, y)
+        return -inside * cos(facing), -inside * sin(facing)
     off = sqrt(x * x + y * y)
     if off > 0.0:
         return -inside * x / off, -inside * y / off
     return -inside, 0.0  # over the middle every direction is as near
+
+
+@register_jitable
+def side_facing(sides, x, y):
+    """Direction (rad) in which the side of a regular polygon about the origin faces that is nearest to (x, y)."""
+    part = 2.0 * pi / sides
+    return part * floor(atan2(y, x) / part + 0.5)
 
 
 @register_jitable
@@ -176,26 +182,6 @@ def height_of(shape, wall):
 def lift(shape, wall, way):
     """Move a level surface up by a way (m)."""
     shape[wall, START_Z if shape[wall, 0] == TURNED else HEIGHT] += way
-
-
-@register_jitable
-def widen(shape, wall, dt):
-    """Widen the holes of a level piece that grow, by a step (s); whether one has taken the whole piece away.
-
-    The piece recedes and stands still: it drags nothing with it, and what has not touched it does not come to.
-    """
-    if shape[wall, 0] != LEVEL:
-        return False
-    gone = False
-    for k in range(int(shape[wall, HOLES])):
-        hole = MORE + PER_HOLE * k
-        if shape[wall, hole + GROWTH] > 0.0:
-            half = min(shape[wall, hole + RIM + 3] + shape[wall, hole + GROWTH] * dt, shape[wall, hole + FULL])
-            shape[wall, hole + RIM + 3] = half
-            if half == shape[wall, hole + FULL]:
-                shape[wall, hole + GROWTH] = 0.0
-                gone = gone or half >= shape[wall, OUTLINE + 3]
-    return gone
 
 
 def motion_of(shape: np.ndarray) -> np.ndarray:
