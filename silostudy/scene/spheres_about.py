@@ -168,6 +168,7 @@ def sphere_effects(scene: SphereScene) -> tuple[Effect, ...]:
         Effect("several kinds of spheres", bool(scene.other_grains), others),
         Effect("spheres of several sizes", uneven, f"sizes: {sizes}"),
         Effect("rain", FILLINGS[scene.filling.kind].rains, f"filling.kind: {scene.filling.kind}"),
+        Effect("shaking", scene.quake is not None, "quake"),
         Effect("wall forces every step", record.wall_force_window_s is not None, "record.wall_force_window_s"),
         Effect("energy balance", record.energy, f"record.energy: {record.energy}"),
         Effect("several outlets", len(scene.outlets) > 1, f"outlets: {len(scene.outlets)}"),
