@@ -69,6 +69,7 @@ def test_commands_are_understood(guide, words):
     assert program != "silostudy" or not understood([word for word in arguments if word != "..."])
     named = [word.removeprefix("project=") for word in arguments if word.startswith(("project=", "config/", "tests/"))]
     assert not [name for name in named if not (ROOT / name).exists()], guide
+    assert "--report" not in arguments or "--cores" in arguments, "snakemake asks for cores even there"
 
 
 @pytest.mark.long

@@ -19,6 +19,7 @@ CriterionKey: TypeAlias = Literal[tuple(REST)]  # type: ignore[valid-type]
 TriggerKey: TypeAlias = Literal[tuple(TRIGGERS)]  # type: ignore[valid-type]
 IntegratorKey: TypeAlias = Literal[tuple(INTEGRATORS)]  # type: ignore[valid-type]
 MEANS = "fillings"  # what tables/asked.csv files quantities under that are means over fillings
+MOST_SNAPSHOTS = 100_000  # of a scene: they are listed, and kept in memory until the end
 if TYPE_CHECKING:
     ExpectedConfig = Any
 else:
@@ -152,6 +153,10 @@ class GrainScene(OwnMethods):
             asked = getattr(self.record, name)
             if asked is not None and asked.every_s > limit:
                 raise KeyMistake(f"record.{name}.every_s", f"must not be longer than march.limit_s, {limit:g} s")
+        every = self.record.snapshots_every_s
+        if every is not None and limit / every > MOST_SNAPSHOTS:
+            told = f"asks for {limit / every:.3g} snapshots until march.limit_s, {limit:g} s: at most {MOST_SNAPSHOTS:,}"
+            raise KeyMistake("record.snapshots_every_s", told)
         for number, time in enumerate(self.record.snapshots_s):
             if time > limit:
                 raise KeyMistake(f"record.snapshots_s.{number}", f"lies beyond march.limit_s, {limit:g} s")
@@ -190,4 +195,17 @@ class GrainScene(OwnMethods):
     def _ends_with_a_stop(self) -> Self:
         if self.events[-1].do != "stop":
             raise KeyMistake(f"events.{len(self.events) - 1}.do", "the last event must be a stop")
+        for number, event in enumerate(self.events[:-1]):
+            if event.do == "stop":
+                raise KeyMistake(f"events.{number}.do", "ends the run: only the last event is a stop")
+        return self
+
+    @model_validator(mode="after")
+    def _feeds_through_shut_outlets(self) -> Self:
+        done = [event.do for event in self.events]
+        for number, name in enumerate(done):
+            if name == "feed" and {"open_slit", "open_outlet"} & set(done[:number]):
+                raise KeyMistake(
+                    f"events.{number}.do", "an outlet is open by then, through which grains leave at their own rate"
+                )
         return self

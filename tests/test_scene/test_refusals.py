@@ -140,6 +140,21 @@ REFUSED = {
         {"events": [{"when": "rest", "do": "open_slit"}]},
         "events.0.do = 'open_slit': the last event must be a stop",
     ),
+    "a stop on the way": ({"events": [STOP, STOP]}, "events.0.do = 'stop': ends the run: only the last event is a stop"),
+    "a feeder under an open outlet": (
+        {
+            "events": [
+                {"when": "rest", "do": "open_slit"},
+                {"when": "after", "value": 0.1, "do": "feed", "rate_kg_s": 1.0},
+                STOP,
+            ]
+        },
+        "events.1.do = 'feed': an outlet is open by then",
+    ),
+    "snapshots without end": (
+        {"march__limit_s": 1e9, "record__snapshots_every_s": 0.1},
+        "record.snapshots_every_s = 0.1: asks for 1e+10 snapshots until march.limit_s, 1e+09 s: at most 100,000",
+    ),
     "keys beside a kind": ({"packing": {"kind": "rows", "rows": 3}}, "packing.across: is missing"),
     "a section as a whole": ({"discs__damping_ratio": 0.5}, "discs: give either normal_damping_N_s_m2 or"),
 }
