@@ -88,7 +88,7 @@ def pieces_of(engine: Engine, wall: str) -> list[int]:
 
 
 def not_open(engine: Engine, wall: str, names: tuple[str, ...]) -> tuple[str, ...]:
-    """Those of some outlets of a surface, or between its parts, that are not open altogether."""
+    """Pick those of some outlets of a surface, or between its parts, that are not open altogether."""
     surfaces: Any = engine.model.walls
     left = {name for number in pieces_of(engine, wall) for name in surfaces[number].narrow(engine.walls.shape[number])}
     return tuple(name for name in names if name in left)
