@@ -45,6 +45,9 @@ def scene_model(scene: AnyScene, folder: Path, where: str = "") -> Model:
     """The engine's model of a scene; BadInput for a start or a step that cannot be."""
     with within(where, SPHERE_KEYS if isinstance(scene, SphereScene) else DISC_KEYS):
         model = _started(scene, folder, where)
+        if scene.quake:
+            shaken = quake_steps(scene.quake.file, folder, dt=model.dt, limit=scene.march.limit_s, ways=model.space.ways)
+            model = replace(model, quake=shaken)
     return branched(scene, model, folder, where) if scene.start_from else model
 
 
@@ -65,10 +68,7 @@ def _(scene: SphereScene, folder: Path, where: str) -> Model:
 def _(scene: DemScene, folder: Path, where: str) -> Model:
     from_file = PACKINGS[scene.packing.kind].from_file
     discs = (*given_discs(scene.packing.file, folder), None) if from_file else placed(scene)
-    model = unshaken_scene_model(scene, discs, where)
-    if scene.quake is None:
-        return model
-    return replace(model, quake=quake_steps(scene.quake.file, folder, dt=model.dt, limit=scene.march.limit_s))
+    return unshaken_scene_model(scene, discs, where)
 
 
 def run_of(scene: AnyScene, model: Model, where: str = "", *, threads: int = 1) -> Run:

@@ -13,7 +13,7 @@ from silostudy.packing.filling import FILLINGS
 from silostudy.packing.given import place
 from silostudy.tables.columns import equal_steps, read_columns
 
-QUAKE = ("time_s", "x_m_s2", "y_m_s2")
+QUAKE = ("time_s", "x_m_s2", "y_m_s2", "z_m_s2")  # the last of spheres alone
 KIND = "grain_kind"
 STRONGEST = 1e6  # m s-2: beyond, no acceleration
 GIVEN = ("disc_x", "disc_y", "disc_radius")
@@ -101,21 +101,22 @@ def _last(variable) -> np.ndarray:
     return variable.isel(last).to_numpy().astype(float)
 
 
-def quake_steps(file: str, folder: Path, *, dt: float, limit: float) -> np.ndarray:
-    """Acceleration (m s-2) of the box at every step, across and up, between the points of its record; none beyond its ends."""
-    path = folder / file
+def quake_steps(file: str, folder: Path, *, dt: float, limit: float, ways: int = 2) -> np.ndarray:
+    """Acceleration (steps, ways; m s-2) of the box at every step, the last way up, between the points of its record; none
+    beyond its ends.  ways: of space, two of discs, three of spheres."""
+    path, names = folder / file, QUAKE[: 1 + ways]
     with within(keys={"file": "quake.file"}):
-        columns = read_columns(path, QUAKE)
-    if sorted(columns.head) != sorted(QUAKE):
-        raise BadInput("quake.file", file, f"must begin with the names of its columns, {', '.join(QUAKE)}", str(path))
-    places = [columns.head.index(name) for name in QUAKE]
+        columns = read_columns(path, names)
+    if sorted(columns.head) != sorted(names):
+        raise BadInput("quake.file", file, f"must begin with the names of its columns, {', '.join(names)}", str(path))
+    places = [columns.head.index(name) for name in names]
     start, step = equal_steps(columns, places[0])
-    ways = [columns.column(name, place) for name, place in zip(QUAKE[1:], places[1:], strict=True)]
-    strongest = float(max(np.abs(way).max() for way in ways))
+    shaken = [columns.column(name, place) for name, place in zip(names[1:], places[1:], strict=True)]
+    strongest = float(max(np.abs(way).max() for way in shaken))
     if strongest > STRONGEST:
         raise BadInput("quake.file", strongest, f"must be at most {STRONGEST:g} m/s2", str(path))
     if start > limit:
         raise BadInput("quake.file", start, f"must begin before the run ends, at {limit:g} s", str(path))
     time = start + step * np.arange(len(columns.cells))
     steps = np.arange(int(max(min(time[-1], limit), 0.0) / dt) + 2) * dt
-    return np.column_stack([np.interp(steps, time, way, left=0.0, right=0.0) for way in ways])
+    return np.column_stack([np.interp(steps, time, way, left=0.0, right=0.0) for way in shaken])

@@ -119,16 +119,6 @@ else:
     SurfaceConfig = apart_from("SurfaceConfig", "How a surface that is not like the other walls pushes discs.", ContactConfig)
 
 
-class QuakeConfig(Strict):
-    """Acceleration of the box."""
-
-    file: str = described(
-        "CSV file whose first line names its columns, time_s (equal steps), x_m_s2, y_m_s2, relative to the scene file; "
-        "the box is at rest before and after",
-        "",
-    )
-
-
 DRAWN = tuple(key for key, row in OUTPUTS.items() if row.stage == "dem" and "only_discs" in row.demands)
 DiscOutput: TypeAlias = Literal[DRAWN]  # type: ignore[valid-type]
 
@@ -171,7 +161,6 @@ class DemScene(Asked, GrainScene):
         default={},
     )
     gravity_m_s2: tuple[float, float] = described("gravity, x and y (up)", "m s-2", default=(0.0, -ROUNDED_GRAVITY))
-    quake: QuakeConfig | None = described("acceleration of the box", "", default=None)
     events: tuple[EventConfig, ...] = described("what happens, in order; the last is a stop", "", min_length=1)
     record: Recorded = described("what is recorded", "", default=Recorded())
     outputs: tuple[DiscOutput, ...] = described(

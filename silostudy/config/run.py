@@ -56,6 +56,16 @@ class MarchConfig(Strict):
         return self
 
 
+class QuakeConfig(Strict):
+    """Acceleration of the box."""
+
+    file: str = described(
+        "CSV file whose first line names its columns, time_s (equal steps), x_m_s2, y_m_s2 and, of spheres, z_m_s2, relative "
+        "to the scene file; the box is at rest before and after",
+        "",
+    )
+
+
 class RestConfig(Strict):
     """Measure by which the grains count as at rest."""
 
@@ -126,6 +136,7 @@ class GrainScene(OwnMethods):
         "",
         default=None,
     )
+    quake: QuakeConfig | None = described("acceleration of the box", "", default=None)
     seed: int = described("seed of the random numbers; beyond 2^53 numbers of a sweep coincide", ge=0, le=2**53, default=0)
     expected: tuple[ExpectedConfig, ...] = described(
         "published numbers that the run is held against at its end", "", default=()

@@ -154,7 +154,7 @@ class SphereScene(Asked, GrainScene):
     def named_files(self) -> tuple[str, ...]:
         """Files that the scene is made from."""
         filled = (self.filling.file,) if FILLINGS[self.filling.kind].from_file else ()
-        return (*filled, *self.branched_from)
+        return (*filled, *([self.quake.file] if self.quake else []), *self.branched_from)
 
     @model_validator(mode="after")
     def _sizes_known(self) -> Self:

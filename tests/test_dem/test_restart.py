@@ -9,7 +9,7 @@ import yaml
 from silostudy.__main__ import main
 from silostudy.compute.checkpoints import save
 from silostudy.compute.dem import carry_through, run_of, scene_model
-from silostudy.config.dem import QuakeConfig
+from silostudy.config.run import QuakeConfig
 from silostudy.cube.io import read
 from tests.test_dem.small import SMALL, given
 
