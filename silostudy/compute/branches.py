@@ -11,6 +11,8 @@ from silostudy.compute.checkpoints import program, read_whole, write_whole
 from silostudy.config.grain_scenes import AnyScene
 from silostudy.cube.netcdf import is_file
 from silostudy.dem.branch import differences, end_of, with_motion
+from silostudy.dem.change import not_open
+from silostudy.dem.events import Event
 from silostudy.dem.model import FLOOR, Model
 from silostudy.dem.run import Run
 from silostudy.dem.space.level import gate_of
@@ -75,6 +77,24 @@ def _check_stop(scene: AnyScene, then: float, tick: float, where: str) -> None:
         number, last = len(scene.events) - 1, scene.events[-1]
         told = f"the run would stop where it begins: must come after {then:.6g} s, where {scene.start_from} ends"
         raise BadInput(f"events.{number}.value", last.value, told, where)
+
+
+def yet_to_open(run: Run, scene: AnyScene) -> tuple[Event, ...]:
+    """Events of a run that goes on from an end, without the outlets that are open there; BadInput where none is left."""
+    events = []
+    for number, event in enumerate(run.events):
+        shut = True
+        if event.action == "open":
+            shut = bool(run.engine.walls.live[run.engine.model.wall_number(event.what[0])])
+        elif event.action == "open holes":
+            wall, names, speed = event.what
+            shut = bool(names := not_open(run.engine, wall, names))
+            event = replace(event, what=(wall, names, speed))
+        if not shut:
+            told = f"opens nothing: open by then, where {scene.start_from} ends"
+            raise BadInput(f"events.{number}.do", scene.events[number].do, told)
+        events.append(event)
+    return tuple(events)
 
 
 def _read(file: str, folder: Path, where: str) -> dict[str, Any]:

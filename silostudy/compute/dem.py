@@ -6,7 +6,7 @@ from functools import singledispatch
 from pathlib import Path
 from typing import Any
 
-from silostudy.compute.branches import branched
+from silostudy.compute.branches import branched, yet_to_open
 from silostudy.compute.checkpoints import resume, save
 from silostudy.compute.dem_files import given_discs, given_spheres, quake_steps
 from silostudy.compute.observers import observers_of
@@ -75,7 +75,7 @@ def run_of(scene: AnyScene, model: Model, where: str = "", *, threads: int = 1) 
     """The run that a scene asks for; BadInput for records that cannot be."""
     with within(where, {"threads": "--threads"}):
         happens = _of_spheres(scene, model) if isinstance(scene, SphereScene) else _of_discs(scene, model)
-        return Run(
+        run = Run(
             Engine(model, threads=threads),
             limit=scene.march.limit_s,
             window=_window(scene, model),
@@ -84,6 +84,8 @@ def run_of(scene: AnyScene, model: Model, where: str = "", *, threads: int = 1) 
             rest=rest_of(scene),
             **happens,
         )
+        run.events = run.events if model.end is None else yet_to_open(run, scene)
+        return run
 
 
 def _of_discs(scene: DemScene, model: Model) -> dict[str, Any]:

@@ -69,7 +69,9 @@ class SphereScene(Asked, GrainScene):
     )
     outlets: tuple[OutletConfig, ...] = described("outlets of a flat floor; none: closed, or the hopper's", "", default=())
     inserts: tuple[InsertConfig, ...] = described("surfaces inside, that push on both sides", "", default=())
-    wedge: bool = described("whether the hopper of a square or rectangle slopes on two sides only", "", default=False)
+    wedge: bool = described(
+        "whether the hopper of a square or rectangle slopes on two sides only, else on all four to one apex", "", default=False
+    )
     lid: bool = described("whether a lid closes the top", "", default=False)
     grain: GrainConfig = described("material of the spheres", "")
     wall: MaterialConfig = described("material of the walls", "")

@@ -81,15 +81,27 @@ def take_walls(engine: Engine, names: tuple[str, ...]) -> None:
         swap_walls(engine, name, ())
 
 
+def pieces_of(engine: Engine, wall: str) -> list[int]:
+    """Numbers of a surface of a name, or of its parts, that stand."""
+    named = (n for n, of in enumerate(engine.model.walls) if of.name == wall or of.name.startswith(f"{wall}_"))
+    return [number for number in named if engine.walls.live[number]]
+
+
+def not_open(engine: Engine, wall: str, names: tuple[str, ...]) -> tuple[str, ...]:
+    """Pick those of some outlets of a surface, or between its parts, that are not open altogether."""
+    surfaces: Any = engine.model.walls
+    left = {name for number in pieces_of(engine, wall) for name in surfaces[number].narrow(engine.walls.shape[number])}
+    return tuple(name for name in names if name in left)
+
+
 def open_holes(engine: Engine, wall: str, names: tuple[str, ...], speed: float) -> None:
     """Open holes of a level surface, or between its parts, at a speed (m/s) or at once where it is none.
 
-    Contacts with what is left of it go on, those that stood over the holes end.
+    Those that are open stay so.  Contacts with what is left of it go on, those that stood over the holes end.
     """
     pairs, near = engine.take_memories()
     surfaces: Any = engine.model.walls
-    named = (number for number, surface in enumerate(surfaces) if surface.name == wall or surface.name.startswith(f"{wall}_"))
-    numbers = [number for number in named if engine.walls.live[number]]
+    numbers = pieces_of(engine, wall)
     for number in numbers:
         surfaces[number].opened(engine.walls.shape[number], names, speed)
     body, walls = near.key >> SHIFT, near.key & LOW

@@ -15,7 +15,7 @@ from silostudy.dem.pace import FIXED, Pace
 from silostudy.dem.pieces import Pieces
 from silostudy.dem.plane import PLANE
 from silostudy.dem.varied import Varied, set_at_wall, set_of_pair
-from silostudy.dem.walls import GROWTH, draw_back
+from silostudy.dem.walls import GROWTH, OWN, REACH, draw_back
 from silostudy.errors import BadInput, unknown
 
 FLOOR = "floor"  # name of the floor, or before a number that of its pieces
@@ -70,6 +70,10 @@ class Wall:
         start = dist(self.floor.origin, self.start) if self.floor else 0.0
         begin, end = self.floor.seams if self.floor else (0.0, dist(self.start, self.end))
         return begin - start, end - start
+
+    def narrow(self, row: np.ndarray) -> tuple[str, ...]:
+        """Names of the outlets at its ends that it reaches into yet, by its row."""
+        return tuple(name for end, name in enumerate(self.outlets) if name and row[REACH + end] != row[OWN + end])
 
     def opened(self, row: np.ndarray, names: tuple[str, ...], speed: float = 0.0) -> None:
         """Draw it back, in its row, from outlets of these names: at once, or at a speed (m/s) of their width."""

@@ -5,7 +5,7 @@ from collections.abc import Callable
 import numpy as np
 
 from silostudy.dem.branch import go_on
-from silostudy.dem.change import keep_discs, open_holes, set_friction, swap_walls, take_walls
+from silostudy.dem.change import keep_discs, not_open, open_holes, set_friction, swap_walls, take_walls
 from silostudy.dem.checkpoint import checkpoint, restore
 from silostudy.dem.engine import Engine
 from silostudy.dem.events import TRIGGERS, Event
@@ -187,8 +187,10 @@ class Run:
         if action == "open":
             self._take_away(lambda: swap_walls(engine, event.what[0], event.what[1:]))
         elif action == "open holes":
-            self._take_away(lambda: open_holes(engine, *event.what))
-            action = f"open {', '.join(event.what[1])}"
+            wall, names, speed = event.what
+            names = not_open(engine, wall, names)
+            self._take_away(lambda: open_holes(engine, wall, names, speed))
+            action = f"open {', '.join(names) or 'nothing: open by then'}"
         elif action == "take away":
             self._take_away(lambda: take_walls(engine, event.what))
             action = f"take away {', '.join(event.what)}"

@@ -48,9 +48,9 @@ class SpaceSilo:
     """A silo as the codes know it, and what only grains need.
 
     outlets: of a flat floor, none: a closed one; inserts: surfaces of names of their own inside; wedge: the hopper of a square
-    or rectangular plan slopes on two sides only, else on all four, equally steep; freeboard: height (m) of the walls above the
-    highest contact with the solid; gated: whether outlets open at a speed, when the plug of a hopper is a level piece whose
-    hole grows.
+    or rectangular plan slopes on two sides only, else on all four, which meet in one apex; freeboard: height (m) of the
+    walls above the highest contact with the solid; gated: whether outlets open at a speed, when the plug of a hopper is a level
+    piece whose hole grows.
     """
 
     silo: Silo
@@ -118,8 +118,8 @@ class SpaceSilo:
         plan, hopper = self.plan, self.silo.hopper
         if hopper is None:
             return None
-        half, longer = hopper.outlet_width / 2, plan.half[1] - plan.half[0]
-        halves = (half, plan.half[1] if self.wedge else longer + half)
+        half, longer = hopper.outlet_width / 2, plan.half[1] / plan.half[0]
+        halves = (half, plan.half[1] if self.wedge else longer * half)
         return Outline(sides=plan.sides, half=halves, middle=(self.silo.outlet_eccentricity, 0.0))
 
     @property

@@ -298,3 +298,16 @@ def test_an_energy_balance_that_begins_with_the_branch_closes_from_there(tmp_pat
     out = entries[:, CARRIED_OUT]
     assert branch.dropped > 0.0
     assert out[0] == pytest.approx(0.0, abs=0.1 * abs(out[-1]))  # what had left before is no part of it
+
+
+@pytest.mark.parametrize("outlets", [[], TWO])
+def test_what_is_open_is_not_opened_again(outlets, tmp_path):
+    """A slit without a name, and outlets by names: of those that an event names the others open."""
+    changes, names = (SHUT, [{"outlets": ["left"]}, {"outlets": []}]) if outlets else ({}, [{}, {}])
+    ended(tmp_path, OPENS | names[0], stop(0.1), **changes, outlets=outlets)
+    told = r"events\.0\.do = 'open_slit': opens nothing: open by then, where first\.end ends"
+    with pytest.raises(BadInput, match=told):
+        branched(tmp_path, AT_ONCE | names[0], stop(0.2), **changes, outlets=outlets)
+    if outlets:
+        branch = branched(tmp_path, AT_ONCE | names[1], stop(0.2), **changes, outlets=outlets)
+        assert [action for *_, action in branch.recording.happened] == ["open right", "stop"]

@@ -17,7 +17,8 @@ class Sheet:
         self.high = np.array([one.diameter, one.length or one.diameter]) / 2
         self.bottom = (one.diameter - hopper.outlet_width) / 2 / tan(hopper.half_angle) if hopper else 0.0
         self.top, self.aside = self.bottom + one.wall_depth, one.outlet_eccentricity
-        self.low = self.high - (one.diameter - hopper.outlet_width) / 2 * np.array([1, not of.wedge]) if hopper else self.high
+        left = hopper.outlet_width / one.diameter if hopper else 1.0
+        self.low = self.high * np.array([left, 1.0 if of.wedge else left])
         outlet = of.outlets[0] if of.outlets else None
         self.hole = np.array([outlet.width, outlet.length or outlet.width]) / 2 if outlet else None
         self.round = outlet is not None and outlet.length is None

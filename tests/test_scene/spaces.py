@@ -44,7 +44,7 @@ SPACES = {
     "square, eccentric pyramid": space("square", CONE, outlet_eccentricity=0.05),
     "square, wedge": space("square", CONE, wedge=True, outlet_eccentricity=0.02),
     "rectangle, pyramid": space("rectangular", CONE),
-    "rectangle, pyramid to its ridge": space("rectangular", Hopper(half_angle=0.9, outlet_width=0.0)),
+    "rectangle, pyramid to its apex": space("rectangular", Hopper(half_angle=0.9, outlet_width=0.0)),
     "rectangle, wedge": space("rectangular", CONE, wedge=True),
     "rectangle, slot from wall to wall": space("rectangular", outlet=Outlet(width=0.06, length=0.3)),
     "rectangle, slot across": space("rectangular", outlet=Outlet(width=WIDE, length=0.06, middle=(0.0, 0.05))),

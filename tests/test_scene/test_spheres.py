@@ -1,5 +1,6 @@
 """Scenes of spheres before they run: materials, sizes, cells, step, and mistakes in one line each."""
 
+from dataclasses import replace
 from math import pi, radians, sqrt, tan
 
 import numpy as np
@@ -13,6 +14,7 @@ from silostudy.dem.space.cells import areas, middles
 from silostudy.dem.stability import longest_step
 from silostudy.errors import BadInput
 from silostudy.packing.sizes import SIZES
+from silostudy.pressure import hopper_shape
 from silostudy.scene.silo import Hopper, Silo
 from silostudy.scene.space_silo import Outlet, SpaceSilo
 from silostudy.scene.spheres import contacts_of
@@ -155,14 +157,28 @@ def test_cells_cover_a_surface_once(of, name, area):
     assert ((middles(surface) >= low - 1e-12) & (middles(surface) <= high + 1e-12)).all()
 
 
-def test_volume_of_a_pyramid_on_a_slot():
-    """Prism and frustum whose long sides shrink with the short ones, by their own formulas."""
-    of = SpaceSilo(silo=Silo(plan="rectangular", diameter=0.2, length=0.3, wall_depth=0.3, hopper=CONE))
-    high = 0.06 / tan(radians(30.0))
-    inner = sum(
-        0.5 * (0.08 + 0.12 * t) * (0.18 + 0.12 * t) * w for t, w in ((0.5 - 0.5 / sqrt(3), 1), (0.5 + 0.5 / sqrt(3), 1))
-    )
-    assert of.volume_below(of.top) == pytest.approx(0.06 * 0.3 + high * inner)
+@pytest.mark.parametrize("width", [0.08, 0.0])
+def test_a_rectangle_s_pyramid_is_that_of_the_codes(width):
+    """Its four walls meet in one apex: the outlet is as oblong as the plan, the end walls are flatter than the long ones."""
+    silo = Silo(plan="rectangular", diameter=0.2, length=0.3, wall_depth=0.3, hopper=replace(CONE, outlet_width=width))
+    of = SpaceSilo(silo=silo)
+    assert of.opening.area == pytest.approx(width * 1.5 * width)
+    slopes = {}
+    for wall in of.walls():
+        if wall.name.startswith("hopper"):
+            foot, *_, top, other = np.array(wall.corners)
+            normal = np.cross(top - foot, other - foot)
+            slopes[wall.name] = np.arcsin(abs(normal[2]) / np.linalg.norm(normal))  # half angle, from the vertical
+    long, end = CONE.half_angle, hopper_shape.end_half_angle(CONE.half_angle, 1.5)
+    assert slopes == pytest.approx({"hopper_1": long, "hopper_2": end, "hopper_3": long, "hopper_4": end})
+    assert tan(end) == pytest.approx(1.5 * tan(long))
+    assert of.volume_below(of.top) == pytest.approx(silo.volume, rel=1e-12)
+
+
+def test_a_rectangle_s_wedge_keeps_its_end_walls():
+    of = SpaceSilo(silo=Silo(plan="rectangular", diameter=0.2, length=0.3, wall_depth=0.3, hopper=CONE), wedge=True)
+    assert of.opening.area == pytest.approx(0.08 * 0.3)
+    assert of.volume_below(of.top) == pytest.approx(0.06 * 0.3 + 0.3 * 0.14 * 0.06 / tan(CONE.half_angle))
 
 
 @pytest.mark.long

@@ -132,3 +132,22 @@ def test_other_outlets_in_place_of_shut_ones_while_one_opens(tmp_path):
     assert branch.dropped == whole.dropped > 0.0
     with pytest.raises(BadInput, match="the outlet west open, which this scene has not"):
         branched(tmp_path, then, stop(0.15), outlets=[SLOT])
+
+
+def test_outlets_that_are_open_stay_open(tmp_path):
+    """An event with no names opens the other one, at its speed, in one run as in a branch; what opens nothing is refused."""
+    first = {"when": "time", "value": 0.03, "do": "open_outlet", "outlets": ["west"]}
+    rest = {"when": "time", "value": 0.06, "do": "open_outlet", "speed_m_s": 0.2}
+    named = carried(scene_of(events=[first, rest | {"outlets": ["east"]}, stop(0.15)], **FLAT | {"outlets": [WEST, EAST]}))
+    whole = carried(scene_of(events=[first, rest, stop(0.15)], **FLAT | {"outlets": [WEST, EAST]}))
+    assert same_motion(whole, named)
+    assert [action for *_, action in whole.recording.happened] == ["open west", "open east", "stop"]
+    ended(tmp_path, first, stop(FILLING), outlets=[WEST, EAST])
+    branch, cube = branched(tmp_path, rest, stop(0.15), outlets=[WEST, EAST])
+    assert same_motion(branch, whole)
+    assert branch.recording.happened == whole.recording.happened[1:]
+    assert np.isnan(cube["outlet_opened"].values).tolist() == [True, False]
+    for again in (rest, first):
+        told = r"events\.0\.do = 'open_outlet': opens nothing: open by then, where first\.end ends"
+        with pytest.raises(BadInput, match=told):
+            branched(tmp_path, again | {"value": 0.06, "outlets": ["west"]}, stop(0.15), outlets=[WEST, EAST])

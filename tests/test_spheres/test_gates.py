@@ -11,6 +11,7 @@ from silostudy.compute.dem import run_of, scene_model
 from silostudy.dem.engine import Engine
 from silostudy.dem.space.rows import MORE, RIM
 from silostudy.dem.space.walls import walls_of
+from silostudy.errors import BadInput
 from silostudy.scene.silo import Hopper, Silo
 from silostudy.scene.space_silo import OUTLET, SpaceSilo
 from tests.test_spheres.scenes import GRAVITY, RADIUS, contact, rows, spheres
@@ -133,3 +134,13 @@ def test_a_branch_opens_the_rest_at_once(whole, tmp_path):
     assert not run.engine.walls.live[0]
     assert np.array_equal(run.engine.walls.shape[1:], walls_of(run.engine.model.walls).shape[1:])  # its edges push again
     assert run.recording.left["discharged"] > whole["hexagon"].recording.left["discharged"] - 20
+
+
+@pytest.mark.parametrize("speed", [None, 0.2])
+def test_a_branch_does_not_open_what_is_open(speed, tmp_path):
+    """A hopper opened at once is not shut to be opened again, at a speed or not."""
+    at_once = {name: told for name, told in OPENS.items() if name != "speed_m_s"}
+    keep_end(carried(scene_of(silo=copy.deepcopy(CONE), events=[at_once, stop(HALF_OPEN)], **BARE)), tmp_path / "open.end")
+    scene = opening(CONE, at_once | {"value": 0.4, "speed_m_s": speed}, start_from="open.end")
+    with pytest.raises(BadInput, match=r"events\.0\.do = 'open_outlet': opens nothing: open by then, where open\.end ends"):
+        run_of(scene, scene_model(scene, tmp_path, "branch.yaml"))

@@ -163,6 +163,11 @@ class LevelPiece(Surface):
         row[UPWARD : UPWARD + 5], row[ACROSS : ACROSS + 5] = (0.0, 1.0, 0.0, y, back - y), (1.0, 0.0, 0.0, x, right - x)
         return row
 
+    def narrow(self, row: np.ndarray) -> tuple[str, ...]:
+        """Names of its holes that are shut yet, or grow, by its row."""
+        rims = row[MORE:][: PER_HOLE * len(self.holes)].reshape(-1, PER_HOLE)
+        return tuple(hole.name for of, hole in zip(rims, self.holes, strict=True) if not (of[OPEN] and of[RIM + 3] == of[FULL]))
+
     def opened(self, row: np.ndarray, names: tuple[str, ...], speed: float = 0.0) -> None:
         """Open the holes of these names in its row: at a speed (m/s) of their width along x, or at once where that is none.
 
