@@ -143,7 +143,7 @@ def told_before(scene, model, folder: Path) -> list[str]:
 
 def branch_told(scene, model) -> list[str]:
     """Lines on where a scene goes on from, and with what that its file states otherwise."""
-    from silostudy.dem.branch import as_events_left
+    from silostudy.dem.likeness import as_events_left
 
     then = f"goes on from {scene.start_from} at {model.end['engine']['step'] * model.dt:.6g} s"
     left = "; ".join(as_events_left(model, model.end))

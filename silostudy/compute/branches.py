@@ -10,16 +10,17 @@ import numpy as np
 from silostudy.compute.checkpoints import program, read_whole, write_whole
 from silostudy.config.grain_scenes import AnyScene
 from silostudy.cube.netcdf import is_file
-from silostudy.dem.branch import differences, end_of, with_motion
+from silostudy.dem.branch import end_of, with_motion
 from silostudy.dem.change import not_open
 from silostudy.dem.events import Event
+from silostudy.dem.likeness import differences
 from silostudy.dem.model import FLOOR, Model
 from silostudy.dem.run import Run
 from silostudy.dem.space.level import gate_of
 from silostudy.dem.space.walls import Surface
 from silostudy.dem.varied import Varied
 from silostudy.errors import BadInput
-from silostudy.scene.space_silo import OUTLET
+from silostudy.scene.outflow import OUTLET
 
 KEY = "start_from"
 

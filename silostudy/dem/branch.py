@@ -5,7 +5,7 @@ mass that has left; records begin anew.
 """
 
 import copy
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any
 
@@ -13,17 +13,12 @@ import numpy as np
 
 from silostudy.dem.arrays import Memory
 from silostudy.dem.checkpoint import checkpoint, restore
-from silostudy.dem.contacts import Contact
 from silostudy.dem.drive import MASS
 from silostudy.dem.floors import Exchange, changed, exchanged, nearest_of
-from silostudy.dem.model import FLOOR, Model
+from silostudy.dem.likeness import fixed, meant, values, walls
+from silostudy.dem.model import Model
 from silostudy.dem.neighbours import LOW, SHIFT
 from silostudy.dem.varied import Varied
-
-MARCH = "march"  # first word of the keys of time stepping
-NUMBER = "1"  # unit of coefficients that a branch may change: frictions
-Contacts = tuple[Contact | Varied, Contact | Varied]
-Values = dict[tuple[str, int, str], float]  # a wall's name, or none; a kind, or a pair's number; a coefficient's name
 
 
 def end_of(run) -> dict[str, Any]:
@@ -49,29 +44,6 @@ def end_of(run) -> dict[str, Any]:
     }
 
 
-def fixed(model: Model) -> dict[str, Any]:
-    """Parts of a model that a branch cannot change, by the words of a scene."""
-    contacts = (model.pair_contact, model.wall_contact)
-    columns = (model.place, model.radius, model.mass, *([] if model.kind is None else [model.kind]))
-    return {
-        "grains (sizes, density, packing, seed)": tuple(np.ascontiguousarray(column).tobytes() for column in columns),
-        "contact laws": repr([contact.laws for contact in contacts]),
-        "march.integrator": model.integrator,
-        "march.step": model.pace.kind,
-        "march.step_factor": model.pace.factor,
-        "march.step_s": model.step,
-    }
-
-
-def walls(model: Model) -> dict[str, tuple[bytes, np.ndarray, tuple[str, ...]]]:
-    """Box around each wall, its shape at the start, and its outlets, by its name, in their order."""
-    shapes, boxes = model.space.walls_of(model.walls).shape, model.space.extents(model.walls)
-    rows = zip(model.walls, boxes, shapes, strict=True)
-    return {
-        wall.name: (np.ascontiguousarray(box).tobytes(), np.trim_zeros(shape, "b"), wall.outlets) for wall, box, shape in rows
-    }
-
-
 def in_motion(model: Model, end: Mapping[str, Any]) -> bool:
     """Whether a wall moved, turned or ran along itself then, bore a load, or was drawn back from an outlet."""
     now, wider = end["engine"]["shape"], end["engine"]["shape"].copy()
@@ -87,82 +59,6 @@ def with_motion(model: Model, end: Mapping[str, Any]) -> Model:
         return model
     lids = [lid for lid in (model.lid, end["lid"]) if lid is not None]
     return replace(model, moving=True, lid=min(lids, key=lambda lid: lid.mass, default=None))
-
-
-def values(model: Model, contacts: Contacts) -> Values:
-    """Every coefficient of contacts: of pairs by their number, at walls by the wall and the kind."""
-    return {
-        (*of, name): float(value)
-        for pairs, contact in zip((True, False), contacts, strict=True)
-        for number, coefficients in enumerate(contact.sets)
-        for of in _meant(model, number, pairs=pairs, varied=isinstance(contact, Varied))
-        for name, value in coefficients.coefficients.items()
-    }
-
-
-def _meant(model: Model, number: int, *, pairs: bool, varied: bool) -> list[tuple[str, int]]:
-    """Contacts that a set of coefficients is of: a wall's name (empty: pairs) and the kind; all walls where they are alike."""
-    if pairs:
-        return [("", number)]
-    kind, wall = divmod(number, len(model.walls)) if varied else (0, None)
-    return [(surface.name, kind) for place, surface in enumerate(model.walls) if wall in (None, place)]
-
-
-def differences(model: Model, end: Mapping[str, Any]) -> Iterator[str]:
-    """Differences, in words, between a model and the end that it is to go on from."""
-    if end["body"] != model.space.body:
-        yield f"{end['body']}s, and the scene is of {model.space.body}s"
-        return
-    yield from _other_walls(model, end)
-    here, there = fixed(model), end["fixed"]
-    others = [name for name, now in here.items() if there[name] != now]
-    yield from (f"other {name}" for name in others if not name.startswith(MARCH))
-    yield from _other_coefficients(model, end)  # which the step follows from
-    for name in others:
-        yield f"other {name}: {there[name]} there, {here[name]} here, and must be given as it is there"
-
-
-def _other_coefficients(model: Model, end: Mapping[str, Any]) -> Iterator[str]:
-    """Coefficients, frictions apart, that are others than there."""
-    units = {coefficient.name: coefficient.unit for contact in (model.pair_contact, model.wall_contact) for row in contact.rows
-             for coefficient in row.coefficients}  # fmt: skip
-    for key, now in values(model, (model.pair_contact, model.wall_contact)).items():
-        then, unit = end["stated"].get(key, now), units[key[-1]]
-        if then != now and unit != NUMBER:
-            yield f"other {key[-1]}: {then:.6g} {unit} there, {now:.6g} here"
-
-
-def _other_walls(model: Model, end: Mapping[str, Any]) -> Iterator[str]:
-    """Walls that stand there and are others here, or that stand here alone; what waits to stand or to open may differ."""
-    here, live = walls(model), dict(zip(end["walls"], end["engine"]["live"], strict=True))
-    floors, others = exchanged(model, end, here), []
-    if floors.lost:
-        yield f"the outlet {floors.lost} open, which this scene has not: only outlets that are shut there may be others"
-    for name, stands in live.items():
-        box, shape, _ = here.get(name, (b"", np.empty(0), ()))
-        moved = changed(end, name)  # one that waits to stand may run along itself
-        other = box != end["walls"][name][0] or (moved and not np.array_equal(shape, end["walls"][name][1]))
-        if (stands or moved) and other and name not in floors.passed:
-            others.append(name)
-    for name in sorted(others, key=lambda name: name.startswith(FLOOR)):  # the body first: floors reach as far as it does
-        open_too = "an outlet that is open, and the silo's body, stay as they are"
-        yield f"another wall {name}: {open_too if name.startswith(FLOOR) else 'the body of the silo stays as it is'}"
-    for wall in model.walls:
-        if wall.live and wall.name not in {*live, *floors.own}:
-            yield f"no wall {wall.name}, which stands here"
-
-
-def as_events_left(model: Model, end: Mapping[str, Any]) -> list[str]:
-    """Frictions and gravity, in words, with which a branch goes on as events left them there, other than its scene states."""
-    stated = values(model, (model.pair_contact, model.wall_contact))
-    left: dict[tuple[str, float], list[str]] = {}
-    for (wall, _, name), now in end["held"].items():
-        if now != end["stated"][wall, _, name] == stated.get((wall, _, name)):
-            left.setdefault((name, now), []).append(wall or "grains")
-    told = [f"{name} {now:g} of {', '.join(dict.fromkeys(walls))}" for (name, now), walls in left.items()]
-    gravity = tuple(map(float, end["engine"]["gravity"]))
-    moved = gravity != tuple(map(float, end["gravity"])) == tuple(map(float, model.gravity))
-    return told + ([f"gravity_m_s2 {list(gravity)}"] if moved else [])
 
 
 def go_on(run, end: Mapping[str, Any]) -> None:
@@ -237,7 +133,7 @@ def _coefficients_here(engine, end: Mapping[str, Any], floors: Exchange) -> list
     model, values_here = engine.model, []
     for pairs, contact in zip((True, False), engine.contacts, strict=True):
         for number, coefficients in enumerate(contact.sets):
-            wall, kind = _meant(model, number, pairs=pairs, varied=isinstance(contact, Varied))[0]
+            wall, kind = meant(model, number, pairs=pairs, varied=isinstance(contact, Varied))[0]
             new = wall in floors.own and wall not in floors.passed
             of = (floors.passed[0], kind) if new else (wall, kind)  # a new piece has what the floor had
             for row in coefficients.rows:

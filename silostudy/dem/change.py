@@ -81,7 +81,7 @@ def take_walls(engine: Engine, names: tuple[str, ...]) -> None:
         swap_walls(engine, name, ())
 
 
-def pieces_of(engine: Engine, wall: str) -> list[int]:
+def standing_parts(engine: Engine, wall: str) -> list[int]:
     """Numbers of a surface of a name, or of its parts, that stand."""
     named = (n for n, of in enumerate(engine.model.walls) if of.name == wall or of.name.startswith(f"{wall}_"))
     return [number for number in named if engine.walls.live[number]]
@@ -90,7 +90,7 @@ def pieces_of(engine: Engine, wall: str) -> list[int]:
 def not_open(engine: Engine, wall: str, names: tuple[str, ...]) -> tuple[str, ...]:
     """Pick those of some outlets of a surface, or between its parts, that are not open altogether."""
     surfaces: Any = engine.model.walls
-    left = {name for number in pieces_of(engine, wall) for name in surfaces[number].narrow(engine.walls.shape[number])}
+    left = {name for number in standing_parts(engine, wall) for name in surfaces[number].narrow(engine.walls.shape[number])}
     return tuple(name for name in names if name in left)
 
 
@@ -101,7 +101,7 @@ def open_holes(engine: Engine, wall: str, names: tuple[str, ...], speed: float) 
     """
     pairs, near = engine.take_memories()
     surfaces: Any = engine.model.walls
-    numbers = pieces_of(engine, wall)
+    numbers = standing_parts(engine, wall)
     for number in numbers:
         surfaces[number].opened(engine.walls.shape[number], names, speed)
     body, walls = near.key >> SHIFT, near.key & LOW

@@ -67,7 +67,7 @@ def unshaken_scene_model(scene: DemScene, discs, where: str = "") -> Model:
     )  # fmt: skip
     touching = silo.width / (2.0 * float(radius.min()))
     model = replace(model, lid=lid_of(scene.events, silo.width, touching, float(model.mass.sum())))
-    events_of(scene, float(model.mass.sum()), where)
+    events_of(scene, float(model.mass.sum()), where)  # tells names of surfaces that are none before a run is made
     return stepped(scene, model, where)
 
 
