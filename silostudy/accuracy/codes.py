@@ -8,7 +8,7 @@ from silostudy.accuracy.arrivals import Arrival, followed
 from silostudy.accuracy.laws_in_lammps import SAME_LAW
 from silostudy.accuracy.scene_in_lammps import SceneInLammps
 from silostudy.compute.dem import run_of, scene_model
-from silostudy.compute.sphere_cube import mean_rate
+from silostudy.compute.outlet_cube import mean_rate
 from silostudy.config.spheres import SphereScene
 from silostudy.cube.areas import AVERAGED, largest_mean
 from silostudy.cube.contents import levelled

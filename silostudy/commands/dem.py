@@ -158,7 +158,7 @@ def keep(task, scene, choice, output: Path) -> None:
     cube = cube_of(task, scene, choice)
     write(cube, output)
     if (end := end_beside(scene, output)) and not task.recording.explosion:
-        keep_end(task, end)
+        keep_end(task, scene, end)
     if deep := cube.attrs.get("deep_overlaps"):
         print(f"silostudy: {output}: overlaps {deep}", file=sys.stderr)
     if scene.record.paraview:

@@ -73,12 +73,13 @@ def explanation(row) -> list[str]:
 def scene_explanation(name: str) -> list[str]:
     """Each effect of a discrete-element scene: on or off, why, and its measured share of a step; what it costs."""
     from silostudy.choice.dem import load
-    from silostudy.compute.dem import scene_model
+    from silostudy.compute.dem import run_of, scene_model
     from silostudy.config.spheres import SphereScene
 
     path = Path(name)
     scene, _ = load(path)
     model: Any = scene_model(scene, path.parent, name)
+    run_of(scene, model, name)  # tells what is impossible by the step, or by the end that it goes on from
     return _of_spheres(scene, model) if isinstance(scene, SphereScene) else _of_discs(scene, model)
 
 

@@ -1,33 +1,55 @@
 """The end of a discrete-element run on disk, and scenes that go on from it."""
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
+from silostudy.compute.branch_events import called_here, check_stop, outlets_of
 from silostudy.compute.checkpoints import program, read_whole, write_whole
 from silostudy.config.grain_scenes import AnyScene
 from silostudy.cube.netcdf import is_file
 from silostudy.dem.branch import end_of, with_motion
-from silostudy.dem.change import not_open
-from silostudy.dem.events import Event
-from silostudy.dem.likeness import differences
+from silostudy.dem.likeness import MARCH, differences
 from silostudy.dem.model import FLOOR, Model
 from silostudy.dem.run import Run
 from silostudy.dem.space.level import gate_of
 from silostudy.dem.space.walls import Surface
 from silostudy.dem.varied import Varied
 from silostudy.errors import BadInput
+from silostudy.scene.dem_model import check_bound
 from silostudy.scene.outflow import OUTLET
 
 KEY = "start_from"
+# beginnings of keys that a branch may change: what happens, is recorded or told, and until when
+FREE = ("title", "outputs", "expected", "record", "events", "rest", "quake", "gravity", "outlets", "march.limit_s", KEY)
+FRICTION = "friction"  # ending of keys of coefficients that may be others too
+MOST = 3  # keys that a difference is told by
 
 
-def keep_end(run: Run, path: Path) -> None:
-    """Write where a run ended, for scenes that go on from there."""
-    write_whole((KEY, program(), end_of(run)), path)
+def keep_end(run: Run, scene: AnyScene, path: Path) -> None:
+    """Write where the run of a scene ended, for scenes that go on from there."""
+    write_whole((KEY, program(), end_of(run) | {"keys": keys_of(scene), "outlets": outlets_of(scene)}), path)
+
+
+def keys_of(scene: AnyScene) -> dict[str, Any]:
+    """Values of a scene by their keys, those that a branch may change left out."""
+    return {
+        key: value
+        for key, value in _leaves(scene.model_dump(mode="json"))
+        if value is not None and not key.startswith(FREE) and not key.endswith(FRICTION)
+    }
+
+
+def _leaves(section: Mapping[str, Any], above: str = "") -> Iterator[tuple[str, Any]]:
+    """Keys and values of a section and of those in it."""
+    for name, value in section.items():
+        if isinstance(value, dict):
+            yield from _leaves(value, f"{above}{name}.")
+        else:
+            yield f"{above}{name}", value
 
 
 def branched(scene: AnyScene, model: Model, folder: Path, where: str) -> Model:
@@ -42,14 +64,25 @@ def branched(scene: AnyScene, model: Model, folder: Path, where: str) -> Model:
     model = replace(model, walls=tuple(as_there(wall, end) for wall in model.walls))
     model = _in_its_step(scene, model, end)
     if other := next(differences(model, end), None):
-        raise BadInput(KEY, scene.start_from, f"is the end of a run with {other}", where)
+        raise BadInput(KEY, scene.start_from, f"is the end of a run with {other}{_by_keys(scene, end)}", where)
+    check_bound(scene, model, where)
     then = int(end["engine"]["step"]) * model.dt
     if scene.march.limit_s <= then:
         raise BadInput(
             "march.limit_s", scene.march.limit_s, f"must be above {then:.6g} s, where {scene.start_from} ends", where
         )
-    _check_stop(scene, then, model.dt, where)
+    check_stop(scene, then, model.dt, where)
+    end |= {"acted": called_here(end["acted"], end["outlets"], outlets_of(scene))}
     return replace(with_motion(model, end), end=end)
+
+
+def _by_keys(scene: AnyScene, end: Mapping[str, Any]) -> str:
+    """Words on the first keys of a scene whose values were others there; none where files or tables alone were others."""
+    here, there = keys_of(scene), end["keys"]
+    others = [key for key in {**there, **here} if there.get(key) != here.get(key)]
+    others.sort(key=lambda key: key.startswith(MARCH))  # a step follows from the rest
+    told = ", ".join(f"{key} {there.get(key, 'null')} there, {here.get(key, 'null')} here" for key in others[:MOST])
+    return f" ({told})" if told else ""
 
 
 def _in_its_step(scene: AnyScene, model: Model, end: dict[str, Any]) -> Model:
@@ -65,37 +98,6 @@ def as_there(wall: Any, end: Mapping[str, Any]) -> Any:
         return wall
     gate = gate_of(wall, OUTLET)
     return gate if np.array_equal(np.trim_zeros(gate.shape, "b"), end["walls"][FLOOR][1]) else wall
-
-
-def _check_stop(scene: AnyScene, then: float, tick: float, where: str) -> None:
-    """BadInput where the stop of a scene that goes on at a time (s) comes at once."""
-    time = then
-    for event in scene.events:
-        if event.when not in ("time", "after"):
-            return
-        time = max(time, event.value) if event.when == "time" else time + event.value
-    if round(time / tick) <= round(then / tick):
-        number, last = len(scene.events) - 1, scene.events[-1]
-        told = f"the run would stop where it begins: must come after {then:.6g} s, where {scene.start_from} ends"
-        raise BadInput(f"events.{number}.value", last.value, told, where)
-
-
-def yet_to_open(run: Run, scene: AnyScene) -> tuple[Event, ...]:
-    """Events of a run that goes on from an end, without the outlets that are open there; BadInput where none is left."""
-    events = []
-    for number, event in enumerate(run.events):
-        shut = True
-        if event.action == "open":
-            shut = bool(run.engine.walls.live[run.engine.model.wall_number(event.what[0])])
-        elif event.action == "open holes":
-            wall, names, speed = event.what
-            shut = bool(names := not_open(run.engine, wall, names))
-            event = replace(event, what=(wall, names, speed))
-        if not shut:
-            told = f"opens nothing: open by then, where {scene.start_from} ends"
-            raise BadInput(f"events.{number}.do", scene.events[number].do, told)
-        events.append(event)
-    return tuple(events)
 
 
 def _read(file: str, folder: Path, where: str) -> dict[str, Any]:

@@ -6,7 +6,8 @@ from functools import singledispatch
 from pathlib import Path
 from typing import Any
 
-from silostudy.compute.branches import branched, yet_to_open
+from silostudy.compute.branch_events import yet_to_come
+from silostudy.compute.branches import branched
 from silostudy.compute.checkpoints import resume, save
 from silostudy.compute.dem_files import given_discs, given_spheres, quake_steps
 from silostudy.compute.observers import observers_of
@@ -84,7 +85,8 @@ def run_of(scene: AnyScene, model: Model, where: str = "", *, threads: int = 1) 
             rest=rest_of(scene),
             **happens,
         )
-        run.events = run.events if model.end is None else yet_to_open(run, scene)
+        if model.end is not None:
+            run.events, run.since = yet_to_come(run, scene)
         return run
 
 

@@ -1,5 +1,7 @@
 """The cube of everything that the run of a discrete-element scene recorded."""
 
+from typing import Any
+
 import numpy as np
 import xarray as xr
 
@@ -7,7 +9,8 @@ from silostudy.choice.promise import Choice, promises
 from silostudy.compute.expected import notes_of, verdicts
 from silostudy.compute.lid_cube import lid_arrays
 from silostudy.compute.observers import SOURCES, observed, observers_notes
-from silostudy.compute.sphere_cube import in_space, mean_outflow, opened, sphere_arrays, sphere_notes
+from silostudy.compute.outlet_cube import mean_outflow, outlet_arrays, outlet_notes
+from silostudy.compute.sphere_cube import sphere_arrays, sphere_notes
 from silostudy.config.dem import DemScene
 from silostudy.config.grain_scenes import AnyScene
 from silostudy.config.spheres import SphereScene
@@ -47,10 +50,9 @@ def cube_of(run: Run, scene: AnyScene, choice: Choice | None = None) -> xr.Datas
         **notes_of(verdicts(run, scene)),
         **observers_notes(run, scene, data),
     }
-    if isinstance(scene, SphereScene):
-        filled, notes = in_space(filled), notes | sphere_notes(scene, run) | mean_outflow(run)
-    elif scene.other_grains:
-        notes |= {"grain_kinds": ", ".join(scene.kinds)}
+    if not np.isnan(rate := mean_outflow(run)):
+        notes["mean_outflow_kg_s" if isinstance(scene, SphereScene) else "mean_outflow_kg_m_s"] = rate
+    notes |= sphere_notes(scene, run) if isinstance(scene, SphereScene) else disc_notes(scene, run)
     if run.trouble:
         notes["stopped"] = run.trouble
     return assemble(scene, "dem", filled, sources=[*sources_of(model), *(SOURCES if scene.record.fields else ())], notes=notes)
@@ -73,33 +75,24 @@ def steps_of(run: Run) -> dict[str, np.ndarray]:
     return {"step_time": tick * run.engine.model.dt, "step_from_then": ticks * run.engine.model.dt}
 
 
+def disc_notes(scene: DemScene, run: Run) -> dict[str, Any]:
+    """Attributes of a scene of discs: its kinds, and when its outlet opened where that has no name."""
+    kinds = {"grain_kinds": ", ".join(scene.kinds)} if scene.other_grains else {}
+    return kinds | ({} if scene.outlets else outlet_notes(run, plane_silo_of(scene).outlet_widths))
+
+
 def disc_arrays(run: Run) -> dict[str, np.ndarray]:
     """Arrays by name of a scene of discs."""
-    model, record = run.engine.model, run.recording
+    model = run.engine.model
     data = {"disc": np.arange(len(model.x)), "disc_radius": np.array(model.radius), "disc_mass": model.mass}
     data |= {} if model.kind is None else {"disc_kind": np.asarray(model.kind, np.int32)}
-    data |= _windows(run) | _snapshots(run)
-    last = np.flatnonzero(np.diff(record.discharge_time, append=np.inf))  # those that leave at one instant count together
-    return data | {
-        "discharge_time": np.array(record.discharge_time)[last],
-        "discharged_mass": np.array(record.discharged)[last],
-    }
+    return data | _windows(run) | _snapshots(run)
 
 
 def slit_arrays(run: Run, scene: DemScene) -> dict[str, np.ndarray]:
-    """Outlets by names: where each is, when it opened, and the mass that had left by each at the times of the discharge."""
-    slits, record = plane_silo_of(scene).slits, run.recording
-    if not slits:
-        return {}
-    time, mass, slit = np.array(record.passed, float).reshape(-1, 3).T
-    through = np.array([np.cumsum(mass * (slit == number)) for number in range(len(slits))])
-    until = np.searchsorted(time, np.unique(record.discharge_time), side="right") - 1
-    left, right = np.array([slit.edges for slit in slits]).T
-    names = [slit.name for slit in slits]
-    return {
-        "outlet": np.array(names), "outlet_left": left, "outlet_right": right,
-        **opened(run, dict(zip(names, right - left, strict=True))), "outlet_discharged_mass": through[:, until].T,
-    }  # fmt: skip
+    """Arrays by name of outlets of a scene of discs and of what left by them."""
+    silo = plane_silo_of(scene)
+    return outlet_arrays(run, silo.outlet_widths, {slit.name: slit.edges for slit in silo.slits})
 
 
 def sources_of(model: Model) -> list[str]:
@@ -133,7 +126,7 @@ def _wholes(mean: np.ndarray, extremes: np.ndarray, model: Model) -> dict[str, n
     data = {"surface": np.array([name for name, _ in faces(model.walls)])}
     for way, name in enumerate(("normal", "shear")):
         for what, values in (("mean", total), ("min", extremes[..., 0]), ("max", extremes[..., 1])):
-            data[f"whole_{name}_force_{what}"] = values[:, :, way]
+            data[f"surface_{name}_force_{what}"] = values[:, :, way]
     return data
 
 

@@ -76,7 +76,7 @@ def readings_of_spheres(run: Run, scene: SphereScene, case: LaboratoryCase) -> R
     data = sphere_arrays(run, scene)
     place = {str(name): number for number, name in enumerate(data["surface"])}
     height, vertical, torque = data["lid_height"], data["lid_stress"], data["surface_torque"]
-    normal, shear = data["surface_normal_force"], torque[:, place[FLOOR]] / (case.area * case.lever)
+    normal, shear = data["surface_normal_force_mean"], torque[:, place[FLOOR]] / (case.area * case.lever)
     return Readings(
         height=height,
         vertical=vertical,

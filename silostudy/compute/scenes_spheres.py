@@ -2,8 +2,8 @@
 
 import numpy as np
 
+from silostudy.compute.outlet_cube import mean_outflow, passages
 from silostudy.compute.scenes_windows import Numbers, OfFillings, Swept, at_rest_and_largest, by_body
-from silostudy.compute.sphere_cube import mean_outflow, passages
 from silostudy.dem.leaving import SPILT
 from silostudy.dem.run import Run
 from silostudy.dem.space.cells import faces
@@ -23,7 +23,7 @@ def numbers(run: Run, opening: float) -> Numbers:
         "mean_grain_diameter": np.array(2.0 * run.engine.model.radius.mean()),
         "passed_mass": np.array(passed.sum()),
         "spilt_mass": np.array(run.recording.lost[SPILT]),
-        "mean_mass_flow": np.array(mean_outflow(run).get("mean_outflow_kg_s", np.nan)),
+        "mean_mass_flow": np.array(mean_outflow(run)),
     }
     for name, sums in felt(run).items():
         numbers[f"{name}_at_rest"], numbers[f"largest_{name}"] = at_rest_and_largest(run, opening, sums)

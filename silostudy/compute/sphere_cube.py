@@ -1,14 +1,12 @@
 """The cube of everything that the run of a scene of spheres recorded."""
 
-from collections.abc import Mapping
 from math import nan
-from typing import Any
 
 import numpy as np
 
 from silostudy.compute.lid_cube import lid_arrays
+from silostudy.compute.outlet_cube import outlet_arrays, outlet_notes
 from silostudy.config.spheres import SphereScene
-from silostudy.cube.variables import attributes
 from silostudy.dem.ledger import ENTRIES
 from silostudy.dem.model import Model
 from silostudy.dem.run import Run
@@ -24,14 +22,6 @@ FELT = (
 )  # what a cell feels, and over its area
 SPIN = 2  # of what is recorded of a surface that moves
 MOTION = ("x", "y", "z", "u", "v", "w", "spin_x", "spin_y", "spin_z")
-IN_SPACE = {  # long names of variables that the contract tells of discs
-    "contact_first": "sphere of the contact",
-    "contact_second": "other sphere of the contact, or surface counted from 0 where contact_on_wall is 1",
-    "contact_x": "place of the contact along x, from the axis",
-    "contact_y": "place of the contact along y, from the axis",
-    "wall_cell_x": "middle of the wall cell along x, from the axis",
-    "wall_cell_y": "middle of the wall cell along y, from the axis",
-}
 
 
 def sphere_arrays(run: Run, scene: SphereScene) -> dict[str, np.ndarray]:
@@ -40,23 +30,17 @@ def sphere_arrays(run: Run, scene: SphereScene) -> dict[str, np.ndarray]:
     data = {"grain": np.arange(len(model.x)), "grain_radius": np.array(model.radius), "grain_mass": model.mass}
     if model.kind is not None:
         data |= {"grain_kind": np.asarray(model.kind, np.int32)}
-    return data | _windows(run) | _snapshots(run) | _meter(run) | outlet_arrays(run, scene) | insert_arrays(scene)
-
-
-def in_space(arrays: dict[str, np.ndarray]) -> dict[str, Any]:
-    """The arrays, with attributes of spheres where the contract tells those of discs."""
-    return arrays | {
-        name: (arrays[name], attributes(name) | {"long_name": told}) for name, told in IN_SPACE.items() if name in arrays
-    }
+    space = space_silo_of(scene)
+    spans = {name: opening.chord for name, opening in space.openings.items()} if scene.outlets else {}
+    return data | _windows(run) | _snapshots(run) | outlet_arrays(run, widths(space), spans) | insert_arrays(scene)
 
 
 def sphere_notes(scene: SphereScene, run: Run) -> dict[str, float | str]:
     """Attributes that figures draw the silo by, m and s."""
     space = space_silo_of(scene)
     cut = next(iter(space.openings.values()), space.opening)
-    whole = opened(run, widths(space))["outlet_whole"] if not scene.outlets else np.empty(0)
     return {
-        **({"outlet_whole_s": float(whole[0])} if np.isfinite(whole).any() else {}),
+        **({} if scene.outlets else outlet_notes(run, widths(space))),
         "half_width_m": space.plan.half[0],
         "outlet_half_width_m": cut.half[0] if cut else 0.0,
         "outlet_middle_m": cut.middle[0] if cut else 0.0,
@@ -79,64 +63,9 @@ def insert_arrays(scene: SphereScene) -> dict[str, np.ndarray]:
     return {"insert_point": np.arange(len(x)), "insert_name": names, "insert_x": x, "insert_z": z}
 
 
-def passages(run: Run) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Times (s) at which spheres passed the level of the outlets, in order, their mass (kg), and the number of the outlet."""
-    passed = sorted([*run.recording.passed, *run.passing(np.ones(run.engine.n, bool))])
-    time, mass, outlet = np.array(passed, float).reshape(-1, 3).T
-    return time, mass, outlet.astype(int)
-
-
-def mean_outflow(run: Run) -> dict[str, float]:
-    """Attribute: mass over time between the first sphere that passed the outlet and the last; none of fewer than two times."""
-    time, mass, _ = passages(run)
-    rate = mean_rate(time, mass)
-    return {} if np.isnan(rate) else {"mean_outflow_kg_s": rate}
-
-
-def mean_rate(time: np.ndarray, mass: np.ndarray) -> float:
-    """Mass over time (kg/s) between the first passage and the last; nan of fewer than two times."""
-    return float(mass[1:].sum() / np.ptp(time)) if len(time) > 1 and np.ptp(time) > 0.0 else np.nan
-
-
-def _meter(run: Run) -> dict[str, np.ndarray]:
-    """Times (s) at which spheres came below the outlet, in order, and the mass up to each; those not yet away among them."""
-    time, mass, _ = passages(run)
-    last = np.flatnonzero(np.diff(time, append=np.inf))  # those that pass in one step count together
-    return {"outflow_time": time[last], "outflow_mass": np.cumsum(mass)[last]}
-
-
-def outlet_arrays(run: Run, scene: SphereScene) -> dict[str, np.ndarray]:
-    """Outlets of a flat floor: where a slice through the axis cuts each, when it opened, its meter and mean rate."""
-    openings = space_silo_of(scene).openings
-    if not scene.outlets:
-        return {}
-    time, mass, outlet = passages(run)
-    through = outlet[:, None] == np.arange(len(openings))
-    last = np.flatnonzero(np.diff(time, append=np.inf))
-    left, right = np.array([opening.chord for opening in openings.values()]).T
-    return {
-        "outlet": np.array(list(openings)), **opened(run, widths(space_silo_of(scene))),
-        "outlet_left": left, "outlet_right": right,
-        "outlet_outflow_mass": np.cumsum(mass[:, None] * through, axis=0)[last],
-        "outlet_mean_outflow": np.array([mean_rate(time[own], mass[own]) for own in through.T]),
-    }  # fmt: skip
-
-
 def widths(space: SpaceSilo) -> dict[str, float]:
     """Width (m) along x of each outlet by its name, by which those grow that open at a speed."""
     return {name: 2.0 * opening.half[0] for name, opening in space.openings.items()}
-
-
-def opened(run: Run, widths: Mapping[str, float]) -> dict[str, np.ndarray]:
-    """Times (s) at which each outlet, by its name and width (m), opened, and was open altogether; missing: it did not."""
-    times = dict.fromkeys(widths, (np.nan, np.nan))
-    for event, (when, *_) in zip(run.events, run.recording.happened, strict=False):
-        if event.action == "open holes":
-            _, names, speed = event.what
-            lasts = {name: widths[name] / speed if speed else 0.0 for name in names if name in widths}
-            times |= {name: (when, when + long) for name, long in lasts.items() if np.isnan(times[name][0])}
-    first, last = np.array(list(times.values()), float).reshape(-1, 2).T
-    return {"outlet_opened": first, "outlet_whole": last}
 
 
 def _windows(run: Run) -> dict[str, np.ndarray]:
@@ -146,7 +75,7 @@ def _windows(run: Run) -> dict[str, np.ndarray]:
         return {}
     data = {"window_time": np.array(record.window_time)}
     if model.booked:
-        data |= {"ledger_energy": np.array(record.energy), "energy_entry": np.array(ENTRIES)}
+        data |= {"energy": np.array(record.energy), "energy_entry": np.array(ENTRIES)}
     data |= _felt(np.array(record.window), np.array(record.whole), model) if model.watched else {}
     if model.moving and model.watched:
         walls = [face.wall for face in faces(model.walls, LID)]
@@ -167,12 +96,12 @@ def _felt(force: np.ndarray, whole: np.ndarray, model: Model) -> dict[str, np.nd
     data = _cells(model)
     for way, (name, stress) in enumerate(FELT):
         for k, what in enumerate(("mean", "min", "max")):
-            data[f"cell_{name}_force_{what}"] = force[:, :, way, k]
+            data[f"wall_{name}_force_{what}"] = force[:, :, way, k]
             data[f"wall_{stress}_{what}"] = force[:, :, way, k] / data["wall_cell_area"]
     seen = faces(model.walls, LID)
     counts, lean = np.array([face.count for face in seen]), np.array([face.lean for face in seen])
     total = np.add.reduceat(force[:, :, :, 0], np.cumsum(counts) - counts, axis=1)
-    data |= {f"surface_{name}_force": total[:, :, way] for way, (name, _) in enumerate(FELT)}
+    data |= {f"surface_{name}_force_mean": total[:, :, way] for way, (name, _) in enumerate(FELT)}
     for way, (name, _) in enumerate(FELT):
         for k, what in enumerate(("min", "max")):
             data[f"surface_{name}_force_{what}"] = whole[:, :, way, k]
@@ -219,7 +148,7 @@ def _snapshots(run: Run) -> dict[str, np.ndarray]:
     for k, name in enumerate(("first", "second")):
         data[f"contact_{name}"] = table[:, k].astype(np.int32)
     for k, name in enumerate(("x", "y", "z"), start=2):
-        data[f"contact_{name}"], data[f"contact_load_{name}"] = table[:, k], table[:, k + 3]
+        data[f"contact_{name}"], data[f"contact_force_{name}"] = table[:, k], table[:, k + 3]
     return data | {"deepest_overlap": np.array([_deepest(model, motion[k], snapshot) for k, snapshot in enumerate(snapshots)])}
 
 

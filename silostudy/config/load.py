@@ -32,10 +32,11 @@ class _NoTwins(yaml.SafeLoader):
     """A safe loader that refuses a key written twice, which YAML readers otherwise drop in silence."""
 
     def construct_mapping(self, node, deep=False):
-        keys = [key.value for key, _ in node.value]
-        for key in keys:
-            if keys.count(key) > 1:
-                raise yaml.constructor.ConstructorError(None, None, f"key {key!r} is written twice", node.start_mark)
+        keys: list[Any] = []
+        for key, _ in node.value:
+            if key.value in keys:
+                raise yaml.constructor.ConstructorError(None, None, f"key {key.value!r} is written twice", key.start_mark)
+            keys.append(key.value)
         return super().construct_mapping(node, deep)
 
 

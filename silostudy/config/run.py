@@ -132,7 +132,8 @@ class GrainScene(OwnMethods):
     start_from: str | None = described(
         "end of an earlier run (record.keep_end), relative to this file: this one goes on from there with the clock; grains, "
         "laws, stiffness and what stands of the silo must be the same; frictions, gravity, outlets that are shut there, "
-        "events, records and the limit may be others; what moves there goes on; null: it starts",
+        "events, records and the limit may be others; what moves there goes on, and events whose time had come there are not "
+        "done again; null: it starts",
         "",
         default=None,
     )

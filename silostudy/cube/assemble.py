@@ -55,7 +55,7 @@ def assemble(
     held: dict[str, dict[str, tuple]] = {"coordinate": dict(sweep.coordinates), "data": {}}
     for name, given in whole.items():
         known = variable(name)
-        values, told = given if isinstance(given, tuple) else (given, attributes(name))
+        values, told = given if isinstance(given, tuple) else (given, attributes(name, whole))
         dims = known.dims_in(sweep.axes, relative=relative)
         held[known.role if known.name == name else "data"][name] = (dims, values, {**told, **_beside(name, dims, whole)})
     about = provenance(asked.title, asked.model_dump_json(exclude_defaults=True), sources, stage)

@@ -1,14 +1,18 @@
-"""One table of every variable a cube may hold (variables.csv), and the check that a dataset keeps to it."""
+"""One table of every variable a cube may hold (variables.csv), and the check that a dataset keeps to it.
+
+Of scenes of spheres some have another unit and long name under the same name (in_space.csv).
+"""
 
 import csv
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import xarray as xr
 
 from silostudy.errors import BadInput
 
+SPHERES = "grain"  # dimension of cubes of scenes of spheres
 SCOPE = "_scope"  # ending of the flags that say why values of a variable are masked
 
 
@@ -33,18 +37,36 @@ class Variable:
         return (self.name,) if self.name in filled else tuple(filled)
 
 
+def _rows(table: str) -> list[dict[str, str]]:
+    with (Path(__file__).parent / table).open(encoding="utf-8", newline="") as stream:
+        return list(csv.DictReader(stream))
+
+
 def _variables() -> dict[str, Variable]:
-    with (Path(__file__).parent / "variables.csv").open(encoding="utf-8", newline="") as stream:
-        rows = list(csv.DictReader(stream))
+    rows = _rows("variables.csv")
     return {row["name"]: Variable(**{**row, "dims": tuple(row["dims"].split())}) for row in rows}  # type: ignore[arg-type]
 
 
+def _in_space() -> dict[str, Variable]:
+    """Variables with what is other of them in space; an empty long name is that of the plane."""
+    return {
+        row["name"]: replace(known := VARIABLES[row["name"]], units=row["units"], long_name=row["long_name"] or known.long_name)
+        for row in _rows("in_space.csv")
+    }
+
+
 VARIABLES = _variables()
+IN_SPACE = _in_space()
 
 
-def variable(name: str) -> Variable:
-    """The row of a variable, or of the one that it is the scope of; BadInput where there is none."""
-    known = VARIABLES.get(name.removesuffix(SCOPE))
+def variable(name: str, beside: Iterable = ()) -> Variable:
+    """The row of a variable, or of the one that it is the scope of; BadInput where there is none.
+
+    beside: names of what stands in the cube, which tell whether it is of spheres.
+    """
+    own = name.removesuffix(SCOPE)
+    known = IN_SPACE.get(own) if SPHERES in beside else None
+    known = known or VARIABLES.get(own)
     if known is None:
         raise BadInput("variable", name, f"not in the cube's contract; known: {', '.join(VARIABLES)}")
     return known
@@ -73,7 +95,7 @@ def _labels(coordinate: xr.DataArray, dim: str, axes: list[str]) -> bool:
 
 
 def _check_variable(cube: xr.Dataset, name: str, axes: list[str]) -> None:
-    known, array = variable(name), cube[name]
+    known, array = variable(name, cube.dims), cube[name]
     expected = known.dims_in(axes, relative="relative_depth" in cube.dims)
     role = "coordinate" if name in cube.coords else "data"
     if array.dims != expected:

@@ -8,18 +8,19 @@ import xarray as xr
 from silostudy.cube.contract import check
 from silostudy.cube.fingerprint import fingerprint
 from silostudy.cube.netcdf import opened
-from silostudy.cube.provenance import CONTRACT, CONTRACTS
+from silostudy.cube.provenance import CONTRACT, CONTRACTS, OF_STAGES
 from silostudy.errors import BadInput
 from silostudy.files import replacing
 
 SAID = ("title", "source", "references", "study", "study_hash", "sweep_axes")  # in words, of every cube
 
 
-def changed_since(contract: str) -> str:
-    """Changes in cubes since a contract, in words."""
-    older = int(contract) if contract.isdecimal() else CONTRACT
-    later = [f"since {number} {what}" for number, what in CONTRACTS.items() if number > older]
-    return "; ".join(later) or "which this version does not know"
+def changed_since(contract: str, stage: str) -> str:
+    """Changes in cubes of a stage since a contract, in words; none where it has the same names and dimensions now."""
+    if not contract.isdecimal() or int(contract) not in CONTRACTS:
+        return "which this version does not know"
+    later = {number: what for number, what in CONTRACTS.items() if number > int(contract)}
+    return "; ".join(f"since {number} {what}" for number, what in later.items() if stage in OF_STAGES.get(number, (stage,)))
 
 
 def write(cube: xr.Dataset, path: Path) -> None:
@@ -53,9 +54,9 @@ def read(path: Path) -> xr.Dataset:
     if lost or not cube.attrs["source"].startswith("silostudy"):
         raise BadInput("cube", str(path), f"must be a file of this package: it does not say its {', '.join(lost) or 'source'}")
     contract = str(cube.attrs.get("cube_contract", 1))
-    if contract != str(CONTRACT):
+    if changed := changed_since(contract, str(cube.attrs.get("stage"))):
         told = f"was written by {cube.attrs['source']} with names and dimensions of contract {contract}, and not {CONTRACT}"
-        raise BadInput("cube", str(path), f"{told} ({changed_since(contract)}): compute it again")
+        raise BadInput("cube", str(path), f"{told} ({changed}): compute it again")
     try:
         return check(cube)
     except BadInput as error:

@@ -10,7 +10,12 @@ from silostudy.tables.references import cite
 
 PACKAGES = ("numpy", "scipy", "xarray", "netCDF4", "numba")
 # Contracts of names and dimensions in a cube -> what changed with them.  A new one is a new major version.
-CONTRACTS = {1: "the first", 2: "the dimension of pressure methods is pressure_method, no longer method"}
+CONTRACTS = {
+    1: "the first",
+    2: "the dimension of pressure methods is pressure_method, no longer method",
+    3: "scenes of discs and of spheres have the same names for the same things, as outflow_mass and energy",
+}
+OF_STAGES = {3: ("dem",)}  # contracts that changed cubes of some stages alone
 CONTRACT = max(CONTRACTS)
 
 

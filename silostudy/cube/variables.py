@@ -1,6 +1,6 @@
 """Attributes of the cube's variables, from the contract."""
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 
 import numpy as np
 
@@ -9,9 +9,9 @@ from silostudy.cube.contract import variable
 DEPTH = {"standard_name": "depth", "positive": "down"}
 
 
-def attributes(name: str) -> dict[str, str]:
-    """Unit and long name of a variable, and of a depth which way it runs."""
-    known = variable(name)
+def attributes(name: str, beside: Iterable = ()) -> dict[str, str]:
+    """Unit and long name of a variable in a cube of these names, and of a depth which way it runs."""
+    known = variable(name, beside)
     return {"units": known.units, "long_name": known.long_name, **(DEPTH if name == "depth" else {})}
 
 

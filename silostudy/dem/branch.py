@@ -14,6 +14,7 @@ import numpy as np
 from silostudy.dem.arrays import Memory
 from silostudy.dem.checkpoint import checkpoint, restore
 from silostudy.dem.drive import MASS
+from silostudy.dem.events import Event
 from silostudy.dem.floors import Exchange, changed, exchanged, nearest_of
 from silostudy.dem.likeness import fixed, meant, values, walls
 from silostudy.dem.model import Model
@@ -41,7 +42,15 @@ def end_of(run) -> dict[str, Any]:
         "gravity": model.gravity,
         "lid": model.lid,
         "booked": model.booked,
+        "acted": acted(run),
     }
+
+
+def acted(run) -> list[tuple[float, Event]]:
+    """Times (s) at which events acted, and the events, those of runs that this one goes on from first; stops apart."""
+    before = run.engine.model.end["acted"] if run.engine.model.end else []
+    own = zip(run.recording.happened, run.events[: run.next_event], strict=False)  # the limit is no event
+    return [*before, *((time, event) for (time, *_), event in own if event.action != "stop")]
 
 
 def in_motion(model: Model, end: Mapping[str, Any]) -> bool:

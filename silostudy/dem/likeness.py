@@ -76,10 +76,11 @@ def _other_coefficients(model: Model, end: Mapping[str, Any]) -> Iterator[str]:
     """Coefficients, frictions apart, that are others than there."""
     units = {coefficient.name: coefficient.unit for contact in (model.pair_contact, model.wall_contact) for row in contact.rows
              for coefficient in row.coefficients}  # fmt: skip
-    for key, now in values(model, (model.pair_contact, model.wall_contact)).items():
-        then, unit = end["stated"].get(key, now), units[key[-1]]
+    for (wall, kind, name), now in values(model, (model.pair_contact, model.wall_contact)).items():
+        then, unit = end["stated"].get((wall, kind, name), now), units[name]
         if then != now and unit != NUMBER:
-            yield f"other {key[-1]}: {then:.6g} {unit} there, {now:.6g} here"
+            of = f"{model.space.body}s" if not wall else wall if isinstance(model.wall_contact, Varied) else "walls"
+            yield f"other {name} of {of}: {then:.6g} {unit} there, {now:.6g} here"
 
 
 def _other_walls(model: Model, end: Mapping[str, Any]) -> Iterator[str]:

@@ -239,7 +239,7 @@ class Run:
             return
         beside = gone & self.over.went[self.engine.labels]
         labels = self.engine.labels.copy()
-        if self.outlet_at and not self.engine.space.passed:
+        if not self.engine.space.passed:
             self.recording.passed += drawn(self.engine, gone & ~beside, self.outlet_at)
         for way, which in ((DISCHARGED, labels[gone & ~beside]), (SPILT, labels[beside])):
             if len(which):

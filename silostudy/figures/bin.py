@@ -39,18 +39,10 @@ def windows(cube: xr.Dataset) -> tuple[np.ndarray, np.ndarray]:
     return starts, lasts >= SHORT * lasts.max(initial=0.0)
 
 
-def passed(cube: xr.Dataset) -> np.ndarray:
-    """Whether grains left by each outlet, or by that without a name, on their own: no feeder took them."""
-    mass = "discharged_mass" if "disc" in cube.dims else "outflow_mass"
-    names = [name for name in (f"outlet_{mass}", mass) if name in cube]
-    fed = any(str(action).endswith(": feed") for action in cube["event_action"].values)
-    return cube[names[0]].values[-1] > 0.0 if names and not fed else np.zeros(cube.sizes.get("outlet", 1), bool)
-
-
 def open_before(cube: xr.Dataset) -> np.ndarray:
-    """Whether each outlet, or that without a name, was open when the run began, since grains left and nothing opened it."""
-    shut = np.isnan(cube["outlet_opened"].values) if "outlet" in cube else np.isinf(opened_at(cube))
-    return np.atleast_1d(passed(cube) & shut)
+    """Whether each outlet, or that without a name, had opened before the run began, which goes on from another."""
+    opened = cube["outlet_opened"].values if "outlet" in cube else cube.attrs.get("outlet_opened_s", np.inf)
+    return np.atleast_1d(opened) < began(cube)
 
 
 def in_discharge(cube: xr.Dataset, after: np.ndarray, time: np.ndarray) -> np.ndarray:

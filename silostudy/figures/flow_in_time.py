@@ -40,12 +40,13 @@ class Flow:
         return float(through.index[through >= 0.5 * through.iloc[-1]][0])
 
 
-def flow_of(cube: xr.Dataset, passing: str, mass: str, filled: str, column: str, unit: str) -> Flow:
-    """Mass that had left at the times of a name, by outlet where they have names; mass, filled: names in the cube."""
+def flow_of(cube: xr.Dataset, filled: str, column: str, unit: str) -> Flow:
+    """Mass that had left from the first grain on, by outlet where they have names; filled: name of the grains' mass."""
     table = pd.DataFrame({"time_s": [], "outlet": [], column: []})
-    if passing in cube:
-        through = cube[f"outlet_{mass}"] if "outlet" in cube else cube[mass].expand_dims(outlet=["outlet"])
-        table = through.to_dataframe(column).reset_index().rename(columns={passing: "time_s"})
+    if "outflow_mass" in cube:
+        left = cube.isel(outflow_time=cube["outflow_mass"].values > 0.0)
+        through = left["outlet_outflow_mass"] if "outlet" in cube else left["outflow_mass"].expand_dims(outlet=["outlet"])
+        table = through.to_dataframe(column).reset_index().rename(columns={"outflow_time": "time_s"})
     return Flow(table[["time_s", "outlet", column]], column, float(cube.attrs.get("began_with_kg", cube[filled].sum())), unit)
 
 

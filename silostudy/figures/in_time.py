@@ -24,9 +24,9 @@ TALL = 4.9  # a snapshot at most
 LOWER = 4.3  # all below the snapshots
 
 
-def check_recorded(cube: xr.Dataset, force: str) -> None:
-    """Refuses a cube without forces of that name on whole surfaces, or without snapshots."""
-    asked = {force: "record.wall_force_window_s", "snapshot_time": "record.snapshots_s"}
+def check_recorded(cube: xr.Dataset) -> None:
+    """Refuses a cube without forces on whole surfaces, or without snapshots."""
+    asked = {"surface_normal_force_mean": "record.wall_force_window_s", "snapshot_time": "record.snapshots_s"}
     for name, key in asked.items():
         if name not in cube:
             raise BadInput(key, "nothing", "must be given: the figure of a scene shows what it records")

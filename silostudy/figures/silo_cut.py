@@ -8,7 +8,7 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.collections import LineCollection
 
-from silostudy.figures.bin import began, open_before, opened_at
+from silostudy.figures.bin import began, opened_at
 from silostudy.figures.style import AID
 
 CM = 100.0  # of a metre
@@ -62,17 +62,16 @@ def parts(cube: xr.Dataset) -> Iterator[CutLine]:
         yield from _inserts(cube)
     if "outlet" in cube:
         holes = np.column_stack([cube["outlet_left"], cube["outlet_right"]])
-        shut = np.where(open_before(cube), -np.inf, np.inf)
         opened = cube["outlet_opened"]
-        times = [np.where(np.isnan(of), shut, of) for of in (opened, cube.get("outlet_whole", opened))]
+        times = [np.where(np.isnan(of), np.inf, of) for of in (opened, cube.get("outlet_whole", opened))]
         yield from (
             CutLine("", _level(*hole), *when) for hole, *when in zip(holes, *times, strict=True) if np.isfinite(hole).all()
         )
 
 
 def _opens(cube: xr.Dataset) -> tuple[float, float]:
-    """Times (s) at which an outlet without a name begins to open, and is open; before all where it was so from the start."""
-    opened = -np.inf if open_before(cube).any() else opened_at(cube)
+    """Times (s) at which an outlet without a name begins to open, and is open."""
+    opened = float(cube.attrs.get("outlet_opened_s", opened_at(cube)))
     return opened, float(cube.attrs.get("outlet_whole_s", opened))
 
 

@@ -21,10 +21,10 @@ MASS = "mass_kg_m"  # column of the mass
 
 def draw(cube: xr.Dataset, stem: Path) -> None:
     """Writes the figure: the chains of snapshots, the forces on the walls, and the mass through the outlets."""
-    in_time.check_recorded(cube, "whole_normal_force_mean")
+    in_time.check_recorded(cube)
     contacts = _contacts(cube)
-    force = in_time.forces(cube, cube["whole_normal_force_mean"].values / 1e3, FORCE)
-    flow = flow_of(cube, "discharge_time", "discharged_mass", "disc_mass", MASS, "kg/m")
+    force = in_time.forces(cube, cube["surface_normal_force_mean"].values / 1e3, FORCE)
+    flow = flow_of(cube, "disc_mass", MASS, "kg/m")
     shots = moments.snapshots(cube, contacts["force_N_m"].to_numpy(), flow)
     box = silo_cut.view(cube, float(cube["disc_y"].isel(snapshot=shots).max()))
     figure, panels, wide = in_time.lay_out(shots, flow, box)

@@ -20,9 +20,9 @@ MASS = "mass_kg"  # column of the mass
 
 def draw(cube: xr.Dataset, stem: Path) -> None:
     """Writes the figure: slices of snapshots, the forces on the surfaces, and the mass through the outlets."""
-    in_time.check_recorded(cube, "surface_normal_force")
-    force = in_time.forces(cube, cube["surface_normal_force"].values, FORCE)
-    flow = flow_of(cube, "outflow_time", "outflow_mass", "grain_mass", MASS, "kg")
+    in_time.check_recorded(cube)
+    force = in_time.forces(cube, cube["surface_normal_force_mean"].values, FORCE)
+    flow = flow_of(cube, "grain_mass", MASS, "kg")
     shots = moments.snapshots(cube, _sizes(cube), flow)
     box = silo_cut.view(cube, float(cube["grain_z"].isel(snapshot=shots).max()))
     figure, panels, wide = in_time.lay_out(shots, flow, box)
@@ -51,12 +51,12 @@ def _sizes(cube: xr.Dataset) -> np.ndarray:
     """Size (N) of the force of each contact."""
     if "contact_x" not in cube:
         return np.empty(0)
-    return np.linalg.norm([cube[f"contact_load_{way}"].values for way in "xyz"], axis=0)
+    return np.linalg.norm([cube[f"contact_force_{way}"].values for way in "xyz"], axis=0)
 
 
 def _near(cube: xr.Dataset) -> xr.Dataset:
     """The contacts within a mean radius of the plane through the axis: snapshot, place (m) and force (N) of each."""
-    names = ["contact_snapshot", *(f"contact_{kind}{way}" for kind in ("", "load_") for way in "xyz")]
+    names = ["contact_snapshot", *(f"contact_{kind}{way}" for kind in ("", "force_") for way in "xyz")]
     if "contact_y" not in cube:  # no two spheres touch
         return xr.Dataset({name: ("contact", np.empty(0)) for name in names})
     return cube[names].isel(contact=np.abs(cube["contact_y"].values) < float(cube["grain_radius"].mean()))
@@ -65,7 +65,7 @@ def _near(cube: xr.Dataset) -> xr.Dataset:
 def _largest(near: xr.Dataset, shots: list[int]) -> float:
     """Largest force (N) in the plane in some snapshots; one where nothing touches."""
     shown = near.isel(contact=np.isin(near["contact_snapshot"].values, shots))
-    return float(np.hypot(shown["contact_load_x"].values, shown["contact_load_z"].values).max(initial=0.0)) or 1.0
+    return float(np.hypot(shown["contact_force_x"].values, shown["contact_force_z"].values).max(initial=0.0)) or 1.0
 
 
 def _draw_slice(panel: Axes, cube: xr.Dataset, snapshot: int, chains: pd.DataFrame, largest: float) -> None:
@@ -87,7 +87,7 @@ def _draw_slice(panel: Axes, cube: xr.Dataset, snapshot: int, chains: pd.DataFra
 def _chains(near: xr.Dataset, snapshot: int, scale: float) -> pd.DataFrame:
     """Contact forces (N) near the plane, and the ends (cm) of the lines that they are drawn as; scale: half a line (m/N)."""
     here = near["contact_snapshot"].values == snapshot
-    place, force = (np.stack([near[f"contact_{kind}{way}"].values[here] for way in "xz"], axis=1) for kind in ("", "load_"))
+    place, force = (np.stack([near[f"contact_{kind}{way}"].values[here] for way in "xz"], axis=1) for kind in ("", "force_"))
     half = force * scale
     ends = np.hstack([place - half, place + half]) * CM
     table = pd.DataFrame(ends, columns=["from_across_cm", "from_height_cm", "to_across_cm", "to_height_cm"])

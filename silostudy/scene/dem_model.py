@@ -78,12 +78,21 @@ def stepped(scene: AnyScene, model: M, where: str) -> M:
 
 
 def step_of(scene: AnyScene, model: Model, where: str) -> float:
-    """The time step (s) that a scene asks for, or that is chosen for it; BadInput beyond the stability bound."""
+    """The time step (s) that a scene asks for, or that is chosen for it; BadInput beyond the stability bound.
+
+    That of a branch is checked once it is known to be like the run that it goes on from: else the step would be blamed.
+    """
     if scene.march.step_s is None:
         assert scene.march.step_factor is not None, "march.step_factor is not chosen yet"
         return scene.march.step_factor * chosen_step(model)
-    bound = packed_bound(model)
-    if scene.march.step_s > bound and not scene.march.beyond_stability:
-        allowed = f"beyond the stability bound {bound:.4g} s of its densest packing; shorten it, or set march.beyond_stability"
-        raise BadInput("march.step_s", scene.march.step_s, allowed, where)
+    if scene.start_from is None:
+        check_bound(scene, model, where)
     return scene.march.step_s
+
+
+def check_bound(scene: AnyScene, model: Model, where: str) -> None:
+    """BadInput for a time step that a scene asks for, beyond the stability bound."""
+    asked, bound = scene.march.step_s, packed_bound(model)
+    if asked is not None and asked > bound and not scene.march.beyond_stability:
+        allowed = f"beyond the stability bound {bound:.4g} s of its densest packing; shorten it, or set march.beyond_stability"
+        raise BadInput("march.step_s", asked, allowed, where)

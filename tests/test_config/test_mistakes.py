@@ -204,8 +204,8 @@ def test_wall_friction_above_tan_phi_is_capped_and_said(study, tmp_path, capsys)
 
 def test_key_written_twice_is_refused(tmp_path):
     path = tmp_path / "study.yaml"
-    path.write_text("title: a\ntitle: b\n")
-    with pytest.raises(BadInput, match="'title' is written twice"):
+    path.write_text("kind: pressure\nscene:\n  solid: wheat\n  wall: steel\n  solid: maize\n")
+    with pytest.raises(BadInput, match=r"'solid' is written twice in .*study\.yaml\", line 5, column 3"):
         read_yaml(path)
 
 

@@ -11,7 +11,7 @@ import pytest
 import xarray as xr
 
 from silostudy.compute.pressure import pressure_cube
-from silostudy.cube.contract import check
+from silostudy.cube.contract import IN_SPACE, VARIABLES, check, variable
 from silostudy.cube.fingerprint import damaged, fingerprint
 from silostudy.cube.io import read, write
 from silostudy.errors import BadInput
@@ -240,7 +240,7 @@ def test_a_cube_of_an_older_contract_is_told_so(wheat, tmp_path):
     old.to_netcdf(path)
     with pytest.raises(
         BadInput,
-        match=r"contract 1, and not 2 \(since 2 the dimension .* is pressure_method, no longer method\): compute it again$",
+        match=r"contract 1, and not 3 \(since 2 the dimension .* is pressure_method, no longer method\): compute it again$",
     ):
         read(path)
 
@@ -249,3 +249,26 @@ def test_methods_are_selected_by_keyword(wheat):
     one = wheat.sel(pressure_method="janssen", phase="filling")
     assert one["wall_normal_pressure"].dims == ("depth",)
     assert str(one["pressure_method_title"].values) == "Janssen"
+
+
+def test_a_contract_that_changed_cubes_of_scenes_alone_leaves_others_readable(wheat, tmp_path):
+    wheat.assign_attrs(cube_contract=2).to_netcdf(tmp_path / "study.nc")
+    assert read(tmp_path / "study.nc").attrs["cube_contract"] == 2
+    wheat.assign_attrs(cube_contract=2, stage="dem").to_netcdf(tmp_path / "scene.nc")
+    with pytest.raises(BadInput, match=r"contract 2, and not 3 .since 3 scenes of discs and of spheres .*: compute it again$"):
+        read(tmp_path / "scene.nc")
+
+
+def test_a_name_of_discs_is_of_spheres_too_in_the_unit_of_space():
+    """A cube is of spheres where it has grains; a unit of the plane is refused there."""
+    assert variable("energy").units == "J m-1"
+    assert variable("energy", ["grain"]).units == "J"
+    assert variable("energy", ["grain"]).long_name == variable("energy").long_name
+    assert all(
+        row.units != VARIABLES[name].units or row.long_name != VARIABLES[name].long_name for name, row in IN_SPACE.items()
+    )
+    scene = xr.Dataset({"outflow_mass": ("outflow_time", [0.0], {"units": "kg m-1"})}, {"outflow_time": [0.0], "grain": [0]})
+    scene["outflow_time"].attrs["units"] = "s"
+    assert check(scene.drop_vars("grain")) is not None
+    with pytest.raises(BadInput, match=r"units of outflow_mass = 'kg m-1': must be kg"):
+        check(scene)

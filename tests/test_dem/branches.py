@@ -17,17 +17,23 @@ def stop(time):
 
 def ended(folder, *events, name="first.end", **changes):
     """A run whose end is kept, and its scene."""
-    run = carried(scene_of(events=[*events], **PLAIN | changes))
-    keep_end(run, folder / name)
+    scene = scene_of(events=[*events], **PLAIN | changes)
+    run = carried(scene)
+    keep_end(run, scene, folder / name)
     return run
 
 
 def branched(folder, *events, **changes):
     """A run that goes on from that end."""
+    return of_branch(folder, *events, **changes)[1]
+
+
+def of_branch(folder, *events, **changes):
+    """The scene of such a run, and the run."""
     scene = scene_of(events=[*events], start_from="first.end", **PLAIN | changes)
     run = run_of(scene, scene_model(scene, folder, "branch.yaml"))
     run.go()
-    return run
+    return scene, run
 
 
 def same_motion(one, other):

@@ -1,6 +1,7 @@
 """Branches of runs of discs: the same bits as in one go, another outlet or friction, and ends that do not fit."""
 
 import copy
+import re
 
 import numpy as np
 import pytest
@@ -8,11 +9,12 @@ import yaml
 
 from silostudy.__main__ import main
 from silostudy.compute.dem import scene_model
+from silostudy.compute.dem_cube import cube_of
 from silostudy.cube.io import read
 from silostudy.dem.ledger import CARRIED_OUT, balance
 from silostudy.dem.likeness import as_events_left
 from silostudy.errors import BadInput
-from tests.test_dem.branches import AT_ONCE, OPENS, PLAIN, branched, ended, same_motion, stop
+from tests.test_dem.branches import AT_ONCE, OPENS, PLAIN, branched, ended, of_branch, same_motion, stop
 from tests.test_dem.small import SMALL, carried, scene_of
 from tests.test_spheres.small import scene_of as spheres_of
 
@@ -53,6 +55,58 @@ def test_what_events_changed_stays(tmp_path):
     assert same_motion(branch, carried(scene_of(events=[*changes, stop(0.08)], **PLAIN)))
 
 
+TWO = [{"name": "one", "width_m": 0.03, "middle_m": 0.04}, {"name": "two", "width_m": 0.05, "middle_m": 0.12}]
+NAMED = {"silo__slit_width_m": 0.0, "outlets": TWO, "silo__width_m": 0.17}
+
+
+def test_a_cube_tells_what_had_opened_before_it_began(tmp_path):
+    """Under the name that it has here, with or without one; the meter begins anew, at none."""
+    second = OPENS | {"outlets": ["two"]}
+    ended(tmp_path, second, stop(0.1), **NAMED)
+    renamed = NAMED | {"outlets": [TWO[0], TWO[1] | {"name": "wide"}]}
+    scene, branch = of_branch(tmp_path, OPENS | {"value": 0.15, "outlets": ["one"]}, stop(0.2), **renamed)
+    cube = cube_of(branch, scene)
+    assert cube["outlet"].values.tolist() == ["one", "wide"]
+    assert cube["outlet_opened"].values.tolist() == pytest.approx([0.15, 0.05])
+    assert (cube["outflow_time"][0], cube["outflow_mass"][0]) == (cube.attrs["began_s"], 0.0)
+    assert cube["outlet_outflow_mass"][0].values.tolist() == [0.0, 0.0]
+    ended(tmp_path, OPENS, stop(0.1))
+    scene, branch = of_branch(tmp_path, stop(0.12))
+    assert cube_of(branch, scene).attrs["outlet_opened_s"] == pytest.approx(0.05)
+
+
+def test_the_scene_that_it_goes_on_from_with_more_events(tmp_path):
+    """What had happened there is not done again, and what follows counts from it, as in one run."""
+    begun, then = [OPENS], [{"when": "after", "value": 0.15, "do": "stop"}]
+    whole = carried(scene_of(events=[*begun, *then], **PLAIN))
+    ended(tmp_path, *begun, stop(0.12))
+    branch = branched(tmp_path, *begun, *then)
+    assert same_motion(branch, whole)
+    assert branch.engine.time == whole.engine.time
+    assert [action for *_, action in branch.recording.happened] == ["stop"]
+
+
+RUBS = {"when": "time", "value": 0.05, "do": "set_friction", "wall_friction": 0.3}
+
+
+@pytest.mark.parametrize(
+    ("events", "told"),
+    [
+        ([RUBS, stop(0.2)], r"events\.0\.value = 0\.05: lies at 0\.05 s, before first\.end ends: must not be before 0\.12 s"),
+        ([OPENS, RUBS | {"value": 0.06}, stop(0.2)], r"events\.1\.value = 0\.06: lies at 0\.06 s"),
+        ([OPENS, RUBS | {"when": "after", "value": 0.02}, stop(0.2)], r"events\.1\.value = 0\.02: lies at 0\.07 s"),
+    ],
+)
+def test_an_event_whose_time_has_passed_is_refused(events, told, tmp_path, capsys):
+    scene = copy.deepcopy(SMALL) | {"events": [OPENS, stop(0.12)], "record": {"keep_end": True}}
+    (tmp_path / "first.yaml").write_text(yaml.safe_dump(scene))
+    assert main(["dem", str(tmp_path / "first.yaml"), str(tmp_path / "first.nc")]) == 0
+    (tmp_path / "branch.yaml").write_text(yaml.safe_dump(scene | {"start_from": "first.end", "events": events}))
+    for command in ("check", "explain", "dem"):
+        assert main([command, str(tmp_path / "branch.yaml"), *([str(tmp_path / "branch.nc")] if command == "dem" else [])]) == 2
+        assert re.search(rf"branch\.yaml: {told}", capsys.readouterr().err)
+
+
 def test_what_has_left_before_counts_towards_a_share(tmp_path):
     first = ended(tmp_path, OPENS, stop(0.25), silo__slit_width_m=0.1)
     branch = branched(tmp_path, {"when": "discharged", "value": 0.2, "do": "stop"}, silo__slit_width_m=0.1)
@@ -65,13 +119,17 @@ def test_what_has_left_before_counts_towards_a_share(tmp_path):
     [
         ({"radius_m": 0.009}, "is the end of a run with"),
         ({"density_kg_m3": 2000}, "other grains"),
-        ({"discs__normal_stiffness_N_m2": 9e6}, "other normal_stiffness: 9.46e+06 N m-2 there, 9e+06 here"),
+        (
+            {"discs__normal_stiffness_N_m2": 9e6},
+            "other normal_stiffness of discs: 9.46e+06 N m-2 there, 9e+06 here (discs.normal_stiffness_N_m2 9460000.0 there",
+        ),
         ({"discs__tangential": "spring-slider-total"}, "other contact laws"),
         ({"march__step_s": 2e-5}, "other march.step_s: 2.5e-05 there, 2e-05 here"),
         ({"march__step": "follow", "march__step_s": None}, "other march.step: fixed there, follow here"),
         ({"silo__height_m": 0.5}, "another wall left: the body of the silo stays as it is"),
         ({"silo__width_m": 0.171}, "another wall right: the body of the silo stays as it is"),
-        ({"discs__normal_stiffness_N_m2": 9e6, "march__step_s": None}, "other normal_stiffness: 9.46e+06"),
+        ({"discs__normal_stiffness_N_m2": 9e6, "march__step_s": None}, "other normal_stiffness of discs: 9.46e+06"),
+        ({"walls__normal_damping_N_s_m2": 2e5}, "walls.normal_damping_N_s_m2 7955.0 there, 200000.0 here"),
         ({"silo__lid": True}, "no wall lid, which stands here"),
         ({"march__limit_s": 0.03}, "march.limit_s = 0.03: must be above 0.05 s, where first.end ends"),
     ],

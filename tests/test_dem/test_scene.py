@@ -34,18 +34,18 @@ def test_the_cube_holds_what_was_asked(small, tmp_path):
     write(cube_of(run, scene), tmp_path / "small.nc")
     cube = read(tmp_path / "small.nc")
     assert cube["window_time"].size == 20
-    assert cube["discharged_mass"].to_numpy()[-1] > 0.0
+    assert cube["outflow_mass"].to_numpy()[-1] > 0.0
     assert cube["event_action"].to_numpy().tolist() == ["time: open", "after: stop"]
     shear = cube["wall_shear_force_min"].where(cube["wall_name"].isin(["left", "right"]))
     assert float(shear.min()) < 0.0  # negative wall friction stays visible
     left = cube["wall_normal_force_mean"].where(cube["wall_name"] == "left").sum("wall_cell")
-    whole = cube[[f"whole_normal_force_{what}" for what in ("mean", "min", "max")]].sel(surface="left")
-    assert np.allclose(whole.whole_normal_force_mean, left, rtol=1e-12)
-    assert (whole.whole_normal_force_min <= whole.whole_normal_force_mean * (1.0 + 1e-12)).all()
-    assert float((whole.whole_normal_force_max - whole.whole_normal_force_mean).max()) > 0.0
+    whole = cube[[f"surface_normal_force_{what}" for what in ("mean", "min", "max")]].sel(surface="left")
+    assert np.allclose(whole.surface_normal_force_mean, left, rtol=1e-12)
+    assert (whole.surface_normal_force_min <= whole.surface_normal_force_mean * (1.0 + 1e-12)).all()
+    assert float((whole.surface_normal_force_max - whole.surface_normal_force_mean).max()) > 0.0
     lost = np.isnan(cube["disc_x"].to_numpy()).sum(axis=1)
     assert lost[0] == 0
-    assert lost[1] == round(float(cube["discharged_mass"][-1]) / float(cube["disc_mass"][0]))
+    assert lost[1] == round(float(cube["outflow_mass"][-1]) / float(cube["disc_mass"][0]))
     assert cube["field_contact_stress"].sizes["field_time"] == 4
     assert "Strack" not in cube.attrs["references"]
     assert "Kiyama" in cube.attrs["references"]
@@ -75,7 +75,7 @@ def test_restart_goes_on_with_the_same_bits(small, tmp_path):
     assert min(heard) > 4800
     assert checkpoint.exists()  # until the result is written
     whole, cut = cube_of(small[1], scene), cube_of(resumed, scene)
-    for name in ("wall_normal_force_max", "disc_x", "discharged_mass", "contact_force_x"):
+    for name in ("wall_normal_force_max", "disc_x", "outflow_mass", "contact_force_x"):
         assert np.array_equal(whole[name], cut[name], equal_nan=True), name
 
 

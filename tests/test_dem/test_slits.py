@@ -92,11 +92,25 @@ def test_one_of_two_slits_opens_and_is_metered():
     cube = cube_of(run, scene)
     assert run.dropped > 0.0
     assert cube["outlet"].to_numpy().tolist() == ["one", "two"]
-    through = cube["outlet_discharged_mass"].to_numpy()
+    through = cube["outlet_outflow_mass"].to_numpy()
     assert not through[:, 0].any()
-    np.testing.assert_allclose(through[:, 1], cube["discharged_mass"], rtol=1e-12)
+    np.testing.assert_allclose(through[:, 1], cube["outflow_mass"], rtol=1e-12)
     assert np.isnan(cube["outlet_opened"].to_numpy()).tolist() == [True, False]
+    time, mass = cube["outflow_time"].to_numpy(), cube["outflow_mass"].to_numpy()
+    assert (time[0], mass[0]) == (0.0, 0.0)
+    rate = (mass[-1] - mass[1]) / (time[-1] - time[1])
+    np.testing.assert_allclose(cube["outlet_mean_outflow"], [np.nan, rate], rtol=1e-12)
+    assert cube.attrs["mean_outflow_kg_m_s"] == pytest.approx(rate)
     assert cube["surface"].to_numpy().tolist() == ["floor_1", "floor_2", "floor_3", "left", "right"]
+
+
+def test_where_nothing_has_left_the_meter_stands_at_none():
+    scene = scene_of(silo=BOX, outlets=TWO, events=[{"when": "time", "value": 0.01, "do": "stop"}])
+    cube = cube_of(carried(scene), scene)
+    assert cube["outflow_mass"].to_numpy().tolist() == [0.0]
+    assert cube["outlet_outflow_mass"].to_numpy().tolist() == [[0.0, 0.0]]
+    scene = scene_of(silo=BOX, events=[{"when": "time", "value": 0.01, "do": "stop"}])
+    assert "outflow_mass" not in cube_of(carried(scene), scene)
 
 
 WRONG = {

@@ -162,7 +162,8 @@ def turning(cube):
 
 def flowing(cube):
     """A run that goes on from another in flow: nothing opens the outlet any more."""
-    return cube.assign(event_action=("event", ["after: friction"] * cube.sizes["event"]))
+    friction = cube.assign(event_action=("event", ["after: friction"] * cube.sizes["event"]))
+    return friction.assign_attrs(outlet_opened_s=0.005, began_s=0.01)
 
 
 @pytest.mark.parametrize(("changed", "told"), [(turning, "while surfaces turn"), (flowing, "while grains flow")])

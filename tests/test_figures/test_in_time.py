@@ -97,7 +97,7 @@ def test_mass_of_outlets_adds_up():
 
 def test_a_scene_that_recorded_nothing_is_told_what_to_record(tmp_path):
     with pytest.raises(BadInput, match=r"record\.wall_force_window_s = 'nothing': must be given"):
-        silo_of_spheres.draw(bin_cube().drop_vars("surface_normal_force"), tmp_path / "silo")
+        silo_of_spheres.draw(bin_cube().drop_vars("surface_normal_force_mean"), tmp_path / "silo")
 
 
 def shut_bin():
@@ -122,7 +122,7 @@ def test_a_scene_without_a_flow_has_no_panel_of_mass(rests, tmp_path, monkeypatc
 def test_the_end_of_the_run_is_on_the_axis_of_time(tmp_path, monkeypatch):
     """Nothing touches a surface in the last windows."""
     cube = bin_cube().copy(deep=True)
-    cube["surface_normal_force"][-2:] = 0.0
+    cube["surface_normal_force_mean"][-2:] = 0.0
     output = drawn("silo_of_spheres", [cube], tmp_path, monkeypatch)
     panel = next(panel for panel in output.figure.axes if panel.get_title() == "forces on the surfaces")
     low, high = panel.get_xlim()
@@ -193,13 +193,13 @@ def test_a_first_window_has_its_level_and_a_last_short_one_is_left_out():
 
 def test_a_run_that_goes_on_in_flow_tells_of_no_rest():
     """An outlet was open before, and another opens: what it began with is not all that there once was."""
-    mass = {"outlet": ["a", "b"], "outlet_opened": ("outlet", [np.nan, 2.0]),
-            "outlet_outflow_mass": (("outflow_time", "outlet"), [[1.0, 0.0], [2.0, 1.0]])}  # fmt: skip
-    cube = scene(OPENED, **mass).assign_attrs(began_s=0.5, began_with_kg=15.0)
+    cube = scene(OPENED, outlet=["a", "b"], outlet_opened=("outlet", [0.2, 2.0])).assign_attrs(began_s=0.5, began_with_kg=15.0)
     words = told(cube, flow())
     assert words.startswith("From 0.5 s on 6 of 20 kg leave, 4 kg/s on average; meanwhile the largest force is 9 N, on ")
     assert "rest" not in words
-    passing = cube.assign(outflow_mass=("outflow_time", [1.0, 3.0]), grain_mass=("grain", [20.0])).assign_coords(
-        outflow_time=[1.0, 2.0]
-    )
-    assert flow_of(passing, "outflow_time", "outflow_mass", "grain_mass", "mass_kg", "kg").filled == 15.0
+    mass = {"outflow_mass": ("outflow_time", [0.0, 1.0, 3.0]), "grain_mass": ("grain", [20.0]),
+            "outlet_outflow_mass": (("outflow_time", "outlet"), [[0.0, 0.0], [1.0, 0.0], [2.0, 1.0]])}  # fmt: skip
+    passing = flow_of(cube.assign(mass).assign_coords(outflow_time=[0.5, 1.0, 2.0]), "grain_mass", "mass_kg", "kg")
+    assert passing.filled == 15.0
+    assert passing.begins == 1.0
+    assert passing.told() == "3 of 15 kg leave, 2 kg/s on average"

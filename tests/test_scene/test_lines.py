@@ -88,7 +88,7 @@ def test_the_cube_holds_both_faces_of_a_line():
     assert cube["wall_name"].to_numpy().tolist()[-28:] == [
         name for name in ("post", "post_back", "base", "base_back") for _ in range(7)
     ]
-    last = cube["whole_normal_force_mean"].isel(window_time=-1)
+    last = cube["surface_normal_force_mean"].isel(window_time=-1)
     assert float(last.sel(surface="post")) > 0.0
     assert float(last.sel(surface="post_back")) > 0.0
     x = cube["wall_cell_x"].where(cube["wall_name"] == "post_back", drop=True)

@@ -12,7 +12,7 @@ from silostudy.config.spheres import SphereScene
 from tests.conftest import with_changes
 
 SAME = ("grain_x", "grain_spin_y", "outflow_time", "outflow_mass", "wall_pressure_max", "surface_cross_force_max",
-        "contact_load_z", "field_contact_stress", "field_velocity", "contact_fabric", "contact_sliding")  # fmt: skip
+        "contact_force_z", "field_contact_stress", "field_velocity", "contact_fabric", "contact_sliding")  # fmt: skip
 SMALL = BIN | {
     "title": "a small bin",
     "sizes": {"kind": "equal", "diameter_mm": 8},

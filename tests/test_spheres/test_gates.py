@@ -117,7 +117,8 @@ def test_observers_change_nothing(whole):
 
 def branch_of(silo, folder, *events):
     """A run that goes on from one that ended while the gate was half open."""
-    keep_end(carried(scene_of(silo=copy.deepcopy(silo), events=[OPENS, stop(HALF_OPEN)], **BARE)), folder / "half.end")
+    scene = scene_of(silo=copy.deepcopy(silo), events=[OPENS, stop(HALF_OPEN)], **BARE)
+    keep_end(carried(scene), scene, folder / "half.end")
     scene = opening(silo, *events, start_from="half.end")
     run = run_of(scene, scene_model(scene, folder, "branch.yaml"))
     run.go()
@@ -140,7 +141,8 @@ def test_a_branch_opens_the_rest_at_once(whole, tmp_path):
 def test_a_branch_does_not_open_what_is_open(speed, tmp_path):
     """A hopper opened at once is not shut to be opened again, at a speed or not."""
     at_once = {name: told for name, told in OPENS.items() if name != "speed_m_s"}
-    keep_end(carried(scene_of(silo=copy.deepcopy(CONE), events=[at_once, stop(HALF_OPEN)], **BARE)), tmp_path / "open.end")
+    scene = scene_of(silo=copy.deepcopy(CONE), events=[at_once, stop(HALF_OPEN)], **BARE)
+    keep_end(carried(scene), scene, tmp_path / "open.end")
     scene = opening(CONE, at_once | {"value": 0.4, "speed_m_s": speed}, start_from="open.end")
     with pytest.raises(BadInput, match=r"events\.0\.do = 'open_outlet': opens nothing: open by then, where open\.end ends"):
         run_of(scene, scene_model(scene, tmp_path, "branch.yaml"))

@@ -76,7 +76,7 @@ def test_a_scene_that_rains_opens_and_flows_out_keeps_its_balance():
     assert whole.recording.left["discharged"] > 20
     assert account[CARRIED_OUT] != 0.0
     assert abs(balance(account)) < 1e-9 * account[TURNOVER]  # nothing was there at the start
-    entries = cube_of(whole, scene).ledger_energy.isel(window_time=-1)
+    entries = cube_of(whole, scene).energy.isel(window_time=-1)
     assert float(entries.sel(energy_entry="sliding")) == account[SLIDING]
 
 
