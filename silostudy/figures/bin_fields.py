@@ -30,7 +30,8 @@ PHASES = ("at rest", "in discharge")
 LOW = 0.5  # of the width: panels of a lower silo stand in two rows, twice as wide
 # inches: width of a panel, height of what stands over and under it, and over and under all of them
 WIDE = {4: 2.25, 2: 4.6}
-BESIDE, AROUND = 1.6, 1.1
+BESIDE = 1.6
+AROUND = 1.1
 
 
 def draw(cube: xr.Dataset, stem: Path) -> None:
