@@ -127,7 +127,7 @@ def test_a_scene_without_a_flow_has_no_panel_of_mass(rests, tmp_path, monkeypatc
 @pytest.mark.parametrize("flows", [False, True])
 def test_forces_that_no_surface_feels_have_no_panel(flows, tmp_path, monkeypatch):
     cube = (bin_cube() if flows else shut_bin()).copy(deep=True)
-    cube["surface_normal_force"][:] = 0.0
+    cube["surface_normal_force_mean"][:] = 0.0
     output = drawn("silo_of_spheres", [cube], tmp_path, monkeypatch)
     assert (output.faults(), output.faults_of_look()) == ([], [])
     titles = [panel.get_title() for panel in output.figure.axes]
