@@ -35,12 +35,13 @@ class Dimension:
     wall_power: Callable  # (rows, shape, i, wall, force, moment) -> power of a wall that moves
     rise: int  # column of a wall's shape: its speed upward
     height_of: Callable  # (shape, wall) -> height of a level wall (m)
-    motion_of: Callable  # shape -> of every wall its height where it is level (m), speed upward (m/s), and spin (rad/s)
+    motion_of: Callable  # shape -> of every wall its height where it is level (m), speed upward (m/s), how it turns or runs
     handed_on: (
         Callable  # (now, begun, here) -> rows of a floor with what is open of another, which go on for which, what is lost
     )
     widen: Callable  # (shape, wall, dt) -> whether the holes that grow in a wall have taken it away
     lift: Callable  # (shape, wall, way): moves a level wall up
+    run: Callable  # (shape, walls, speed or velocity): lets the faces of straight walls run along them, m/s
     walls_of: Callable  # the walls of a model as arrays
     cell_count: Callable  # how many cells the walls of a model have
     extents: Callable  # walls -> of each the corners (n, d) of a box around it, m

@@ -54,9 +54,9 @@ class Event:
 
     trigger: a key of TRIGGERS; value: its seconds, share or Pa.
     action: open (wall, walls that replace it), open holes (wall, names of its holes, speed), take away (walls), remove (label
-    or x, y),
-    gravity (x, y), friction (pair, wall, names of walls; none: all), stop; of walls that move lower (), press (load, mass,
-    speed, lowest), move (speed, force, height), turn (spin, walls), run (speed, walls); feed (rate).
+    or place), gravity (vector), friction (pair, wall, names of walls; none: all), stop; of walls that move lower (),
+    press (load, mass, speed, lowest), move (speed, force, height), turn (spin, walls), run (speed or velocity, walls);
+    feed (rate).
     """
 
     trigger: str

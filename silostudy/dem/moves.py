@@ -8,7 +8,6 @@ from silostudy.dem.drive import DRAG, HELD, LOAD, MASS, STOP_FORCE, STOP_HEIGHT,
 from silostudy.dem.engine import Engine
 from silostudy.dem.events import Event
 from silostudy.dem.space.rows import TURN
-from silostudy.dem.walls import BELT
 
 CALM = 0.01  # of the load, and of the speed that nothing resists: a lid under less is at rest
 
@@ -42,9 +41,9 @@ def turn_walls(engine: Engine, spin: float, *names: str) -> None:
     engine.walls.shape[[engine.model.wall_number(name) for name in names], TURN] = spin
 
 
-def run_belts(engine: Engine, speed: float, *names: str) -> None:
-    """Run the faces of lines along them at a speed (m/s), with the solid on their left: counter-clockwise around it."""
-    engine.walls.shape[[engine.model.wall_number(name) for name in names], BELT] = speed
+def run_belts(engine: Engine, speed: float | tuple[float, float, float], *names: str) -> None:
+    """Run the faces of straight walls along them at a speed, of surfaces in space at a velocity (m/s)."""
+    engine.space.run(engine.walls.shape, [engine.model.wall_number(name) for name in names], speed)
 
 
 MOVES: dict[str, Callable[..., None]] = {

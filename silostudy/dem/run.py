@@ -214,11 +214,11 @@ class Run:
         self.next_event += 1
 
     def _remove(self, what: tuple) -> str:
-        """Take a disc out; says what happened, which is nothing where the disc has left before."""
-        disc = number_of(self.engine, what)
-        if disc is None:
-            return "remove nothing: the disc had left"
-        gone = np.arange(self.engine.n) == disc
+        """Take a body out; says what happened, which is nothing where it is not there."""
+        number = number_of(self.engine, what)
+        if number is None:
+            return f"remove nothing: the {self.engine.space.body} was not there"
+        gone = np.arange(self.engine.n) == number
         self._take_away(lambda: self._take_out(gone, REMOVED))
         return "remove"
 

@@ -142,6 +142,11 @@ def height_of(shape, wall):
     return shape[wall, LOW]
 
 
+def run(shape: np.ndarray, walls: list[int], speed: float) -> None:
+    """Let the faces of walls run along them at a speed (m/s), with the solid on their left: counter-clockwise around it."""
+    shape[walls, BELT] = speed
+
+
 def motion_of(shape: np.ndarray) -> np.ndarray:
     """Motion of every wall (n, 3): height (m) of its start, speed upward (m/s), speed along itself (m/s)."""
     return shape[:, [LOW, RISE, BELT]].copy()

@@ -174,7 +174,11 @@ def sphere_effects(scene: SphereScene) -> tuple[Effect, ...]:
         Effect("several outlets", len(scene.outlets) > 1, f"outlets: {len(scene.outlets)}"),
         Effect("inserts", bool(scene.inserts), f"inserts: {len(scene.inserts)}"),
         Effect("hopper", scene.silo.hopper is not None, "silo.hopper"),
-        Effect("walls that move", moves(scene.events), "events: lower_lid, press_lid, move_lid, rotate"),
+        Effect(
+            "walls that move",
+            moves(scene.events),
+            "events: lower_lid, press_lid, move_lid, rotate, run_belt, open_outlet at a speed",
+        ),
         Effect("events", len(scene.events) > 1, ", ".join(event.do for event in scene.events)),
         *reading_effects(scene),
     )

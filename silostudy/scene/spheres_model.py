@@ -23,7 +23,7 @@ from silostudy.scene.mixture import drawn
 from silostudy.scene.outflow import called
 from silostudy.scene.raining import flows_meanwhile
 from silostudy.scene.space_silo import SpaceSilo
-from silostudy.scene.sphere_events import check_turning, sphere_events
+from silostudy.scene.sphere_events import check_spheres, check_turning, sphere_events
 from silostudy.scene.spheres import contacts_of, grain_of, plane_of_rain, space_silo_of
 
 # places (n, 3) and radii (m), and kinds where there are several
@@ -42,6 +42,7 @@ def sphere_model(scene: SphereScene, given: Start | None, where: str = "") -> Sp
     sphere_events(scene, space, 0.0, where)
     random = np.random.default_rng(scene.seed)
     places, radii, kind = given or _started(scene, space, random)
+    check_spheres(scene, len(radii), where)
     check_outlet(scene, space, radii, kind, where)
     if row.rains:
         check_rain(scene, space, radii, where)

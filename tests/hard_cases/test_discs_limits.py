@@ -193,7 +193,7 @@ def test_event_that_removes_what_is_gone():
     """A disc that has left already is no mistake of the scene: the run says that nothing was removed, and goes on."""
     run = Run(Engine(pile()), (Event("time", 0.0, "remove", (999,)), Event("time", 0.1, "stop")), limit=1.0)
     run.go()
-    assert [action for _, _, action in run.recording.happened] == ["remove nothing: the disc had left", "stop"]
+    assert [action for _, _, action in run.recording.happened] == ["remove nothing: the disc was not there", "stop"]
     assert run.engine.n == len(run.engine.model.x)
 
 

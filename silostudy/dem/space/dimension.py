@@ -44,7 +44,7 @@ from silostudy.dem.space.motion import (
 from silostudy.dem.space.network import all_from_wall, bent, densest
 from silostudy.dem.space.outlets import handed_on
 from silostudy.dem.space.rows import RISE
-from silostudy.dem.space.surfaces import height_of, lift, motion_of, nearest
+from silostudy.dem.space.surfaces import height_of, lift, motion_of, nearest, run
 from silostudy.dem.space.walk import walk
 from silostudy.dem.space.walls import beside, cell_count, extents, walls_of
 
@@ -77,6 +77,7 @@ SPACE = Dimension(
     handed_on=handed_on,
     widen=widen,
     lift=lift,
+    run=run,
     walls_of=walls_of,
     cell_count=cell_count,
     extents=extents,

@@ -33,6 +33,7 @@ from silostudy.dem.space.rows import (
     ALONG_Z,
     AXIS_X,
     AXIS_Y,
+    BELT,
     FLAT,
     LENGTH,
     NORMAL,
@@ -69,16 +70,16 @@ def gather_walls(rows, shape, sphere, wall, start, count, lanes):
 
 @register_jitable
 def gather_moving_walls(rows, shape, sphere, wall, start, count, lanes):
-    """Lanes of spheres near walls, of which some rise or turn: velocities are those against the nearest point."""
+    """Lanes of spheres near walls, of which some rise, turn or run along themselves: velocities against the nearest point."""
     gather_walls(rows, shape, sphere, wall, start, count, lanes)
     for k in range(count):
         i, q = sphere[start + k], wall[start + k]
         distance = lanes[0, DISTANCE * STRETCH + k]
         x = rows[i, X] - distance * lanes[0, NX * STRETCH + k]
         y = rows[i, Y] - distance * lanes[0, NY * STRETCH + k]
-        lanes[0, DU * STRETCH + k] += shape[q, TURN] * y
-        lanes[0, (DU + 1) * STRETCH + k] -= shape[q, TURN] * x
-        lanes[0, (DU + 2) * STRETCH + k] -= shape[q, RISE]
+        lanes[0, DU * STRETCH + k] += shape[q, TURN] * y - shape[q, BELT]
+        lanes[0, (DU + 1) * STRETCH + k] -= shape[q, TURN] * x + shape[q, BELT + 1]
+        lanes[0, (DU + 2) * STRETCH + k] -= shape[q, RISE] + shape[q, BELT + 2]
         lanes[0, (APART_P + 2) * STRETCH + k] -= shape[q, TURN]
 
 
@@ -88,7 +89,8 @@ def wall_power(rows, shape, i, wall, force, moment):
     x, y, z = rows[i, X], rows[i, Y], rows[i, Z]
     dx, dy, _, _ = nearest(shape, wall, x, y, z)
     turning = (x - dx) * force[1] - (y - dy) * force[0] + moment[2]
-    return shape[wall, RISE] * force[2] + shape[wall, TURN] * turning
+    along = shape[wall, BELT] * force[0] + shape[wall, BELT + 1] * force[1] + shape[wall, BELT + 2] * force[2]
+    return shape[wall, RISE] * force[2] + shape[wall, TURN] * turning + along
 
 
 @register_jitable

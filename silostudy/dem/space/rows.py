@@ -29,7 +29,8 @@ UPWARD = 15
 # columns of any surface
 RISE = 20  # speed upward (m/s)
 TURN = 21  # spin about the upright axis x = y = 0 (rad/s)
-MORE = 29  # first column of what a flat piece says of each side, and a level piece of each hole
+BELT = 29  # velocity (three numbers, m/s) at which its face runs along it, as a belt's: it stays where it is
+MORE = 32  # first column of what a flat piece says of each side, and a level piece of each hole
 # columns of a side, from its first: three numbers of where it starts, then
 SIDE = 3  # its kind
 SIDE_WAY = 4  # unit vector into what it meets

@@ -24,6 +24,7 @@ from silostudy.dem.space.rows import (
     ALONG_Z,
     AXIS_X,
     AXIS_Y,
+    BELT,
     CIRCLE,
     END_END,
     END_WAY,
@@ -184,6 +185,15 @@ def lift(shape, wall, way):
     shape[wall, START_Z if shape[wall, 0] == TURNED else HEIGHT] += way
 
 
+def run(shape: np.ndarray, walls: list[int], velocity: tuple[float, float, float]) -> None:
+    """Let the faces of flat surfaces run along them at a velocity (m/s)."""
+    shape[walls, BELT : BELT + 3] = velocity
+
+
 def motion_of(shape: np.ndarray) -> np.ndarray:
-    """Motion of every surface (n, 3): height (m) where it is level, speed upward (m/s), spin about the upright axis (rad/s)."""
-    return np.array([(height_of(shape, wall), *shape[wall, [RISE, TURN]]) for wall in range(len(shape))])
+    """Motion of every surface (n, 6).
+
+    Height (m) where it is level, speed upward (m/s), spin about the upright axis (rad/s), velocity along itself (m/s).
+    """
+    along = [RISE, TURN, *range(BELT, BELT + 3)]
+    return np.array([(height_of(shape, wall), *shape[wall, along]) for wall in range(len(shape))])
