@@ -14,7 +14,7 @@ from silostudy.stamp import CHECKED, sources, stamp
 from tests.conftest import ROOT
 
 PACKAGE = ROOT / "silostudy"
-BASE = {"catalogue", "soundness", "limits", "errors", "files", "stages", "stamp", "__init__"}
+BASE = {"catalogue", "soundness", "limits", "errors", "files", "say", "stages", "stamp", "__init__"}
 # room -> the rooms it may import, besides the base
 MAY_IMPORT = {
     "stages": set(),

@@ -3,6 +3,8 @@
 import sys
 from pathlib import Path
 
+from silostudy.say import say
+
 
 def add(sub) -> None:
     command = sub.add_parser("dem", help="run a discrete-element scene into a netCDF file")
@@ -87,6 +89,7 @@ def run_ensemble(chosen, scene, choice, outputs: list[Path]) -> None:
 
 def run_one(chosen, scene, choice, output: Path) -> None:
     from silostudy.commands.check import told_before
+    from silostudy.commands.progress import progress
     from silostudy.compute.dem import carry_through, run_of
     from silostudy.compute.expected import verdicts
     from silostudy.dem.cache import is_compiled
@@ -96,10 +99,10 @@ def run_one(chosen, scene, choice, output: Path) -> None:
 
     model = _model(chosen, scene)
     for line in told_before(scene, model, chosen.scene.parent):
-        print(f"silostudy: {line}", file=sys.stderr)
+        say(line)
     task = run_of(scene, model, str(chosen.scene), threads=chosen.threads)
     if not is_compiled(kernel(model.pieces)):
-        print("silostudy: the kernel of these laws is compiled first, once: that takes 20 to 40 s", file=sys.stderr)
+        say("the kernel of these laws is compiled first, once: that takes 20 to 40 s")
     with progress(task) as tell:
         carry_through(task, scene, checkpoint_of(scene, output), tell)
     keep(task, scene, choice, output)
@@ -160,20 +163,20 @@ def keep(task, scene, choice, output: Path) -> None:
     if (end := end_beside(scene, output)) and not task.recording.explosion:
         keep_end(task, end)
     if deep := cube.attrs.get("deep_overlaps"):
-        print(f"silostudy: {output}: overlaps {deep}", file=sys.stderr)
+        say(f"{output}: overlaps {deep}")
     if scene.record.paraview:
         export(task, paraview_of(output))
     if checkpoint := checkpoint_of(scene, output):
         checkpoint.unlink(missing_ok=True)
     for told in filter(None, (delay(task), shortfall(task))):
-        print(f"silostudy: {output}: {told}", file=sys.stderr)
+        say(f"{output}: {told}")
     half, began = 0.5 * task.engine.model.step, task.began * task.engine.model.dt
     late = [time for time in scene.record.snapshots_s if time > task.engine.time + half]
     early = [time for time in scene.record.snapshots_s if time < began - half]
     for missed, why in ((late, "the run ended before"), (early, f"the run goes on from {began:g} s")):
         if missed:
             times = ", ".join(f"{time:g}" for time in missed)
-            print(f"silostudy: {output}: no snapshots at {times} s: {why}", file=sys.stderr)
+            say(f"{output}: no snapshots at {times} s: {why}")
 
 
 def where_discs_are(task) -> str:
@@ -184,32 +187,3 @@ def where_discs_are(task) -> str:
     return f"{task.engine.n} of {len(task.engine.model.x)} {task.engine.space.body}s still there" + (
         f" ({gone})" if gone else ""
     )
-
-
-class progress:
-    """A bar of model time with the rate in particle-steps a second and the time that remains."""
-
-    def __init__(self, task):
-        from tqdm import tqdm
-
-        self.task, self.done = task, task.engine.step
-        self.bar = tqdm(
-            total=(task.last - self.done) * len(task.engine.model.x),
-            unit=" particle-steps",
-            unit_scale=True,
-            file=sys.stderr,
-            mininterval=0.5,
-        )
-
-    def __enter__(self):
-        return self.tell
-
-    def tell(self, step: int) -> None:
-        self.bar.set_postfix_str(
-            f"t = {self.task.engine.time:.3f} s, {self.task.engine.n} {self.task.engine.space.body}s", refresh=False
-        )
-        self.bar.update((step - self.done) * len(self.task.engine.model.x))
-        self.done = step
-
-    def __exit__(self, kind, error, trace) -> None:
-        self.bar.close()

@@ -2,7 +2,6 @@
 
 import hashlib
 import pickle
-import sys
 from pathlib import Path
 from typing import Any
 
@@ -11,6 +10,7 @@ import numpy as np
 from silostudy.config.grain_scenes import AnyScene
 from silostudy.dem.run import Run
 from silostudy.files import replacing
+from silostudy.say import say
 from silostudy.stamp import stamp
 
 
@@ -74,9 +74,9 @@ def resume(run: Run, scene: AnyScene, checkpoint: Path) -> None:
         other, saved = [f"cannot be read ({type(error).__name__})"], None
     if not other:
         run.restore(saved)
-        print(f"silostudy: goes on from {checkpoint} at {run.engine.time:.6g} s", file=sys.stderr)
+        say(f"goes on from {checkpoint} at {run.engine.time:.6g} s")
         return
     why = other[0] if saved is None else f"was made with other {', other '.join(other)}"
     aside = checkpoint.with_name(f"{checkpoint.name}.old")
     checkpoint.replace(aside)
-    print(f"silostudy: {checkpoint} {why}: the run starts anew; kept as {aside.name}", file=sys.stderr)
+    say(f"{checkpoint} {why}: the run starts anew; kept as {aside.name}")

@@ -8,6 +8,7 @@ import pandas as pd
 import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.collections import QuadMesh
+from matplotlib.figure import Figure
 from matplotlib.patches import Polygon
 
 from silostudy.errors import BadInput
@@ -26,6 +27,11 @@ SHOWN = {
     "stress_ratio": ("lateral over vertical stress", "magma_r"),
 }
 PHASES = ("at rest", "in discharge")
+LOW = 0.5  # of the width: panels of a lower silo stand in two rows, twice as wide
+# inches: width of a panel, height of what stands over and under it, and over and under all of them
+WIDE = {4: 2.25, 2: 4.6}
+BESIDE = 1.6
+AROUND = 1.1
 
 
 def draw(cube: xr.Dataset, stem: Path) -> None:
@@ -33,21 +39,32 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     cells = phases(cube)
     half, top = (float(cube.attrs[name]) * CM for name in ("half_width_m", "top_height_m"))
     high = min(top, 1.1 * float(cells["height_cm"][cells["solid_fraction"].notna()].max()))
-    figure, panels = plt.subplots(1, len(SHOWN), figsize=(WIDTH, min(7.0, 2.7 + 2.25 * high / (2.0 * half))), sharey=True)
-    for panel, (name, (label, colours)) in zip(panels, SHOWN.items(), strict=True):
+    high = silo_cut.inside(cube)[:, 1].max(initial=high / CM) * CM
+    flows, before = cells["phase"].nunique() > 1, bins.before(cube)
+    figure, panels = _lay_out(high / (2.0 * half))
+    for panel, (name, (label, colours)) in zip(panels.flat, SHOWN.items(), strict=True):
         mesh = _halves(panel, cells, name, colours, silo_cut.outline_of(cube))
         silo_cut.draw(panel, cube, 0.0)
         panel.set(xlabel="from the axis (cm)", xlim=(-half - 0.3, half + 0.3), ylim=(-0.3, high), aspect="equal")
         panel.xaxis.set_major_formatter(lambda value, _: f"{abs(value):g}")
         panel.axvline(0.0, color="white", linewidth=0.8, gid=AID)
-        panel.set_title("at rest | in discharge")
+        panel.set_title(f"{before} | {PHASES[1]}" if flows else before)
         panel.grid(False)
         figure.colorbar(mesh, ax=panel, location="bottom", label=label, shrink=0.9)
-    panels[0].set_ylabel("height above the outlet (cm)")
-    headline(figure, _message(cube, cells))
+    for panel in panels[:, 0]:
+        panel.set_ylabel("height (cm)")
+    headline(figure, _message(cube, cells, before))
     fade = f"Within {_reach(cube):.1f} cm of walls and surface the kernel reaches beyond them: fields fade."
-    foot(figure, f"{cube.attrs['title']}; {bins.EARLY_WORDS}.", fade)
+    foot(figure, f"{cube.attrs['title']}{f'; {bins.EARLY_WORDS}' if flows else ''}.", fade)
     save(figure, cells, stem)
+
+
+def _lay_out(slender: float) -> tuple[Figure, np.ndarray]:
+    """Figure and panels, beside each other or, of a silo that is low for its width, in two rows; slender: height over width."""
+    rows = 1 if slender > LOW else 2
+    columns = len(SHOWN) // rows
+    high = min(7.0, AROUND + rows * (BESIDE + WIDE[columns] * slender))
+    return plt.subplots(rows, columns, figsize=(WIDTH, high), sharey=True, squeeze=False)
 
 
 def phases(cube: xr.Dataset) -> pd.DataFrame:
@@ -106,9 +123,11 @@ def _edges(middles: np.ndarray) -> np.ndarray:
     return np.append(middles - half, middles[-1] + half)
 
 
-def _message(cube: xr.Dataset, cells: pd.DataFrame) -> str:
-    """Message: means over the bulk between the upright walls, away from them."""
+def _message(cube: xr.Dataset, cells: pd.DataFrame, before: str) -> str:
+    """Message: means over the bulk between the upright walls, away from them; before: words on what is not in discharge."""
     low, half = (float(cube.attrs[name]) * CM for name in ("transition_height_m", "half_width_m"))
+    if not (cells["solid_fraction"].notna() & (cells["height_cm"] > low)).any():
+        return "No solid stands between the upright walls"
     parts = list(takewhile(lambda part: _inside(cube, part), (part for _, part in cells.groupby("phase", sort=False))))
     if not parts:
         return (
@@ -120,7 +139,7 @@ def _message(cube: xr.Dataset, cells: pd.DataFrame) -> str:
     fractions = [np.average(part["solid_fraction"], weights=part["volume_cm3"]) for part in parts]
     ratio = "the ratio of lateral to vertical stress between the upright walls"
     if len(parts) < len(PHASES):
-        return f"At rest {ratio} is {ratios[0]:.2f}, the solid fraction {fractions[0]:.2f}"
+        return f"{before.capitalize()} {ratio} is {ratios[0]:.2f}, the solid fraction {fractions[0]:.2f}"
     return f"In discharge {ratio} {_went(ratios)}, the solid fraction {_went(fractions)}"
 
 

@@ -13,7 +13,7 @@ from silostudy.figures.style import foot, headline, plt
 
 MOST = 60  # frames
 CM = 100.0
-BELOW = 2.0  # cm that are shown below the outlet
+LEAST = 3.9  # inches: the words beside a silo that is wide and low stand upright
 HALF = 0.5  # share of the solid that is out where the headline counts layers
 PARTLY = (0.05, 0.95)  # share of a layer that is out while it runs out
 
@@ -22,14 +22,13 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     """Writes the film: as many snapshots as MOST, even in time, from the one that gives the layers."""
     first = start(cube)
     shots = frames(cube, first)
-    half, top = (float(cube.attrs[name]) * CM for name in ("half_width_m", "top_height_m"))
-    figure, panel = plt.subplots(figsize=(5.0, min(8.0, 2.4 + 3.0 * (top + BELOW) / (2.0 * half))))
+    left, right, low, high = silo_cut.view(cube, float(cube["grain_z"].isel(snapshot=shots).max()))
+    figure, panel = plt.subplots(figsize=(5.0, max(LEAST, min(8.0, 2.4 + 3.0 * (high - low) / (right - left)))))
     silo = silo_cut.draw(panel, cube, 0.0)
-    panel.set(xlabel="across (cm)", ylabel="height above the outlet (cm)", aspect="equal")
-    panel.set(xlim=(-half - 0.5, half + 0.5), ylim=(-BELOW, top))
+    panel.set(xlabel="across (cm)", ylabel="height (cm)", aspect="equal", xlim=(left, right), ylim=(low, high))
     panel.grid(False)
     shown = panel.add_collection(_slice(cube, shots[0], first, panel))
-    layers.legend(figure, shown, panel, "when the outlet opened" if np.isfinite(opened_at(cube)) else "at the end")
+    layers.legend(figure, shown, panel, "when\nthe outlet opened" if np.isfinite(opened_at(cube)) else "at the end")
     headline(figure, _message(cube, first))
     foot(figure, f"{cube.attrs['title']}.", "A slice through the axis: the circles in which it cuts the spheres.")
 
@@ -39,7 +38,7 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
         shown = panel.add_collection(_slice(cube, shots[number], first, panel))
         time = float(cube["snapshot_time"][shots[number]])
         silo.set_segments(silo_cut.standing(cube, time))
-        panel.set_title(f"t = {time:.2f} s, {'outlet open' if time > opened_at(cube) else 'outlet shut'}")
+        panel.set_title(", ".join(filter(None, (f"t = {time:.2f} s", silo_cut.outlet_words(cube, time)))))
 
     layers.save(figure, show, len(shots), stem)
 
@@ -74,7 +73,7 @@ def _message(cube: xr.Dataset, first: int) -> str:
     """Message: how many layers run out at once, one or two in mass flow, many in funnel flow."""
     share, count = leaving(cube, first)
     if not share > 0.0:
-        return "No sphere passes the outlet"
+        return "No sphere leaves the silo"
     return f"Layers running out at once: {count} of {layers.COUNT}, when {share:.0%} of the solid is out"
 
 

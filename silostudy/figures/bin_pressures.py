@@ -23,11 +23,12 @@ LINES: dict[str, tuple[str, dict]] = {
 def draw(cube: xr.Dataset, stem: Path) -> None:
     """Writes the figure and the pressures of every cell as CSV."""
     cells, before = bins.phases(cube), bins.before(cube)
+    drawn = cells[_loaded(cube, cells)]
     shown = {name: column for name, column in MAPS.items() if cells[column].notna().any()}
     figure, panels = plt.subplots(1, len(shown) + 1, figsize=(WIDTH, 5.8), sharey=True, squeeze=False)
     most = max(float(cells[column].max()) for column in shown.values()) / KPA or 1.0
     for panel, (name, column) in zip(panels[0], shown.items(), strict=False):
-        mesh = _map(panel, cells, column, most)
+        mesh = _map(panel, drawn, cube, column, most)
         panel.set(
             title=before if name == bins.REST else name,
             xlabel="angle from the x axis (°)",
@@ -35,12 +36,13 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
             xticks=range(0, 361, 90),
         )
         _transition(panel, cube)
-    panels[0, 0].set_ylabel("height above the outlet (m)")
-    panels[0, 0].set_ylim(0.0, _loaded(cube, cells))
+    panels[0, 0].set_ylabel("height (m)")
     figure.colorbar(mesh, ax=panels[0, : len(shown)], location="bottom", shrink=0.7, label="normal pressure (kPa)")
     of = bins.column(cube, cells)
     why = bins.doubt(of, cube, cells) if of else ""
-    table = _profiles(panels[0, -1], cube, cells, None if why else of)
+    table = _profiles(panels[0, -1], cube, drawn, None if why else of)
+    tops = drawn["height_m"] + _high(cube, drawn) / 2.0
+    panels[0, 0].set_ylim(0.0, max(tops.max(), table["height_m"].max()))
     headline(figure, _message(cells, table, before))
     left_out = f"Janssen's curve is left out: {why}." if why else ""
     early = f"; {bins.EARLY_WORDS}" if len(shown) > 1 else ""
@@ -61,21 +63,26 @@ def _message(cells: pd.DataFrame, table: pd.DataFrame, before: str) -> str:
     return f"{mean}, the peak of a cell {peak:.2g} times"
 
 
-def _loaded(cube: xr.Dataset, cells: pd.DataFrame) -> float:
-    """Height (m) up to which walls are drawn: a little above the highest cell that is ever pressed."""
-    pressed = cells[[*MAPS.values()]].max(axis=1) > 0.0
-    top = float(cube.attrs["top_height_m"])
-    return min(top, 1.15 * float(cells["height_m"][pressed].max())) if pressed.any() else top
+def _high(cube: xr.Dataset, cells: pd.DataFrame) -> pd.Series:
+    """Height (m) of each cell, from the bottom of its surface, where the lowest one of its kind begins."""
+    lowest = cells.groupby(cells["surface"].str.split("_").str[0])["height_m"].transform("min")
+    bottom = np.where(cells["surface"].str.startswith("wall"), float(cube.attrs["transition_height_m"]), 0.0)
+    return 2.0 * (lowest - bottom)
 
 
-def _map(panel: Axes, cells: pd.DataFrame, column: str, most: float) -> QuadMesh:
+def _loaded(cube: xr.Dataset, cells: pd.DataFrame) -> pd.Series:
+    """Whether each cell is drawn: up to the first level over the highest cell that is ever pressed, all where none is."""
+    pressed, half = cells[[*MAPS.values()]].max(axis=1) > 0.0, _high(cube, cells) / 2.0
+    top = (cells["height_m"] + half)[pressed].max() if pressed.any() else np.inf
+    return cells["height_m"] - half < top * (1.0 + 1e-6)
+
+
+def _map(panel: Axes, cells: pd.DataFrame, cube: xr.Dataset, column: str, most: float) -> QuadMesh:
     """Cells as rectangles of angle and height, coloured by pressure (kPa); all walls of a kind go round together."""
-    for _, kind in cells.groupby(cells["surface"].str.split("_").str[0], sort=False):
-        heights = np.unique(kind["height_m"])
-        high = heights[1] - heights[0] if len(heights) > 1 else 2.0 * heights[0]
+    for _, kind in cells.assign(high=_high(cube, cells)).groupby(cells["surface"].str.split("_").str[0], sort=False):
         for height, row in kind.groupby("height_m"):
             angles, ring = around(row)
-            edges = [height - high / 2, height + high / 2]
+            edges = [height - row["high"].iloc[0] / 2, height + row["high"].iloc[0] / 2]
             mesh = panel.pcolormesh(angles, edges, ring[column].to_numpy()[None] / KPA, cmap="viridis", vmin=0.0, vmax=most)
     panel.grid(False)
     return mesh
@@ -106,9 +113,9 @@ def _transition(panel: Axes, cube: xr.Dataset) -> None:
         panel.axhline(height, color="white", linewidth=1, gid=AID)
 
 
-def _profiles(panel: Axes, cube: xr.Dataset, cells: pd.DataFrame, of: bins.Column | None) -> pd.DataFrame:
+def _profiles(panel: Axes, cube: xr.Dataset, drawn: pd.DataFrame, of: bins.Column | None) -> pd.DataFrame:
     """Means over the angle, and Janssen's curve for a column where there is one; gives the numbers."""
-    means = bins.profile(cells)
+    means = bins.profile(drawn)
     for label, (column, style) in LINES.items():
         told = bins.before(cube) if label == bins.REST else label
         for number, (_, surface) in enumerate(means.groupby("surface")):

@@ -58,4 +58,4 @@ def draw_flow(panel: Axes, flow: Flow) -> None:
         panel.plot(group["time_s"], group[flow.mass], drawstyle="steps-post", label=str(name).replace("_", " "), **look)
     if len(outlets) > 1:
         panel.legend(loc="upper left", frameon=True, framealpha=1.0, edgecolor="white")
-    panel.set(title="mass through the outlet" + "s" * (len(outlets) > 1), xlabel="time (s)", ylim=(0, None))
+    panel.set(title="mass through the outlet" + "s" * (len(outlets) > 1), ylim=(0, None))

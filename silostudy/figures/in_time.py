@@ -21,7 +21,9 @@ ROOM = 1.2  # of the largest force: words of events stand above it
 # inches
 MARGIN = 0.7  # beside a panel
 TALL = 4.9  # a snapshot at most
-LOWER = 4.3  # all below the snapshots
+SHORT = 1.1  # all below the snapshots where nothing is drawn there
+LOW = 4.3  # else
+LOWER = ("force", "mass")  # panels below the snapshots, where there is anything to show
 
 
 def check_recorded(cube: xr.Dataset, force: str) -> None:
@@ -51,8 +53,11 @@ def left_out(cube: xr.Dataset) -> str:
     return "" if long.all() else f"; the last, of {lasts:.2g} s only, is left out"
 
 
-def draw_forces(panel: Axes, table: pd.DataFrame, column: str, cube: xr.Dataset) -> list[Line2D]:
+def draw_forces(panels: dict[str, Axes], table: pd.DataFrame, column: str, unit: str, cube: xr.Dataset) -> list[Line2D]:
     """A step a window and a line a surface, thick where the force rises most; nothing while a surface is not touched."""
+    if "force" not in panels:
+        return []
+    panel = panels["force"]
     ranked = list(table.groupby("surface")[column].max().sort_values(ascending=False).index)
     most, lines = subject(cube, table, column), []
     for name, group in table.groupby("surface", sort=False):
@@ -63,13 +68,7 @@ def draw_forces(panel: Axes, table: pd.DataFrame, column: str, cube: xr.Dataset)
         lines += panel.plot(group["time_s"], touched, drawstyle="steps-pre", label=label, **style)
         level = style | {"marker": "", "gid": AID}
         panel.plot([began(cube), group["time_s"].iloc[0]], [touched.iloc[0]] * 2, **level)  # steps begin where a window ends
-    start, end = _lasts(cube)
-    panel.set(
-        title="forces on the surfaces",
-        xlabel="time (s)",
-        xlim=(start, end),
-        ylim=(0, ROOM * table[column].max() if len(table) else None),
-    )
+    panel.set(title="forces on the surfaces", ylabel=f"normal force ({unit})", ylim=(0, ROOM * table[column].max()))
     named = [line for line in lines if line.get_label() != "_"]
     return sorted(named, key=lambda line: line.get_color() == REST["color"])
 
@@ -80,23 +79,26 @@ def _lasts(cube: xr.Dataset) -> tuple[float, float]:
     return start, last + 0.02 * (last - start)
 
 
-def lay_out(shots: Sequence[int], flow: Flow, box: tuple[float, float, float, float]) -> tuple[Figure, dict[str, Axes], float]:
-    """Figure and panels (a number a snapshot, "force", and "mass" where any leaves), and the width (inches) of a lower one.
+def lay_out(
+    cube: xr.Dataset, shots: Sequence[int], force: pd.DataFrame, flow: Flow, box: tuple[float, float, float, float]
+) -> tuple[Figure, dict[str, Axes], float]:
+    """Figure and panels (a number a snapshot, and those of LOWER that have data), and the width (inches) of a lower one.
 
     box: left, right, low and high edge of the snapshots, of one unit.
     """
     names = [str(number) for number in range(len(shots))]
-    below = ["force", "mass" if len(flow.table) else "force"]
-    rows: list = [names * (2 // len(names)), below]
+    below = [name for name, table in zip(LOWER, (force, flow.table), strict=True) if len(table)]
+    rows: list = [own * (2 // len(own)) for own in (names, below) if own]
     wide = WIDTH - MARGIN if len(names) == 1 else WIDTH / 2 - MARGIN
     tall = min(TALL, wide * (box[3] - box[2]) / (box[1] - box[0]))
-    figure, panels = plt.subplot_mosaic(rows, figsize=(WIDTH, tall + LOWER), height_ratios=(tall + 0.7, 3.2))
+    size = (WIDTH, tall + (LOW if below else SHORT))
+    figure, panels = plt.subplot_mosaic(rows, figsize=size, height_ratios=(tall + 0.7, 3.2)[: len(rows)])
     for name in names:
         panels[name].set(xlabel="across (cm)", ylabel="height (cm)", aspect="equal", xlim=box[:2], ylim=box[2:])
         panels[name].grid(False)
-    if "mass" in panels:
-        panels["mass"].sharex(panels["force"])
-    return figure, panels, WIDTH / len(set(below)) - MARGIN
+    for name in below:
+        panels[name].set(xlabel="time (s)", xlim=_lasts(cube))
+    return figure, panels, WIDTH / max(1, len(below)) - MARGIN
 
 
 def message(cube: xr.Dataset, table: pd.DataFrame, column: str, unit: str, flow: Flow) -> str:
@@ -137,7 +139,7 @@ def _rises(surface: str, rise: float) -> str:
     """Words on the surface whose force rises most over that at rest; none where there is none."""
     if not surface or np.isnan(rise):
         return ""
-    if not rise > 1.0:
+    if not float(f"{rise:.2g}") > 1.0:
         return "; no surface is pressed more than at rest"
     return f"; the force on {_quoted(surface)} comes to {rise:.2g} times that at rest, more than on any other"
 

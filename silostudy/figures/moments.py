@@ -33,11 +33,11 @@ def first(cube: xr.Dataset) -> tuple[float, str]:
 def snapshots(cube: xr.Dataset, force: np.ndarray, flow: Flow) -> list[int]:
     """The snapshots that show a scene, before and after: see `told`; force: of each contact.
 
-    One alone where both are the same.
+    One alone where both are the same, and none without a grain.
     """
-    time, load = cube["snapshot_time"].values, _load(cube, force)
-    begun = flow.begins if len(flow.table) else np.nextafter(first(cube)[0], np.inf)
-    before, later = np.flatnonzero(time < begun)[-1:], np.flatnonzero(time >= begun)
+    time, load, held = cube["snapshot_time"].values, _load(cube, force), _held(cube)
+    until, _ = _before(cube, flow)
+    before, later = held[time[held] <= until][-1:], held[time[held] > until]
     if not len(flow.table):
         after = later[np.argsort(load[later])[-1:]]
     else:
@@ -45,13 +45,29 @@ def snapshots(cube: xr.Dataset, force: np.ndarray, flow: Flow) -> list[int]:
     return [int(shot) for shot in (*before, *after)]
 
 
-def told(shots: Sequence[int], flow: Flow) -> str:
+def told(shots: Sequence[int], cube: xr.Dataset, flow: Flow) -> str:
     """Words on which snapshots are shown; none of a single one."""
     if len(shots) < 2:
         return ""
-    if len(flow.table):
-        return "Snapshots: the last before any grain has left, and that nearest to when half of what leaves is out. "
-    return "Snapshots: the last before the first event, and that with the largest forces since. "
+    after = "that nearest to when half of what leaves is out" if len(flow.table) else "that with the largest forces since"
+    return f"Snapshots: the {_before(cube, flow)[1]}, and {after}. "
+
+
+def _before(cube: xr.Dataset, flow: Flow) -> tuple[float, str]:
+    """Time (s) until which a snapshot shows the scene before, and words on that one: the last, or the first of a flow."""
+    if open_before(cube).any():
+        return float(cube["snapshot_time"][_held(cube)[0]]), "first"
+    if np.isfinite(opened := opened_at(cube)):
+        return opened, "last before the outlet opens"
+    if len(flow.table):  # a feeder takes from what is shut
+        return np.nextafter(flow.begins, -np.inf), "last before any grain has left"
+    return first(cube)[0], "last before the first event"
+
+
+def _held(cube: xr.Dataset) -> np.ndarray:
+    """Numbers of the snapshots that hold grains; all where none does."""
+    there = np.isfinite(cube["disc_y" if "disc" in cube.dims else "grain_z"].values).any(axis=1)
+    return np.flatnonzero(there | ~there.any())
 
 
 def _load(cube: xr.Dataset, force: np.ndarray) -> np.ndarray:
@@ -62,6 +78,8 @@ def _load(cube: xr.Dataset, force: np.ndarray) -> np.ndarray:
 
 def mark_events(panels: Sequence[Axes], cube: xr.Dataset, inches: float) -> None:
     """A line at each event, with its words in the first panel, so many inches wide; of those that are close, words together."""
+    if not panels:
+        return
     (low, high), times = panels[0].get_xlim(), cube["event_time"].values
     for panel, time in product(panels, times):
         panel.axvline(time, color="0.6", linewidth=0.8)

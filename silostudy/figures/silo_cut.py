@@ -16,6 +16,7 @@ FLOOR = "floor"  # one piece that goes as the outlet opens, where outlets have n
 LID = "lid"
 AWAY = ": take away "  # of an event: what follows are names of inserts
 BELOW = 0.12  # of the width: what is shown below the lowest part
+UPRIGHT = ("left", "right")  # walls of discs that stand above what is filled
 ROOM = 1.1  # of the height of the highest grain: what is shown of a silo that is less filled
 
 
@@ -100,13 +101,33 @@ def edges(cube: xr.Dataset) -> tuple[float, float]:
 def view(cube: xr.Dataset, tops: float) -> tuple[float, float, float, float]:
     """Left, right, low and high edge (cm) of a picture of the silo; tops: height (m) of the highest grain that it shows.
 
-    What is empty of a high silo is cut off, but for a picture about as high as it is wide.
+    What is empty of a high silo is cut off, but for a picture about as high as it is wide, and nothing of what stands in it or
+    beside it.
     """
-    lines = np.vstack([part.line for part in parts(cube)])
+    lines, within = np.vstack([part.line for part in parts(cube)]), inside(cube)
     (left, right), (low, high) = edges(cube), (lines[:, 1].min(), lines[:, 1].max())
+    shown = max(min(high, max(ROOM * tops, low + right - left)), within[:, 1].max(initial=low))
+    left, right = within[:, 0].min(initial=left), within[:, 0].max(initial=right)
     aside = 0.05 * (right - left)
-    shown = min(high, max(ROOM * tops, low + right - left))
     return CM * (left - aside), CM * (right + aside), CM * (low - BELOW * (right - left)), CM * (shown + 0.2 * aside)
+
+
+def inside(cube: xr.Dataset) -> np.ndarray:
+    """Ends and corners (n, 2; m) of all that no picture cuts off: inserts, and of discs all but the upright walls."""
+    if "disc" in cube.dims:
+        lines = [line for name, line in _walls(cube) if name not in UPRIGHT]
+    else:
+        lines = [part.line for part in _inserts(cube)]
+    return np.vstack([np.empty((0, 2)), *lines])
+
+
+def outlet_words(cube: xr.Dataset, time: float) -> str:
+    """Whether the outlet is shut, opening or open at a time (s), in words; none of a silo without one."""
+    if "outlet" not in cube and not cube.attrs["outlet_half_width_m"] > 0.0:
+        return ""
+    if any(part.opens < time <= part.goes for part in parts(cube)):
+        return "outlet opening"
+    return "outlet open" if any(part.goes < time for part in parts(cube)) else "outlet shut"
 
 
 def taken_away(cube: xr.Dataset, time: float) -> set[str]:

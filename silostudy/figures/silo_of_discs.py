@@ -27,24 +27,23 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     flow = flow_of(cube, "discharge_time", "discharged_mass", "disc_mass", MASS, "kg/m")
     shots = moments.snapshots(cube, contacts["force_N_m"].to_numpy(), flow)
     box = silo_cut.view(cube, float(cube["disc_y"].isel(snapshot=shots).max()))
-    figure, panels, wide = in_time.lay_out(shots, flow, box)
+    figure, panels, wide = in_time.lay_out(cube, shots, force, flow, box)
     seen = contacts["force_N_m"][contacts["contact_snapshot"].isin(shots)]
     largest = float(seen.max()) if len(seen) else 1.0
     tables = [_chains(cube, contacts, shot, largest) for shot in shots]
     for number, (shot, table) in enumerate(zip(shots, tables, strict=True)):
         _draw_chains(panels[str(number)], cube, shot, table, largest)
-    lines = in_time.draw_forces(panels["force"], force, FORCE, cube)
-    panels["force"].set(ylabel="normal force (kN/m)")
+    lines = in_time.draw_forces(panels, force, FORCE, "kN/m", cube)
     if "mass" in panels:
         draw_flow(panels["mass"], flow)
         panels["mass"].set(ylabel="mass that has left (kg/m)")
-    moments.mark_events([panel for name, panel in panels.items() if name in ("force", "mass")], cube, wide)
+    moments.mark_events([panels[name] for name in in_time.LOWER if name in panels], cube, wide)
     headline(figure, in_time.message(cube, force, FORCE, "kN/m", flow))
     chains = (
         f"Line of a contact: as long and wide as its force, at most {largest:.3g} N/m. Forces: normal, mean of each "
         f"window{in_time.left_out(cube)}."
     )
-    foot(figure, f"{cube.attrs['title']}.", f"{moments.told(shots, flow)}{chains}", handles=lines)
+    foot(figure, f"{cube.attrs['title']}.", f"{moments.told(shots, cube, flow)}{chains}", handles=lines)
     save(figure, pd.concat([*tables, force, flow.table], ignore_index=True), stem)
 
 

@@ -25,25 +25,24 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     flow = flow_of(cube, "outflow_time", "outflow_mass", "grain_mass", MASS, "kg")
     shots = moments.snapshots(cube, _sizes(cube), flow)
     box = silo_cut.view(cube, float(cube["grain_z"].isel(snapshot=shots).max()))
-    figure, panels, wide = in_time.lay_out(shots, flow, box)
+    figure, panels, wide = in_time.lay_out(cube, shots, force, flow, box)
     near = _near(cube)
     largest = _largest(near, shots)
     tables = [_chains(near, shot, LONGEST * float(cube["grain_radius"].mean()) / largest) for shot in shots]
     for number, (shot, table) in enumerate(zip(shots, tables, strict=True)):
         _draw_slice(panels[str(number)], cube, shot, table, largest)
-    lines = in_time.draw_forces(panels["force"], force, FORCE, cube)
-    panels["force"].set(ylabel="normal force (N)")
+    lines = in_time.draw_forces(panels, force, FORCE, "N", cube)
     if "mass" in panels:
         draw_flow(panels["mass"], flow)
         panels["mass"].set(ylabel="mass that has passed (kg)")
-    moments.mark_events([panel for name, panel in panels.items() if name in ("force", "mass")], cube, wide)
+    moments.mark_events([panels[name] for name in in_time.LOWER if name in panels], cube, wide)
     headline(figure, in_time.message(cube, force, FORCE, "N", flow))
     about = (
         "Spheres that the plane through the axis cuts, and contacts within a mean radius of it: a line as long and wide as the "
     )
     about += f"force in the plane, at most {largest:.3g} N. Forces: normal, mean of each "
     about += f"window{in_time.left_out(cube)}."
-    foot(figure, f"{cube.attrs['title']}.", f"{moments.told(shots, flow)}{about}", handles=lines)
+    foot(figure, f"{cube.attrs['title']}.", f"{moments.told(shots, cube, flow)}{about}", handles=lines)
     save(figure, pd.concat([*tables, force, flow.table], ignore_index=True), stem)
 
 

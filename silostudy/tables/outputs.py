@@ -77,6 +77,7 @@ def files_of(key: str, folder: str, silos: Iterable[str] = ()) -> list[str]:
 
 
 def caption(key: str) -> str:
-    """Caption of an output in the report (reStructuredText)."""
+    """Caption of an output in the report (reStructuredText), where Snakemake puts the name of the cube in."""
     row = OUTPUTS[key]
-    return f"{row.title}.\n\nSource: {cite(row.source)} {row.locator}.\n\nDrawn from the cube {row.stage}.nc.\n"
+    place = row.locator[0].upper() + row.locator[1:]
+    return f"{row.title}.\n\nSource: {cite(row.source)} {place}.\n\nDrawn from ``{{{{ snakemake.input[0] }}}}``.\n"

@@ -2,15 +2,18 @@
 
 from dataclasses import replace
 
+import matplotlib.pyplot as plt
 import numpy as np
 import pandas as pd
 import pytest
 import xarray as xr
+from matplotlib.collections import QuadMesh
 from matplotlib.text import Text
 
 from silostudy.cube.contents import levelled
 from silostudy.figures import bin_fields, bin_pressures
 from silostudy.figures.bin import Column, column, doubt, in_discharge, janssen, opened_at, phases, profile
+from silostudy.figures.style import AID
 from silostudy.pressure.janssen import normal_pressure
 from tests.test_figures.small_cubes import bin_cube
 from tests.test_figures.test_content import drawn as figure_of
@@ -126,7 +129,58 @@ def test_a_doubted_curve_is_neither_drawn_nor_told(sign, drawn, tmp_path, monkey
 def test_fields_that_fade_everywhere_give_no_ratio(width, told):
     cube = bin_cube()
     cube.attrs["field_width_m"] *= width
-    assert told in bin_fields._message(cube, bin_fields.phases(cube))
+    assert told in bin_fields._message(cube, bin_fields.phases(cube), "at rest")
+
+
+def test_a_solid_within_the_hopper_alone_gives_no_ratio():
+    cube = bin_cube()
+    low = cube.assign_attrs(transition_height_m=float(cube["field_z"].max()))
+    assert "No solid stands" in bin_fields._message(low, bin_fields.phases(low), "at rest")
+
+
+def test_fields_of_a_low_silo_have_room_for_their_words(tmp_path, monkeypatch):
+    cube = bin_cube()
+    wide = cube.assign_coords(field_r=cube["field_r"] * 6.0)
+    wide.attrs |= {name: cube.attrs[name] * 6.0 for name in ("half_width_m", "outlet_half_width_m")}
+    output = figure_of("bin_fields", [wide], tmp_path, monkeypatch)
+    assert (output.faults(), output.faults_of_look()) == ([], [])
+    panels = [panel for panel in output.figure.axes if panel.get_title()]
+    assert len({round(panel.get_position().y0, 3) for panel in panels}) == 2
+    top = max(panel.title.get_window_extent().y1 for panel in panels)
+    assert max(panel.yaxis.label.get_window_extent().y1 for panel in panels) < top
+    plt.close("all")
+
+
+def test_fields_without_a_discharge_are_not_said_to_be_in_one(tmp_path, monkeypatch):
+    output = figure_of("bin_fields", [turning(flowless(bin_cube()))], tmp_path, monkeypatch)
+    assert {panel.get_title() for panel in output.figure.axes} == {"while surfaces turn", ""}
+    assert not any("discharge" in text.get_text() for text in output.figure.findobj(Text))
+    plt.close("all")
+
+
+def test_an_insert_above_the_solid_is_not_cut_off(tmp_path, monkeypatch):
+    cube = bin_cube()
+    top = 0.9 * cube.attrs["top_height_m"]
+    hat = {"insert_name": ["hat"] * 3, "insert_x": [0.0, 0.01, np.nan], "insert_z": [top, top, np.nan]}
+    cube = cube.assign({name: ("insert_point", values) for name, values in hat.items()})
+    output = figure_of("bin_fields", [cube], tmp_path, monkeypatch)
+    assert output.figure.axes[0].get_ylim()[1] >= 100.0 * top
+    plt.close("all")
+
+
+def test_pressures_are_drawn_whole_up_to_the_level_over_the_highest_pressed_one(tmp_path, monkeypatch):
+    cube = bin_cube().copy(deep=True)
+    heights = np.unique(cube["wall_cell_z"].values.round(9))
+    for name in ("wall_pressure_mean", "wall_pressure_max"):
+        cube[name][:, cube["wall_cell_z"].values.round(9) >= heights[-3]] = 0.0
+    output = figure_of("bin_pressures", [cube], tmp_path, monkeypatch)
+    high = output.figure.axes[0].get_ylim()[1]
+    assert heights[-3] < high < heights[-2]
+    meshes = [mesh for panel in output.figure.axes[:2] for mesh in panel.findobj(QuadMesh)]
+    assert max(mesh.get_coordinates()[..., 1].max() for mesh in meshes) == pytest.approx(high)
+    curves = [line.get_ydata() for line in output.figure.axes[2].lines if line.get_gid() != AID]
+    assert max(np.max(curve) for curve in curves) <= high
+    plt.close("all")
 
 
 def test_cells_of_a_hopper_that_narrows_go_round_wall_by_wall():
@@ -158,6 +212,12 @@ def test_cells_around_a_round_wall_are_equal(count):
 def turning(cube):
     spin = np.ones((cube.sizes["window_time"], cube.sizes["surface"]))
     return cube.assign(surface_spin=(("window_time", "surface"), spin))
+
+
+def flowless(cube):
+    """The bin whose outlet stays shut, so that nothing leaves it."""
+    shut = cube.drop_vars([name for name in cube.variables if "outflow" in str(name)])
+    return shut.assign(event_action=("event", ["rest: friction", "after: stop"]))
 
 
 def flowing(cube):

@@ -69,6 +69,11 @@ def test_a_force_that_falls_is_not_said_to_rise():
     )
 
 
+def test_a_force_that_rises_by_less_than_is_told_is_not_said_to_rise():
+    words = told(scene(OPENED, np.array([[9.0], [8.0], [8.01], [8.02]]) * [1, 0, 0]), flow())
+    assert words.endswith("no surface is pressed more than at rest")
+
+
 @pytest.mark.parametrize(
     ("events", "begins"),
     [
@@ -116,6 +121,17 @@ def test_a_scene_without_a_flow_has_no_panel_of_mass(rests, tmp_path, monkeypatc
     titles = [panel.get_title() for panel in output.figure.axes]
     assert len(set(titles)) == len(titles) == (2 if rests else 3)
     assert not any("mass" in title for title in titles)
+    plt.close("all")
+
+
+@pytest.mark.parametrize("flows", [False, True])
+def test_forces_that_no_surface_feels_have_no_panel(flows, tmp_path, monkeypatch):
+    cube = (bin_cube() if flows else shut_bin()).copy(deep=True)
+    cube["surface_normal_force"][:] = 0.0
+    output = drawn("silo_of_spheres", [cube], tmp_path, monkeypatch)
+    assert (output.faults(), output.faults_of_look()) == ([], [])
+    titles = [panel.get_title() for panel in output.figure.axes]
+    assert [title for title in titles if "spheres" not in title] == (["mass through the outlet"] if flows else [])
     plt.close("all")
 
 
@@ -173,7 +189,7 @@ def test_surfaces_beyond_those_with_a_look_have_one_entry():
     push = np.tile(np.arange(1.0, count + 1.0), (4, 1))
     cube = scene(OPENED).drop_dims("surface").assign(surface=names, push=(("window_time", "surface"), push))
     figure, panel = plt.subplots()
-    lines = draw_forces(panel, table_of(cube), "force_N", cube)
+    lines = draw_forces({"force": panel}, table_of(cube), "force_N", "N", cube)
     assert [line.get_label() for line in lines][-1] == "5 more"
     assert len(lines) == SHOWN + 1
     plt.close(figure)
@@ -185,7 +201,7 @@ def test_a_first_window_has_its_level_and_a_last_short_one_is_left_out():
     assert left_out(cube) == "; the last, of 0.1 s only, is left out"
     assert left_out(scene(OPENED)) == ""
     _, panel = plt.subplots()
-    draw_forces(panel, table_of(cube), "force_N", cube)
+    draw_forces({"force": panel}, table_of(cube), "force_N", "N", cube)
     levels = [line.get_xydata().tolist() for line in panel.lines if line.get_gid() == AID]
     assert [[0.0, 9.0], [1.0, 9.0]] in levels
     plt.close("all")

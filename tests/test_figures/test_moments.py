@@ -10,10 +10,12 @@ from silostudy.figures.flow_in_time import Flow
 from silostudy.figures.moments import mark_events, snapshots, told
 
 
-def scene(*events, shots=(0.0, 1.0, 2.0, 3.0), contacts=(1, 2, 3)):
+def scene(*events, shots=(0.0, 1.0, 2.0, 3.0), contacts=(1, 2, 3), held=(1, 1, 1, 1), **more):
     times, actions = zip(*events, strict=True)
+    height = np.where(np.array(held, bool), 0.1, np.nan)[:, None]
     events = {"event_time": ("event", list(times)), "event_action": ("event", list(actions))}
-    return xr.Dataset(events | {"snapshot_time": ("snapshot", list(shots)), "contact_snapshot": ("contact", list(contacts))})
+    shown = {"snapshot_time": ("snapshot", list(shots)), "grain_z": (("snapshot", "grain"), height)}
+    return xr.Dataset(events | shown | {"contact_snapshot": ("contact", list(contacts))} | more)
 
 
 def flow(*times):
@@ -22,15 +24,36 @@ def flow(*times):
 
 
 def test_a_discharge_is_shown_before_it_and_halfway():
+    """At 1 s grains hang below the outlet, and none has left."""
     cube = scene((0.9, "rest: open"), (3.0, "after: stop"))
+    assert snapshots(cube, np.ones(3), flow(1.5, 1.8, 1.9, 2.9)) == [0, 2]
+    words = told([0, 2], cube, flow(1.5))
+    assert "the last before the outlet opens, and that nearest to when half of what leaves" in words
+
+
+def test_what_a_feeder_takes_is_shown_before_the_first_grain():
+    cube = scene((0.9, "rest: feed"), (3.0, "after: stop"))
     assert snapshots(cube, np.ones(3), flow(1.5, 1.8, 1.9, 2.9)) == [1, 2]
-    assert "half of what leaves" in told([1, 2], flow(1.5))
+    assert "the last before any grain has left" in told([1, 2], cube, flow(1.5))
+
+
+def test_a_run_that_goes_on_in_flow_is_shown_from_its_first_snapshot():
+    mass = {"outflow_time": [0.1, 0.2], "outflow_mass": ("outflow_time", [1.0, 2.0])}
+    cube = scene((0.9, "after: friction"), (3.0, "after: stop"), **mass)
+    assert snapshots(cube, np.ones(3), flow(0.1, 1.8, 1.9, 2.9)) == [0, 2]
+    assert "the first, and that nearest" in told([0, 2], cube, flow(0.1))
+
+
+def test_a_silo_that_holds_nothing_yet_or_any_more_is_not_shown():
+    cube = scene((0.0, "time: open"), (3.0, "after: stop"), held=(0, 1, 1, 0))
+    assert snapshots(cube, np.ones(3), flow(1.5, 2.8, 2.9)) == [2]
+    assert snapshots(scene((3.0, "rest: stop"), held=(0, 0, 0, 0)), np.ones(3), flow()) == [3]
 
 
 def test_a_scene_that_stays_shut_is_shown_before_its_first_event_and_most_loaded():
     cube = scene((0.5, "rest: lower"), (3.0, "after: stop"))
     assert snapshots(cube, np.array([1.0, 9.0, 1.0]), flow()) == [0, 2]
-    assert "largest forces" in told([0, 2], flow())
+    assert "largest forces" in told([0, 2], cube, flow())
 
 
 @pytest.mark.parametrize("contacts", [(1, 2, 3), ()])
@@ -38,7 +61,7 @@ def test_a_scene_that_only_comes_to_rest_is_shown_once(contacts):
     cube = scene((3.0, "rest: stop"), contacts=contacts)
     cube = cube if contacts else cube.drop_vars("contact_snapshot")
     assert snapshots(cube, np.ones(len(contacts)), flow()) == [3]
-    assert told([3], flow()) == ""
+    assert told([3], cube, flow()) == ""
 
 
 def said(*events):

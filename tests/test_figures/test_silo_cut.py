@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 import xarray as xr
 
-from silostudy.figures.silo_cut import standing, view
+from silostudy.figures.silo_cut import outlet_words, standing, view
 
 
 def happened(*events):
@@ -110,6 +110,25 @@ def test_a_silo_that_is_little_filled_is_cut_off_above():
     assert low < 0.0
     assert 20.0 <= high < 22.0
     assert view(cube, 0.39)[3] >= 40.0
+
+
+def test_what_stands_in_the_silo_or_beside_it_is_not_cut_off():
+    cuts = {"insert_name": ["hat"] * 3, "insert_x": [0.0, 0.1, np.nan], "insert_z": [0.45, 0.42, np.nan]}
+    cube = spheres(**{name: ("insert_point", values) for name, values in cuts.items()})
+    assert view(cube, 0.05)[3] >= 45.0
+    base = {"base": ((-0.3, -0.2), (0.6, -0.2)), "shelf": ((0.05, 0.35), (0.1, 0.35))}
+    left, right, low, high = view(discs({"floor": ((0.0, 0.0), (0.2, 0.0))} | SIDES | base), 0.05)
+    assert left < -30.0
+    assert right > 60.0
+    assert low < -20.0
+    assert high >= 35.0
+
+
+def test_words_on_an_outlet_say_when_it_opens_and_whether_there_is_one():
+    cube = spheres(OPEN, plug=0.1).assign_attrs(outlet_whole_s=2.0)
+    assert [outlet_words(cube, time) for time in (0.5, 1.5, 2.5)] == ["outlet shut", "outlet opening", "outlet open"]
+    assert outlet_words(spheres(OPEN, plug=0.1), 1.1) == "outlet open"
+    assert outlet_words(spheres(), 1.0) == ""
 
 
 @pytest.mark.parametrize("named", [True, False])

@@ -18,6 +18,7 @@ from silostudy.tables import code_differences, effect_prices, load_cases, measur
 from silostudy.tables.asked import ASKED
 from silostudy.tables.clauses import EVIDENCE, STATES, clauses
 from silostudy.tables.handbook import TONNE_PER_M2, errata, table_4_2_5
+from silostudy.tables.outputs import OUTPUTS, caption
 from silostudy.tables.read import HERE, rows
 from silostudy.tables.references import cite
 from silostudy.tables.solids import SOLIDS, own_solids, read_solids
@@ -180,3 +181,11 @@ def test_what_one_source_has_is_off_by_default():
 def test_methods_on_one_source_stand_in_the_clauses():
     told = {name for clause in clauses() if clause.state == "off by default" for name in clause.names}
     assert {key for key, row in PRESSURE.items() if row.on_request} <= told
+
+
+@pytest.mark.parametrize("key", OUTPUTS)
+def test_a_caption_names_the_cube_that_was_drawn(key):
+    told = caption(key)
+    assert told.endswith("Drawn from ``{{ snakemake.input[0] }}``.\n")
+    assert ".nc" not in told
+    assert "none:" not in told
