@@ -45,14 +45,15 @@ def _work(planned) -> int:
 
 def cautions(expansion) -> list[str]:
     """Cautions on the grains of a study's cases, each once, though nothing is wrong."""
-    from silostudy.scene.cautions import high_frictions, narrow_cell
+    from silostudy.scene.cautions import high_frictions, narrow_cell, unit_slips
     from silostudy.scene.idle import untaken
 
     scenes = [case.scene for case in expansion.cases]
     told = [text for scene in scenes for text in (*high_frictions(scene.config, "scene."), *narrow_cell(scene))]
     idle = [list(untaken(scene.config, "scene.")) for scene in scenes]
     told += [text for text in idle[0] if all(text in of_case for of_case in idle)]  # what a sweep sets elsewhere is meant
-    return [f"note: {text}" for text in dict.fromkeys(told)]
+    slips = dict.fromkeys(text for scene in scenes for text in unit_slips(scene.config, "scene."))
+    return [*(f"note: {text}" for text in dict.fromkeys(told)), *(f"warning: {text}" for text in slips)]
 
 
 def prices_of_effects(expansion) -> list[str]:

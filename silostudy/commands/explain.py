@@ -60,7 +60,7 @@ def explanation(key: str, known: "Families") -> list[str]:
     families = [(known[PRESSURE.name], explain_pressure), (known[BUCKLING.name], explain_buckling)]
     families += [(known[RIVALS.name], explain_buckling), (MASS_RULES, explain_seismic), (CHECKS, explain_check)]
     families += [(known[family.name], explain_law) for family in FAMILIES.values()]
-    families += [(part, explain_scene) for part in explain_scene.PARTS.values()]
+    families += [(explain_scene.rows_of(part), explain_scene) for part in explain_scene.PARTS]
     families.append((FILE_KINDS, explain_keys))
     parts = [topics[key]()] if key in topics else []
     parts += [told.explanation(family[key]) for family, told in families if key in family]

@@ -1,6 +1,5 @@
 """Lines of `silostudy explain` on a scene of grains, and on the parts that scenes choose from."""
 
-from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -27,33 +26,51 @@ class Action(Entry):
     takes: tuple[tuple[str, Takes], ...]
 
 
-def actions() -> Iterator[Action]:
-    """Actions of events of any grains, each once."""
-    by_grains = {"discs": EventConfig.takes, "spheres": SphereEventConfig.takes}
-    for key in dict.fromkeys(key for takes in by_grains.values() for key in takes):
-        takes = tuple((grains, of[key]) for grains, of in by_grains.items() if key in of)
-        yield Action(key=key, title=takes[0][1].title, takes=takes)
+TAKES = {"discs": EventConfig.takes, "spheres": SphereEventConfig.takes}
 
 
-PARTS: dict[str, Family] = {
-    "packings": PACKINGS,
-    "fillings": FILLINGS,
-    "inserts": Family("insert", [*LINES.values(), *INSERTS.values()]),
-    "sizes": SIZES,
-    "integrators": INTEGRATORS,
-    "triggers": TRIGGERS,
-    "actions": Family("action", actions()),
-    "rest": REST,
-    "quantities": OUTCOMES,
+def action(key: str) -> Action:
+    """The action of a key, of any grains."""
+    takes = tuple((grains, of[key]) for grains, of in TAKES.items() if key in of)
+    return Action(key=key, title=takes[0][1].title, takes=takes)
+
+
+def of_both(family: Family) -> dict[str, Family]:
+    """A family that scenes of any grains choose from."""
+    return dict.fromkeys(TAKES, family)
+
+
+PARTS: dict[str, dict[str, Family]] = {  # by the grains whose scenes have them
+    "packings": {"discs": PACKINGS},
+    "fillings": {"spheres": FILLINGS},
+    "inserts": {"discs": LINES, "spheres": INSERTS},
+    "sizes": {"spheres": SIZES},
+    "integrators": of_both(INTEGRATORS),
+    "triggers": of_both(TRIGGERS),
+    "actions": {grains: Family("action", map(action, takes)) for grains, takes in TAKES.items()},
+    "rest": of_both(REST),
+    "quantities": {
+        grains: Family(OUTCOMES.name, (row for row in OUTCOMES.values() if grains in row.grains)) for grains in TAKES
+    },
 }
+
+
+def rows_of(part: str) -> Family:
+    """Rows of a part of scenes of any grains, each once."""
+    return Family(part, {key: row for family in PARTS[part].values() for key, row in family.items()}.values())
+
+
+def grains_of(part: str, key: str) -> list[str]:
+    """The grains whose scenes have a row of a part."""
+    return [grains for grains, family in PARTS[part].items() if key in family]
 
 
 def explanation(row) -> list[str]:
     """The lines that explain a packing, an insert, an integrator, a trigger, an action, a criterion of rest or a quantity."""
     from silostudy.tables.references import with_locator
 
-    part = next(name for name, family in PARTS.items() if row in family.values())
-    lines = [f"{row.title} ({row.key}, of {part})"]
+    part = next(name for name in PARTS if row in rows_of(name).values())
+    lines = [f"{row.title} ({row.key}, of {part} of {' and '.join(grains_of(part, row.key))})"]
     for function in ("advance", "measure", "place", "make", "draw", "find"):
         if (told := getattr(row, function, None)) is not None:
             lines.append(f"  gives     {told.__doc__.splitlines()[0]}")

@@ -98,10 +98,10 @@ def _parts_of_scenes(name: str):
     """The listing of a family that scenes choose from."""
 
     def listing(chosen):
-        from silostudy.commands.explain_scene import PARTS
+        from silostudy.commands.explain_scene import grains_of, rows_of
 
-        for row in PARTS[name].values():
-            yield f"{row.key:24}", row.title
+        for row in rows_of(name).values():
+            yield f"{row.key:24}", f"{', '.join(grains_of(name, row.key)):15}", row.title
 
     return listing
 

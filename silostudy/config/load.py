@@ -7,6 +7,7 @@ from typing import Any, TypeVar
 import yaml
 from pydantic import BaseModel, ValidationError
 
+from silostudy.config.alone import where_known
 from silostudy.config.fields import SECTION, Strict, described
 from silostudy.config.mistakes import WORDS, below, message_of
 from silostudy.config.own import OwnMethods
@@ -108,13 +109,17 @@ def _line(item: Any, content: Any, where: str, model: type[BaseModel]) -> str:
     if not key:
         return f"{where}: {message_of(item)}"
     if item["type"].startswith("union_tag") and isinstance(value, dict):
-        return _untold(item, ".".join([*path, item["ctx"]["discriminator"].strip("'")]), where)
+        return _untold(item, [*path, item["ctx"]["discriminator"].strip("'")], where, model)
     if item["type"] == "missing":
         return f"{where}: {key}: is missing{_unit_hint(str(item['loc'][-1]), value)}"
     shown = f" = {value!r}" if not isinstance(value, dict) and len(repr(value)) <= 80 else ""
-    if item["type"] == "extra_forbidden":
-        return f"{where}: {key}{shown}: {_unknown_key(str(item['loc'][-1]), keys_at(model, item['loc'][:-1]))}"
-    return f"{where}: {key}{shown}: {message_of(item)}"
+    extra = item["type"] == "extra_forbidden"
+    told = _unknown_key(str(item["loc"][-1]), keys_at(model, item["loc"][:-1])) if extra else message_of(item)
+    if told.startswith("unknown key"):
+        told += where_known(model, item["loc"], path)
+    elif told.startswith("unknown") or item["type"] == "literal_error":
+        told += where_known(model, item["loc"], path, value)
+    return f"{where}: {key}{shown}: {told}"
 
 
 def _placed(parts: list[Any], content: Any, always: int) -> tuple[list[str], Any]:
@@ -144,12 +149,13 @@ def _unknown_key(key: str, known: list[str]) -> str:
     return f"unknown key; known here: {', '.join(known)}"
 
 
-def _untold(item: Any, key: str, where: str) -> str:
+def _untold(item: Any, path: list[str], where: str, model: type[BaseModel]) -> str:
     """The line for a section whose kind is missing or unknown."""
-    tag = item["input"].get(item["ctx"]["discriminator"].strip("'"))
+    key, tag = ".".join(path), item["input"].get(path[-1])
     if tag is None:
         return f"{where}: {key}: is missing"
-    return f"{where}: {unknown(key, tag, (known.strip(chr(39)) for known in item['ctx']['expected_tags'].split(', '))).reason}"
+    told = unknown(key, tag, (known.strip("'") for known in item["ctx"]["expected_tags"].split(", "))).reason
+    return f"{where}: {told}{where_known(model, item['loc'], path, tag)}"
 
 
 def _holds(node: Any, part: Any) -> bool:

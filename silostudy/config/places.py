@@ -1,4 +1,4 @@
-"""Keys that a place of a file takes, for the message about one that it does not."""
+"""Keys that a place of a file takes, and where others stand, for the message about one that it does not."""
 
 from collections.abc import Iterable, Iterator, Mapping
 from typing import Any
@@ -15,6 +15,29 @@ def keys_at(model: type[BaseModel], path: Iterable[str | int]) -> list[str]:
     for part in path:
         nodes = list(_below(list(_plain(nodes, whole)), part, whole))
     return list(dict.fromkeys(key for node in _plain(nodes, whole) for key in node.get("properties", ())))
+
+
+def keys_within(nodes: Iterable[Schema], whole: Schema, above: str = "") -> Iterator[tuple[str, Schema]]:
+    """Every key of sections and further in, by its path, with its schema; * stands for a place in a list or a table."""
+    for node in _plain(nodes, whole):
+        for name, field in node.get("properties", {}).items():
+            yield above + name, field
+            yield from keys_within([field], whole, f"{above}{name}.")
+        yield from keys_within(_parts(node), whole, f"{above}*.")
+
+
+def choices_of(nodes: Iterable[Schema], whole: Schema) -> list[Any]:
+    """Values that a key may have, or the parts of its list, where they are listed."""
+    listed = []
+    for node in _plain(nodes, whole):
+        listed += [*node.get("enum", ()), *([node["const"]] if "const" in node else ()), *choices_of(_parts(node), whole)]
+    return listed
+
+
+def _parts(node: Schema) -> list[Schema]:
+    """Schemas of the parts of a list, or of the values of a table."""
+    inner = [node[name] for name in ("items", "additionalProperties") if isinstance(node.get(name), Mapping)]
+    return [*inner, *node.get("prefixItems", ())]
 
 
 def _plain(nodes: Iterable[Schema], whole: Schema) -> Iterator[Schema]:

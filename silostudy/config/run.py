@@ -143,7 +143,8 @@ class GrainScene(OwnMethods):
         "published numbers that the run is held against at its end", "", default=()
     )
     if TYPE_CHECKING:
-        events: Any  # each kind of grains has its own
+        grains: str  # each kind of grains has its own
+        events: Any
         record: Any
 
     @property
@@ -178,6 +179,9 @@ class GrainScene(OwnMethods):
 
     @model_validator(mode="after")
     def _shows_what_is_expected(self) -> Self:
+        for number, outcome in enumerate(self.expected):
+            if self.grains not in (known := OUTCOMES[outcome.kind].grains):
+                raise KeyMistake(f"expected.{number}.kind", f"is of scenes of {' and '.join(known)} alone")
         looked = self.record.snapshots_s or self.record.snapshots_every_s
         unseen = [outcome.kind for outcome in self.expected if OUTCOMES[outcome.kind].of_snapshots and not looked]
         if unseen:

@@ -70,7 +70,10 @@ class SphereScene(Asked, GrainScene):
     outlets: tuple[OutletConfig, ...] = described("outlets of a flat floor; none: closed, or the hopper's", "", default=())
     inserts: tuple[InsertConfig, ...] = described("surfaces inside, that push on both sides", "", default=())
     wedge: bool = described(
-        "whether the hopper of a square or rectangle slopes on two sides only, else on all four to one apex", "", default=False
+        "whether the hopper of a square or rectangle slopes on two sides only, else on all four to one apex; of grains alone: "
+        "theories and codes have a wedge below silo.plan: slot",
+        "",
+        default=False,
     )
     lid: bool = described("whether a lid closes the top", "", default=False)
     grain: GrainConfig = described("material of the spheres", "")

@@ -35,7 +35,7 @@ LINES: Family[Insert] = Family(
     [
         Insert(
             key="line",
-            title="A straight line with two ends, of a scene of discs",
+            title="A straight line with two ends",
             asks=(
                 NAME,
                 PackingField(

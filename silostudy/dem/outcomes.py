@@ -32,7 +32,8 @@ class Outcome(Entry):
     """Quantity of a run. find(looks, **arguments) -> the number, NaN where the run did not show it; of_snapshots, of_windows:
     whether it is seen on snapshots, or in windows of wall forces.
 
-    unit: of the number; suffix: of the names of its fields in a scene, and of its attributes in a cube.
+    unit: of the number; suffix: of the names of its fields in a scene, and of its attributes in a cube; grains: of which it
+    is the quantity.
     """
 
     unit: str
@@ -41,6 +42,7 @@ class Outcome(Entry):
     asks: tuple[PackingField, ...]
     of_snapshots: bool = False
     of_windows: bool = False
+    grains: tuple[str, ...] = ("discs", "spheres")
 
 
 def mass_out(looks: Looks) -> float:
@@ -129,12 +131,13 @@ OUTCOMES: Family[Outcome] = Family(
         ),
         Outcome(
             key="wall-load",
-            title="Downward load on all surfaces, mean over the last window; of spheres",
+            title="Downward load on all surfaces, mean over the last window",
             suffix="N",
             unit="N",
             find=load_at_end,
             asks=_published("N", "N"),
             of_windows=True,
+            grains=("spheres",),
         ),
         Outcome(
             key="heap-height",

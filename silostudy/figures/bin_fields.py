@@ -14,7 +14,7 @@ from matplotlib.patches import Polygon
 from silostudy.errors import BadInput
 from silostudy.figures import bin as bins
 from silostudy.figures import silo_cut
-from silostudy.figures.style import AID, WIDTH, foot, headline, plt, save
+from silostudy.figures.style import AID, TALLEST, WIDTH, foot, headline, plt, save
 
 CM = 100.0  # of a metre
 KPA = 1e3  # Pa
@@ -30,7 +30,7 @@ PHASES = ("at rest", "in discharge")
 LOW = 0.5  # of the width: panels of a lower silo stand in two rows, twice as wide
 # inches: width of a panel, height of what stands over and under it, and over and under all of them
 WIDE = {4: 2.25, 2: 4.6}
-BESIDE = 1.6
+BESIDE = 1.7
 AROUND = 1.1
 
 
@@ -63,7 +63,7 @@ def _lay_out(slender: float) -> tuple[Figure, np.ndarray]:
     """Figure and panels, beside each other or, of a silo that is low for its width, in two rows; slender: height over width."""
     rows = 1 if slender > LOW else 2
     columns = len(SHOWN) // rows
-    high = min(7.0, AROUND + rows * (BESIDE + WIDE[columns] * slender))
+    high = min(TALLEST, AROUND + rows * (BESIDE + WIDE[columns] * slender))
     return plt.subplots(rows, columns, figsize=(WIDTH, high), sharey=True, squeeze=False)
 
 

@@ -19,7 +19,9 @@ def place(*, width, height, radius, across, gap, offset=0.0, seed=0):
         raise BadInput("across", across, "must be a whole number of discs, 2 or more")
     pitch = (width - 2.0 * (radius + gap)) / (across - 1)
     if pitch < 2.0 * radius + gap:
-        raise BadInput("across", across, f"{across} discs of radius {radius:g} m and their gaps do not fit {width:g} m")
+        most = max(0, floor((width - gap) / (2.0 * radius + gap)))
+        allowed = f"{across} discs of radius {radius:g} m and their gaps do not fit {width:g} m, which has room for {most}"
+        raise BadInput("across", across, allowed)
     if pitch >= 2.0 * (2.0 * radius + gap):
         raise BadInput("across", across, "the rows would fall through each other; put more discs across")
     if not 0.0 <= offset <= gap / (2.0 * sqrt(2.0)):

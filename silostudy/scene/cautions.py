@@ -1,14 +1,16 @@
 """Cautions on scenes of grains: values that are possible, and beyond what is known of grains and walls."""
 
 from collections.abc import Iterator, Mapping
+from math import inf
 from typing import Any
 
 from pydantic import BaseModel
 
 from silostudy.scene.laboratory_cell_discs import DiscCase
+from silostudy.tables.ranges import PLAUSIBLE
 
-# what events do that grains leave by
-LETS_OUT = ("open_slit", "open_outlet", "feed", "take_away", "remove_disc", "remove_sphere")
+OPENS = ("open_slit", "open_outlet")
+LETS_OUT = (*OPENS, "feed", "take_away", "remove_disc", "remove_sphere")  # what events do that grains leave by
 HIGH_FRICTION = 1.5  # beyond any row of this package's tables, whose largest is below 1
 DEEP = 0.05  # of a radius: an overlap beyond which contacts are too soft for what they bear
 FRICTIONS = ("sliding_friction", "wall_friction", "disc_friction", "sphere_friction")  # keys of sliding friction
@@ -24,6 +26,19 @@ def high_frictions(config: Any, above: str = "") -> Iterator[str]:
         if name in FRICTIONS and isinstance(value, float) and value > HIGH_FRICTION:
             yield f"{key} = {value:g} is unusual: grains and walls mostly have less than {HIGH_FRICTION:g}"
         yield from high_frictions(value, f"{key}.")
+
+
+def unit_slips(config: Any, above: str = "") -> Iterator[str]:
+    """A warning for each value of a section, and further in, beyond what grains are known to have."""
+    for name, value in parts(config):
+        key = f"{above}{name}"
+        if name in PLAUSIBLE and value is not None:
+            low, high = PLAUSIBLE[name]
+            for number in value if isinstance(value, tuple) else (value,):
+                if not low <= number <= high:
+                    yield f"{key} = {number:g} looks like a unit slip: grains have {low:g} to {high:g}"
+        elif name != "inserts":
+            yield from unit_slips(value, f"{key}.")
 
 
 def parts(config: Any) -> Iterator[tuple[str, Any]]:
@@ -45,6 +60,22 @@ def late_events(scene: Any) -> Iterator[str]:
             ends = f"the run ends before, at march.limit_s = {scene.march.limit_s:g}"
             yield f"events.{number} comes at {earliest:g} s or later: {ends}"
             return
+
+
+def opened_again(scene: Any) -> Iterator[str]:
+    """A caution for each outlet that an event opens again while it may grow."""
+    widths = {outlet.name: outlet.width_m for outlet in scene.outlets}
+    now, told, left = 0.0, True, dict.fromkeys(widths, inf)  # told: whether the clock is; left: s that an outlet may grow on
+    for number, event in enumerate(scene.events):
+        told = told and event.when in ("time", "after")
+        passed = event.value if event.when == "after" else max(event.value - now, 0.0) if told else 0.0
+        now, left = now + passed, {name: time - passed for name, time in left.items() if time > passed}
+        for name in [name for name in left if event.do in OPENS and (name in event.outlets or not event.outlets)]:
+            speed = event.speed_m_s
+            if left[name] < inf:
+                how = f"goes on at {speed:g} m/s" if speed else "opens at once"
+                yield f"events.{number} opens outlet {name} again, which may grow until then: what is left of it {how}"
+            left[name] = widths[name] / speed if speed else 0.0
 
 
 def early_shares(scene: Any) -> Iterator[str]:

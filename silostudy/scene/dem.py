@@ -219,7 +219,8 @@ def check_start(walls: tuple[Wall, ...], x, y, radius, where: str = "") -> None:
     if len(out):
         worst = out[np.argmax(y[out])]
         place = f"starts at x {x[worst]:.4g} m, y {y[worst]:.4g} m, outside walls from x {left:.4g} to {right:.4g} m and y "
-        raise BadInput("packing", f"disc {worst}", f"{place}{low:.4g} to {high:.4g} m", where)
+        told = f"{place}{low:.4g} to {high:.4g} m; {len(x) - len(out)} of {len(x)} discs start inside"
+        raise BadInput("packing", f"disc {worst}", told, where)
 
 
 def room(wall: Wall, x, y) -> np.ndarray:

@@ -21,6 +21,7 @@ from silostudy.scene.dem_model import stepped
 from silostudy.scene.lid import check_lid, lid_of, moves
 from silostudy.scene.mixture import drawn
 from silostudy.scene.outflow import called
+from silostudy.scene.raining import flows_meanwhile
 from silostudy.scene.space_silo import SpaceSilo
 from silostudy.scene.sphere_events import check_spheres, check_turning, sphere_events
 from silostudy.scene.spheres import contacts_of, grain_of, plane_of_rain, space_silo_of
@@ -138,7 +139,7 @@ def check_rain(scene: SphereScene, space: SpaceSilo, radii: np.ndarray, where: s
     if outline.inset(aside, 0.0) < largest:
         raise BadInput("silo.filling_eccentricity_m", aside, "the stream lies outside the silo", where)
     volume, room = float((4.0 / 3.0 * np.pi * radii**3).sum()), space.volume_below(height)
-    if volume > DENSEST * room:
+    if volume > DENSEST * room and not flows_meanwhile(scene):
         most = int(DENSEST * room / volume * len(radii))
         raise BadInput("filling.count", len(radii), f"no room below the plane for more than {most} of these spheres", where)
 

@@ -1,5 +1,6 @@
 """Ranges of the quantities of a silo and its contents: beyond the possible they are refused, beyond the usual told.
 
+PLAUSIBLE is of grains, by the keys of their scenes: wide enough that what lies beyond is a slip of units before anything else.
 The usual ends lie well outside Table E.1 of EN 1991-4 and the handbook's tables; they are this package's own.
 """
 
@@ -58,3 +59,12 @@ WRITTEN = {
 
 
 BY_QUANTITY = {split_unit(written)[0]: (written, limits) for written, limits in WRITTEN.items()}
+
+SIZES_MM = ("diameter_mm", "least_mm", "largest_mm", "mean_mm", "median_mm", "openings_mm")
+PLAUSIBLE = {  # from foams to osmium, from gels to diamond, from flour's finest to boulders
+    "density_kg_m3": (20.0, 23_000.0),
+    "youngs_modulus_MPa": (1e-3, 1.3e6),
+    "youngs_modulus_Pa": (1e3, 1.3e12),
+    **dict.fromkeys(SIZES_MM, (0.01, 2000.0)),
+    "radius_m": (5e-6, 1.0),
+}

@@ -8,7 +8,7 @@ import yaml
 
 from silostudy.choice.fronts import FRONTS
 from silostudy.commands.explain_keys import key_explanation
-from silostudy.commands.explain_scene import PARTS
+from silostudy.commands.explain_scene import PARTS, grains_of, rows_of
 from silostudy.config.dem import EventConfig
 from silostudy.config.sphere_events import SphereEventConfig
 from silostudy.pressure import PRESSURE
@@ -100,9 +100,27 @@ def test_a_law_is_explained_in_every_family_that_has_its_key(capsys):
 @pytest.mark.parametrize("part", PARTS)
 def test_every_part_of_a_scene_is_listed_and_explained(capsys, part):
     listed = said(capsys, "list", part)
-    for key, row in PARTS[part].items():
-        assert re.search(rf"^{key} +{re.escape(row.title)}$", listed, re.MULTILINE)
-        assert f"{row.title} ({key}, of {part})" in said(capsys, "explain", key)
+    for key, row in rows_of(part).items():
+        grains = grains_of(part, key)
+        assert re.search(rf"^{key} +{', '.join(grains)} +{re.escape(row.title)}$", listed, re.MULTILINE)
+        assert f"{row.title} ({key}, of {part} of {' and '.join(grains)})" in said(capsys, "explain", key)
+
+
+@pytest.mark.parametrize(
+    ("part", "key", "grains"),
+    [
+        ("actions", "remove_disc", "discs"),
+        ("actions", "rotate", "spheres"),
+        ("actions", "stop", "discs, spheres"),
+        ("fillings", "rain", "spheres"),
+        ("packings", "rows", "discs"),
+        ("inserts", "line", "discs"),
+        ("quantities", "wall-load", "spheres"),
+        ("quantities", "surface-angle", "discs, spheres"),
+    ],
+)
+def test_a_list_says_of_which_grains_a_part_is(part, key, grains, capsys):
+    assert re.search(rf"^{key} +{grains} +[A-Za-z]", said(capsys, "list", part), re.MULTILINE)
 
 
 def test_actions_say_what_they_take(capsys):
@@ -114,7 +132,7 @@ def test_actions_say_what_they_take(capsys):
 
 @pytest.mark.parametrize("events", [EventConfig, SphereEventConfig])
 def test_every_action_of_a_scene_is_a_row(events):
-    assert set(get_args(events.model_fields["do"].annotation)) == set(events.takes) <= set(PARTS["actions"])
+    assert set(get_args(events.model_fields["do"].annotation)) == set(events.takes) <= set(rows_of("actions"))
 
 
 def test_kinds_are_listed_with_their_cubes_under_them(capsys):

@@ -14,7 +14,7 @@ from silostudy.contact.family import Touch
 from silostudy.dem.contacts import Contact
 from silostudy.dem.explosion import Explosion
 from silostudy.dem.pieces import Laws
-from silostudy.scene.cautions import HIGH_FRICTION, late_events
+from silostudy.scene.cautions import HIGH_FRICTION, late_events, opened_again, unit_slips
 from silostudy.scene.clinging import pulled_in
 from silostudy.scene.idle import untaken
 from silostudy.scene.notes import notes as all_notes
@@ -23,6 +23,7 @@ from silostudy.tables.materials import PAIRS
 from tests.conftest import ROOT
 from tests.test_dem.small import scene_of as discs_of
 from tests.test_spheres.small import content as bin_of_spheres
+from tests.test_spheres.small import scene_of as spheres_of
 
 
 def notes(path, content, capsys):
@@ -92,7 +93,66 @@ def test_events_out_of_order_or_beyond_the_limit_are_noted(events, told, tmp_pat
 @pytest.mark.parametrize("path", sorted((ROOT / "config/scenes").rglob("*.yaml")), ids=lambda path: path.stem)
 def test_no_shipped_scene_says_what_cannot_come_as_told(path):
     scene = scene_in(path)
-    assert [*late_events(scene), *untaken(scene)] == []
+    assert [*late_events(scene), *opened_again(scene), *untaken(scene), *unit_slips(scene)] == []
+
+
+STONES = {"radius_m": 2.0, "density_kg_m3": 2650, "mass_share": 0.2}
+
+
+@pytest.mark.parametrize(
+    ("scene_of", "changes", "told"),
+    [
+        (
+            spheres_of,
+            {"sizes__diameter_mm": 0.004},
+            "sizes.diameter_mm = 0.004 looks like a unit slip: grains have 0.01 to 2000",
+        ),
+        (spheres_of, {"grain__youngs_modulus_MPa": 1e7}, "grain.youngs_modulus_MPa = 1e+07 looks like a unit slip"),
+        (spheres_of, {"wall__youngs_modulus_MPa": 2e11}, "wall.youngs_modulus_MPa = 2e+11 looks like a unit slip"),
+        (spheres_of, {"grain__density_kg_m3": 1.2}, "grain.density_kg_m3 = 1.2 looks like a unit slip"),
+        (
+            spheres_of,
+            {"sizes": {"kind": "sieve", "openings_mm": [0.004, 8.0], "passing": [0.0, 1.0]}},
+            "sizes.openings_mm = 0.004 looks like a unit slip",
+        ),
+        (discs_of, {"density_kg_m3": 2.65}, "density_kg_m3 = 2.65 looks like a unit slip: grains have 20 to 23000"),
+        (discs_of, {"radius_m": 10.0}, "radius_m = 10 looks like a unit slip"),
+        (discs_of, {"other_grains": {"stones": STONES}}, "other_grains.stones.radius_m = 2 looks like a unit slip"),
+    ],
+)
+def test_a_value_that_no_grain_has_is_warned_of(scene_of, changes, told):
+    (slip,) = unit_slips(scene_of(**changes))
+    assert slip.startswith(told)
+
+
+def test_a_study_s_slip_is_warned_of_once(tmp_path, capsys):
+    content = read_yaml(ROOT / "config/studies/hopper-of-discs.yaml") | {"codes": None, "outputs": []}
+    content["scene"]["density_kg_m3"] = 1.35
+    path = tmp_path / "study.yaml"
+    path.write_text(yaml.safe_dump(content, sort_keys=False))
+    assert main(["check", str(path)]) == 0
+    assert capsys.readouterr().out.count("warning: scene.density_kg_m3 = 1.35 looks like a unit slip") == 1
+
+
+TWO = [{"name": "a", "width_m": 0.05, "middle_m": 0.05}, {"name": "b", "width_m": 0.05, "middle_m": 0.12}]
+SLOWLY = {"when": "time", "value": 0.1, "do": "open_slit", "outlets": ["a"], "speed_m_s": 0.1}  # for half a second
+AGAIN = "events.1 opens outlet a again, which may grow until then: what is left of it "
+
+
+@pytest.mark.parametrize(
+    ("second", "told"),
+    [
+        ({"when": "after", "value": 0.4, "do": "open_slit", "speed_m_s": 0.2}, [AGAIN + "goes on at 0.2 m/s"]),
+        ({"when": "time", "value": 0.5, "do": "open_slit"}, [AGAIN + "opens at once"]),
+        ({"when": "rest", "do": "open_slit"}, [AGAIN + "opens at once"]),
+        ({"when": "after", "value": 0.5, "do": "open_slit", "speed_m_s": 0.2}, []),
+        ({"when": "time", "value": 0.6, "do": "open_slit"}, []),
+        ({"when": "rest", "do": "open_slit", "outlets": ["b"]}, []),
+    ],
+)
+def test_an_outlet_that_grows_and_is_opened_again_is_noted(second, told):
+    events = [SLOWLY, second, {"when": "after", "value": 0.1, "do": "stop"}]
+    assert list(opened_again(discs_of(silo__slit_width_m=0.0, outlets=TWO, events=events))) == told
 
 
 @pytest.mark.parametrize(

@@ -131,7 +131,19 @@ REFUSED = {
     "no shaking": ({"quake": {"file": "none.csv"}}, "quake.file = 'none.csv': must be a readable file of text"),
     "no row": ({"packing__fill_height_m": 0.001}, "packing.fill_height_m = 0.001: must be 0.02004 m or more"),
     "offset": ({"packing__offset_m": 0.1}, "packing.offset_m = 0.1: must lie in 0 ... 1.414e-05 m"),
-    "across": ({"packing__across": 9}, "packing.across = 9: 9 discs of radius 0.01 m and their gaps do not fit 0.17 m"),
+    "across": (
+        {"packing__across": 9},
+        "packing.across = 9: 9 discs of radius 0.01 m and their gaps do not fit 0.17 m, which has room for 8",
+    ),
+    "more discs than have room": (
+        {"packing": {"kind": "loose", "count": 500}},
+        "packing = 'disc 498': starts at x 0.03723 m, y 1.646 m, outside walls from x 0 to 0.17 m and y 0 to 0.4 m; 119 of 500 "
+        "discs start inside",
+    ),
+    "a quantity of spheres": (
+        {"expected": [{"kind": "wall-load", "value_N": 1.0, "tolerance_N": 0.1, "source": "none", "locator": "none"}]},
+        "expected.0.kind = 'wall-load': is of scenes of spheres alone",
+    ),
     "damping": (
         {"discs__normal_damping_N_s_m2": None, "discs__damping_ratio": 1e308},
         "discs.normal_damping_N_s_m2 = inf: must be zero or more",
