@@ -10,8 +10,8 @@ from pathlib import Path
 
 PACKAGE = Path(__file__).parent
 TABLES = "tables"  # the room of the tables that code in any room may name
-# which outputs and kinds of study there are, and how sources are watched, changes no number
-CHECKED = {PACKAGE / "tables/outputs.py", PACKAGE / "stamp.py", *(PACKAGE / "stages").glob("*.py")}
+# which outputs and kinds of study there are, how sources are watched, and words on mistakes change no number
+CHECKED = {PACKAGE / "tables/outputs.py", PACKAGE / "stamp.py", PACKAGE / "config/alone.py", *(PACKAGE / "stages").glob("*.py")}
 
 
 def stamp(*places: str) -> str:

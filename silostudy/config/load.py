@@ -1,13 +1,12 @@
 """Reads YAML files into models and turns every mistake into one line: file, key, value, what is allowed."""
 
-from collections.abc import Collection, Mapping
+from collections.abc import Collection, Mapping, Sequence
 from pathlib import Path
 from typing import Any, TypeVar
 
 import yaml
 from pydantic import BaseModel, ValidationError
 
-from silostudy.config.alone import where_known
 from silostudy.config.fields import SECTION, Strict, described
 from silostudy.config.mistakes import WORDS, below, message_of
 from silostudy.config.own import OwnMethods
@@ -116,9 +115,9 @@ def _line(item: Any, content: Any, where: str, model: type[BaseModel]) -> str:
     extra = item["type"] == "extra_forbidden"
     told = _unknown_key(str(item["loc"][-1]), keys_at(model, item["loc"][:-1])) if extra else message_of(item)
     if told.startswith("unknown key"):
-        told += where_known(model, item["loc"], path)
+        told += _elsewhere(model, item["loc"], path)
     elif told.startswith("unknown") or item["type"] == "literal_error":
-        told += where_known(model, item["loc"], path, value)
+        told += _elsewhere(model, item["loc"], path, value)
     return f"{where}: {key}{shown}: {told}"
 
 
@@ -155,7 +154,14 @@ def _untold(item: Any, path: list[str], where: str, model: type[BaseModel]) -> s
     if tag is None:
         return f"{where}: {key}: is missing"
     told = unknown(key, tag, (known.strip("'") for known in item["ctx"]["expected_tags"].split(", "))).reason
-    return f"{where}: {told}{where_known(model, item['loc'], path, tag)}"
+    return f"{where}: {told}{_elsewhere(model, item['loc'], path, tag)}"
+
+
+def _elsewhere(model: type[BaseModel], loc: Sequence[Any], path: list[str], choice: Any = None) -> str:
+    """Words on where a key or a choice is known that its place does not take."""
+    from silostudy.config.alone import where_known  # it reads scenes of grains, which nothing else needs
+
+    return where_known(model, loc, path, choice)
 
 
 def _holds(node: Any, part: Any) -> bool:
