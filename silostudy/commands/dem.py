@@ -168,7 +168,7 @@ def keep(task, scene, choice, output: Path) -> None:
         export(task, paraview_of(output))
     if checkpoint := checkpoint_of(scene, output):
         checkpoint.unlink(missing_ok=True)
-    for told in filter(None, (delay(task), shortfall(task))):
+    for told in filter(None, (delay(task), shortfall(task), *_events_in_vain(task))):
         say(f"{output}: {told}")
     half, began = 0.5 * task.engine.model.step, task.began * task.engine.model.dt
     late = [time for time in scene.record.snapshots_s if time > task.engine.time + half]
@@ -177,6 +177,11 @@ def keep(task, scene, choice, output: Path) -> None:
         if missed:
             times = ", ".join(f"{time:g}" for time in missed)
             say(f"{output}: no snapshots at {times} s: {why}")
+
+
+def _events_in_vain(task) -> list[str]:
+    """Events of a run, in words, that found nothing to do."""
+    return [f"at {time:.4g} s {action}" for time, _, action in task.recording.happened if " nothing: " in action]
 
 
 def where_discs_are(task) -> str:

@@ -80,7 +80,7 @@ class MovingEvent(Waiting):
     @model_validator(mode="after")
     def _has_what_it_takes(self) -> Self:
         taken = self.takes[self.do]
-        given = {name for name in self.model_fields_set - {"do", "when", "value"} if getattr(self, name) is not None}
+        given = {name for name in self.model_fields_set - {"do", "when", "value"} if getattr(self, name) not in (None, ())}
         for name in taken.needs:
             if name not in given:
                 raise KeyMistake(name, f"must be given where do is {self.do}")

@@ -120,20 +120,30 @@ def gather_walls(rows, shape, disc, wall, start, count, lanes):
 
 
 @register_jitable
+def belt_at(shape, wall, normal_x, normal_y):
+    """Velocity (m/s) of a wall's face along itself at a contact of this normal: an end, which faces along, stands still."""
+    along = shape[wall, 2] * normal_x + shape[wall, 3] * normal_y
+    return shape[wall, BELT] * (shape[wall, 2] - along * normal_x), shape[wall, BELT] * (shape[wall, 3] - along * normal_y)
+
+
+@register_jitable
 def gather_moving_walls(rows, shape, disc, wall, start, count, lanes):
     """Lanes of discs near walls, of which some rise, or run along themselves."""
     gather_walls(rows, shape, disc, wall, start, count, lanes)
     for k in range(count):
         q = wall[start + k]
-        lanes[DU, k] -= shape[q, BELT] * shape[q, 2]
-        lanes[DV, k] -= shape[q, RISE] + shape[q, BELT] * shape[q, 3]
+        u, v = belt_at(shape, q, lanes[NORMAL_X, k], lanes[NORMAL_Y, k])
+        lanes[DU, k] -= u
+        lanes[DV, k] -= shape[q, RISE] + v
 
 
 @register_jitable
 def wall_power(rows, shape, i, wall, force, moment):
     """Power (W/m) that a wall which moves gives a disc that it pushes with a force (N/m)."""
-    along = force[0] * shape[wall, 2] + force[1] * shape[wall, 3]
-    return force[1] * shape[wall, RISE] + along * shape[wall, BELT]
+    dx, dy, _ = nearest(shape, wall, rows[i, X], rows[i, Y])
+    distance = sqrt(dx * dx + dy * dy)
+    u, v = belt_at(shape, wall, dx / distance, dy / distance)
+    return force[1] * shape[wall, RISE] + force[0] * u + force[1] * v
 
 
 @register_jitable

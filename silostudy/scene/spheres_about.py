@@ -109,7 +109,7 @@ def _overlaps(
     if not (model.pair_contact.laws.normal.of_hertz and pressure > 0.0):
         return
     deep = overlap_at(pressure, model, kind)
-    told = f"overlap under {high:.3g} m of spheres without friction at walls: {deep:.2%} of the radius"
+    told = f"overlap at the foot of {high:.3g} m of spheres without friction at walls: {deep:.2%} of the radius"
     yield f"{told}; unsoftened {deep * (used / real) ** (2.0 / 3.0):.2%}" if real > used else told, deep, DEEP
     if FILLINGS[scene.filling.kind].rains:
         fallen = overlap_of_fall(scene, model, kind)

@@ -12,6 +12,7 @@ from silostudy.dem.ledger import SLIDING, TURNOVER, WALLS, balance
 from silostudy.dem.model import Wall
 from silostudy.dem.moves import run_belts
 from silostudy.dem.run import Run
+from silostudy.dem.walls import belt_at
 from silostudy.errors import BadInput
 from silostudy.scene.dem import effects, events_of
 from tests.test_dem.scenes import DENSITY, GRAVITY, RADIUS, contact, free, rows, silo
@@ -50,6 +51,13 @@ def test_a_disc_slides_on_a_belt_until_it_rolls_along_at_a_third_of_its_speed(wa
     along = np.array([u, v]) @ way
     assert along == pytest.approx(SPEED / 3.0, rel=0.01)
     assert along + spin * RADIUS == pytest.approx(SPEED, rel=0.02)
+
+
+def test_the_end_of_a_belt_stands_still_along_it():
+    engine = on_a_belt((0.6, 0.8))
+    shape = engine.walls.shape
+    assert belt_at(shape, 0, -0.8, 0.6) == pytest.approx((0.6 * SPEED, 0.8 * SPEED))
+    assert belt_at(shape, 0, 0.6, 0.8) == pytest.approx((0.0, 0.0), abs=1e-15)
 
 
 def carried(threads=1, **changes) -> Run:

@@ -192,7 +192,7 @@ def test_an_outlet_that_grows_and_is_opened_again_is_noted(second, told):
             {"spheres__cohesion": "jkr", "spheres__work_of_adhesion_J_m2": 1e6},
             "spheres: jkr alone presses them more than the radius into each other",
         ),
-        ({"grain__softened_modulus_MPa": 0.001}, "overlap under "),
+        ({"grain__softened_modulus_MPa": 0.001}, "overlap at the foot of "),
         ({"spheres__rolling": "constant-torque", "spheres__rolling_friction": 0.1}, ""),
         ({"spheres__cohesion": "jkr", "spheres__work_of_adhesion_J_m2": 0.1}, ""),
     ],

@@ -9,7 +9,9 @@ import pytest
 from silostudy.dem.engine import Engine
 from silostudy.dem.ledger import SLIDING, TURNOVER, WALLS, balance
 from silostudy.dem.moves import run_belts
-from silostudy.dem.space.walls import FlatPiece
+from silostudy.dem.space.felt import belt_at
+from silostudy.dem.space.surfaces import run as run_faces
+from silostudy.dem.space.walls import FlatPiece, walls_of
 from silostudy.errors import BadInput
 from silostudy.scene.cautions import LETS_OUT
 from tests.test_spheres.scenes import GRAVITY, MASS, RADIUS, contact, rows, spheres
@@ -48,6 +50,17 @@ def test_a_sphere_slides_on_a_belt_until_it_rolls_along_at_two_sevenths_of_its_s
     assert engine.record.now[:, 0].sum() == pytest.approx(MASS * GRAVITY, rel=1e-3)
 
 
+@pytest.mark.parametrize(
+    ("normal", "drags"),
+    [((0.0, 0.0, 1.0), VELOCITY), ((-1.0, 0.0, 0.0), (0.0, -0.18, 0.0)), ((0.8, -0.6, 0.0), (0.0, 0.0, 0.0))],
+)
+def test_a_rim_that_faces_along_its_belt_stands_still(normal, drags):
+    corners = ((0.0, 0.0, 0.0), (0.1, 0.0, 0.0), (0.1, 0.1, 0.0), (0.0, 0.1, 0.0))
+    shape = walls_of((FlatPiece(name="plate", corners=corners),)).shape
+    run_faces(shape, [0], tuple(VELOCITY))
+    assert belt_at(shape, 0, normal) == pytest.approx(drags, abs=1e-15)
+
+
 @pytest.mark.long
 def test_a_belt_in_a_scene_drags_the_grains_closes_the_ledger_and_keeps_its_bits():
     scene = belted(BELT, record={"wall_force_window_s": 0.02, "energy": True})
@@ -69,6 +82,7 @@ def test_a_belt_in_a_scene_drags_the_grains_closes_the_ledger_and_keeps_its_bits
     [
         ({"velocity_m_s": None}, "events.0.velocity_m_s: must be given where do is run_belt"),
         ({"surfaces": ["lid"]}, "events.0.surfaces"),
+        ({"surfaces": []}, "events.0.surfaces = []: must be given where do is run_belt"),
         ({"speed_m_s": 1.0}, "run_belt takes no speed_m_s; it takes velocity_m_s, surfaces"),
         ({"velocity_m_s": [0.0, 0.1, 0.1]}, "must run along floor, which faces 0, 0, 1"),
     ],

@@ -16,7 +16,6 @@ from silostudy.dem.space.lanes import (
     FORCE_X,
     FX,
     NX,
-    NY,
     STRETCH,
     SUM_P,
     TX,
@@ -26,7 +25,7 @@ from silostudy.dem.space.lanes import (
     Y,
     Z,
 )
-from silostudy.dem.space.motion import three
+from silostudy.dem.space.motion import across, away_of, dot, three
 from silostudy.dem.space.rows import (
     ACROSS,
     ALONG_R,
@@ -69,17 +68,24 @@ def gather_walls(rows, shape, sphere, wall, start, count, lanes):
 
 
 @register_jitable
+def belt_at(shape, wall, normal):
+    """Velocity (m/s) of a surface's face along itself at a contact of this normal: a rim that faces along stands still."""
+    return across((shape[wall, BELT], shape[wall, BELT + 1], shape[wall, BELT + 2]), normal)
+
+
+@register_jitable
 def gather_moving_walls(rows, shape, sphere, wall, start, count, lanes):
     """Lanes of spheres near walls, of which some rise, turn or run along themselves: velocities against the nearest point."""
     gather_walls(rows, shape, sphere, wall, start, count, lanes)
     for k in range(count):
         i, q = sphere[start + k], wall[start + k]
         distance = lanes[0, DISTANCE * STRETCH + k]
-        x = rows[i, X] - distance * lanes[0, NX * STRETCH + k]
-        y = rows[i, Y] - distance * lanes[0, NY * STRETCH + k]
-        lanes[0, DU * STRETCH + k] += shape[q, TURN] * y - shape[q, BELT]
-        lanes[0, (DU + 1) * STRETCH + k] -= shape[q, TURN] * x + shape[q, BELT + 1]
-        lanes[0, (DU + 2) * STRETCH + k] -= shape[q, RISE] + shape[q, BELT + 2]
+        normal = away_of(lanes, k)
+        x, y = rows[i, X] - distance * normal[0], rows[i, Y] - distance * normal[1]
+        u, v, w = belt_at(shape, q, normal)
+        lanes[0, DU * STRETCH + k] += shape[q, TURN] * y - u
+        lanes[0, (DU + 1) * STRETCH + k] -= shape[q, TURN] * x + v
+        lanes[0, (DU + 2) * STRETCH + k] -= shape[q, RISE] + w
         lanes[0, (APART_P + 2) * STRETCH + k] -= shape[q, TURN]
 
 
@@ -87,9 +93,10 @@ def gather_moving_walls(rows, shape, sphere, wall, start, count, lanes):
 def wall_power(rows, shape, i, wall, force, moment):
     """Power (W) that a wall which moves gives a sphere that it pushes with a force (N) and turns with a moment (N m)."""
     x, y, z = rows[i, X], rows[i, Y], rows[i, Z]
-    dx, dy, _, _ = nearest(shape, wall, x, y, z)
+    dx, dy, dz, _ = nearest(shape, wall, x, y, z)
     turning = (x - dx) * force[1] - (y - dy) * force[0] + moment[2]
-    along = shape[wall, BELT] * force[0] + shape[wall, BELT + 1] * force[1] + shape[wall, BELT + 2] * force[2]
+    distance = sqrt(dx * dx + dy * dy + dz * dz)
+    along = dot(belt_at(shape, wall, (dx / distance, dy / distance, dz / distance)), force)
     return shape[wall, RISE] * force[2] + shape[wall, TURN] * turning + along
 
 
