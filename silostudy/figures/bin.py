@@ -14,6 +14,7 @@ EARLY = 0.25  # share of the solid: what figures call discharge ends when so muc
 LEVELS = 2  # heights of wall cells that the solid is to stand against at least, for a curve over depth
 SHORT = 0.25  # of the longest window: the mean of a shorter one jumps more than those of the others
 REST = "at rest"
+AT_END = "at the end"
 TURNING = "while surfaces turn"
 FLOWING = "while grains flow"
 EARLY_WORDS = "in discharge: until a quarter of the solid is out"
@@ -25,6 +26,16 @@ def opened_at(cube: xr.Dataset) -> float:
         time for time, action in zip(cube["event_time"].values, cube["event_action"].values, strict=True) if "open" in action
     ]
     return float(min(opens, default=np.inf))
+
+
+def opening(cube: xr.Dataset) -> str:
+    """What opens at `opened_at`, in words: the outlet, one of those with names, the first of them, or all at once."""
+    if cube.sizes.get("outlet", 1) == 1:
+        return "the outlet opens"
+    times = cube["outlet_opened"].values[cube["outlet_opened"].values >= began(cube)]
+    if len(times) < 2:
+        return "an outlet opens"
+    return "the outlets open" if len(np.unique(times)) == 1 else "the first outlet opens"
 
 
 def began(cube: xr.Dataset) -> float:
@@ -55,14 +66,14 @@ def in_discharge(cube: xr.Dataset, after: np.ndarray, time: np.ndarray) -> np.nd
 
 
 def phases(cube: xr.Dataset) -> pd.DataFrame:
-    """A row a wall cell: surface, place, area, and pressure (Pa) at rest, in discharge on average and at most.
+    """A row a wall cell: surface, place, area, and pressure (Pa) before, in discharge on average and at most.
 
-    At rest: the last whole window before the outlet opened, or of the run; discharge: see in_discharge.
+    Before (columns of rest): the last whole window before the outlet opened, or of the run; discharge: see in_discharge.
     """
     time, opened, (begun, long) = cube["window_time"].values, opened_at(cube), windows(cube)
     rest, flow = np.flatnonzero((time <= opened) & long), in_discharge(cube, (begun >= opened) & long, time)
     if not len(rest):
-        raise BadInput("record.wall_force_window_s", float(time[0]), "must be short enough for a window at rest")
+        raise BadInput("record.wall_force_window_s", float(time[0]), f"must be short enough for a window {before(cube)}")
     names = cube["wall_name"].values.astype(str)
     walls = np.flatnonzero([name.startswith(WALLS) for name in names])
     mean, most, shear = (
@@ -82,13 +93,21 @@ def phases(cube: xr.Dataset) -> pd.DataFrame:
 
 
 def before(cube: xr.Dataset) -> str:
-    """Words on the window before an outlet opens: at rest, or while surfaces turn, as of a drum, or grains flow already."""
+    """Words on the window before an outlet opens: while grains flow already or surfaces turn, as of a drum, or at rest.
+
+    At rest is what an event waited for; of what was not waited for, only the moment is said.
+    """
     if open_before(cube).any():
         return FLOWING
-    if "surface_spin" not in cube:
+    opened = opened_at(cube)
+    if "surface_spin" in cube:
+        last = np.flatnonzero((cube["window_time"].values <= opened) & windows(cube)[1])[-1:]
+        if cube["surface_spin"].values[last].any():
+            return TURNING
+    happened = cube["event_action"].values[cube["event_time"].values <= opened]
+    if any(str(action).startswith("rest: ") for action in happened):
         return REST
-    window = np.flatnonzero((cube["window_time"].values <= opened_at(cube)) & windows(cube)[1])[-1]
-    return TURNING if cube["surface_spin"].values[window].any() else REST
+    return f"before {opening(cube)}" if np.isfinite(opened) else AT_END
 
 
 def profile(cells: pd.DataFrame) -> pd.DataFrame:
@@ -102,8 +121,8 @@ def profile(cells: pd.DataFrame) -> pd.DataFrame:
 
 @dataclass(frozen=True)
 class Column:
-    """The solid above the transition at rest: height of its level surface (m), unit weight (N/m3), and as they act there
-    wall friction and lateral pressure ratio (1)."""
+    """The solid above the transition before the outlet opens: height of its level surface (m), unit weight (N/m3), and as they
+    act there wall friction and lateral pressure ratio (1)."""
 
     surface: float
     unit_weight: float
@@ -137,6 +156,7 @@ def column(cube: xr.Dataset, cells: pd.DataFrame) -> Column | None:
 
 def doubt(of: Column, cube: xr.Dataset, cells: pd.DataFrame) -> str:
     """Reason why Janssen's curve says nothing of a column; empty where it does: too shallow, or forces no pipe has at rest."""
+    when = before(cube)
     deep, half = of.surface - float(cube.attrs["transition_height_m"]), 2.0 * float(cube.attrs["hydraulic_radius_m"])
     heights = cells["height_m"][cells["surface"].str.startswith("wall")]
     levels = int(heights[heights < of.surface].nunique())
@@ -145,11 +165,11 @@ def doubt(of: Column, cube: xr.Dataset, cells: pd.DataFrame) -> str:
             f"less than half a diameter, {half:.2g} m" if deep < half else f"{levels} of at least {LEVELS} levels of wall cells"
         )
         return f"the solid stands {deep:.2g} m deep against the upright walls, {shallow}"
-    if before(cube) != REST:
-        return f"no column rests {before(cube)}"
+    if when in (TURNING, FLOWING):
+        return f"no column rests {when}"
     if of.wall_friction < 0.0:
-        return f"at rest the walls press the solid down, with a friction of {of.wall_friction:.2g}"
-    return "" if of.lateral_pressure_ratio > 0.0 else f"K at rest comes out as {of.lateral_pressure_ratio:.2g}"
+        return f"{when} the walls press the solid down, with a friction of {of.wall_friction:.2g}"
+    return "" if of.lateral_pressure_ratio > 0.0 else f"K {when} comes out as {of.lateral_pressure_ratio:.2g}"
 
 
 def janssen(depth: np.ndarray, of: Column, hydraulic_radius: float) -> np.ndarray:

@@ -1,7 +1,8 @@
-"""Fields of a bin of spheres over distance from the axis and height: at rest left of the axis, in discharge right of it."""
+"""Fields of a bin of spheres over radius and height: before the outlet opens left of the axis, in discharge right."""
 
 from itertools import takewhile
 from pathlib import Path
+from textwrap import fill
 
 import numpy as np
 import pandas as pd
@@ -26,7 +27,8 @@ SHOWN = {
     "vertical_stress_kPa": ("vertical stress (kPa)", "cividis"),
     "stress_ratio": ("lateral over vertical stress", "magma_r"),
 }
-PHASES = ("at rest", "in discharge")
+FLOW = "in discharge"
+LETTERS = 16  # of a line of words over half a panel, of four beside each other
 LOW = 0.5  # of the width: panels of a lower silo stand in two rows, twice as wide
 # inches: width of a panel, height of what stands over and under it, and over and under all of them
 WIDE = {4: 2.25, 2: 4.6}
@@ -44,19 +46,30 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     figure, panels = _lay_out(high / (2.0 * half))
     for panel, (name, (label, colours)) in zip(panels.flat, SHOWN.items(), strict=True):
         mesh = _halves(panel, cells, name, colours, silo_cut.outline_of(cube))
-        silo_cut.draw(panel, cube, 0.0)
+        silo_cut.draw(panel, cube, 0.0, folded=True)
         panel.set(xlabel="from the axis (cm)", xlim=(-half - 0.3, half + 0.3), ylim=(-0.3, high), aspect="equal")
         panel.xaxis.set_major_formatter(lambda value, _: f"{abs(value):g}")
         panel.axvline(0.0, color="white", linewidth=0.8, gid=AID)
-        panel.set_title(f"{before} | {PHASES[1]}" if flows else before)
+        for side, told in {"left": fill(before, LETTERS), "right": FLOW}.items() if flows else [("center", before)]:
+            panel.set_title(told, loc=side)
         panel.grid(False)
         figure.colorbar(mesh, ax=panel, location="bottom", label=label, shrink=0.9)
     for panel in panels[:, 0]:
         panel.set_ylabel("height (cm)")
     headline(figure, _message(cube, cells, before))
-    fade = f"Within {_reach(cube):.1f} cm of walls and surface the kernel reaches beyond them: fields fade."
+    cut = " Inserts as the slice through the axis cuts them, on both sides of it." if "insert_x" in cube else ""
+    fade = f"Within {_reach(cube):.1f} cm of walls and surface the kernel reaches beyond them: fields fade.{cut}"
     foot(figure, f"{cube.attrs['title']}{f'; {bins.EARLY_WORDS}' if flows else ''}.", fade)
+    _close_up(figure, panels)
     save(figure, cells, stem)
+
+
+def _close_up(figure: Figure, panels: np.ndarray) -> None:
+    """Takes from the height of a figure what its panels, as wide as they can be, leave empty."""
+    figure.draw_without_rendering()
+    high = figure.bbox.height
+    empty = [max(0.0, panel.get_position(original=True).y1 * high - panel.get_tightbbox().y1) for panel in panels[:, 0]]
+    figure.set_figheight(figure.get_figheight() * (1.0 - sum(empty) / high))
 
 
 def _lay_out(slender: float) -> tuple[Figure, np.ndarray]:
@@ -70,16 +83,16 @@ def _lay_out(slender: float) -> tuple[Figure, np.ndarray]:
 def phases(cube: xr.Dataset) -> pd.DataFrame:
     """A row a cell and phase: place, solid fraction, speed, vertical stress, lateral over vertical stress.
 
-    At rest: the last reading before the outlet opened, or of the run; discharge: the mean of the readings in it.
+    Before: the last reading before the outlet opened, or of the run; discharge: the mean of the readings in it.
     """
     if "field_r" not in cube:
         raise BadInput("record.fields.cells", "three numbers", "must be two, of distance and height, for this figure")
-    time, opened = cube["field_time"].values, bins.opened_at(cube)
+    time, opened, before = cube["field_time"].values, bins.opened_at(cube), bins.before(cube)
     rest, flow = np.flatnonzero(time <= opened)[-1:], bins.in_discharge(cube, time > opened, time)
     if not len(rest):
-        raise BadInput("record.fields.every_s", float(time[0]), "must be short enough for a reading at rest")
-    tables = [_phase(cube.isel(field_time=rest), PHASES[0])]
-    tables += [_phase(cube.isel(field_time=flow), PHASES[1])] if len(flow) else []
+        raise BadInput("record.fields.every_s", float(time[0]), f"must be short enough for a reading {before}")
+    tables = [_phase(cube.isel(field_time=rest), before)]
+    tables += [_phase(cube.isel(field_time=flow), FLOW)] if len(flow) else []
     return pd.concat(tables, ignore_index=True)
 
 
@@ -105,13 +118,14 @@ def _phase(cube: xr.Dataset, name: str) -> pd.DataFrame:
 
 
 def _halves(panel: Axes, cells: pd.DataFrame, name: str, colours: str, inside: np.ndarray) -> QuadMesh:
-    """Cells of the phases left and right of the axis, cut off at the walls; without a discharge both sides are at rest."""
+    """Cells of the phases left and right of the axis, cut off at the walls; without a discharge both sides are alike."""
     r, z = np.unique(cells["distance_cm"]), np.unique(cells["height_cm"])
     sides = [part[name].to_numpy().reshape(len(r), len(z)).T for _, part in cells.groupby("phase", sort=False)]
     edges = _edges(r)
+    shown = cells[name][cells["height_cm"] > 0.0]  # not what falls below the outlet
     mesh = panel.pcolormesh(
         np.append(-edges[:0:-1], edges), _edges(z), np.hstack([sides[0][:, ::-1], sides[-1]]), cmap=colours,
-        vmin=0.0, vmax=float(cells[name].quantile(0.99)),
+        vmin=0.0, vmax=float(shown.quantile(0.99)),
     )  # fmt: skip
     mesh.set_clip_path(Polygon(inside * CM, transform=panel.transData))
     return mesh
@@ -138,7 +152,7 @@ def _message(cube: xr.Dataset, cells: pd.DataFrame, before: str) -> str:
     ratios = [np.average(part["stress_ratio"], weights=part["vertical_stress_kPa"] * part["volume_cm3"]) for part in parts]
     fractions = [np.average(part["solid_fraction"], weights=part["volume_cm3"]) for part in parts]
     ratio = "the ratio of lateral to vertical stress between the upright walls"
-    if len(parts) < len(PHASES):
+    if len(parts) < 2:
         return f"{before.capitalize()} {ratio} is {ratios[0]:.2f}, the solid fraction {fractions[0]:.2f}"
     return f"In discharge {ratio} {_went(ratios)}, the solid fraction {_went(fractions)}"
 

@@ -8,7 +8,7 @@ from matplotlib.axes import Axes
 from matplotlib.collections import EllipseCollection
 
 from silostudy.figures import layers, silo_cut
-from silostudy.figures.bin import opened_at
+from silostudy.figures.bin import opened_at, opening
 from silostudy.figures.style import foot, headline, plt
 
 MOST = 60  # frames
@@ -28,7 +28,7 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     panel.set(xlabel="across (cm)", ylabel="height (cm)", aspect="equal", xlim=(left, right), ylim=(low, high))
     panel.grid(False)
     shown = panel.add_collection(_slice(cube, shots[0], first, panel))
-    layers.legend(figure, shown, panel, "when\nthe outlet opened" if np.isfinite(opened_at(cube)) else "at the end")
+    layers.legend(figure, shown, panel, f"when\n{opening(cube)}" if np.isfinite(opened_at(cube)) else "at the end")
     headline(figure, _message(cube, first))
     foot(figure, f"{cube.attrs['title']}.", "A slice through the axis: the circles in which it cuts the spheres.")
 

@@ -1,4 +1,4 @@
-"""Pressure on the walls of a bin of spheres: maps over height and angle at rest and in discharge, and means over depth."""
+"""Pressure on the walls of a bin of spheres: maps over height and angle before and in discharge, and means over depth."""
 
 from pathlib import Path
 
@@ -12,6 +12,7 @@ from silostudy.figures import bin as bins
 from silostudy.figures.style import AID, BLACK, BLUE, PURPLE, VERMILION, WIDTH, foot, headline, plt, save
 
 KPA = 1e3  # Pa
+APART = 0.06  # of a panel's width: the last number under one and the first under the next
 MAPS = {bins.REST: "pressure_rest_Pa", "in discharge, mean": "pressure_discharge_Pa"}
 LINES: dict[str, tuple[str, dict]] = {
     bins.REST: ("pressure_rest_Pa", {"color": BLACK, "marker": "o"}),
@@ -25,7 +26,8 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     cells, before = bins.phases(cube), bins.before(cube)
     drawn = cells[_loaded(cube, cells)]
     shown = {name: column for name, column in MAPS.items() if cells[column].notna().any()}
-    figure, panels = plt.subplots(1, len(shown) + 1, figsize=(WIDTH, 5.8), sharey=True, squeeze=False)
+    apart = {"wspace": APART}
+    figure, panels = plt.subplots(1, len(shown) + 1, figsize=(WIDTH, 5.8), sharey=True, squeeze=False, gridspec_kw=apart)
     most = max(float(cells[column].max()) for column in shown.values()) / KPA or 1.0
     for panel, (name, column) in zip(panels[0], shown.items(), strict=False):
         mesh = _map(panel, drawn, cube, column, most)
@@ -43,24 +45,24 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     table = _profiles(panels[0, -1], cube, drawn, None if why else of)
     tops = drawn["height_m"] + _high(cube, drawn) / 2.0
     panels[0, 0].set_ylim(0.0, max(tops.max(), table["height_m"].max()))
-    headline(figure, _message(cells, table, before))
+    headline(figure, _message(table, before))
     left_out = f"Janssen's curve is left out: {why}." if why else ""
     early = f"; {bins.EARLY_WORDS}" if len(shown) > 1 else ""
     foot(figure, f"{cube.attrs['title']}{early}.", left_out, handles=panels[0, -1].get_legend_handles_labels()[0])
     save(figure, pd.concat([cells.assign(kind="cell"), table], ignore_index=True), stem)
 
 
-def _message(cells: pd.DataFrame, table: pd.DataFrame, before: str) -> str:
-    """Largest pressures in discharge over the largest before, of means over the angle and of single cells."""
+def _message(table: pd.DataFrame, before: str) -> str:
+    """Largest pressures in discharge over the largest before, as curves show them: means over the angle of means and peaks."""
     means = table[table["kind"] == "mean"]
     rest, flow = (float(means[column].max()) for column in MAPS.values())
     if not rest > 0.0:
         return f"Nothing presses on the walls {before}"
     if np.isnan(flow):
         return f"{before.capitalize()} the largest mean around the walls is {rest / KPA:.3g} kPa"
-    peak = float(cells["peak_discharge_Pa"].max() / rest)
+    peak = float(means["peak_discharge_Pa"].max() / rest)
     mean = f"In discharge the largest mean around the walls is {flow / rest:.2g} times that {before}"
-    return f"{mean}, the peak of a cell {peak:.2g} times"
+    return f"{mean}, the mean of the cells' peaks {peak:.2g} times"
 
 
 def _high(cube: xr.Dataset, cells: pd.DataFrame) -> pd.Series:
@@ -126,7 +128,8 @@ def _profiles(panel: Axes, cube: xr.Dataset, drawn: pd.DataFrame, of: bins.Colum
     if of:
         heights = np.linspace(float(cube.attrs["transition_height_m"]), of.surface, 40)
         pressure = bins.janssen(of.surface - heights, of, float(cube.attrs["hydraulic_radius_m"]))
-        label = f"Janssen, with friction {of.wall_friction:.2f} and K {of.lateral_pressure_ratio:.2f} as they act at rest"
+        label = f"Janssen, with friction {of.wall_friction:.2f} and K {of.lateral_pressure_ratio:.2f} as they act "
+        label += bins.before(cube)
         panel.plot(pressure / KPA, heights, color=BLUE, linewidth=2.2, alpha=0.8, label=label)
         tables.append(pd.DataFrame({"kind": "janssen", "height_m": heights, "pressure_rest_Pa": pressure}))
     panel.axhline(float(cube.attrs["transition_height_m"]), color="#888888", linewidth=0.8, gid=AID)

@@ -1,5 +1,6 @@
 """Mass that leaves a scene of grains through its outlets, in time."""
 
+from collections.abc import Collection
 from dataclasses import dataclass
 
 import numpy as np
@@ -50,13 +51,18 @@ def flow_of(cube: xr.Dataset, filled: str, column: str, unit: str) -> Flow:
     return Flow(table[["time_s", "outlet", column]], column, float(cube.attrs.get("began_with_kg", cube[filled].sum())), unit)
 
 
-def draw_flow(panel: Axes, flow: Flow) -> None:
-    """A step a grain and a line an outlet, black as no surface's is alone, and told apart by dashes where there are several."""
+def draw_flow(panel: Axes, flow: Flow, unseen: Collection[str] = ()) -> None:
+    """A step a grain and a line an outlet, black as no surface's is alone, and told apart by dashes where there are several.
+
+    unseen: names of outlets that the slice beside it does not show.
+    """
     outlets = list(flow.table.groupby("outlet", sort=False))
     for number, (name, group) in enumerate(outlets):
         look = {"color": "black", "linestyle": LINES[number % len(LINES)], "linewidth": 1.8}
         look |= {"marker": MARKERS[number // len(LINES) - 1], "markevery": 0.1} if number >= len(LINES) else {}
-        panel.plot(group["time_s"], group[flow.mass], drawstyle="steps-post", label=str(name).replace("_", " "), **look)
+        label = str(name).replace("_", " ") + ", off the slice" * (name in unseen)
+        panel.plot(group["time_s"], group[flow.mass], drawstyle="steps-post", label=label, **look)
     if len(outlets) > 1:
         panel.legend(loc="upper left", frameon=True, framealpha=1.0, edgecolor="white")
-    panel.set(title="mass through the outlet" + "s" * (len(outlets) > 1), ylim=(0, None))
+    title = "mass through the outlets" if len(outlets) > 1 else "mass through the outlet" + ", off the slice" * bool(unseen)
+    panel.set(title=title, ylim=(0, None))

@@ -11,13 +11,14 @@ from matplotlib.lines import Line2D
 
 from silostudy.errors import BadInput
 from silostudy.figures import moments
-from silostudy.figures.bin import began, open_before, opened_at, windows
+from silostudy.figures.bin import REST as AT_REST
+from silostudy.figures.bin import before, began, open_before, opened_at, windows
 from silostudy.figures.flow_in_time import Flow
 from silostudy.figures.style import AID, REST, WIDTH, plt, series
 
 FELT = 0.05  # of the largest force at rest: surfaces with less are not said to carry anything
 SHOWN = 11  # surfaces with a look of their own, the most loaded ones; further ones are grey
-ROOM = 1.2  # of the largest force: words of events stand above it
+ROOM = 1.3  # of the largest force: words of events stand above it
 # inches
 MARGIN = 0.7  # beside a panel
 TALL = 4.9  # a snapshot at most
@@ -103,14 +104,18 @@ def lay_out(
 
 def message(cube: xr.Dataset, table: pd.DataFrame, column: str, unit: str, flow: Flow) -> str:
     """Message: what leaves, and the surface whose force rises most over that at rest; or that with the largest force."""
-    opened, (since, begins), before = opened_at(cube), moments.begins(cube), open_before(cube).any()
-    if np.isfinite(opened) and not before:
-        return f"{begins} {flow.told()}{_rises(*pushed(table, column, opened))}"
+    opened, (since, begins), flows = opened_at(cube), moments.begins(cube), open_before(cube).any()
+    if np.isfinite(opened) and not flows:
+        when = AT_REST if before(cube) == AT_REST else "before"  # the sentence begins with the opening
+        return f"{begins} {flow.told()}{_rises(*pushed(table, column, opened), when)}"
     surface = subject(cube, table, column)
     if np.isinf(since):
-        when = "At rest" if str(cube["event_action"].values[-1]).startswith("rest") else "At the end"
-        return f"{when} the largest force is that on {_quoted(surface)}" if surface else "Nothing touches a surface"
-    if before:
+        return (
+            f"{before(cube).capitalize()} the largest force is that on {_quoted(surface)}"
+            if surface
+            else "Nothing touches a surface"
+        )
+    if flows:
         leaves, begins = f"{begins} {flow.told()}; ", "meanwhile"
     else:
         leaves, begins = (f"{flow.told()}; ", begins[0].lower() + begins[1:]) if len(flow.table) else ("", begins)
@@ -135,13 +140,13 @@ def subject(cube: xr.Dataset, table: pd.DataFrame, column: str) -> str:
     return str(later.loc[later[column].idxmax(), "surface"]) if (later[column] > 0.0).any() else ""
 
 
-def _rises(surface: str, rise: float) -> str:
-    """Words on the surface whose force rises most over that at rest; none where there is none."""
+def _rises(surface: str, rise: float, when: str) -> str:
+    """Words on the surface whose force rises most over that before (when: at rest, or before); none where there is none."""
     if not surface or np.isnan(rise):
         return ""
     if not float(f"{rise:.2g}") > 1.0:
-        return "; no surface is pressed more than at rest"
-    return f"; the force on {_quoted(surface)} comes to {rise:.2g} times that at rest, more than on any other"
+        return f"; no surface is pressed more than {when}"
+    return f"; the force on {_quoted(surface)} comes to {rise:.2g} times that {when}, more than on any other"
 
 
 def pushed(table: pd.DataFrame, column: str, opened: float) -> tuple[str, float]:

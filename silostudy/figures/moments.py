@@ -8,25 +8,39 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.patheffects import withStroke
 
-from silostudy.figures.bin import began, open_before, opened_at
+from silostudy.figures.bin import began, open_before, opened_at, opening
 from silostudy.figures.flow_in_time import Flow
 from silostudy.figures.style import INK
 
 APART = 13.0  # points between two lines of words that stand beside each other, upright
 OFF = 2.0  # points between the words of an event and its line
+# What is done, as the key `do` of a scene's events says it, where a cube has another word
+SAID = {
+    "gravity": "set_gravity",
+    "friction": "set_friction",
+    "lower": "lower_lid",
+    "press": "press_lid",
+    "move": "move_lid",
+    "turn": "rotate",
+    "run": "run_belt",
+}
+OF_DISCS = {"open": "open_slit", "remove": "remove_disc"}
+OF_SPHERES = {"open": "open_outlet", "remove": "remove_sphere"}
 MOST = 3  # words of events that come too close after each other to be written apart
 
 
-def words(action: str) -> str:
-    """Words of an event: what was done, without what it waited for."""
-    return str(action).split(": ")[-1].replace("_", " ")
+def words(cube: xr.Dataset) -> list[str]:
+    """Words of each event: what was done, as a scene's file says it, without what it waited for."""
+    said = SAID | (OF_DISCS if "disc" in cube.dims else OF_SPHERES)
+    done = [str(action).split(": ")[1] for action in cube["event_action"].values]
+    return [said.get(what, what).replace("_", " ") for what in done]
 
 
 def first(cube: xr.Dataset) -> tuple[float, str]:
     """Time (s) and words of the first event that does something with the grains; endless and none where they are left alone."""
-    for time, action in zip(cube["event_time"].values, cube["event_action"].values, strict=True):
-        if words(action) != "stop":
-            return float(time), words(action)
+    for time, what in zip(cube["event_time"].values, words(cube), strict=True):
+        if what != "stop":
+            return float(time), what
     return np.inf, ""
 
 
@@ -58,7 +72,7 @@ def _before(cube: xr.Dataset, flow: Flow) -> tuple[float, str]:
     if open_before(cube).any():
         return float(cube["snapshot_time"][_held(cube)[0]]), "first"
     if np.isfinite(opened := opened_at(cube)):
-        return opened, "last before the outlet opens"
+        return opened, f"last before {opening(cube)}"
     if len(flow.table):  # a feeder takes from what is shut
         return np.nextafter(flow.begins, -np.inf), "last before any grain has left"
     return first(cube)[0], "last before the first event"
@@ -80,12 +94,12 @@ def mark_events(panels: Sequence[Axes], cube: xr.Dataset, inches: float) -> None
     """A line at each event, with its words in the first panel, so many inches wide; of those that are close, words together."""
     if not panels:
         return
-    (low, high), times = panels[0].get_xlim(), cube["event_time"].values
+    (low, high), times, done = panels[0].get_xlim(), cube["event_time"].values, words(cube)
     for panel, time in product(panels, times):
         panel.axvline(time, color="0.6", linewidth=0.8)
     apart = APART / 72 / inches * (high - low)
     for group in _groups(times, apart):
-        when, said = float(times[group[0]]), _joined([words(cube["event_action"].values[number]) for number in group])
+        when, said = float(times[group[0]]), _joined([done[number] for number in group])
         aside, place = (1.0 if when - low < apart else -1.0), panels[0].get_xaxis_transform()
         look: dict = {"va": "top", "ha": "left" if aside > 0.0 else "right", "fontsize": "small", "color": INK, "rotation": 90}
         text = panels[0].annotate(said, (when, 0.98), (OFF * aside, 0.0), place, "offset points", **look)
@@ -117,5 +131,5 @@ def begins(cube: xr.Dataset) -> tuple[float, str]:
         return began(cube), f"From {began(cube):.3g} s on"
     opened, (time, what) = opened_at(cube), first(cube)
     if np.isfinite(opened):
-        return opened, "Once the outlet opens"
+        return opened, f"Once {opening(cube)}"
     return time, f"From \N{LEFT DOUBLE QUOTATION MARK}{what}\N{RIGHT DOUBLE QUOTATION MARK} on"

@@ -17,6 +17,7 @@ LID = "lid"
 AWAY = ": take away "  # of an event: what follows are names of inserts
 BELOW = 0.12  # of the width: what is shown below the lowest part
 UPRIGHT = ("left", "right")  # walls of discs that stand above what is filled
+MARGIN = 0.02  # of a view's width: beside the end of a line that it is to hold
 ROOM = 1.1  # of the height of the highest grain: what is shown of a silo that is less filled
 
 
@@ -47,9 +48,12 @@ def standing(cube: xr.Dataset, time: float) -> list[np.ndarray]:
     return [CM * line for line in (*lines, *lid(cube, time))]
 
 
-def draw(panel: Axes, cube: xr.Dataset, time: float) -> LineCollection:
-    """Draws all that stands at a time (s)."""
-    lines = LineCollection(standing(cube, time), colors="black", linewidths=1.2, capstyle="projecting", zorder=3, gid=AID)
+def draw(panel: Axes, cube: xr.Dataset, time: float, *, folded: bool = False) -> LineCollection:
+    """Draws all that stands at a time (s); folded: inserts on both sides of the axis, as means around it see them."""
+    mirrored = [CM * part.line * (-1.0, 1.0) for part in _inserts(cube)] if folded else []
+    lines = LineCollection(
+        [*standing(cube, time), *mirrored], colors="black", linewidths=1.2, capstyle="projecting", zorder=3, gid=AID
+    )
     panel.add_collection(lines)
     return lines
 
@@ -120,8 +124,30 @@ def inside(cube: xr.Dataset) -> np.ndarray:
     return np.vstack([np.empty((0, 2)), *lines])
 
 
+def reaching(box: tuple[float, float, float, float], ends: np.ndarray) -> tuple[float, float, float, float]:
+    """A view (cm; left, right, low, high) that holds all lines (n, 4; from across, height, to) whose middle it shows."""
+    middle = (ends[:, :2] + ends[:, 2:]) / 2.0
+    left, right, low, high = box
+    whole = ends[((middle >= (left, low)) & (middle <= (right, high))).all(axis=1)].reshape(-1, 2)
+    aside = MARGIN * (right - left)
+    least, most = whole.min(axis=0, initial=np.inf) - aside, whole.max(axis=0, initial=-np.inf) + aside
+    return min(left, least[0]), max(right, most[0]), min(low, least[1]), max(high, most[1])
+
+
+def off_the_slice(cube: xr.Dataset) -> set[str]:
+    """Names of outlets that the plane does not cut."""
+    if "outlet_left" not in cube:
+        return set()
+    return set(cube["outlet"].values[np.isnan(cube["outlet_left"].values)].astype(str))
+
+
 def outlet_words(cube: xr.Dataset, time: float) -> str:
-    """Whether the outlet is shut, opening or open at a time (s), in words; none of a silo without one."""
+    """Whether the outlet is shut, opening or open at a time (s), in words, or how many are; none of a silo without one."""
+    if (count := cube.sizes.get("outlet", 1)) > 1:
+        begun, whole = (
+            int((cube.get(name, cube["outlet_opened"]).values < time).sum()) for name in ("outlet_opened", "outlet_whole")
+        )
+        return f"{whole} of {count} outlets open" + (f", {begun - whole} opening" if begun > whole else "")
     if "outlet" not in cube and not cube.attrs["outlet_half_width_m"] > 0.0:
         return ""
     if any(part.opens < time <= part.goes for part in parts(cube)):

@@ -26,11 +26,12 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     force = in_time.forces(cube, cube["surface_normal_force_mean"].values / 1e3, FORCE)
     flow = flow_of(cube, "disc_mass", MASS, "kg/m")
     shots = moments.snapshots(cube, contacts["force_N_m"].to_numpy(), flow)
-    box = silo_cut.view(cube, float(cube["disc_y"].isel(snapshot=shots).max()))
-    figure, panels, wide = in_time.lay_out(cube, shots, force, flow, box)
     seen = contacts["force_N_m"][contacts["contact_snapshot"].isin(shots)]
     largest = float(seen.max()) if len(seen) else 1.0
     tables = [_chains(cube, contacts, shot, largest) for shot in shots]
+    box = silo_cut.view(cube, float(cube["disc_y"].isel(snapshot=shots).max()))
+    box = silo_cut.reaching(box, pd.concat(tables).filter(like="_cm").to_numpy())
+    figure, panels, wide = in_time.lay_out(cube, shots, force, flow, box)
     for number, (shot, table) in enumerate(zip(shots, tables, strict=True)):
         _draw_chains(panels[str(number)], cube, shot, table, largest)
     lines = in_time.draw_forces(panels, force, FORCE, "kN/m", cube)

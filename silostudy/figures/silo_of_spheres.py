@@ -24,16 +24,17 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     force = in_time.forces(cube, cube["surface_normal_force_mean"].values, FORCE)
     flow = flow_of(cube, "grain_mass", MASS, "kg")
     shots = moments.snapshots(cube, _sizes(cube), flow)
-    box = silo_cut.view(cube, float(cube["grain_z"].isel(snapshot=shots).max()))
-    figure, panels, wide = in_time.lay_out(cube, shots, force, flow, box)
     near = _near(cube)
     largest = _largest(near, shots)
     tables = [_chains(near, shot, LONGEST * float(cube["grain_radius"].mean()) / largest) for shot in shots]
+    box = silo_cut.view(cube, float(cube["grain_z"].isel(snapshot=shots).max()))
+    box = silo_cut.reaching(box, pd.concat(tables).filter(like="_cm").to_numpy())
+    figure, panels, wide = in_time.lay_out(cube, shots, force, flow, box)
     for number, (shot, table) in enumerate(zip(shots, tables, strict=True)):
         _draw_slice(panels[str(number)], cube, shot, table, largest)
     lines = in_time.draw_forces(panels, force, FORCE, "N", cube)
     if "mass" in panels:
-        draw_flow(panels["mass"], flow)
+        draw_flow(panels["mass"], flow, silo_cut.off_the_slice(cube))
         panels["mass"].set(ylabel="mass that has passed (kg)")
     moments.mark_events([panels[name] for name in in_time.LOWER if name in panels], cube, wide)
     headline(figure, in_time.message(cube, force, FORCE, "N", flow))

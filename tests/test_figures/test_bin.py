@@ -7,12 +7,12 @@ import numpy as np
 import pandas as pd
 import pytest
 import xarray as xr
-from matplotlib.collections import QuadMesh
+from matplotlib.collections import LineCollection, QuadMesh
 from matplotlib.text import Text
 
 from silostudy.cube.contents import levelled
 from silostudy.figures import bin_fields, bin_pressures
-from silostudy.figures.bin import Column, column, doubt, in_discharge, janssen, opened_at, phases, profile
+from silostudy.figures.bin import Column, before, column, doubt, in_discharge, janssen, opened_at, opening, phases, profile
 from silostudy.figures.style import AID
 from silostudy.pressure.janssen import normal_pressure
 from tests.test_figures.small_cubes import bin_cube
@@ -85,7 +85,7 @@ def test_a_column_after_janssen_is_found_again():
         ({"wall_friction": 0.0}, ""),
         ({"surface": 0.408}, "stands 0.008 m deep against the upright walls, less than half a diameter, 0.5 m"),
         ({"wall_friction": -0.03}, "walls press the solid down, with a friction of -0.03"),
-        ({"lateral_pressure_ratio": -0.2}, "K at rest comes out as -0.2"),
+        ({"lateral_pressure_ratio": -0.2}, "K at the end comes out as -0.2"),
     ],
 )
 def test_a_column_that_janssen_says_nothing_of_is_doubted(changes, why):
@@ -144,9 +144,9 @@ def test_fields_of_a_low_silo_have_room_for_their_words(tmp_path, monkeypatch):
     wide.attrs |= {name: cube.attrs[name] * 6.0 for name in ("half_width_m", "outlet_half_width_m")}
     output = figure_of("bin_fields", [wide], tmp_path, monkeypatch)
     assert (output.faults(), output.faults_of_look()) == ([], [])
-    panels = [panel for panel in output.figure.axes if panel.get_title()]
+    panels = [panel for panel in output.figure.axes if panel.get_title("left")]
     assert len({round(panel.get_position().y0, 3) for panel in panels}) == 2
-    top = max(panel.title.get_window_extent().y1 for panel in panels)
+    top = max(panel.get_tightbbox().y1 for panel in panels)
     assert max(panel.yaxis.label.get_window_extent().y1 for panel in panels) < top
     plt.close("all")
 
@@ -233,3 +233,89 @@ def test_what_turns_or_flows_is_not_said_to_rest(changed, told, tmp_path, monkey
     assert told in titles
     assert "at rest" not in titles
     assert not any("at rest" in text.get_text() for text in output.figure.findobj(Text))
+
+
+def outlets(*opened):
+    return {"outlet": list("abc"[: len(opened)]), "outlet_opened": ("outlet", list(opened))}
+
+
+@pytest.mark.parametrize(
+    ("own", "told"),
+    [
+        ({}, "the outlet opens"),
+        (outlets(1.0), "the outlet opens"),
+        (outlets(1.0, 2.0), "the first outlet opens"),
+        (outlets(1.0, np.nan), "an outlet opens"),
+        (outlets(1.0, 1.0), "the outlets open"),
+    ],
+)
+def test_only_what_was_waited_for_is_said_to_rest(own, told):
+    """A scene with times alone says the moment."""
+    timed = xr.Dataset({"event_time": ("event", [1.0]), "event_action": ("event", ["time: open"])} | own)
+    assert opening(timed) == told
+    assert before(timed) == f"before {told}"
+    assert before(timed.assign(event_action=("event", ["time: stop"]))) == "at the end"
+    assert before(timed.assign(event_action=("event", ["rest: open"]))) == "at rest"
+    assert before(timed.assign(event_action=("event", ["rest: open"]), event_time=("event", [2.0]))) == "at rest"
+
+
+def timed(cube):
+    """The bin whose outlet opens at a time, whether its solid rests or not."""
+    return cube.assign(event_action=("event", [str(what.values).replace("rest:", "time:") for what in cube["event_action"]]))
+
+
+@pytest.mark.parametrize("name", ["bin_pressures", "bin_fields"])
+def test_figures_of_a_timed_scene_say_no_rest(name, tmp_path, monkeypatch):
+    output = figure_of(name, [timed(bin_cube())], tmp_path, monkeypatch)
+    said = " ".join(text.get_text() for text in output.figure.findobj(Text)).replace("\n", " ")
+    assert "before the outlet opens" in said
+    assert "at rest" not in said
+    assert (output.faults(), output.faults_of_look()) == ([], [])
+    plt.close("all")
+
+
+def test_the_headline_s_peak_is_that_of_a_curve(tmp_path, monkeypatch):
+    output = figure_of("bin_pressures", [bin_cube()], tmp_path, monkeypatch)
+    curves = {line.get_label(): np.max(line.get_xdata()) for line in output.figure.axes[2].lines if line.get_gid() != AID}
+    over = curves["in discharge, mean of the cells' peaks"] / curves["at rest"]
+    assert output.figure.get_suptitle().replace("\n", " ").endswith(f"the mean of the cells' peaks {over:.2g} times")
+    plt.close("all")
+
+
+def test_numbers_under_neighbouring_panels_stand_apart(tmp_path, monkeypatch):
+    output = figure_of("bin_pressures", [bin_cube()], tmp_path, monkeypatch)
+    output.figure.draw_without_rendering()
+    maps, curves = output.figure.axes[1:3]
+    last, first = maps.get_xticklabels()[-1].get_window_extent(), curves.get_xticklabels()[0].get_window_extent()
+    assert first.x0 - last.x1 > 0.6 * last.width
+    plt.close("all")
+
+
+def test_an_insert_is_drawn_on_both_sides_of_the_axis(tmp_path, monkeypatch):
+    """Fields are means around the axis, of which the right side shows a later time."""
+    cube = bin_cube()
+    ramp = {"insert_name": ["ramp"] * 3, "insert_x": [0.01, 0.02, np.nan], "insert_z": [0.05, 0.06, np.nan]}
+    cube = cube.assign({name: ("insert_point", values) for name, values in ramp.items()})
+    output = figure_of("bin_fields", [cube], tmp_path, monkeypatch)
+    drawn = [line.tolist() for silo in output.figure.axes[0].findobj(LineCollection) for line in silo.get_segments()]
+    for side in (-1.0, 1.0):
+        assert any(np.allclose(line, [(side, 5.0), (2.0 * side, 6.0)]) for line in drawn if len(line) == 2)
+    plt.close("all")
+
+
+def test_colours_of_fields_end_at_what_is_shown_and_no_blank_band_stands_over_them(tmp_path, monkeypatch):
+    """Spheres that fall below the outlet are fast, and not shown."""
+    cube = bin_cube().copy(deep=True)
+    below = cube["field_z"].values < 0.0
+    assert below.any()
+    for name in ("field_density", "field_solid_fraction"):
+        cube[name].loc[{"field_cell": below}] = float(cube[name].max())
+    cube["field_velocity"].loc[{"field_cell": below}] = 10.0
+    output = figure_of("bin_fields", [cube], tmp_path, monkeypatch)
+    cells = pd.read_csv(next(tmp_path.glob("**/bin_fields.csv")), comment="#")
+    mesh = output.figure.axes[1].findobj(QuadMesh)[0]
+    assert mesh.get_clim()[1] <= cells["speed_m_s"][cells["height_cm"] > 0.0].max()
+    output.figure.draw_without_rendering()
+    gap = output.figure._suptitle.get_window_extent().y0 - output.figure.axes[0].get_tightbbox().y1
+    assert 0.0 < gap < 0.15 * output.figure.dpi
+    plt.close("all")

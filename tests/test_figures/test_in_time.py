@@ -81,7 +81,7 @@ def test_a_force_that_rises_by_less_than_is_told_is_not_said_to_rise():
         ([(4.0, "time: stop")], "At the end the largest force is that on “left"),
         (
             [(2.0, "time: turn"), (4.0, "time: stop")],
-            "From “turn” on the largest force is 9 N, on “bolt” at 3 s",
+            "From “rotate” on the largest force is 9 N, on “bolt” at 3 s",
         ),
     ],
 )
@@ -219,3 +219,32 @@ def test_a_run_that_goes_on_in_flow_tells_of_no_rest():
     assert passing.filled == 15.0
     assert passing.begins == 1.0
     assert passing.told() == "3 of 15 kg leave, 2 kg/s on average"
+
+
+def test_two_outlets_one_after_the_other_are_told_and_one_off_the_slice_too(tmp_path, monkeypatch):
+    cube = bin_cube()
+    mass = ("outflow_time", "outlet"), cube["outflow_mass"].values[:, None] * np.array([0.55, 0.45])
+    own = {"outlet": ["a", "b"], "outlet_outflow_mass": mass, "outlet_opened": ("outlet", [0.04, 0.05]),
+           "outlet_left": ("outlet", [-0.03, np.nan]), "outlet_right": ("outlet", [-0.01, np.nan])}  # fmt: skip
+    output = drawn("silo_of_spheres", [cube.assign(own)], tmp_path, monkeypatch)
+    assert output.figure.get_suptitle().startswith("Once the first outlet opens ")
+    panel = next(panel for panel in output.figure.axes if panel.get_title() == "mass through the outlets")
+    assert [text.get_text() for text in panel.get_legend().get_texts()] == ["a", "b, off the slice"]
+    assert (output.faults(), output.faults_of_look()) == ([], [])
+    plt.close("all")
+
+
+def test_a_rise_over_what_was_not_at_rest_is_told_over_what_was_before():
+    cube = scene(OPENED).assign(event_action=("event", ["time: open", "rest: stop"]))
+    assert told(cube, flow()).endswith("comes to 3 times that before, more than on any other")
+
+
+def test_lines_of_forces_on_walls_are_not_cut_off(tmp_path, monkeypatch):
+    cube = bin_cube().copy(deep=True)
+    half = cube.attrs["half_width_m"]
+    cube["contact_x"][:], cube["contact_y"][:] = half, 0.0
+    cube["contact_force_x"][:], cube["contact_force_y"][:], cube["contact_force_z"][:] = 5.0, 0.0, 0.0
+    output = drawn("silo_of_spheres", [cube], tmp_path, monkeypatch)
+    reach = 100.0 * (half + 2.0 * float(cube["grain_radius"].mean()))
+    assert output.figure.axes[0].get_xlim()[1] > reach
+    plt.close("all")

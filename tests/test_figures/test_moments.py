@@ -6,8 +6,11 @@ import pandas as pd
 import pytest
 import xarray as xr
 
+from silostudy.config.dem import EventConfig
+from silostudy.config.sphere_events import SphereEventConfig
+from silostudy.dem.events import ACTIONS
 from silostudy.figures.flow_in_time import Flow
-from silostudy.figures.moments import mark_events, snapshots, told
+from silostudy.figures.moments import mark_events, snapshots, told, words
 
 
 def scene(*events, shots=(0.0, 1.0, 2.0, 3.0), contacts=(1, 2, 3), held=(1, 1, 1, 1), **more):
@@ -39,7 +42,7 @@ def test_what_a_feeder_takes_is_shown_before_the_first_grain():
 
 def test_a_run_that_goes_on_in_flow_is_shown_from_its_first_snapshot():
     mass = {"outflow_time": [0.1, 0.2], "outflow_mass": ("outflow_time", [1.0, 2.0])}
-    cube = scene((0.9, "after: friction"), (3.0, "after: stop"), **mass)
+    cube = scene((0.9, "after: friction"), (3.0, "after: stop"), **mass).assign_attrs(outlet_opened_s=-0.2, began_s=-0.1)
     assert snapshots(cube, np.ones(3), flow(0.1, 1.8, 1.9, 2.9)) == [0, 2]
     assert "the first, and that nearest" in told([0, 2], cube, flow(0.1))
 
@@ -74,10 +77,23 @@ def said(*events):
 
 
 def test_an_event_that_comes_again_has_its_words_again():
-    assert said((2.0, "rest: press"), (4.0, "lid_rests: press")) == [("press", 2.0), ("press", 4.0)]
+    assert said((2.0, "rest: press"), (4.0, "lid_rests: press")) == [("press lid", 2.0), ("press lid", 4.0)]
 
 
 def test_events_that_come_close_are_told_together():
-    assert said((2.0, "rest: lower"), (2.0, "after: press"), (4.0, "time: stop")) == [("lower, press", 2.0), ("stop", 4.0)]
+    lid = said((2.0, "rest: lower"), (2.0, "after: press"), (4.0, "time: stop"))
+    assert lid == [("lower lid, press lid", 2.0), ("stop", 4.0)]
     many = [(2.0 + 0.01 * k, "after: feed") for k in range(5)]
     assert said(*many) == [("feed, feed, feed, 2 more", 2.0)]
+
+
+@pytest.mark.parametrize(("events", "more"), [(EventConfig, {"disc": [0]}), (SphereEventConfig, {})])
+def test_words_of_events_are_those_of_the_scene_s_file(events, more):
+    said = words(scene(*((1.0, f"time: {action}") for action in ACTIONS), **more))
+    known = {key.replace("_", " ") for key in events.takes}
+    assert known <= set(said)
+
+
+def test_what_found_nothing_to_do_is_told_in_two_words():
+    done = words(scene((1.0, "time: remove nothing: the sphere was not there"), (2.0, "rest: open a, b")))
+    assert done == ["remove nothing", "open a, b"]

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 import xarray as xr
 
-from silostudy.figures.silo_cut import outlet_words, standing, view
+from silostudy.figures.silo_cut import outlet_words, reaching, standing, view
 
 
 def happened(*events):
@@ -127,6 +127,22 @@ def test_words_on_an_outlet_say_when_it_opens_and_whether_there_is_one():
     assert [outlet_words(cube, time) for time in (0.5, 1.5, 2.5)] == ["outlet shut", "outlet opening", "outlet open"]
     assert outlet_words(spheres(OPEN, plug=0.1), 1.1) == "outlet open"
     assert outlet_words(spheres(), 1.0) == ""
+
+
+def test_several_outlets_are_counted_those_off_the_slice_too():
+    own = {"outlet": ["a", "b"], "outlet_left": ("outlet", [-0.1, np.nan]), "outlet_right": ("outlet", [0.1, np.nan]),
+           "outlet_opened": ("outlet", [1.0, 2.0]), "outlet_whole": ("outlet", [1.0, 3.0])}  # fmt: skip
+    said = [outlet_words(spheres(OPEN, **own), time) for time in (0.5, 1.5, 2.5, 3.5)]
+    assert said == ["0 of 2 outlets open", "1 of 2 outlets open", "1 of 2 outlets open, 1 opening", "2 of 2 outlets open"]
+
+
+def test_a_view_holds_lines_that_it_shows_half_of():
+    lines = np.array([[9.0, 1.0, 10.5, 1.0], [20.0, 1.0, 30.0, 1.0], [5.0, 0.5, 5.0, -2.0]])
+    left, right, low, high = reaching((0.0, 10.0, -1.0, 10.0), lines)
+    assert (left, high) == (0.0, 10.0)
+    assert 10.5 < right < 11.0
+    assert -2.5 < low < -2.0
+    assert reaching((0.0, 10.0, -1.0, 10.0), np.empty((0, 4))) == (0.0, 10.0, -1.0, 10.0)
 
 
 @pytest.mark.parametrize("named", [True, False])
