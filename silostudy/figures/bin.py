@@ -29,7 +29,7 @@ def opened_at(cube: xr.Dataset) -> float:
 
 
 def opening(cube: xr.Dataset) -> str:
-    """What opens at `opened_at`, in words: the outlet, one of those with names, the first of them, or all at once."""
+    """Words on what opens at `opened_at`: the outlet, one of those with names, the first of them, or all at once."""
     if cube.sizes.get("outlet", 1) == 1:
         return "the outlet opens"
     times = cube["outlet_opened"].values[cube["outlet_opened"].values >= began(cube)]
