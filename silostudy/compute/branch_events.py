@@ -22,7 +22,7 @@ def outlets_of(scene: AnyScene) -> dict[str, tuple]:
 
 def called_here(acted: list[tuple[float, Event]], there: Mapping[str, tuple], here: Mapping[str, tuple]) -> list:
     """Events that have acted, what they opened under the names that it has here."""
-    names = {name: next((own for own, at in here.items() if at == place), name) for name, place in there.items()}
+    names = {name: next((own for own, hole in here.items() if hole == place), name) for name, place in there.items()}
     return [
         (time, replace(event, what=(event.what[0], tuple(names[name] for name in event.what[1]), *event.what[2:])))
         if event.action == "open holes"

@@ -18,7 +18,9 @@ def where_known(model: type[BaseModel], loc: Sequence[Any], path: Sequence[str],
     depth, own = next(((depth, named[part]) for depth, part in enumerate(loc) if part in named), (0, model))
     here = ".".join("*" if part.isdecimal() else part for part in path[depth:]).removesuffix(".*")
     above, name, mine = "".join(f"{part}." for part in path[:depth]), path[-1], _places(own, here, choice)
-    others = {grains: found for grains, scene in SCENES.items() if scene is not own and (found := _places(scene, here, choice))}
+    others = {
+        grains: theirs for grains, scene in SCENES.items() if scene is not own and (theirs := _places(scene, here, choice))
+    }
     if others and (not mine or any(here in places for places in others.values())):
         places = next(iter(others.values()))
         told = "" if here in places else f", as {above}{min(places, key=lambda place: place.count('*'))}"
@@ -29,5 +31,5 @@ def where_known(model: type[BaseModel], loc: Sequence[Any], path: Sequence[str],
 def _places(model: type[BaseModel], path: str, choice: Any) -> list[str]:
     """Paths to a model's keys that are called as the last of a path, of those that may hold a choice where one is given."""
     whole, name = model.model_json_schema(), path.rpartition(".")[2]
-    found = ((place, field) for place, field in keys_within([whole], whole) if place.rpartition(".")[2] == name)
-    return [place for place, field in found if choice is None or choice in choices_of([field], whole)]
+    called = ((place, field) for place, field in keys_within([whole], whole) if place.rpartition(".")[2] == name)
+    return [place for place, field in called if choice is None or choice in choices_of([field], whole)]

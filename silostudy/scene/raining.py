@@ -13,8 +13,9 @@ from silostudy.scene.cautions import LETS_OUT
 from silostudy.scene.space_silo import SpaceSilo
 from silostudy.scene.spheres import plane_of_rain
 
-# solid fractions of equal spheres at rest at random, loose (Onoda and Liniger, 1990) and close (Scott and Kilgour, 1969)
-LOOSE, CLOSE = 0.55, 0.64
+# solid fractions of equal spheres at rest at random
+LOOSE = 0.55  # Onoda and Liniger, 1990
+CLOSE = 0.64  # Scott and Kilgour, 1969
 COVERED = 0.547  # of a plane by equal discs that come down on it at random until none finds room (Feder, 1980)
 
 
