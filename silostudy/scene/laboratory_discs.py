@@ -76,7 +76,7 @@ def pressing(case: DiscCase, stress: float, now: float) -> DemScene:
     """The lid presses the cell to a stress (Pa) at a speed, and then bears it; now: time (s) at which it begins."""
     speed = case.speed(stress)
     bears = {"when": "lid_rests", "do": "press_lid", "stress_kPa": stress / KPA}
-    events = ({"when": "time", "do": "move_lid", "speed_m_s": speed, "until_stress_kPa": stress / KPA}, bears, bears)
+    events = ({"when": "after", "do": "move_lid", "speed_m_s": speed, "until_stress_kPa": stress / KPA}, bears, bears)
     window, limit = FINE * case.height / speed, now + LATE * PRESSED * case.height / speed
     return _scene(case, PRESSING, events, limit=limit, window=window, lasts=BORNE * window)
 
@@ -86,7 +86,7 @@ def shearing(case: DiscCase, stress: float, now: float, plates: Plates) -> DemSc
     speed = case.speed(stress)
     time = case.shear_strain * case.height / speed
     events = (
-        {"when": "time", "do": "press_lid", "stress_kPa": stress / KPA, "speed_m_s": YIELDS * speed},
+        {"when": "after", "do": "press_lid", "stress_kPa": stress / KPA, "speed_m_s": YIELDS * speed},
         {"when": "after", "do": "run_belt", "speed_m_s": plates.share * speed, "surfaces": plates.belts},
     )
     return _scene(case, plates.surfaces, events, limit=now + LATE * time, window=time / SHEAR_WINDOWS, lasts=time)

@@ -97,7 +97,7 @@ def pressing(case: LaboratoryCase, stress: float, now: float) -> SphereScene:
     """The lid presses the cell to a stress (Pa) at a speed, and then bears it; now: time (s) at which it begins."""
     speed = case.speed(stress)
     events = (
-        {"when": "time", "do": "move_lid", "speed_m_s": speed, "until_stress_kPa": stress / KPA},
+        {"when": "after", "do": "move_lid", "speed_m_s": speed, "until_stress_kPa": stress / KPA},
         {"when": "lid_rests", "do": "press_lid", "stress_kPa": stress / KPA},
         {"when": "lid_rests", "do": "press_lid", "stress_kPa": stress / KPA},  # comes to rest, and then bears it
     )
@@ -110,7 +110,7 @@ def shearing(case: LaboratoryCase, stress: float, now: float, surfaces: Mapping[
     speed = case.speed(stress)
     time = case.shear_strain * case.height / speed
     events = (
-        {"when": "time", "do": "press_lid", "stress_kPa": stress / KPA, "speed_m_s": YIELDS * speed},
+        {"when": "after", "do": "press_lid", "stress_kPa": stress / KPA, "speed_m_s": YIELDS * speed},
         {"when": "after", "do": "rotate", "spin_rad_s": speed / case.lever, "surfaces": [LID]},
     )
     return _scene(case, surfaces, events, limit=now + LATE * time, window=time / SHEAR_WINDOWS, lasts=time)
