@@ -12,6 +12,7 @@ from silostudy.dem.events import TRIGGERS
 
 OF_LID = ("lower_lid", "press_lid", "move_lid")
 EITHER_WAY = ("move_lid", "run_belt")  # whose speed may be 0 or less
+ABOUT = ("surfaces", "outlets", "sphere", "disc")  # keys that say on what an event acts
 
 
 @dataclass(frozen=True)
@@ -77,15 +78,34 @@ class MovingEvent(Waiting):
         """The key by which an event asks for a lid: what it does, what it waits for, or else the surfaces that it is about."""
         return "do" if self.do in OF_LID else "when" if TRIGGERS[self.when].of_lid else "surfaces"
 
+    @property
+    def given(self) -> dict[str, Any]:
+        """Values by key that say on what it acts and how."""
+        values = {name: getattr(self, name) for name in type(self).model_fields if name in self.model_fields_set}
+        return {
+            name: value for name, value in values.items() if name not in ("do", "when", "value") and value not in (None, ())
+        }
+
+    @property
+    def said(self) -> str:
+        """What it does, on what and with which values, in the words of the scene."""
+        on = [text_of(value, ", ") for name, value in self.given.items() if name in ABOUT]
+        values = [f"{name} {text_of(value, ' ')}" for name, value in self.given.items() if name not in ABOUT]
+        return " ".join([self.do, *on]) + (f": {', '.join(values)}" if values else "")
+
     @model_validator(mode="after")
     def _has_what_it_takes(self) -> Self:
         taken = self.takes[self.do]
-        given = {name for name in self.model_fields_set - {"do", "when", "value"} if getattr(self, name) not in (None, ())}
         for name in taken.needs:
-            if name not in given:
+            if name not in self.given:
                 raise KeyMistake(name, f"must be given where do is {self.do}")
-        for name in sorted(given - {*taken.needs, *taken.may}):
+        for name in sorted(self.given.keys() - {*taken.needs, *taken.may}):
             raise KeyMistake(name, f"{self.do} takes no {name}; it takes {', '.join((*taken.needs, *taken.may)) or 'nothing'}")
         if self.do not in EITHER_WAY and self.speed_m_s is not None and not self.speed_m_s > 0.0:
             raise KeyMistake("speed_m_s", f"must be above 0 where do is {self.do}")
         return self
+
+
+def text_of(value: Any, between: str) -> str:
+    """A value of a key in words; between: what stands between those of a list."""
+    return between.join(map(str, value)) if isinstance(value, tuple) else str(value)

@@ -1,6 +1,6 @@
 """Events of a scene while it runs, the triggers they wait for, and what they do."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from silostudy.catalogue import Entry, Family
 from silostudy.errors import BadInput
@@ -57,12 +57,14 @@ class Event:
     or place), gravity (vector), friction (pair, wall, names of walls; none: all), stop; of walls that move lower (),
     press (load, mass, speed, lowest), move (speed, force, height), turn (spin, walls), run (speed or velocity, walls);
     feed (rate).
+    said: what it does, on what and with which values, in the words of a scene's file; "": action has no others.
     """
 
     trigger: str
     value: float
     action: str
     what: tuple = ()
+    said: str = field(default="", compare=False)
 
     def __post_init__(self):
         most = TRIGGERS[self.trigger].most
@@ -73,4 +75,13 @@ class Event:
 
     def __str__(self) -> str:
         value = f" {self.value:g}" if self.value else ""
-        return f"{self.trigger}{value}: {self.action}"
+        return f"{self.trigger}{value}: {self.told()}"
+
+    def told(self, on: str = "") -> str:
+        """What it does, on what and with which values, in words; on: what it found there, where that is known by then."""
+        does, _, values = (self.said or self.action).partition(": ")
+        if on and self.said:
+            does = f"{does.partition(' ')[0]} {on}"
+        elif on:
+            does = f"{does} {on}"
+        return f"{does}: {values}" if values else does

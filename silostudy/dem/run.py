@@ -183,19 +183,19 @@ class Run:
             self.recording.buried = f"no room for {body} at the plane that they come in on: what is below it is full"
 
     def _act(self, event: Event) -> None:
-        engine, action = self.engine, event.action
+        engine, action, told = self.engine, event.action, event.told()
         if action == "open":
             self._take_away(lambda: swap_walls(engine, event.what[0], event.what[1:]))
         elif action == "open holes":
             wall, names, speed = event.what
             names = not_open(engine, wall, names)
             self._take_away(lambda: open_holes(engine, wall, names, speed))
-            action = f"open {', '.join(names) or 'nothing: open by then'}"
+            told = event.told(", ".join(names) or "nothing: open by then")
         elif action == "take away":
             self._take_away(lambda: take_walls(engine, event.what))
-            action = f"take away {', '.join(event.what)}"
+            told = event.told(", ".join(event.what))
         elif action == "remove":
-            action = self._remove(event.what)
+            told = event.told(self._remove(event.what))
         elif action == "gravity":
             gravity = tuple(map(float, event.what))
             change_gravity(engine, gravity)
@@ -207,20 +207,20 @@ class Run:
             self.feeder.rate, self.feeder.owed = event.what[0], 0.0
         elif action in MOVES:
             MOVES[action](engine, *event.what)
-        self.recording.happened.append((engine.time, event.trigger, action))
+        self.recording.happened.append((engine.time, event.trigger, told))
         self.since = engine.step
         if action != "stop":  # after which a branch may look on
             self.looked = None
         self.next_event += 1
 
     def _remove(self, what: tuple) -> str:
-        """Take a body out; says what happened, which is nothing where it is not there."""
+        """Take a body out; says which, or nothing where it is not there."""
         number = number_of(self.engine, what)
         if number is None:
-            return f"remove nothing: the {self.engine.space.body} was not there"
-        gone = np.arange(self.engine.n) == number
+            return f"nothing: the {self.engine.space.body} was not there"
+        gone, label = np.arange(self.engine.n) == number, self.engine.labels[number]
         self._take_away(lambda: self._take_out(gone, REMOVED))
-        return "remove"
+        return str(label)
 
     def _take_away(self, change: Callable[[], None]) -> None:
         """Make a change, and book the springs of the contacts that it ends."""

@@ -14,26 +14,13 @@ from silostudy.figures.style import INK
 
 APART = 13.0  # points between two lines of words that stand beside each other, upright
 OFF = 2.0  # points between the words of an event and its line
-# What is done, as the key `do` of a scene's events says it, where a cube has another word
-SAID = {
-    "gravity": "set_gravity",
-    "friction": "set_friction",
-    "lower": "lower_lid",
-    "press": "press_lid",
-    "move": "move_lid",
-    "turn": "rotate",
-    "run": "run_belt",
-}
-OF_DISCS = {"open": "open_slit", "remove": "remove_disc"}
-OF_SPHERES = {"open": "open_outlet", "remove": "remove_sphere"}
 MOST = 3  # words of events that come too close after each other to be written apart
 
 
 def words(cube: xr.Dataset) -> list[str]:
-    """Words of each event: what was done, as a scene's file says it, without what it waited for."""
-    said = SAID | (OF_DISCS if "disc" in cube.dims else OF_SPHERES)
-    done = [str(action).split(": ")[1] for action in cube["event_action"].values]
-    return [said.get(what, what).replace("_", " ") for what in done]
+    """Words of each event: what was done, and on what, without what it waited for and its values."""
+    done = [str(action).split(": ")[1].split(" ", 1) for action in cube["event_action"].values]
+    return [" ".join([what[0].replace("_", " "), *what[1:]]) for what in done]
 
 
 def first(cube: xr.Dataset) -> tuple[float, str]:

@@ -14,7 +14,7 @@ from silostudy.figures.style import AID
 CM = 100.0  # of a metre
 FLOOR = "floor"  # one piece that goes as the outlet opens, where outlets have no names
 LID = "lid"
-AWAY = ": take away "  # of an event: what follows are names of inserts
+AWAY = ": take_away "  # of an event: what follows are names of inserts
 BELOW = 0.12  # of the width: what is shown below the lowest part
 UPRIGHT = ("left", "right")  # walls of discs that stand above what is filled
 MARGIN = 0.02  # of a view's width: beside the end of a line that it is to hold

@@ -144,7 +144,7 @@ def events_of(scene: DemScene, mass: float, where: str = "") -> tuple[Event, ...
             what = (*what, walls_of_event(event.surfaces, wall_names(scene), number, where))
         elif action == "run":
             what = (*what, *walls_of_event(event.surfaces, wall_names(scene), number, where))
-        events.append(Event(event.when, event.value * TRIGGERS[event.when].scale, action, what))
+        events.append(Event(event.when, event.value * TRIGGERS[event.when].scale, action, what, event.said))
     return tuple(events)
 
 

@@ -29,7 +29,7 @@ def sphere_events(scene: SphereScene, space: SpaceSilo, mass: float, where: str 
             what = (*what, *belts(event, space, number, where))
         elif action == "take away":
             what = taken_away(event, space, number, where)
-        events.append(Event(event.when, event.value * TRIGGERS[event.when].scale, action, what))
+        events.append(Event(event.when, event.value * TRIGGERS[event.when].scale, action, what, event.said))
     return tuple(events)
 
 

@@ -106,4 +106,4 @@ def test_what_is_open_is_not_opened_again(outlets, tmp_path):
         branched(tmp_path, AT_ONCE | names[0], stop(0.2), **changes, outlets=outlets)
     if outlets:
         branch = branched(tmp_path, AT_ONCE | names[1], stop(0.2), **changes, outlets=outlets)
-        assert [action for *_, action in branch.recording.happened] == ["open right", "stop"]
+        assert [action for *_, action in branch.recording.happened] == ["open_slit right", "stop"]

@@ -74,7 +74,10 @@ def test_events_remove_and_change():
     assert run.engine.contacts[0].coefficients["sliding_friction"] == 0.1
     assert run.engine.contacts[1].coefficients["sliding_friction"] == 0.176
     assert run.engine.gravity == (0.0, 0.0)
-    assert [what for _, _, what in run.recording.happened] == ["remove", "remove", "friction", "gravity", "stop"]
+    told = [what for _, _, what in run.recording.happened]
+    (by_place,) = set(range(len(run.engine.model.x))) - {3, *run.engine.labels.tolist()}
+    assert told[:2] == ["remove_disc 3", f"remove_disc {by_place}: near_m 0.16 0.2"]
+    assert told[2:] == ["set_friction: disc_friction 0.1", "set_gravity: gravity_m_s2 0.0 0.0", "stop"]
 
 
 def test_an_event_due_at_the_start_acts_at_once():

@@ -35,7 +35,7 @@ def test_the_cube_holds_what_was_asked(small, tmp_path):
     cube = read(tmp_path / "small.nc")
     assert cube["window_time"].size == 20
     assert cube["outflow_mass"].to_numpy()[-1] > 0.0
-    assert cube["event_action"].to_numpy().tolist() == ["time: open", "after: stop"]
+    assert cube["event_action"].to_numpy().tolist() == ["time: open_slit", "after: stop"]
     shear = cube["wall_shear_force_min"].where(cube["wall_name"].isin(["left", "right"]))
     assert float(shear.min()) < 0.0  # negative wall friction stays visible
     left = cube["wall_normal_force_mean"].where(cube["wall_name"] == "left").sum("wall_cell")

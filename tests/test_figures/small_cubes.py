@@ -70,7 +70,7 @@ def bin_cube() -> xr.Dataset:
         record.window.append(random.uniform(0.01, 0.1, (cells, 3, 1)) * [1.0, 0.5, 2.0])
         record.whole.append(random.uniform(0.01, 0.1, (len(model.walls), 3, 2)))
         record.window_time.append(0.02 * (number + 1))
-    record.happened = [(0.04, "rest", "open"), (0.08, "after", "stop")]
+    record.happened = [(0.04, "rest", "open_outlet"), (0.08, "after", "stop")]
     for time in (0.0, 0.04, 0.08):
         motion = np.column_stack([model.place + np.array([0.0, 0.0, 0.04 - time / 2]), random.uniform(-1, 1, (120, 6))])
         chain = np.column_stack([np.arange(20), np.arange(1, 21), motion[:20, :3], random.uniform(-1.0, 1.0, (20, 3))])

@@ -34,7 +34,7 @@ def test_phases_lie_before_and_after_the_opening():
 def test_discharge_ends_when_a_quarter_is_out():
     """Of ten grains of 1 kg three are out at 0.25 s: the readings from then on show a bin that empties."""
     cube = xr.Dataset(
-        {"event_time": ("event", [0.1]), "event_action": ("event", ["rest: open"]), "grain_mass": ("grain", np.ones(10)),
+        {"event_time": ("event", [0.1]), "event_action": ("event", ["rest: open_outlet"]), "grain_mass": ("grain", np.ones(10)),
          "outflow_time": ("out", [0.15, 0.2, 0.25, 0.3]), "outflow_mass": ("out", [1.0, 2.0, 3.0, 4.0])}
     )  # fmt: skip
     time = np.array([0.1, 0.2, 0.25, 0.3])
@@ -65,7 +65,7 @@ def test_a_column_after_janssen_is_found_again():
     pressure = janssen(1.0 - heights, COLUMN, radius)
     count = 100_000
     cube = xr.Dataset(
-        {"snapshot_time": ("snapshot", [0.0]), "event_time": ("event", [1.0]), "event_action": ("event", ["rest: open"]),
+        {"snapshot_time": ("snapshot", [0.0]), "event_time": ("event", [1.0]), "event_action": ("event", ["rest: open_outlet"]),
          "grain_z": (("snapshot", "grain"), (np.arange(count) + 0.5)[None] / count),
          "grain_mass": ("grain", np.full(count, 8e3 * area / 9.81 / count))},
         attrs={"transition_height_m": 0.0, "plan_area_m2": area, "hydraulic_radius_m": radius, "gravity_m_s2": 9.81},
@@ -174,12 +174,12 @@ def turning(cube):
 def flowless(cube):
     """The bin whose outlet stays shut, so that nothing leaves it."""
     shut = cube.drop_vars([name for name in cube.variables if "outflow" in str(name)])
-    return shut.assign(event_action=("event", ["rest: friction", "after: stop"]))
+    return shut.assign(event_action=("event", ["rest: set_friction", "after: stop"]))
 
 
 def flowing(cube):
     """A run that goes on from another in flow: nothing opens the outlet any more."""
-    friction = cube.assign(event_action=("event", ["after: friction"] * cube.sizes["event"]))
+    friction = cube.assign(event_action=("event", ["after: set_friction"] * cube.sizes["event"]))
     return friction.assign_attrs(outlet_opened_s=0.005, began_s=0.01)
 
 
@@ -208,12 +208,12 @@ def outlets(*opened):
 )
 def test_only_what_was_waited_for_is_said_to_rest(own, told):
     """A scene with times alone says the moment."""
-    timed = xr.Dataset({"event_time": ("event", [1.0]), "event_action": ("event", ["time: open"])} | own)
+    timed = xr.Dataset({"event_time": ("event", [1.0]), "event_action": ("event", ["time: open_outlet"])} | own)
     assert opening(timed) == told
     assert before(timed) == f"before {told}"
     assert before(timed.assign(event_action=("event", ["time: stop"]))) == "at the end"
-    assert before(timed.assign(event_action=("event", ["rest: open"]))) == "at rest"
-    assert before(timed.assign(event_action=("event", ["rest: open"]), event_time=("event", [2.0]))) == "at rest"
+    assert before(timed.assign(event_action=("event", ["rest: open_outlet"]))) == "at rest"
+    assert before(timed.assign(event_action=("event", ["rest: open_outlet"]), event_time=("event", [2.0]))) == "at rest"
 
 
 def timed(cube):

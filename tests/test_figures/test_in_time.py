@@ -24,7 +24,7 @@ SURFACES = ("floor", "left", "bolt")
 
 def scene(opened, push=PUSH, events=((5.0, "rest: stop"),), **more):
     """A scene that opens at a time (s), or never, then of other events, and the forces on its surfaces."""
-    times, actions = zip(*([(opened, "rest: open")] if np.isfinite(opened) else []), *events, strict=True)
+    times, actions = zip(*([(opened, "rest: open_outlet")] if np.isfinite(opened) else []), *events, strict=True)
     data = {"event_time": ("event", list(times)), "event_action": ("event", list(actions)), "window_time": TIME}
     return xr.Dataset(data | {"surface": list(SURFACES), "push": (("window_time", "surface"), push)} | more)
 
@@ -80,7 +80,7 @@ def test_a_force_that_rises_by_less_than_is_told_is_not_said_to_rise():
         ([(4.0, "rest: stop")], "At rest the largest force is that on “left"),
         ([(4.0, "time: stop")], "At the end the largest force is that on “left"),
         (
-            [(2.0, "time: turn"), (4.0, "time: stop")],
+            [(2.0, "time: rotate"), (4.0, "time: stop")],
             "From “rotate” on the largest force is 9 N, on “bolt” at 3 s",
         ),
     ],
@@ -109,7 +109,7 @@ def shut_bin():
     """The bin of spheres whose outlet stays shut, so that nothing leaves it."""
     cube = bin_cube()
     leaves = [name for name in cube.variables if "outflow" in str(name)]
-    return cube.drop_vars(leaves).assign(event_action=("event", np.array(["rest: friction", "after: stop"])))
+    return cube.drop_vars(leaves).assign(event_action=("event", np.array(["rest: set_friction", "after: stop"])))
 
 
 @pytest.mark.parametrize("rests", [False, True])
@@ -235,7 +235,7 @@ def test_two_outlets_one_after_the_other_are_told_and_one_off_the_slice_too(tmp_
 
 
 def test_a_rise_over_what_was_not_at_rest_is_told_over_what_was_before():
-    cube = scene(OPENED).assign(event_action=("event", ["time: open", "rest: stop"]))
+    cube = scene(OPENED).assign(event_action=("event", ["time: open_outlet", "rest: stop"]))
     assert told(cube, flow()).endswith("comes to 3 times that before, more than on any other")
 
 

@@ -16,7 +16,7 @@ def bin_of(order: np.ndarray, *, opens: bool = True) -> xr.Dataset:
     z[:2, 40:] = np.nan
     for shot in range(3, 8):
         z[shot, order[: 20 * (shot - 2)]] = np.nan
-    events = {"event_time": ("event", [0.2]), "event_action": ("event", ["rest: open" if opens else "after: stop"])}
+    events = {"event_time": ("event", [0.2]), "event_action": ("event", ["rest: open_outlet" if opens else "after: stop"])}
     return xr.Dataset(
         {"grain_z": (("snapshot", "grain"), z), "grain_mass": ("grain", np.ones(80)),
          "snapshot_time": ("snapshot", 0.1 * np.arange(8)), **events}

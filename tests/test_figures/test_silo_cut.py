@@ -32,7 +32,7 @@ def lines(cube, time):
 
 
 SIDES = {"left": ((0.0, 0.4), (0.0, 0.0)), "right": ((0.2, 0.0), (0.2, 0.4))}
-OPEN = ((1.0, "rest: open"), (2.0, "after: stop"))
+OPEN = ((1.0, "rest: open_outlet"), (2.0, "after: stop"))
 
 
 def test_walls_floor_and_inserts_of_discs_stand():
@@ -65,11 +65,13 @@ def test_an_outlet_is_a_gap_once_it_is_open(of):
 
 def test_an_outlet_that_opened_before_the_run_began_is_a_gap_from_the_start():
     """A run that goes on from the end of another, 5 s after it."""
-    unnamed = spheres(((5.3, "after: friction"),), plug=0.05).assign_attrs(outlet_opened_s=1.0, outlet_whole_s=1.0, began_s=5.0)
+    unnamed = spheres(((5.3, "after: set_friction"),), plug=0.05).assign_attrs(
+        outlet_opened_s=1.0, outlet_whole_s=1.0, began_s=5.0
+    )
     assert ((-5, 0), (5, 0)) not in lines(unnamed, 5.0)
     named = {"outlet": ["a", "b"], "outlet_left": ("outlet", [-0.1, 0.1]), "outlet_right": ("outlet", [-0.05, 0.15]),
              "outlet_opened": ("outlet", [1.0, np.nan])}  # fmt: skip
-    found = lines(spheres(((5.3, "after: friction"),), **named), 5.0)
+    found = lines(spheres(((5.3, "after: set_friction"),), **named), 5.0)
     assert ((-10, 0), (-5, 0)) not in found
     assert ((10, 0), (15, 0)) in found
 
@@ -84,7 +86,7 @@ def test_an_insert_that_is_taken_away_is_gone():
     cuts = {"insert_name": ["plate"] * 3 + ["gate_1"] * 3, "insert_x": [0.0, 0.1, np.nan] * 2}
     cuts |= {"insert_z": [0.1, 0.1, np.nan, 0.2, 0.2, np.nan]}
     inserts = {name: ("insert_point", values) for name, values in cuts.items()}
-    cube = spheres(((1.0, "rest: take away gate_1, gate_2"), (2.0, "after: friction")), **inserts)
+    cube = spheres(((1.0, "rest: take_away gate_1, gate_2"), (2.0, "after: set_friction")), **inserts)
     both = {((0, 10), (10, 10)), ((0, 20), (10, 20))}
     assert both <= lines(cube, 0.5)
     assert both & lines(cube, 3.0) == {((0, 10), (10, 10))}

@@ -130,4 +130,5 @@ def test_spheres_are_taken_out_by_number_and_by_place():
     lowest = np.argmin(np.linalg.norm(rows(first.engine)[:, :3], axis=1))
     assert set(range(150)) - set(taken.engine.labels.tolist()) == {7, int(lowest)}
     assert taken.recording.left["removed"] == 2
-    assert [action for _, _, action in taken.recording.happened] == ["remove", "remove", "stop"]
+    said = ["remove_sphere 7", f"remove_sphere {lowest}: near_m 0.0 0.0 0.0", "stop"]
+    assert [action for _, _, action in taken.recording.happened] == said

@@ -149,7 +149,11 @@ def test_outlets_that_are_open_stay_open(tmp_path):
     named = carried(scene_of(events=[first, rest | {"outlets": ["east"]}, stop(0.15)], **FLAT | {"outlets": [WEST, EAST]}))
     whole = carried(scene_of(events=[first, rest, stop(0.15)], **FLAT | {"outlets": [WEST, EAST]}))
     assert same_motion(whole, named)
-    assert [action for *_, action in whole.recording.happened] == ["open west", "open east", "stop"]
+    assert [action for *_, action in whole.recording.happened] == [
+        "open_outlet west",
+        "open_outlet east: speed_m_s 0.2",
+        "stop",
+    ]
     ended(tmp_path, first, stop(FILLING), outlets=[WEST, EAST])
     branch, cube = branched(tmp_path, rest, stop(0.15), outlets=[WEST, EAST])
     assert same_motion(branch, whole)

@@ -89,18 +89,19 @@ def test_a_press_from_the_file_to_the_cube(tmp_path):
     scene = pressing()
     whole = carried(scene)
     assert not whole.trouble
-    assert [action for _, _, action in whole.recording.happened] == ["lower", "press", "turn", "move", "friction", "stop"]
+    said = [action.partition(":")[0] for _, _, action in whole.recording.happened]
+    assert said == ["lower_lid", "press_lid", "rotate lid", "move_lid", "set_friction", "stop"]
     cube = cube_of(whole, scene)
-    times = dict(zip(cube.event_action.values, cube.event_time.values, strict=True))
-    borne = cube.lid_stress.sel(window_time=slice(times["lid_rests: turn"], times["after: move"]))
+    times = dict(zip(said, cube.event_time.values, strict=True))
+    borne = cube.lid_stress.sel(window_time=slice(times["rotate lid"], times["move_lid"]))
     assert borne.mean() == pytest.approx(4e3, rel=0.02)
     assert float(cube.lid_height[-1]) < float(cube.lid_height[0]) == pytest.approx(0.1)
-    turned = cube.sel(surface="lid", window_time=slice(times["lid_rests: turn"] + 0.02, None))
+    turned = cube.sel(surface="lid", window_time=slice(times["rotate lid"] + 0.02, None))
     assert (turned.surface_spin == 5.0).all()
     assert (turned.surface_torque < 0.0).all()  # the grains hold the lid back
     assert (cube.surface_torque.sel(surface=["floor", "wall"]).isel(window_time=-1) > 0.0).all()
     halved, again = run(scene), run(scene)
-    halved.go(until=int(times["lid_rests: turn"] / whole.engine.model.dt) - 333)  # while the lid comes down
+    halved.go(until=int(times["rotate lid"] / whole.engine.model.dt) - 333)  # while the lid comes down
     again.restore(copy.deepcopy(halved.checkpoint()))
     again.go()
     assert np.array_equal(again.engine.walls.shape, whole.engine.walls.shape)
@@ -114,7 +115,7 @@ def test_a_feeder_draws_at_its_rate():
     feed = {"do": "feed", "rate_kg_s": rate}
     events = [{"when": "rest", **feed}, {"when": "after", "value": 0.5, **feed, "rate_kg_s": 0.0}, STOP]
     fed = carried(validated(SphereScene, content(events=events, record__energy=True, record__snapshots_s=[]), "feed.yaml"))
-    start, end = (time for time, _, action in fed.recording.happened if action == "feed")
+    start, end = (time for time, _, action in fed.recording.happened if action.startswith("feed: "))
     mass = fed.engine.model.mass[0]
     assert fed.recording.lost["discharged"] == pytest.approx(rate * (end - start), abs=2.0 * mass)
     assert fed.recording.left["discharged"] > 50

@@ -34,7 +34,7 @@ def two():
 
 def test_outlets_open_by_name_and_each_has_its_meter(two):
     slot, later, _ = two.event_time.values
-    assert two.event_action.values.tolist()[:2] == ["rest: open slot", "after: open round"]
+    assert two.event_action.values.tolist()[:2] == ["rest: open_outlet slot", "after: open_outlet round"]
     assert two.outlet_opened.sel(outlet=["slot", "round"]).values.tolist() == [slot, later]
     assert np.allclose(two.outlet_outflow_mass.sum("outlet"), two.outflow_mass, rtol=1e-12)
     through = two.outlet_outflow_mass.sel(outlet="round")
@@ -75,7 +75,7 @@ def shelf():
 
 def test_what_an_insert_bears_falls_when_it_is_taken_away(shelf):
     taken, opened, _ = shelf.event_time.values
-    assert shelf.event_action.values[0] == "rest: take away shelf"
+    assert shelf.event_action.values[0] == "rest: take_away shelf"
     weight, load = GRAVITY * float(shelf.grain_mass.sum()), shelf.surface_load
     before = load.sel(window_time=slice(taken - 0.06, taken))
     assert float(before.sel(surface="shelf").min()) > 0.7 * weight

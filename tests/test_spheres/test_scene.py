@@ -93,7 +93,7 @@ def test_the_meter_counts_spheres_at_the_outlet(cube, small):
 
 
 def test_snapshots_and_events(cube):
-    assert cube.event_action.values.tolist() == ["rest: open", "after: stop"]
+    assert cube.event_action.values.tolist() == ["rest: open_outlet", "after: stop"]
     there = np.isfinite(cube.grain_x.values).sum(axis=1)
     assert 60 < there[0] < 90  # 1500 a second, after 0.05 s
     assert there[1] == 150
