@@ -24,6 +24,8 @@ def where_known(model: type[BaseModel], loc: Sequence[Any], path: Sequence[str],
     if others and (not mine or any(here in places for places in others.values())):
         places = next(iter(others.values()))
         told = "" if here in places else f", as {above}{min(places, key=lambda place: place.count('*'))}"
+        if choice is None and len(mine) == 1 and "*" not in mine[0]:  # a list's parts have keys of their own
+            name, told = f"{above}{here}", f", here it is {above}{mine[0]}"
         return f"; {choice or name} is of scenes of {' and '.join(others)}{' alone' * (len(others) == 1)}{told}"
     return f"; {name} is known as {above}{mine[0]}" if choice is None and len(mine) == 1 else ""
 

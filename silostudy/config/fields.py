@@ -2,7 +2,7 @@
 
 from functools import reduce
 from operator import or_
-from typing import Annotated, Any, Literal
+from typing import Annotated, Any, Literal, get_args
 
 import numpy as np
 from pydantic import BaseModel, ConfigDict, Field, create_model, model_validator
@@ -32,6 +32,20 @@ class Strict(BaseModel):
     """A frozen model that refuses unknown keys."""
 
     model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)
+
+    @model_validator(mode="before")
+    @classmethod
+    def _no_switch_for_a_number(cls, content: Any) -> Any:
+        """Refuse true and false where a number is asked for, which they would be taken as: 1 and 0."""
+        for name, value in content.items() if isinstance(content, dict) else ():
+            if isinstance(value, bool) and name in cls.model_fields and numeric(cls.model_fields[name].annotation):
+                raise KeyMistake(name, "must be a number")
+        return content
+
+
+def numeric(annotation: Any) -> bool:
+    """Whether a type is one of numbers, or of them or none."""
+    return bool({int, float} & {annotation, *get_args(annotation)}) and bool not in get_args(annotation)
 
 
 def described(text: str, unit: str = "1", **constraints):

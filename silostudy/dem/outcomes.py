@@ -30,7 +30,7 @@ class Looks:
 @dataclass(frozen=True, kw_only=True)
 class Outcome(Entry):
     """Quantity of a run. find(looks, **arguments) -> the number, NaN where the run did not show it; of_snapshots, of_windows:
-    whether it is seen on snapshots, or in windows of wall forces.
+    whether it is seen on snapshots, or in windows of wall forces; of_outflow: whether it is one of what leaves.
 
     unit: of the number; suffix: of the names of its fields in a scene, and of its attributes in a cube; grains: of which it
     is the quantity.
@@ -42,6 +42,7 @@ class Outcome(Entry):
     asks: tuple[PackingField, ...]
     of_snapshots: bool = False
     of_windows: bool = False
+    of_outflow: bool = False
     grains: tuple[str, ...] = ("discs", "spheres")
 
 
@@ -120,6 +121,7 @@ OUTCOMES: Family[Outcome] = Family(
             unit="kg s-1",
             find=steady_outflow,
             asks=_published("kg_s", "kg s-1"),
+            of_outflow=True,
         ),
         Outcome(
             key="discharged-mass",
@@ -128,6 +130,7 @@ OUTCOMES: Family[Outcome] = Family(
             unit="kg",
             find=mass_out,
             asks=_published("kg", "kg"),
+            of_outflow=True,
         ),
         Outcome(
             key="wall-load",

@@ -41,7 +41,7 @@ def loose(silo, radii, random):
     for z in np.arange(1.05 * largest, silo.top - largest, pitch):
         low, high = silo.outline(z).box
         if (across := float(np.prod((high - low) / pitch))) > MOST:
-            allowed = f"at most {MOST:g} spheres have room in a layer, not {across:.2g} of {2e3 * largest:g} mm"
+            allowed = f"a layer of spheres of {2e3 * largest:g} mm would hold {across:.2g} of them, at most {MOST:g} can be"
             raise BadInput("silo", f"{high[0] - low[0]:g} m wide", allowed)
         x, y = (
             axis.ravel()

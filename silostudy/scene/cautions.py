@@ -6,6 +6,7 @@ from typing import Any
 
 from pydantic import BaseModel
 
+from silostudy.dem.outcomes import OUTCOMES
 from silostudy.scene.laboratory_cell_discs import DiscCase
 from silostudy.tables.ranges import PLAUSIBLE
 
@@ -79,12 +80,25 @@ def opened_again(scene: Any) -> Iterator[str]:
 
 
 def early_shares(scene: Any) -> Iterator[str]:
-    """A caution for an event that waits for a share discharged before any event lets grains out."""
+    """A caution for each event that waits for a share discharged, and number expected of it, where nothing lets grains out."""
+    if scene.start_from:
+        return
+    lets_out = [event.do in LETS_OUT for event in scene.events]
     for number, event in enumerate(scene.events):
-        if event.do in LETS_OUT:
-            return
-        if event.when == "discharged" and not scene.start_from:
+        if event.when == "discharged" and not any(lets_out[:number]):
             yield f"events.{number} waits for a share discharged, and no event before it lets grains out"
+    for number, asked in enumerate(scene.expected):
+        if OUTCOMES[asked.kind].of_outflow and not any(lets_out):
+            yield f"expected.{number}.kind = {asked.kind}: no event lets grains out"
+
+
+def upward(scene: Any) -> Iterator[str]:
+    """A caution for gravity that pulls grains up, of a scene whose silo's top is open."""
+    told = {"gravity_m_s2": scene.gravity_m_s2}
+    told |= {f"events.{k}.gravity_m_s2": event.gravity_m_s2 for k, event in enumerate(scene.events)}
+    for key, gravity in told.items():
+        if gravity and gravity[-1] > 0.0:
+            yield f"{key} points up: grains fall out of a silo whose top is open"
 
 
 def narrow_cell(case: Any) -> Iterator[str]:

@@ -5,12 +5,12 @@ from typing import Any
 
 from silostudy.config.spheres import SphereScene
 from silostudy.dem.model import Model
-from silostudy.scene.cautions import early_shares, high_frictions, late_events, opened_again, unit_slips
+from silostudy.scene.cautions import early_shares, high_frictions, late_events, opened_again, unit_slips, upward
 from silostudy.scene.clinging import deep_pulls
 from silostudy.scene.dem import plane_silo_of
 from silostudy.scene.idle import powerless, untaken
 from silostudy.scene.outflow import narrow
-from silostudy.scene.raining import rain_warnings
+from silostudy.scene.raining import rain_warnings, spread
 from silostudy.scene.spheres import space_silo_of
 
 INTERVALS = ("wall_force_window_s", "snapshots_every_s", "checkpoint_every_s")  # of a record
@@ -22,19 +22,25 @@ def notes(scene: Any, model: Model) -> list[str]:
     silo: Any = space_silo_of(scene) if isinstance(scene, SphereScene) else plane_silo_of(scene)
     warned = [*unit_slips(scene), *narrow(silo.outlet_widths, 2.0 * float(model.radius.max()), model.space.body)]
     if isinstance(scene, SphereScene):
-        warned += rain_warnings(scene, silo, model)
+        warned += [*rain_warnings(scene, silo, model), *spread(scene)]
     kinds = tuple(scene.grain_kinds) if hasattr(scene, "grain_kinds") else scene.kinds
     told = (
         high_frictions(scene),
         late_events(scene),
         opened_again(scene),
         early_shares(scene),
+        () if lidded(scene) else upward(scene),
         untaken(scene),
         powerless(model, kinds),
         deep_pulls(model, kinds),
     )
     lines = [f"note: {text}" for texts in (*told, short_records(scene, model)) for text in texts]
     return lines + [f"warning: {text}" for text in warned]
+
+
+def lidded(scene: Any) -> bool:
+    """Whether a lid closes the top of a scene's silo."""
+    return bool(scene.lid if isinstance(scene, SphereScene) else scene.silo.lid)
 
 
 def short_records(scene: Any, model: Model) -> Iterator[str]:

@@ -1,4 +1,4 @@
-"""Warnings on the rain of a scene of spheres: more of them than fit, faster than they find room, a stream that is cut."""
+"""Warnings on how a scene of spheres is filled: a rain too much, too fast, beside the silo or too long, a heap without rain."""
 
 from collections.abc import Iterator
 
@@ -26,6 +26,7 @@ def rain_warnings(scene: SphereScene, space: SpaceSilo, model: Model) -> Iterato
         yield from too_many(scene, space.volume_below(height), model.radius)
         yield from too_fast(scene, space.outline(height).area, model)
         yield from past_the_wall(scene, space.outline(height))
+        yield from cut_short(scene, len(model.radius))
 
 
 def flows_meanwhile(scene: SphereScene) -> bool:
@@ -74,3 +75,22 @@ def past_the_wall(scene: SphereScene, outline: Outline) -> Iterator[str]:
     width, aside = scene.filling.width_m, scene.silo.filling_eccentricity_m
     if aside and width and (out := -float(outline.inset(aside + width / 2.0, 0.0))) > 1e-9 * width:
         yield f"filling.width_m = {width:g}: the stream reaches {out:.3g} m past the wall, which cuts it"
+
+
+def cut_short(scene: SphereScene, count: int) -> Iterator[str]:
+    """A warning where the run ends at a time that is known before the last sphere comes in."""
+    last, end = (count - 1) / scene.filling.rate_1_s, 0.0
+    for event in scene.events:
+        end = max(end, event.value) if event.when == "time" else end + event.value
+    told = f"events.{len(scene.events) - 1} stops"
+    if any(event.when not in ("time", "after") or event.of_lid for event in scene.events) or end > scene.march.limit_s:
+        told, end = "march.limit_s ends", scene.march.limit_s
+    if end < last:
+        yield f"filling.rate_1_s = {scene.filling.rate_1_s:g}: the last sphere comes in at {last:.4g} s, {told} it at {end:g} s"
+
+
+def spread(scene: SphereScene) -> Iterator[str]:
+    """A warning on an eccentric filling whose grains are there from the start, all over the silo."""
+    row, aside = FILLINGS[scene.filling.kind], scene.silo.filling_eccentricity_m
+    if aside and not (row.rains or row.from_file or scene.start_from):
+        yield f"silo.filling_eccentricity_m = {aside:g}: a filling {row.key} begins all over the silo, without a heap"

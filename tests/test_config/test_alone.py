@@ -29,6 +29,7 @@ def events(do, **given):
             "spring-slider-implicit is of scenes of discs alone, as discs.tangential",
         ),
         (spheres_of, {"silo__wedge": True}, "wedge is known as wedge"),
+        (spheres_of, {"silo__lid": True}, "silo.lid is of scenes of discs alone, here it is lid"),
         (discs_of, events("take_away"), "take_away is of scenes of spheres alone"),
         (discs_of, {"packing": {"kind": "rain"}}, "rain is of scenes of spheres alone, as filling.kind"),
         (discs_of, {"sizes": {"kind": "normal"}}, "sizes is of scenes of spheres alone"),

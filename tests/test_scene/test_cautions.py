@@ -1,6 +1,7 @@
 """Cautions on grains: `check` notes frictions beyond what is known and cells too narrow for their test, and refuses none."""
 
 from math import pi
+from pathlib import Path
 
 import pytest
 import xarray as xr
@@ -219,6 +220,30 @@ def test_a_share_discharged_before_anything_is_let_out_is_noted(first, count, tm
     events = [{"when": "time", "value": 0.05, "do": first, **given}, {"when": "discharged", "value": 0.5, "do": "stop"}]
     found = notes(tmp_path / "bin.yaml", bin_of_spheres(events=events), capsys)
     assert found == ["note: events.1 waits for a share discharged, and no event before it lets grains out"] * count
+
+
+@pytest.mark.parametrize(("do", "count"), [("open_outlet", 0), ("lower_lid", 1)])
+def test_a_number_expected_of_what_leaves_is_noted_where_nothing_does(do, count, tmp_path, capsys):
+    asked = {"kind": "discharged-mass", "value_kg": 1.0, "tolerance_kg": 0.1, "source": "hand", "locator": "none"}
+    events = [{"when": "time", "value": 0.3, "do": do}, {"when": "after", "value": 0.1, "do": "stop"}]
+    found = notes(tmp_path / "bin.yaml", bin_of_spheres(events=events, expected=[asked], lid=True), capsys)
+    assert found == ["note: expected.0.kind = discharged-mass: no event lets grains out"] * count
+
+
+@pytest.mark.parametrize(("lid", "count"), [(False, 1), (True, 0)])
+def test_gravity_that_points_up_is_noted_of_an_open_silo(lid, count, tmp_path, capsys):
+    up = {"when": "time", "value": 0.3, "do": "set_gravity", "gravity_m_s2": [0.0, 0.0, 9.81]}
+    content = bin_of_spheres(events=[up, {"when": "after", "value": 0.1, "do": "stop"}], lid=lid)
+    told = "note: events.0.gravity_m_s2 points up: grains fall out of a silo whose top is open"
+    assert notes(tmp_path / "bin.yaml", content, capsys) == [told] * count
+
+
+@pytest.mark.parametrize(("filling", "count"), [({"kind": "loose", "count": 60}, 1), ({}, 0)])
+def test_an_eccentric_filling_that_does_not_rain_is_warned_of(filling, count, capsys):
+    aside = {"filling": filling} if filling else {"filling__width_m": 0.02, "filling__rate_1_s": 100}
+    scene = spheres_of(silo__filling_eccentricity_m=0.01, **aside)
+    told = "warning: silo.filling_eccentricity_m = 0.01: a filling loose begins all over the silo, without a heap"
+    assert [line for line in all_notes(scene, scene_model(scene, Path())) if "eccentricity" in line] == [told] * count
 
 
 @pytest.mark.parametrize("work", [0.05, 1.0, 50.0])

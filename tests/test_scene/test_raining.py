@@ -9,8 +9,10 @@ from silostudy.__main__ import main
 from silostudy.scene.raining import too_fast
 from tests.test_spheres.small import carried, content, scene_of
 
-ASIDE = {"filling__width_m": 0.02, "filling__rate_1_s": 100, "silo__filling_eccentricity_m": 0.02}
+ASIDE = {"filling__count": 60, "filling__width_m": 0.02, "filling__rate_1_s": 100, "silo__filling_eccentricity_m": 0.02}
 OPEN = [{"when": "time", "value": 0.05, "do": "open_outlet"}, {"when": "after", "value": 0.15, "do": "stop"}]
+FLOWS = [OPEN[0], {"when": "after", "value": 0.7, "do": "stop"}]
+REST = [{"when": "rest", "do": "stop"}]
 
 
 @pytest.mark.parametrize(
@@ -18,7 +20,7 @@ OPEN = [{"when": "time", "value": 0.05, "do": "open_outlet"}, {"when": "after", 
     [
         ({"filling__count": 640}, "filling.count = 640: fills 0.562 of the room below the plane of the rain, and grains that"),
         ({"filling__count": 600}, ""),
-        ({"filling__count": 2000, "events": OPEN}, ""),
+        ({"filling__count": 2000, "filling__rate_1_s": 3000, "events": FLOWS}, ""),
         ({"filling__rate_1_s": 1e7}, "filling.rate_1_s = 1e+07: at most about 3.99e+03 of these spheres a second find room"),
         ({"filling__rate_1_s": 3000}, ""),
         ({"filling__rate_1_s": 1e7, "filling__count": 20}, ""),
@@ -27,11 +29,15 @@ OPEN = [{"when": "time", "value": 0.05, "do": "open_outlet"}, {"when": "after", 
             "filling.width_m = 0.03: the stream reaches 0.005 m past the wall, which cuts it",
         ),
         (ASIDE, ""),
+        ({"filling__rate_1_s": 100, "events": OPEN},
+         "filling.rate_1_s = 100: the last sphere comes in at 1.49 s, events.1 stops it at 0.2 s"),
+        ({"filling__rate_1_s": 100},
+         "filling.rate_1_s = 100: the last sphere comes in at 1.49 s, march.limit_s ends it at 1 s"),
         ({"silo": {"plan": "square", "width_m": 0.06, "cylinder_depth_m": 0.1}, **ASIDE, "filling__width_m": 0.03,
-          "events": OPEN[1:], "record": {}}, "filling.width_m = 0.03: the stream reaches 0.005 m past the wall"),
+          "events": REST, "record": {}}, "filling.width_m = 0.03: the stream reaches 0.005 m past the wall"),
     ],
     ids=["too many", "not so many", "many, and flowing", "too fast", "not so fast", "all in one layer", "past the wall",
-         "at the wall", "past a flat wall"],
+         "at the wall", "stopped before", "ended before", "past a flat wall"],
 )  # fmt: skip
 def test_a_rain_that_cannot_be_is_warned_of(changes, told, tmp_path, capsys):
     path = tmp_path / "bin.yaml"

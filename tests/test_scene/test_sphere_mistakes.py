@@ -18,7 +18,7 @@ WIDE = {"silo__diameter_m": 60.0, "silo__hopper": None, "filling": {"kind": "loo
     [
         ({"events": TAKEN}, r"events\.0\.surfaces = 'wall': the scene has no inserts to take away"),
         ({"inserts": [RING]}, r"the radius of its hole must be less than its own, 0\.01 m"),
-        (WIDE, r"silo = '60 m wide': at most 2e\+07 spheres have room in a layer, not 5\.1e\+07 of 8 mm"),
+        (WIDE, r"silo = '60 m wide': a layer of spheres of 8 mm would hold 5\.1e\+07 of them, at most 2e\+07 can be"),
     ],
     ids=["no inserts", "hole wider than its ring", "metres for millimetres"],
 )
@@ -26,3 +26,9 @@ def test_it_is_told(changes, told):
     scene = scene_of(**changes)
     with pytest.raises(BadInput, match=told):
         run_of(scene, scene_model(scene, Path(), "small.yaml"))
+
+
+@pytest.mark.parametrize(("key", "section"), [("seed", {"seed": True}), ("filling.count", {"filling__count": False})])
+def test_a_switch_is_no_number(key, section):
+    with pytest.raises(BadInput, match=rf"{key} = (True|False): must be a number"):
+        scene_of(**section)
