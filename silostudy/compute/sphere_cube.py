@@ -1,5 +1,6 @@
 """The cube of everything that the run of a scene of spheres recorded."""
 
+from collections.abc import Mapping
 from math import nan
 
 import numpy as np
@@ -12,6 +13,7 @@ from silostudy.dem.model import Model
 from silostudy.dem.run import Run
 from silostudy.dem.space.cells import Face, areas, cuts, faces, middles
 from silostudy.dem.space.felt import TORQUE
+from silostudy.dem.space.level import Outline
 from silostudy.scene.space_silo import LID, SpaceSilo
 from silostudy.scene.spheres import space_silo_of
 
@@ -31,8 +33,19 @@ def sphere_arrays(run: Run, scene: SphereScene) -> dict[str, np.ndarray]:
     if model.kind is not None:
         data |= {"grain_kind": np.asarray(model.kind, np.int32)}
     space = space_silo_of(scene)
-    spans = {name: opening.chord for name, opening in space.openings.items()} if scene.outlets else {}
-    return data | _windows(run) | _snapshots(run) | outlet_arrays(run, widths(space), spans) | insert_arrays(scene)
+    named = space.openings if scene.outlets else {}
+    spans = {name: opening.chord for name, opening in named.items()}
+    outlets = outlet_arrays(run, widths(space), spans) | outlet_places(named)
+    return data | _windows(run) | _snapshots(run) | outlets | insert_arrays(scene)
+
+
+def outlet_places(openings: Mapping[str, Outline]) -> dict[str, np.ndarray]:
+    """Middles and widths (m) along x and y of outlets with names."""
+    if not openings:
+        return {}
+    middles, halves = (np.array([getattr(opening, name) for opening in openings.values()]).T for name in ("middle", "half"))
+    named = {"outlet_x": middles[0], "outlet_y": middles[1]}
+    return named | {"outlet_width_x": 2.0 * halves[0], "outlet_width_y": 2.0 * halves[1]}
 
 
 def sphere_notes(scene: SphereScene, run: Run) -> dict[str, float | str]:

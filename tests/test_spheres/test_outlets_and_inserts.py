@@ -36,6 +36,8 @@ def test_outlets_open_by_name_and_each_has_its_meter(two):
     slot, later, _ = two.event_time.values
     assert two.event_action.values.tolist()[:2] == ["rest: open_outlet slot", "after: open_outlet round"]
     assert two.outlet_opened.sel(outlet=["slot", "round"]).values.tolist() == [slot, later]
+    places = [two[f"outlet_{name}"].values.tolist() for name in ("x", "y", "width_x", "width_y")]
+    assert places == [[0.02, -0.018], [0.0, 0.0], [0.034, 0.03], [0.034, 0.04]]
     assert np.allclose(two.outlet_outflow_mass.sum("outlet"), two.outflow_mass, rtol=1e-12)
     through = two.outlet_outflow_mass.sel(outlet="round")
     assert float(through.where(two.outflow_time < later).max()) == 0.0
