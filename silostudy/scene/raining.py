@@ -10,6 +10,7 @@ from silostudy.dem.run import CHECK_EVERY
 from silostudy.dem.space.level import Outline
 from silostudy.packing.filling import FILLINGS
 from silostudy.scene.cautions import LETS_OUT
+from silostudy.scene.costs import duration
 from silostudy.scene.space_silo import SpaceSilo
 from silostudy.scene.spheres import plane_of_rain
 
@@ -79,12 +80,9 @@ def past_the_wall(scene: SphereScene, outline: Outline) -> Iterator[str]:
 
 def cut_short(scene: SphereScene, count: int) -> Iterator[str]:
     """A warning where the run ends at a time that is known before the last sphere comes in."""
-    last, end = (count - 1) / scene.filling.rate_1_s, 0.0
-    for event in scene.events:
-        end = max(end, event.value) if event.when == "time" else end + event.value
-    told = f"events.{len(scene.events) - 1} stops"
-    if any(event.when not in ("time", "after") or event.of_lid for event in scene.events) or end > scene.march.limit_s:
-        told, end = "march.limit_s ends", scene.march.limit_s
+    waits = any(event.of_lid for event in scene.events)  # a lid does, until all have come in
+    last, end = (count - 1) / scene.filling.rate_1_s, scene.march.limit_s if waits else duration(scene)
+    told = f"events.{len(scene.events) - 1} stops" if end < scene.march.limit_s else "march.limit_s ends"
     if end < last:
         yield f"filling.rate_1_s = {scene.filling.rate_1_s:g}: the last sphere comes in at {last:.4g} s, {told} it at {end:g} s"
 
