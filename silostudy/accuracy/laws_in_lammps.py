@@ -78,8 +78,8 @@ def _of_touch(touch: TouchConfig, material: Material, radius: float, mass: float
         "restitution": told_where_cut(touch.restitution) if way.cut else touch.restitution,
         "friction": touch.sliding_friction, "rolling_friction": said.get("rolling_friction"),
         # moments over the radius are forces, and angles times it are ways
-        "rolling_stiffness": (said.get("rolling_stiffness_N") or 0.0) / radius**2,
-        "rolling_damping": (said.get("rolling_damping_N_s") or 0.0) / radius**2,
+        "rolling_stiffness": (said.get("rolling_stiffness_N_m") or 0.0) / radius**2,
+        "rolling_damping": (said.get("rolling_damping_N_m_s") or 0.0) / radius**2,
     }  # fmt: skip
     damping = way.damping
     if adhesion := said.get("work_of_adhesion_J_m2"):

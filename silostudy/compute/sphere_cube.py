@@ -61,7 +61,7 @@ def sphere_notes(scene: SphereScene, run: Run) -> dict[str, float | str]:
         "top_height_m": space.top,
         "hydraulic_radius_m": space.silo.hydraulic_radius,
         "plan_area_m2": space.silo.area,
-        "gravity_m_s2": -scene.gravity_m_s2[2],
+        **{f"gravity_{way}_m_s2": pull for way, pull in zip("xyz", scene.gravity_m_s2, strict=True)},
         **({"grain_kinds": ", ".join(scene.grain_kinds)} if scene.other_grains else {}),
     }
 

@@ -88,7 +88,7 @@ class MovingEvent(Waiting):
 
     @property
     def said(self) -> str:
-        """What it does, on what and with which values, in the words of the scene."""
+        """Words of the scene on what it does, on what, and with which values."""
         on = [text_of(value, ", ") for name, value in self.given.items() if name in ABOUT]
         values = [f"{name} {text_of(value, ' ')}" for name, value in self.given.items() if name not in ABOUT]
         return " ".join([self.do, *on]) + (f": {', '.join(values)}" if values else "")

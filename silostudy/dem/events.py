@@ -78,7 +78,7 @@ class Event:
         return f"{self.trigger}{value}: {self.told()}"
 
     def told(self, on: str = "") -> str:
-        """What it does, on what and with which values, in words; on: what it found there, where that is known by then."""
+        """Words on what it does, on what, and with which values; on: what it found there, where that is known by then."""
         does, _, values = (self.said or self.action).partition(": ")
         if on and self.said:
             does = f"{does.partition(' ')[0]} {on}"

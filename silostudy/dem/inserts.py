@@ -29,7 +29,9 @@ def line(name: str, ends: tuple[Pair, Pair]) -> Wall:
     return Wall(name, start, end, faces=2)
 
 
-NAME = PackingField(name="name", argument="name", text="name that its forces are recorded under", unit="", kind=str)
+NAME = PackingField(
+    name="name", argument="name", text="name that its forces are recorded under", unit="", kind=str, bounds={"min_length": 1}
+)
 LINES: Family[Insert] = Family(
     "insert",
     [

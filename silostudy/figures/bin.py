@@ -95,7 +95,7 @@ def phases(cube: xr.Dataset) -> pd.DataFrame:
 def before(cube: xr.Dataset) -> str:
     """Words on the window before an outlet opens: while grains flow already or surfaces turn, as of a drum, or at rest.
 
-    At rest is what an event waited for; of what was not waited for, only the moment is said.
+    At rest is what the last event until then waited for; of what was not waited for, only the moment is said.
     """
     if open_before(cube).any():
         return FLOWING
@@ -105,7 +105,7 @@ def before(cube: xr.Dataset) -> str:
         if cube["surface_spin"].values[last].any():
             return TURNING
     happened = cube["event_action"].values[cube["event_time"].values <= opened]
-    if any(str(action).startswith("rest: ") for action in happened):
+    if any(str(action).startswith("rest: ") for action in happened[-1:]):
         return REST
     return f"before {opening(cube)}" if np.isfinite(opened) else AT_END
 
@@ -140,7 +140,7 @@ def column(cube: xr.Dataset, cells: pd.DataFrame) -> Column | None:
     if not len(shots) or not len(above):
         return None
     low, area, radius = (float(cube.attrs[name]) for name in ("transition_height_m", "plan_area_m2", "hydraulic_radius_m"))
-    z, weight = cube["grain_z"].values[shots[-1]], cube["grain_mass"].values * float(cube.attrs["gravity_m_s2"])
+    z, weight = cube["grain_z"].values[shots[-1]], -cube["grain_mass"].values * float(cube.attrs["gravity_z_m_s2"])
     surface, unit_weight = levelled(z, weight, low, area)
     if np.isnan(surface):
         return None

@@ -59,9 +59,18 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
     headline(figure, _message(cube, cells, before))
     cut = " Inserts as the slice through the axis cuts them, on both sides of it." if "insert_x" in cube else ""
     fade = f"Within {_reach(cube):.1f} cm of walls and surface the kernel reaches beyond them: fields fade.{cut}"
-    foot(figure, f"{cube.attrs['title']}{f'; {bins.EARLY_WORDS}' if flows else ''}.", fade)
+    foot(figure, f"{cube.attrs['title']}{f'; {bins.EARLY_WORDS}{_readings(cube)}' if flows else ''}.", fade)
     _close_up(figure, panels)
     save(figure, cells, stem)
+
+
+def _readings(cube: xr.Dataset) -> str:
+    """Words on which readings of the fields are in discharge: how many, and when."""
+    time = cube["field_time"].values
+    times = time[bins.in_discharge(cube, time > bins.opened_at(cube), time)]
+    if len(times) == 1:
+        return f", one reading alone, {times[0] - bins.opened_at(cube):.2g} s after it opened"
+    return f", the mean of {len(times)} readings from {times[0]:.3g} to {times[-1]:.3g} s"
 
 
 def _close_up(figure: Figure, panels: np.ndarray) -> None:

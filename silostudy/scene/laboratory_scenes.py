@@ -164,7 +164,7 @@ def plate(case: LaboratoryCase) -> TouchConfig:
     Where the wall has none, or one without a spring, that law is put in its place with the same rolling friction.
     """
     walls = case.config.walls
-    law, spring = walls.laws["rolling"], spring_slider.STIFFNESS.field
+    law, spring = walls.laws["rolling"], spring_slider.STIFFNESS.of_spheres.field
     holds = law.stores and spring_slider.FRICTION in law.coefficients
     values = walls.model_dump()
     stiffness = values.get(spring) or STIFF * case.modulus * float(case.radii.mean()) ** 3

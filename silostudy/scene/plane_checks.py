@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from silostudy.dem.joints import CLOSE
+from silostudy.dem.walls import faces
 from silostudy.errors import BadInput
 
 if TYPE_CHECKING:
@@ -38,9 +39,11 @@ def require_lines(silo: PlaneSilo) -> None:
     walls = list(replace(silo, inserts=()).walls())
     parts = {wall.name.partition("_")[0] for wall in walls}
     for number, insert in enumerate(silo.inserts):
-        names = [wall.name for wall in walls]
+        names = [name for name, _ in faces(walls)]
         if insert.name in names or insert.name.partition("_")[0] in parts:
             raise BadInput(f"inserts.{number}.name", insert.name, f"is taken; taken by then: {', '.join(names)}")
+        if taken := [name for name, _ in faces([insert]) if name in names]:
+            raise BadInput(f"inserts.{number}.name", insert.name, f"has a back recorded as {taken[0]}, which is taken")
         for wall in walls:
             if (shared := shared_length(wall, insert)) > 0.0:
                 raise BadInput(f"inserts.{number}", insert.name, f"lies on {wall.name} along {shared:.4g} m: both would push")

@@ -7,6 +7,7 @@ from itertools import combinations
 from math import atan2, degrees, pi, radians
 from typing import TYPE_CHECKING
 
+from silostudy.dem.space.cells import faces
 from silostudy.dem.space.joints import ends, flat_joints
 from silostudy.dem.space.level import Outline
 from silostudy.dem.space.rows import CIRCLE, RECTANGLE
@@ -138,7 +139,11 @@ def require_inserts(space: SpaceSilo) -> None:
         field = f"inserts.{number}"
         if insert.name in named or insert.name.partition("_")[0] in parts:
             raise BadInput(f"{field}.name", insert.name, f"is taken; taken by then: {', '.join(named)}")
-        named.append(insert.name)
+        own = [face.name for face in faces((insert,), "")]
+        if taken := [name for name in own if name in named]:
+            told = f"has a back recorded as {taken[0]}, which is taken"
+            raise BadInput(f"{field}.name", insert.name, told)
+        named += own
         for z, outline in brims(insert):
             inside = space.outline(z)
             (x, y), (mx, my) = outline.middle, inside.middle

@@ -93,7 +93,8 @@ def test_a_users_own_file_is_listed_explained_and_compared(capsys, tmp_path):
 
 def test_a_law_is_explained_in_every_family_that_has_its_key(capsys):
     told = said(capsys, "explain", "spring-slider")
-    assert "rolling_stiffness (N), zero or more: from rolling_stiffness_N" in told
+    assert "rolling_stiffness (N), zero or more: from rolling_stiffness_N\n" in told
+    assert "of spheres N m: from rolling_stiffness_N_m\n" in told
     assert "tangential_stiffness (N m-2)" in told
 
 

@@ -68,7 +68,7 @@ def test_a_column_after_janssen_is_found_again():
         {"snapshot_time": ("snapshot", [0.0]), "event_time": ("event", [1.0]), "event_action": ("event", ["rest: open_outlet"]),
          "grain_z": (("snapshot", "grain"), (np.arange(count) + 0.5)[None] / count),
          "grain_mass": ("grain", np.full(count, 8e3 * area / 9.81 / count))},
-        attrs={"transition_height_m": 0.0, "plan_area_m2": area, "hydraulic_radius_m": radius, "gravity_m_s2": 9.81},
+        attrs={"transition_height_m": 0.0, "plan_area_m2": area, "hydraulic_radius_m": radius, "gravity_z_m_s2": -9.81},
     )  # fmt: skip
     cells = pd.DataFrame({"surface": "wall", "height_m": heights, "area_m2": 1.0, "pressure_rest_Pa": pressure,
                           "shear_rest_Pa": 0.3 * pressure})  # fmt: skip
@@ -214,6 +214,8 @@ def test_only_what_was_waited_for_is_said_to_rest(own, told):
     assert before(timed.assign(event_action=("event", ["time: stop"]))) == "at the end"
     assert before(timed.assign(event_action=("event", ["rest: open_outlet"]))) == "at rest"
     assert before(timed.assign(event_action=("event", ["rest: open_outlet"]), event_time=("event", [2.0]))) == "at rest"
+    lifted = ("event", ["rest: lower_lid", "after: move_lid", "after: stop"])
+    assert before(xr.Dataset({"event_time": ("event", [0.5, 0.8, 1.0]), "event_action": lifted})) == "at the end"
 
 
 def timed(cube):

@@ -16,7 +16,7 @@ from tests.conftest import ROOT, with_changes
 
 SHIPPED = ROOT / "config/studies/wheat-laboratory.yaml"
 # a rolling law, without friction, so that tests with it need no kernel of their own
-ROLLING = {"restitution": 0.3, "rolling": "spring-slider", "rolling_stiffness_N": 0.01, "rolling_friction": 0.0}
+ROLLING = {"restitution": 0.3, "rolling": "spring-slider", "rolling_stiffness_N_m": 0.01, "rolling_friction": 0.0}
 CONTENT: dict[str, Any] = {
     "kind": "laboratory",
     "title": "a small laboratory",

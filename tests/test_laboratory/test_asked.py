@@ -98,4 +98,4 @@ def test_a_wall_that_cannot_hold_grains_gets_a_rolling_law_that_can():
         walls = filling(expansion(scene__walls=kept | {"rolling": rolling}).cases[0].scene).walls
         assert walls.laws["rolling"].stores
         assert walls.model_dump()["rolling_friction"] == 0.05
-        assert walls.model_dump()["rolling_stiffness_N"] > 0.0
+        assert walls.model_dump()["rolling_stiffness_N_m"] > 0.0

@@ -150,6 +150,8 @@ CONE = {"plan": "circular", "diameter": 0.2, "wall_depth": 0.1, "hopper": Hopper
          "inserts.1 = 'plate': leaves the silo at x 0, y 0.2, z 0.1 m"),
         (lambda: silo(disc("ring", 0.05, 0.01, 0.0, (0.0, 0.0)), **CONE), "leaves the silo at x 0, y 0, z 0 m"),
         (lambda: silo(HAT, HAT), "inserts.1.name = 'hat': is taken; taken by then: floor, wall, hat"),
+        (lambda: silo(HAT, replace(HAT, name="hat_back")), "inserts.1.name = 'hat_back': is taken"),
+        (lambda: silo(replace(HAT, name="hat_back"), HAT), "1.name = 'hat': has a back recorded as hat_back"),
         (lambda: silo(cylinder("wall", 0.03, (0.1, 0.2), AXIS)), "inserts.0.name = 'wall': is taken"),
         (lambda: silo(cylinder("wall_2", 0.03, (0.1, 0.2), AXIS)), "inserts.0.name = 'wall_2': is taken"),
         (lambda: polygon("plate", (*SQUARE[:3], (0.03, 0.01, 0.1)), "both"), "plate = .* must be convex, its corners in order"),

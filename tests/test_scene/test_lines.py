@@ -58,6 +58,11 @@ WRONG = {
     "one end": ([{**POST, "ends_m": [[0.1, 0.1]]}], "inserts.0.*ends_m"),
     "a silo's name": ([{**POST, "name": "left"}], "inserts.0.name = 'left': is taken; taken by then: floor"),
     "a part's name": ([{**POST, "name": "floor_2"}], "inserts.0.name = 'floor_2': is taken"),
+    "a back's name": ([POST, {**BASE, "name": "post_back"}], "inserts.1.name = 'post_back': is taken"),
+    "a back of that name": (
+        [{**BASE, "name": "post_back"}, POST],
+        "inserts.1.name = 'post': has a back recorded as post_back, which is taken",
+    ),
     "one name twice": ([POST, {**BASE, "name": "post"}], "inserts.1.name = 'post': is taken"),
     "on the floor": ([{**POST, "ends_m": [[0.1, 0.0], [0.3, 0.0]]}], "inserts.0 = 'post': lies on floor along 0.07 m"),
     "on a line": ([BASE, {**POST, "ends_m": [[0.2, -0.1], [0.5, -0.1]]}], "inserts.1 = 'post': lies on base along 0.1 m"),

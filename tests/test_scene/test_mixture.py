@@ -108,7 +108,7 @@ def test_laws_bring_their_fields_to_pairs_and_surfaces():
     rolls = {
         "normal": "hertz-tension",
         "rolling": "spring-slider",
-        "rolling_stiffness_N": 1e-3,
+        "rolling_stiffness_N_m": 1e-3,
         "restitution": 0.3,
         "sliding_friction": 0.5,
     }

@@ -30,6 +30,13 @@ ROW = CohesionLaw(
     law=law,
     energy=energy,
     coefficients=(
-        Coefficient(name="pull", unit="N m-1", fields=(("pull_N_m",),), text="attraction while in touch", default=0.0),
+        Coefficient(
+            name="pull",
+            unit="N m-1",
+            fields=(("pull_N_m",),),
+            in_space=("N", (("pull_N",),)),
+            text="attraction while in touch",
+            default=0.0,
+        ),
     ),
 )

@@ -40,6 +40,7 @@ ROW = RollingLaw(
             name="rolling_damping",
             unit="N s",
             fields=(("rolling_damping_N_s",),),
+            in_space=("N m s", (("rolling_damping_N_m_s",),)),
             text="rotational dashpot",
             default=0.0,
             damping_power=1.0,

@@ -23,6 +23,7 @@ STIFFNESS = Coefficient(
     name="rolling_stiffness",
     unit="N",
     fields=(("rolling_stiffness_N",),),
+    in_space=("N m", (("rolling_stiffness_N_m",),)),
     text="rotational stiffness",
     default=0.0,
     stiffness_power=1.0,
