@@ -28,7 +28,6 @@ from silostudy.scene.sphere_events import sphere_events
 from silostudy.scene.spheres import rain_of, space_silo_of
 from silostudy.scene.spheres_model import sphere_model
 
-CLOSE = 1.0 + 1e-12  # of a number of intervals, which rounding may leave short of a whole one
 STEPPED = {"gravity": "gravity_m_s2", "dt": "march.step_s", "wall_contact": "walls"}  # words of a model -> keys of a scene
 DISC_KEYS = STEPPED | {
     "x": "packing", "y": "packing", "radius": "radius_m", "density": "density_kg_m3", "pair_contact": "discs",
@@ -132,7 +131,7 @@ def _steps_of(scene: AnyScene, dt: float) -> tuple[int, ...]:
     for number, step in enumerate(steps):
         if step in steps[:number]:
             raise BadInput("record.snapshots_s", times[number], f"falls into the same step of {dt:.3g} s as another")
-    further = [round(number * every / dt) for number in range(int(scene.march.limit_s / every * CLOSE) + 1)] if every else ()
+    further = [round(number * every / dt) for number in range(round(scene.march.limit_s / every) + 1)] if every else ()
     return tuple(dict.fromkeys([*steps, *further]))
 
 

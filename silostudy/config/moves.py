@@ -81,10 +81,9 @@ class MovingEvent(Waiting):
     @property
     def given(self) -> dict[str, Any]:
         """Values by key that say on what it acts and how."""
-        values = {name: getattr(self, name) for name in type(self).model_fields if name in self.model_fields_set}
-        return {
-            name: value for name, value in values.items() if name not in ("do", "when", "value") and value not in (None, ())
-        }
+        own = self.model_fields_set - {"do", "when", "value"}
+        values = {name: getattr(self, name) for name in type(self).model_fields if name in own}
+        return {name: value for name, value in values.items() if value not in (None, ())}
 
     @property
     def said(self) -> str:

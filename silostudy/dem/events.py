@@ -80,8 +80,6 @@ class Event:
     def told(self, on: str = "") -> str:
         """Words on what it does, on what, and with which values; on: what it found there, where that is known by then."""
         does, _, values = (self.said or self.action).partition(": ")
-        if on and self.said:
-            does = f"{does.partition(' ')[0]} {on}"
-        elif on:
-            does = f"{does} {on}"
+        if on:
+            does = f"{does.partition(' ')[0] if self.said else does} {on}"
         return f"{does}: {values}" if values else does

@@ -13,6 +13,7 @@ WALLS = ("wall", "hopper")  # surfaces whose names begin so are walls
 EARLY = 0.25  # share of the solid: what figures call discharge ends when so much is out, since an empty bin presses on nothing
 LEVELS = 2  # heights of wall cells that the solid is to stand against at least, for a curve over depth
 SHORT = 0.25  # of the longest window: the mean of a shorter one jumps more than those of the others
+OPENS = ": open_"  # of an event that opens an outlet
 REST = "at rest"
 AT_END = "at the end"
 TURNING = "while surfaces turn"
@@ -22,10 +23,8 @@ EARLY_WORDS = "in discharge: until a quarter of the solid is out"
 
 def opened_at(cube: xr.Dataset) -> float:
     """Time (s) at which the outlet opened; endless where it did not."""
-    opens = [
-        time for time, action in zip(cube["event_time"].values, cube["event_action"].values, strict=True) if "open" in action
-    ]
-    return float(min(opens, default=np.inf))
+    done = zip(cube["event_time"].values, cube["event_action"].values, strict=True)
+    return float(min((time for time, action in done if OPENS in str(action)), default=np.inf))
 
 
 def opening(cube: xr.Dataset) -> str:

@@ -66,11 +66,16 @@ def draw(cube: xr.Dataset, stem: Path) -> None:
 
 def _readings(cube: xr.Dataset) -> str:
     """Words on which readings of the fields are in discharge: how many, and when."""
-    time = cube["field_time"].values
-    times = time[bins.in_discharge(cube, time > bins.opened_at(cube), time)]
+    times = cube["field_time"].values[_flowing(cube)]
     if len(times) == 1:
-        return f", one reading alone, {times[0] - bins.opened_at(cube):.2g} s after it opened"
+        return f", one reading alone, {times[0] - bins.opened_at(cube):.2g} s after the opening"
     return f", the mean of {len(times)} readings from {times[0]:.3g} to {times[-1]:.3g} s"
+
+
+def _flowing(cube: xr.Dataset) -> np.ndarray:
+    """Numbers of the readings of the fields in discharge."""
+    time = cube["field_time"].values
+    return bins.in_discharge(cube, time > bins.opened_at(cube), time)
 
 
 def _close_up(figure: Figure, panels: np.ndarray) -> None:
@@ -97,7 +102,7 @@ def phases(cube: xr.Dataset) -> pd.DataFrame:
     if "field_r" not in cube:
         raise BadInput("record.fields.cells", "three numbers", "must be two, of distance and height, for this figure")
     time, opened, before = cube["field_time"].values, bins.opened_at(cube), bins.before(cube)
-    rest, flow = np.flatnonzero(time <= opened)[-1:], bins.in_discharge(cube, time > opened, time)
+    rest, flow = np.flatnonzero(time <= opened)[-1:], _flowing(cube)
     if not len(rest):
         raise BadInput("record.fields.every_s", float(time[0]), f"must be short enough for a reading {before}")
     tables = [_phase(cube.isel(field_time=rest), before)]

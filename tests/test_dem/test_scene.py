@@ -87,6 +87,14 @@ def test_the_command(tmp_path, capsys):
     assert read(tmp_path / "tiny.nc").attrs["steps"] == 400
 
 
+def test_snapshots_every_so_often_fall_on_the_nearest_steps_to_the_last():
+    """0.007 s is no whole number of steps, and 0.028 s the stop: intervals of rounded steps would leave the last one out."""
+    record = {"snapshots_every_s": 0.007}
+    run = carried(scene_of(events=[{"when": "time", "value": 0.028, "do": "stop"}], record=record, march__step_s=2.3e-5))
+    times = [float(snapshot["time"]) for snapshot in run.recording.snapshots]
+    assert [round(time / 2.3e-5) for time in times] == [0, 304, 609, 913, 1217]
+
+
 def test_an_ensemble_gives_the_bits_of_its_members(tmp_path, capsys):
     """Scenes that run at once give what each gives alone, and differ by their seed."""
     content = SMALL | {"events": [{"when": "time", "value": 0.02, "do": "stop"}], "record": {"snapshots_s": [0.02]}}

@@ -218,6 +218,14 @@ def test_only_what_was_waited_for_is_said_to_rest(own, told):
     assert before(xr.Dataset({"event_time": ("event", [0.5, 0.8, 1.0]), "event_action": lifted})) == "at the end"
 
 
+def test_what_has_open_in_its_name_opens_no_outlet():
+    cube = xr.Dataset(
+        {"event_time": ("event", [0.5, 1.0]), "event_action": ("event", ["rest: take_away opener", "after: stop"])}
+    )
+    assert opened_at(cube) == np.inf
+    assert opened_at(cube.assign(event_action=("event", ["rest: take_away opener", "after: open_slit left"]))) == 1.0
+
+
 def timed(cube):
     """The bin whose outlet opens at a time, whether its solid rests or not."""
     return cube.assign(event_action=("event", [str(what.values).replace("rest:", "time:") for what in cube["event_action"]]))

@@ -5,6 +5,7 @@ import numpy as np
 import pandas as pd
 import pytest
 from matplotlib.collections import LineCollection, QuadMesh
+from matplotlib.text import Text
 
 from silostudy.figures import bin_fields
 from tests.test_figures.small_cubes import bin_cube
@@ -22,6 +23,20 @@ def test_a_solid_within_the_hopper_alone_gives_no_ratio():
     cube = bin_cube()
     low = cube.assign_attrs(transition_height_m=float(cube["field_z"].max()))
     assert "No solid stands" in bin_fields._message(low, bin_fields.phases(low), "at rest")
+
+
+@pytest.mark.parametrize(
+    ("times", "told"),
+    [
+        ([0.02, 0.04, 0.06, 0.08], ", the mean of 2 readings from 0.06 to 0.08 s"),
+        ([0.01, 0.02, 0.04, 0.05], ", one reading alone, 0.01 s after the opening"),
+    ],
+)
+def test_readings_in_discharge_are_told(times, told, tmp_path, monkeypatch):
+    output = figure_of("bin_fields", [bin_cube().assign_coords(field_time=times)], tmp_path, monkeypatch)
+    words = " ".join(text.get_text() for text in output.figure.findobj(Text)).replace("\n", " ")
+    assert f"until a quarter of the solid is out{told}" in words
+    plt.close("all")
 
 
 def test_fields_of_a_low_silo_have_room_for_their_words(tmp_path, monkeypatch):

@@ -9,6 +9,7 @@ from silostudy.__main__ import main
 from silostudy.compute.dem import scene_model
 from silostudy.compute.dem_cube import cube_of
 from silostudy.compute.paraview import export
+from silostudy.compute.sphere_cube import sphere_notes
 from silostudy.cube.io import read, write
 from silostudy.dem.engine import Engine
 from silostudy.dem.rain import delay, pour
@@ -75,6 +76,12 @@ def test_statistics_of_contacts(cube):
     assert float(rest.contact_held_coordination) > float(rest.contact_coordination) - 1e-12
     assert float(rest.contact_sliding) < 0.1 < float(cube.contact_sliding[-1])
     assert 0.0 < float(rest.contact_mean_overlap) < float(rest.contact_deepest_overlap) < 0.05
+
+
+def test_gravity_stands_whole_in_the_cube():
+    scene = scene_of(gravity_m_s2=[-1.0, 0.5, -9.0])
+    notes = sphere_notes(scene, run(scene))
+    assert [notes[f"gravity_{way}_m_s2"] for way in "xyz"] == [-1.0, 0.5, -9.0]
 
 
 def test_the_meter_counts_spheres_at_the_outlet(cube, small):
