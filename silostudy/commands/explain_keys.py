@@ -6,7 +6,7 @@ from typing import Any
 
 def explanation(kind) -> list[str]:
     """The keys of a kind's files, those of a section further in: name, unit, whether it must be given, what it is."""
-    lines = [f"{kind.title} (kind: {kind.key})"]
+    lines = [f"{kind.title} (kind: {kind.key}); of one key alone: silostudy explain KEY"]
     for model in kind.models:
         schema = model.model_json_schema()
         told = [f" {schema['description'].splitlines()[0]}"] if kind.variants else []

@@ -1,8 +1,10 @@
 """Small pieces that every configuration model shares: strict frozen models, units, and lists of values."""
 
+from collections.abc import Iterator
 from functools import reduce
 from operator import or_
-from typing import Annotated, Any, Literal, get_args
+from types import NoneType
+from typing import Annotated, Any, Literal, get_args, get_origin
 
 import numpy as np
 from pydantic import BaseModel, ConfigDict, Field, create_model, model_validator
@@ -35,17 +37,31 @@ class Strict(BaseModel):
 
     @model_validator(mode="before")
     @classmethod
-    def _no_switch_for_a_number(cls, content: Any) -> Any:
-        """Refuse true and false where a number is asked for, which they would be taken as: 1 and 0."""
+    def _switches_are_no_numbers(cls, content: Any) -> Any:
+        """Refuse true and false where numbers are asked for, and numbers where they are, which they would be taken as: 1, 0."""
         for name, value in content.items() if isinstance(content, dict) else ():
-            if isinstance(value, bool) and name in cls.model_fields and numeric(cls.model_fields[name].annotation):
-                raise KeyMistake(name, "must be a number")
+            kinds = kinds_in(cls.model_fields[name].annotation) if name in cls.model_fields else set()
+            if {int, float} & kinds and bool not in kinds:
+                for key in switches(value, name):
+                    raise KeyMistake(key, "must be a number")
+            if kinds in ({bool}, {bool, NoneType}) and isinstance(value, int | float) and not isinstance(value, bool):
+                raise KeyMistake(name, "must be true or false")
         return content
 
 
-def numeric(annotation: Any) -> bool:
-    """Whether a type is one of numbers, or of them or none."""
-    return bool({int, float} & {annotation, *get_args(annotation)}) and bool not in get_args(annotation)
+def kinds_in(annotation: Any) -> set[Any]:
+    """The plain types that a type is of, and those of its items."""
+    parts = get_args(annotation)[:1] if get_origin(annotation) is Annotated else get_args(annotation)
+    return set[Any]().union(*map(kinds_in, parts)) if parts else {annotation}
+
+
+def switches(value: Any, key: str) -> Iterator[str]:
+    """Keys at which a value is true or false, or an item of a list or mapping is."""
+    if isinstance(value, bool):
+        yield key
+    items = enumerate(value) if isinstance(value, list | tuple) else value.items() if isinstance(value, dict) else ()
+    for name, item in items:
+        yield from switches(item, f"{key}.{name}")
 
 
 def described(text: str, unit: str = "1", **constraints):

@@ -1,6 +1,7 @@
 """Reads YAML files into models and turns every mistake into one line: file, key, value, what is allowed."""
 
 from collections.abc import Collection, Mapping, Sequence
+from difflib import get_close_matches
 from pathlib import Path
 from typing import Any, TypeVar
 
@@ -19,6 +20,7 @@ from silostudy.stages import FILE_KINDS, KINDS, borrowed
 from silostudy.tables.units import SUFFIXES
 
 M = TypeVar("M", bound=BaseModel)
+MANY = 12  # names that are listed in full
 
 
 class Project(Strict):
@@ -47,12 +49,20 @@ def read_yaml(path: Path) -> dict[str, Any]:
             content = yaml.load(stream, _NoTwins)
     except FileNotFoundError:
         others = sorted(file.stem for file in path.parent.glob("*.yaml"))
-        raise BadInput("file", str(path), f"is not there; {path.parent} holds {', '.join(others) or 'no YAML files'}") from None
+        raise BadInput("file", str(path), f"is not there; {path.parent} holds {likest(path.stem, others)}") from None
     except Exception as error:  # dates and tags that are none come out of yaml as any error
         raise BadInput("file", str(path), "must be readable YAML: " + " ".join(str(error).split())) from None
     if not isinstance(content, dict):
         raise BadInput("file", str(path), "must hold `key: value` lines")
     return content
+
+
+def likest(name: str, others: Sequence[str]) -> str:
+    """Names of YAML files in words: all of a few, of many those most like a name and how many there are."""
+    if len(others) <= MANY:
+        return ", ".join(others) or "no YAML files"
+    like = get_close_matches(name, others, cutoff=0.5)
+    return f"{len(others)} YAML files" + (f", {', '.join(like)} among them" if like else "")
 
 
 def validated(model: type[M], content: Any, where: str, families: Families | None = None) -> M:

@@ -29,6 +29,7 @@ SOFTEST = 1e-3  # of the largest stiffness: a slow mode
 SAFETY = 0.5  # of the bound, when the engine chooses the step: flow makes contacts that the start does not have
 DENSEST = 0.8  # of the bound of six contacts a disc: the most that a start without contacts will come to
 HOPELESS = 1e-4  # of the step that undamped springs bear with an integrator that keeps their energy
+OVERDAMPED = 0.1  # of what an explicit dashpot alone bears, as the order of it: damping times the bound
 NEAR = 0.05  # of a radius: gaps smaller than this count as contacts, since they close at once
 
 
@@ -93,11 +94,16 @@ def packed_bound(model: Model) -> float:
 
 
 def standing(model: Model, bound: float) -> float:
-    """The bound (s); BadInput where an integrator that feeds energy into undamped springs leaves next to nothing of it."""
-    contacts = _contacts(model, model.space.walls_of(model.walls))
-    plain = 2.0 / sqrt(_extremes(model, contacts, bound, DEEP).stiffness)
+    """The bound (s); BadInput where a dashpot too strong, or an integrator that feeds energy into undamped springs, leaves next
+    to nothing of it."""
+    extremes = _extremes(model, _contacts(model, model.space.walls_of(model.walls)), bound, DEEP)
+    plain = 2.0 / sqrt(extremes.stiffness)
     if bound > HOPELESS * plain:
         return bound
+    if extremes.damping * bound > OVERDAMPED:
+        section, law = _strongest_dashpot(model)
+        allowed = f"its dashpot is too strong: steps are stable up to {bound:.2g} s only, where the springs bear {plain:.2g} s"
+        raise BadInput(section, law, allowed)
     springs = ", ".join(_undamped(model)) or "the least damped contact"
     allowed = f"feeds energy into springs without a dashpot ({springs}): stable up to {bound:.2g} s only; take another, or damp"
     raise BadInput("march.integrator", model.integrator, allowed)
@@ -117,6 +123,18 @@ def _undamped(model: Model) -> list[str]:
         if k.any() and not d.any()
     ]
     return list(dict.fromkeys(undamped))
+
+
+def _strongest_dashpot(model: Model) -> tuple[str, str]:
+    """Which dashpot of lone contacts brings its bodies to rest first: its section and family, and its law."""
+    found = []
+    for contact, body, other in _lone(model):
+        rates = _ways(model, body, other) * [float(np.ravel(one)[0]) for one in damping_of(contact, model, body, other, 0.0)]
+        section = "walls" if other is None else f"{model.space.body}s"
+        rows = zip(("normal", "tangential", "rolling", "twisting"), springs(contact.rows), rates, strict=True)
+        found += [(float(rate), f"{section}.{family}", row.key) for family, row, rate in rows]
+    _, section, law = max(found)
+    return section, law
 
 
 def check_step(model: Model) -> float:
@@ -220,14 +238,21 @@ def _on_lid(model: Model, strengths) -> float:
 
 def _largest(model: Model, contacts: list[tuple], lone: list[tuple], network: Network, close: float, strengths) -> float:
     """Largest eigenvalue (1/s2 or 1/s) of the mass-scaled contacts, or of a lone one."""
-    highest, light = 0.0, model.space.inverse_inertia
-    for contact, i, j in lone:  # two translations and two rotations pull at a tangential spring
-        bodies = np.r_[i, [] if j is None else j].astype(int)
-        turn = light / model.radius[bodies] ** 2
-        ways = (np.array([1.0 + 0.0 * turn, 1.0 + light + 0.0 * turn, turn, turn]) / model.mass[bodies]).sum(axis=1)
-        highest = max(highest, *(ways * np.ravel(strengths(contact, model, i, j))))
+    highest = 0.0
+    for contact, i, j in lone:
+        highest = max(highest, *(_ways(model, i, j) * np.ravel(strengths(contact, model, i, j))))
     strength = np.vstack([_columns(contact, strengths(contact, model, i, j)) for contact, i, j, _ in contacts])
     return max(highest, stiffest(network, strength, close))
+
+
+def _ways(model: Model, i, j) -> np.ndarray:
+    """One over the mass (1/kg) or inertia (1/(kg m2)) that a lone contact's normal, tangential, rolling, twisting spring moves.
+
+    Two translations and two rotations pull at a tangential spring.
+    """
+    bodies, light = np.r_[i, [] if j is None else j].astype(int), model.space.inverse_inertia
+    turn = light / model.radius[bodies] ** 2
+    return (np.array([1.0 + 0.0 * turn, 1.0 + light + 0.0 * turn, turn, turn]) / model.mass[bodies]).sum(axis=1)
 
 
 def _columns(contact, strengths) -> np.ndarray:

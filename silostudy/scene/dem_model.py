@@ -17,6 +17,7 @@ from silostudy.scene.disc_mixture import densities_of_kinds, kinds_of, radii_of_
 from silostudy.scene.lid import check_lid, lid_of, moves
 
 M = TypeVar("M", bound=Model)
+COUNTED = 2.0**53  # steps that can be counted
 SIZES = {"width": "silo.width_m", "radius": "radius_m"}  # arguments of a packing -> keys of a scene
 
 
@@ -74,7 +75,11 @@ def unshaken_scene_model(scene: DemScene, discs, where: str = "") -> Model:
 def stepped(scene: AnyScene, model: M, where: str) -> M:
     """A model with the clock and the pace that its scene asks for."""
     pace = following(scene.march.step_factor or 1.0) if scene.march.step == "follow" else FIXED
-    return replace(model, dt=step_of(scene, model, where) / pace.ticks, pace=pace)
+    step = step_of(scene, model, where)
+    if scene.march.limit_s / step > COUNTED:
+        allowed = f"takes more steps of {step:.3g} s than can be counted, {COUNTED:.2g}"
+        raise BadInput("march.limit_s", scene.march.limit_s, allowed, where)
+    return replace(model, dt=step / pace.ticks, pace=pace)
 
 
 def step_of(scene: AnyScene, model: Model, where: str) -> float:

@@ -12,6 +12,8 @@ from silostudy.scene.idle import powerless, untaken
 from silostudy.scene.outflow import narrow
 from silostudy.scene.raining import rain_warnings, spread
 from silostudy.scene.spheres import space_silo_of
+from silostudy.scene.stiff import shortened_steps
+from silostudy.scene.vain_events import vain_events
 
 INTERVALS = ("wall_force_window_s", "snapshots_every_s", "checkpoint_every_s")  # of a record
 READ = ("fields", "contact_statistics")  # sections of a record that are read every so often
@@ -29,10 +31,12 @@ def notes(scene: Any, model: Model) -> list[str]:
         late_events(scene),
         opened_again(scene),
         early_shares(scene),
+        vain_events(scene, silo.outlet_widths),
         () if lidded(scene) else upward(scene),
         untaken(scene),
         powerless(model, kinds),
         deep_pulls(model, kinds),
+        shortened_steps(model, kinds),
     )
     lines = [f"note: {text}" for texts in (*told, short_records(scene, model)) for text in texts]
     return lines + [f"warning: {text}" for text in warned]

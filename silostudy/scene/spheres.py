@@ -56,7 +56,7 @@ def material_of(config: MaterialConfig) -> Material:
     }
     given = {name: value for name, value in own.items() if value is not None}
     if config.material is None:
-        return Material(key="own", title="as given", source="the scene", locator="the scene", **given)
+        return Material(key="own", title="", source="the scene", locator="the scene", **given)
     return replace(MATERIALS[config.material], **given)
 
 

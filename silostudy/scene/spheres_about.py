@@ -129,7 +129,7 @@ def materials(scene: SphereScene) -> list[str]:
 def _material(name: str, body: Material, density: str = "") -> str:
     source = f"{body.source}, {body.locator}" if body.source != body.locator else body.source
     told = f"E {body.youngs_modulus / MPA:g} MPa, nu {body.poissons_ratio:g}{density}"
-    return f"{name}: {body.title}, {told} ({source})"
+    return f"{name}: {f'{body.title}, ' if body.title else ''}{told} ({source})"
 
 
 def wave_times(scene: SphereScene, model: SphereModel) -> str:

@@ -217,6 +217,22 @@ def test_unreadable_yaml_names_the_file(tmp_path, text):
         read_yaml(path)
 
 
+@pytest.mark.parametrize(
+    ("others", "told"),
+    [
+        (["a", "b"], "holds a, b"),
+        ([], "holds no YAML files"),
+        ([f"wheat-{k}" for k in range(20)], "holds 20 YAML files, wheat-3, "),
+        ([f"silo-{k}" for k in range(20)], r"holds 20 YAML files$"),
+    ],
+)
+def test_a_file_that_is_not_there_is_told_with_the_likest_of_many(others, told, tmp_path):
+    for name in others:
+        (tmp_path / f"{name}.yaml").touch()
+    with pytest.raises(BadInput, match=told):
+        read_yaml(tmp_path / "wheat3.yaml")
+
+
 def test_project_names_only_studies_that_are_there(tmp_path):
     (tmp_path / "studies").mkdir()
     (tmp_path / "config.yaml").write_text("studies: [nowhere]\n")

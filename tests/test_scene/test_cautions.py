@@ -15,6 +15,7 @@ from silostudy.contact.family import Touch
 from silostudy.dem.contacts import Contact
 from silostudy.dem.explosion import Explosion
 from silostudy.dem.pieces import Laws
+from silostudy.errors import BadInput
 from silostudy.scene.cautions import HIGH_FRICTION, late_events, opened_again, unit_slips
 from silostudy.scene.clinging import pulled_in
 from silostudy.scene.idle import untaken
@@ -25,6 +26,15 @@ from tests.conftest import ROOT
 from tests.test_dem.small import scene_of as discs_of
 from tests.test_spheres.small import content as bin_of_spheres
 from tests.test_spheres.small import scene_of as spheres_of
+
+SLIDER = {
+    "spheres__rolling": "spring-dashpot-slider", "spheres__rolling_stiffness_N_m": 1e-3, "spheres__rolling_friction": 0.1,
+}  # fmt: skip
+GATE = {"kind": "disc", "name": "gate", "radius_m": 0.01, "height_m": 0.06}
+
+
+def at(when, value, do="stop"):
+    return {"when": when, "value": value, "do": do}
 
 
 def notes(path, content, capsys):
@@ -63,10 +73,6 @@ def test_a_plane_cell_too_narrow_is_noted(cells, height, count, tmp_path, capsys
     assert len(found) == count
     for cell, note in zip(cells, found, strict=False):
         assert note.startswith(f"note: a cell of {cell} grains by {height}: narrower than 64 grains or 4 heights")
-
-
-def at(when, value, do="stop"):
-    return {"when": when, "value": value, "do": do}
 
 
 @pytest.mark.parametrize(
@@ -196,6 +202,20 @@ def test_an_outlet_that_grows_and_is_opened_again_is_noted(second, told):
         ({"grain__softened_modulus_MPa": 0.001}, "overlap at the foot of "),
         ({"spheres__rolling": "constant-torque", "spheres__rolling_friction": 0.1}, ""),
         ({"spheres__cohesion": "jkr", "spheres__work_of_adhesion_J_m2": 0.1}, ""),
+        (SLIDER | {"spheres__rolling_damping_N_m_s": 1e-3}, "spheres: rolling_damping 0.001 N m s: without it steps could be "),
+        (SLIDER | {"spheres__rolling_damping_N_m_s": 1e-6}, ""),
+        (
+            {"events": [at("time", 0.1, "open_outlet") | {"speed_m_s": 1e-12}, at("after", 0.1)]},
+            "events.0.speed_m_s = 1e-12: 0.04 m take 4e+10 s, and the run ends at march.limit_s = ",
+        ),
+        (
+            {"lid": True, "events": [{"when": "lid_rests", "do": "lower_lid"}, at("after", 0.1)]},
+            "events.0 waits for the lid to rest, and no event before it moves the lid",
+        ),
+        (
+            {"inserts": [GATE], "events": [at("time", 0.1, "take_away") | {"surfaces": ["gate"]}] * 2 + [at("after", 0.1)]},
+            "events.1 takes gate away, which events.0 has done",
+        ),
     ],
 )
 def test_what_does_nothing_or_cannot_be_meant_is_noted(changes, told, tmp_path, capsys):
@@ -298,3 +318,14 @@ def test_an_outlet_too_narrow_for_its_discs_is_warned_of(changes, told):
     scene = discs_of(**changes)
     warned = [line for line in all_notes(scene, scene_model(scene, ROOT)) if line.startswith("warning: ")]
     assert [line.startswith(f"warning: {told}") for line in warned] == [True] * (told is not None)
+
+
+def test_a_dashpot_too_strong_for_any_step_is_refused_by_its_name():
+    told = r"spheres\.rolling = 'spring-dashpot-slider': its dashpot is too strong: steps are stable up to .* s only"
+    with pytest.raises(BadInput, match=told):
+        scene_model(spheres_of(**SLIDER, spheres__rolling_damping_N_m_s=10.0), Path())
+
+
+def test_a_step_that_makes_more_steps_than_can_be_counted_is_refused():
+    with pytest.raises(BadInput, match=r"march\.limit_s = 1\.0: takes more steps of 1e-300 s than can be counted"):
+        scene_model(spheres_of(march__step_s=1e-300), Path())

@@ -28,7 +28,21 @@ def test_it_is_told(changes, told):
         run_of(scene, scene_model(scene, Path(), "small.yaml"))
 
 
-@pytest.mark.parametrize(("key", "section"), [("seed", {"seed": True}), ("filling.count", {"filling__count": False})])
+@pytest.mark.parametrize(
+    ("key", "section"),
+    [
+        ("seed", {"seed": True}),
+        ("filling.count", {"filling__count": False}),
+        ("gravity_m_s2.2", {"gravity_m_s2": [0.0, 0.0, True]}),
+        ("record.fields.cells.0", {"record": {"fields": {"cells": [True, 4], "every_s": 0.1}}}),
+    ],
+)
 def test_a_switch_is_no_number(key, section):
     with pytest.raises(BadInput, match=rf"{key} = (True|False): must be a number"):
+        scene_of(**section)
+
+
+@pytest.mark.parametrize(("key", "section"), [("lid", {"lid": 1}), ("record.energy", {"record__energy": 0.0})])
+def test_a_number_is_no_switch(key, section):
+    with pytest.raises(BadInput, match=rf"{key} = [01.]+: must be true or false"):
         scene_of(**section)
