@@ -4,6 +4,7 @@ import numpy as np
 
 from silostudy.compute.outlet_cube import mean_outflow, passages
 from silostudy.compute.scenes_windows import Numbers, OfFillings, Swept, at_rest_and_largest, by_body
+from silostudy.compute.sphere_cube import downward
 from silostudy.dem.leaving import SPILT
 from silostudy.dem.run import Run
 from silostudy.dem.space.cells import faces
@@ -47,12 +48,12 @@ def felt(run: Run) -> dict[str, np.ndarray]:
     if not (model.watched and record.window):
         missing = np.full((len(record.window), len(BODIES)), np.nan)
         return {"body_normal_force": missing, "body_load": missing}
-    force = np.array(record.window)[:, :, :2, 0]
+    force = np.array(record.window)[:, :, :, 0]
     seen = faces(model.walls, LID)
     lean = np.repeat([face.lean for face in seen], [face.count for face in seen], axis=0)
     return {
         "body_normal_force": by_body(run, force[:, :, 0], BODIES),
-        "body_load": by_body(run, (force * lean).sum(axis=2), BODIES),
+        "body_load": by_body(run, downward(force, lean), BODIES),
     }
 
 

@@ -12,7 +12,7 @@ from silostudy.dem.ledger import ENTRIES
 from silostudy.dem.model import Model
 from silostudy.dem.run import Run
 from silostudy.dem.space.cells import Face, areas, cuts, faces, middles
-from silostudy.dem.space.felt import TORQUE
+from silostudy.dem.space.felt import LOAD, TORQUE
 from silostudy.dem.space.level import Outline
 from silostudy.scene.space_silo import LID, SpaceSilo
 from silostudy.scene.spheres import space_silo_of
@@ -112,15 +112,23 @@ def _felt(force: np.ndarray, whole: np.ndarray, model: Model) -> dict[str, np.nd
             data[f"wall_{name}_force_{what}"] = force[:, :, way, k]
             data[f"wall_{stress}_{what}"] = force[:, :, way, k] / data["wall_cell_area"]
     seen = faces(model.walls, LID)
-    counts, lean = np.array([face.count for face in seen]), np.array([face.lean for face in seen])
+    counts = np.array([face.count for face in seen])
     total = np.add.reduceat(force[:, :, :, 0], np.cumsum(counts) - counts, axis=1)
     data |= {f"surface_{name}_force_mean": total[:, :, way] for way, (name, _) in enumerate(FELT)}
     for way, (name, _) in enumerate(FELT):
         for k, what in enumerate(("min", "max")):
             data[f"surface_{name}_force_{what}"] = whole[:, :, way, k]
-    data |= {"surface_load": (total[:, :, :2] * lean).sum(axis=2)}
+    data |= {"surface_load": downward(total, np.array([face.lean for face in seen]))}
     data |= {"surface_torque": total[:, :, TORQUE]} if model.moving else {}
     return data | {"surface": np.array([face.name for face in seen])} | _sheets(seen)
+
+
+def downward(force: np.ndarray, lean: np.ndarray) -> np.ndarray:
+    """Downward force (N; windows, parts) of forces (N; windows, parts, ways) on parts of surfaces, or whole ones, that lean so.
+
+    Beside an eccentric cone it is recorded; else it follows from the forces across and along each part.
+    """
+    return force[:, :, LOAD] if force.shape[2] > LOAD else (force[:, :, :2] * lean).sum(axis=2)
 
 
 def _sheets(seen: list[Face]) -> dict[str, np.ndarray]:

@@ -26,7 +26,7 @@ class Dimension:
     lanes: tuple[int, int]  # of relative motion
     forces: tuple[int, int]  # lanes of force
     components: int  # of a history
-    felt: tuple[int, int]  # components of what a wall feels, and where walls move
+    felt: Callable  # model -> number of components of what a wall feels
     gather: Callable  # apart -> lanes of the relative motion of pairs, with the difference of their spins or without
     gather_walls: Callable  # moving -> the same of bodies near walls
     scatter: Callable  # apart -> adds forces to pairs, with a torque for each body or the same for both

@@ -106,7 +106,7 @@ class Engine:
 
     @property
     def _felt(self) -> int:
-        return self.space.felt[self.model.moving]
+        return int(self.space.felt(self.model))
 
     @property
     def lid(self) -> int:

@@ -59,19 +59,15 @@ def require_hopper(space: SpaceSilo) -> None:
     if not silo.hopper_height > FLATTEST * silo.diameter:
         allowed = f"the hopper must have a height: an outlet narrower than its top, {silo.diameter:g} m, at {angle:g} degrees"
         raise BadInput("silo.hopper.outlet_width_m", hopper.outlet_width, allowed)
-    if silo.outlet_eccentricity and space.plan.sides == CIRCLE:
-        allowed = (
-            "must be 0: the engine has no surface for the wall of an eccentric cone, however its outlet opens; take a flat "
-            f"floor, or a pyramid of up to {MOST_SIDES} sides (silo.plan: polygonal)"
-        )
-        raise BadInput("silo.outlet_eccentricity_m", silo.outlet_eccentricity, allowed)
     most, opening = (silo.diameter - hopper.outlet_width) / 2, space.opening
     assert opening is not None
     if space.plan.room_for(opening) < -1e-12 * silo.diameter:
         allowed = f"must not be above {most:g} m: the outlet must not leave the floor"
         raise BadInput("silo.outlet_eccentricity_m", silo.outlet_eccentricity, allowed)
-    if 0.0 < (turn := shallowest_joint(space)) < SHALLOWEST:
-        allowed = f"a face of the hopper stands {degrees(turn):.2g} degrees off the wall above it: at least 5, or none at all"
+    turn, round_ = shallowest_joint(space), space.plan.sides == CIRCLE
+    if turn < SHALLOWEST and (round_ or turn > 0.0):  # flat faces may go on in the wall's plane
+        allowed = f"the hopper's wall stands {round(degrees(turn), 6):.2g} degrees off the wall above it: at least 5"
+        allowed += " all around a cone" if round_ else ", or none at all"
         if silo.outlet_eccentricity:
             raise BadInput("silo.outlet_eccentricity_m", silo.outlet_eccentricity, allowed)
         raise BadInput("silo.hopper.half_angle_deg", angle, allowed)
@@ -83,7 +79,7 @@ def shallowest_joint(space: SpaceSilo) -> float:
     assert opening is not None
     high = space.silo.hopper_height
     if plan.sides == CIRCLE:
-        return space.silo.hopper.half_angle if space.silo.hopper else 0.0
+        return atan2(max(plan.room_for(opening), 0.0), high)
     spans = plan.half * 2 if plan.sides == RECTANGLE else plan.half[:1] * plan.sides
     runs = [span - opening.reach(way) for span, way in zip(spans, plan.normals, strict=True)]
     return min((atan2(run, high) for run in runs if run > FLATTEST * space.silo.diameter), default=0.0)

@@ -10,6 +10,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from silostudy.dem.model import FLOOR
+from silostudy.dem.space.cones import EccentricCone
 from silostudy.dem.space.level import Hole, LevelPiece, Outline, gate_of
 from silostudy.dem.space.network import all_from_wall
 from silostudy.dem.space.rows import CIRCLE, RECTANGLE
@@ -181,12 +182,22 @@ def level(name: str, outline: Outline, height: float, cells: tuple[int, int], ho
     return LevelPiece(name=name, height=height, outline=outline, holes=holes, cells=cells)
 
 
+def eccentric_cone(
+    name: str, low: Outline, z: float, high: Outline, top: float, cells: tuple[int, int], joined: tuple[bool, bool]
+) -> EccentricCone:
+    """The surface from one circle to another above it, about another axis."""
+    start, end = (low.half[0], z), (high.half[0], top)
+    return EccentricCone(name=name, start=start, end=end, foot=low.middle, head=high.middle, joined=joined, cells=cells)
+
+
 def sides_between(
     name: str, low: Outline, z: float, high: Outline, top: float, cells: tuple[int, int], below: bool, above: bool
 ) -> tuple[Surface, ...]:
     """The surfaces from one outline to another above it; below, above: whether others are joined to them there."""
     if low.sides == CIRCLE:
         start, end = (low.half[0], z), (high.half[0], top)
+        if low.middle != high.middle:
+            return (eccentric_cone(name, low, z, high, top, cells, (below, above)),)
         return (TurnedLine(name=name, start=start, end=end, joined=(below, above), cells=cells),)
     faces = []
     for k in range(low.sides):

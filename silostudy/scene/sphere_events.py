@@ -110,7 +110,7 @@ def turns_in_place(surface: Surface) -> bool:
     if isinstance(surface, LevelPiece):
         outlines = (surface.outline, *(hole.outline for hole in surface.holes))
         return all(outline.sides == CIRCLE and outline.middle == (0.0, 0.0) for outline in outlines)
-    return isinstance(surface, TurnedLine)
+    return isinstance(surface, TurnedLine) and surface.axis == (0.0, 0.0)
 
 
 def check_turning(scene: SphereScene, space: SpaceSilo, where: str) -> None:

@@ -36,6 +36,8 @@ SPACES = {
     "closed": space(),
     "cone": space(hopper=CONE),
     "cone to its apex": space(hopper=Hopper(half_angle=0.5, outlet_width=0.0)),
+    "eccentric cone": space(hopper=CONE, outlet_eccentricity=0.035),
+    "eccentric cone to its apex": space(hopper=Hopper(half_angle=0.5, outlet_width=0.0), outlet_eccentricity=0.07),
     "hole": space(outlet=Outlet(width=0.08)),
     "eccentric hole": space(outlet=Outlet(width=0.06), outlet_eccentricity=0.05),
     "slot in a circle": space(outlet=Outlet(width=0.05, length=0.1), outlet_eccentricity=0.03),

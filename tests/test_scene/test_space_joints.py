@@ -1,7 +1,7 @@
 """Joints of a silo's surfaces: no jump of the push over them, no double push, one nearest point at the corner of a hole."""
 
 from itertools import pairwise
-from math import cos, hypot, pi, sin, sqrt, tan
+from math import atan, cos, hypot, pi, sin, sqrt, tan
 
 import numpy as np
 import pytest
@@ -46,6 +46,14 @@ OVER_RIM = 0.04 - PRESSED * cos(BETA), 0.0, PRESSED * sin(BETA)
 LOW_CORNER = 0.04 + PRESSED * (sin(BETA) * tan(BETA) - 1.0 / cos(BETA))  # of a pyramid, where faces end in rims
 
 
+def down_a_cone(side: float, low: float) -> np.ndarray:
+    """Down the wall, the cone and around its rim, whose edge is low (m) off the axis, on one side of the plane of y = 0."""
+    beta = atan((WIDE / 2 - low) / BOTTOM)
+    joint, rim = (INNER + PRESSED / cos(beta) - low) / tan(beta), (low - PRESSED * cos(beta), 0.0, PRESSED * sin(beta))
+    way = line((INNER, 0.0, BOTTOM + 0.03), (INNER, 0.0, joint), rim)
+    return np.concatenate([way, arc(low, pi - beta, 2.0 * pi - beta)]) * (side, 1.0, 1.0)
+
+
 def corner_of(sides: int) -> tuple[float, float]:
     return INNER, INNER * tan(pi / sides)
 
@@ -59,6 +67,8 @@ def past_a_corner(sides: int, z: float) -> np.ndarray:
 WAYS = {
     "cylinder, cone, rim": (SPACES["cone"], np.concatenate([
         line((INNER, 0.0, BOTTOM + 0.03), (INNER, 0.0, JOINT), OVER_RIM), arc(0.04, pi - BETA, 2.0 * pi - BETA)])),
+    "down the flat side of an eccentric cone": (SPACES["eccentric cone"], down_a_cone(-1.0, 0.005)),
+    "down its steep side": (SPACES["eccentric cone"], down_a_cone(1.0, 0.075)),
     "rim of a hole": (SPACES["hole"], np.concatenate([line((0.07, 0.0, PRESSED), (0.04, 0.0, PRESSED)),
                                                       arc(0.04, pi / 2, 3 * pi / 2)])),
     "rim of an eccentric hole": (SPACES["eccentric hole"], arc(0.08, pi / 2, 3 * pi / 2)),
@@ -99,6 +109,8 @@ def test_push_has_no_jump_over_joints(of, way):
         ("cone", False, (0.0, 0.0, PRESSED), 1),
         ("cone", True, OVER_RIM, 1),
         ("cone", True, (0.04 - PRESSED, 0.0, -0.001), 1),
+        ("eccentric cone", False, (INNER, 0.0, BOTTOM + 0.05), 1),
+        ("eccentric cone", True, (0.035, 0.04 - PRESSED, -0.001), 1),
         ("hole", False, (0.04, 0.0, PRESSED), 1),
         ("hole", True, (0.04, 0.0, PRESSED), 1),
         ("hole", True, (0.039, 0.0, PRESSED), 1),

@@ -8,9 +8,10 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.spatial import cKDTree
 
+from silostudy.dem.space.eccentric import eccentric_frame
 from silostudy.dem.space.felt import flat_frame, turned_frame
 from silostudy.dem.space.flat import piece_of
-from silostudy.dem.space.rows import FLAT, OUT_OF_REACH, TURNED
+from silostudy.dem.space.rows import ECCENTRIC, FLAT, OUT_OF_REACH, TURNED
 from silostudy.dem.space.surfaces import nearest
 from silostudy.dem.space.walls import walls_of
 from silostudy.errors import BadInput
@@ -84,7 +85,6 @@ def spaces(draw) -> SpaceSilo:
     hopper = outlet = None
     if draw(st.booleans()):
         hopper = Hopper(half_angle=radians(draw(st.floats(15.0, 75.0))), outlet_width=width * WIDE)
-        off = 0.0 if plan == "circular" else off
     else:
         outlet = Outlet(width=width * WIDE, length=draw(st.none() | st.floats(0.02, 0.05)))
     wedge = hopper is not None and plan in ("square", "rectangular") and draw(st.booleans())
@@ -142,7 +142,7 @@ def test_cells_cover_the_surfaces(of):
         for q in firsts(shape):
             away = np.array(nearest(shape, q, *point)[:3])
             if away[0] != OUT_OF_REACH:
-                frame = turned_frame if shape[q, 0] == TURNED else flat_frame
+                frame = {TURNED: turned_frame, ECCENTRIC: eccentric_frame}.get(shape[q, 0], flat_frame)
                 piece = piece_of(shape, q, *point) if shape[q, 0] == FLAT else q
                 first, second, up = frame(shape, piece, *(point - away))
                 assert min(first, second) >= -1e-9
@@ -160,7 +160,9 @@ def test_cells_cover_the_surfaces(of):
         (lambda: space(hopper=Hopper(half_angle=0.5, outlet_width=0.2)), "hopper.outlet_width_m = 0.2: .* must have a height"),
         (lambda: space(hopper=Hopper(half_angle=pi / 2, outlet_width=0.1)), "silo.hopper.half_angle_deg = 90.0: .* a height"),
         (lambda: space(hopper=Hopper(half_angle=0.0, outlet_width=0.1)), "silo.hopper.half_angle_deg = 0.0: .* a height"),
-        (lambda: space(hopper=CONE, outlet_eccentricity=0.01), "silo.outlet_eccentricity_m = 0.01: .* an eccentric cone"),
+        (lambda: space(hopper=CONE, outlet_eccentricity=0.061), "eccentricity_m = 0.061: must not be above 0.06 m"),
+        (lambda: space(hopper=CONE, outlet_eccentricity=0.058), "eccentricity_m = 0.058: .* 1.1 degrees off .* around a cone"),
+        (lambda: space(hopper=CONE, outlet_eccentricity=0.06), "eccentricity_m = 0.06: .* 0 degrees off the wall above it"),
         (lambda: space("square", CONE, outlet_eccentricity=0.061), "eccentricity_m = 0.061: must not be above 0.06 m"),
         (lambda: space("square", CONE, wedge=True, outlet_eccentricity=0.061), "must not be above 0.06 m"),
         (lambda: space(hopper=Hopper(half_angle=radians(4.0), outlet_width=0.1)), "half_angle_deg = 4.0: .* 4 degrees off"),

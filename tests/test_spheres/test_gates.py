@@ -23,6 +23,8 @@ HOPPER = {"half_angle_deg": 30, "outlet_width_m": 0.04}
 HEXAGON = {"plan": "polygonal", "sides": 6, "inscribed_diameter_m": 0.06, "cylinder_depth_m": 0.1, "hopper": HOPPER,
            "outlet_eccentricity_m": 0.005}  # fmt: skip
 CONE = {"plan": "circular", "diameter_m": 0.06, "cylinder_depth_m": 0.1, "hopper": HOPPER}
+ECCENTRIC = CONE | {"outlet_eccentricity_m": 0.005}
+SILOS = {"hexagon": HEXAGON, "cone": CONE, "eccentric cone": ECCENTRIC}
 OPENS = {"when": "time", "value": 0.25, "do": "open_outlet", "speed_m_s": 0.2}
 BARE = {"record__snapshots_s": [], "record__fields": None, "record__contact_statistics": None}
 END, HALF_OPEN = 0.5, 0.35  # s
@@ -87,7 +89,7 @@ def test_a_rim_that_touches_nothing_does_nothing(sides):
 
 @pytest.fixture(scope="module")
 def whole():
-    runs = {name: carried(opening(silo, OPENS)) for name, silo in (("hexagon", HEXAGON), ("cone", CONE))}
+    runs = {name: carried(opening(silo, OPENS)) for name, silo in SILOS.items()}
     for run in runs.values():
         assert not run.trouble
         assert run.recording.left["discharged"] > 20
@@ -102,10 +104,10 @@ def test_what_leaves_is_what_is_no_more_there(whole):
     assert min(time for time, *_ in run.recording.passed) - OPENS["value"] > 0.008 / OPENS["speed_m_s"]  # a diameter
 
 
-@pytest.mark.parametrize("threads", [1, 2])
-def test_a_restart_while_it_opens(threads, whole):
-    run = whole["hexagon"]
-    other, _ = resumed(opening(HEXAGON, OPENS), round(HALF_OPEN / run.engine.model.dt), threads)
+@pytest.mark.parametrize(("name", "threads"), [("hexagon", 1), ("hexagon", 2), ("eccentric cone", 2)])
+def test_a_restart_while_it_opens(name, threads, whole):
+    run = whole[name]
+    other, _ = resumed(opening(SILOS[name], OPENS), round(HALF_OPEN / run.engine.model.dt), threads)
     assert same_motion(other, run)
     assert other.recording.passed == run.recording.passed
     assert np.array_equal(other.recording.window, run.recording.window)
@@ -126,9 +128,9 @@ def branch_of(silo, folder, *events):
     return run
 
 
-@pytest.mark.parametrize("name", ["hexagon", "cone"])
+@pytest.mark.parametrize("name", SILOS)
 def test_a_branch_goes_on_while_it_opens(name, whole, tmp_path):
-    assert same_motion(branch_of(HEXAGON if name == "hexagon" else CONE, tmp_path), whole[name])
+    assert same_motion(branch_of(SILOS[name], tmp_path), whole[name])
 
 
 def test_a_branch_opens_the_rest_at_once(whole, tmp_path):

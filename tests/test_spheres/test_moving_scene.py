@@ -52,6 +52,9 @@ def test_events_that_lack_or_have_too_much(events, changes, said):
         pressing(events=events, **changes)
 
 
+PIN = {"kind": "cylinder", "name": "pin", "radius_m": 0.004, "heights_m": [0.01, 0.02], "axis_m": [0.01, 0.0]}
+
+
 @pytest.mark.parametrize(
     ("event", "changes", "said"),
     [
@@ -65,6 +68,11 @@ def test_events_that_lack_or_have_too_much(events, changes, said):
         ),
         (
             {"do": "rotate", "spin_rad_s": 1.0, "surfaces": ["wall"]}, {"silo": SQUARE, "record": {}},
+            "turn about the axis of a circular silo alone",
+        ),
+        (
+            {"do": "rotate", "spin_rad_s": 1.0, "surfaces": ["pin"]},
+            {"inserts": [PIN]},
             "turn about the axis of a circular silo alone",
         ),
     ],

@@ -3,14 +3,17 @@
 from dataclasses import dataclass
 from functools import singledispatch
 from itertools import pairwise
+from math import nan
 from typing import Any
 
 import numpy as np
 
+from silostudy.dem.space.cones import EccentricCone
 from silostudy.dem.space.level import LevelPiece, Outline
 from silostudy.dem.space.rows import ACROSS, CIRCLE, NORMAL, UPWARD
 from silostudy.dem.space.walls import FlatPiece, TurnedLine
 
+GAUSS = 64  # points all around by which an eccentric cone's area is added up
 CUT = 33  # points of a line that a plane cuts a turned surface in
 CORNERS = 720  # of the polygon that stands for a circle
 
@@ -56,6 +59,14 @@ def _(surface: TurnedLine) -> np.ndarray:
 
 
 @middles.register
+def _(surface: EccentricCone) -> np.ndarray:
+    along, around = (middle.ravel() for middle in np.meshgrid(*map(_parts, surface.cells), indexing="ij"))
+    turn, radius = 2.0 * np.pi * around, surface.start[0] + along * surface.rise[0]
+    level = surface.foot + np.outer(along, surface.lean) + radius[:, None] * np.column_stack([np.cos(turn), np.sin(turn)])
+    return np.column_stack([level, surface.start[1] + along * surface.rise[1]])
+
+
+@middles.register
 def _(surface: FlatPiece | LevelPiece) -> np.ndarray:
     up, across, origin = _plane(surface)
     along, around = (middle.ravel() for middle in np.meshgrid(*map(_parts, surface.cells), indexing="ij"))
@@ -77,6 +88,18 @@ def _(surface: TurnedLine) -> np.ndarray:
 
 
 @areas.register
+def _(surface: EccentricCone) -> np.ndarray:
+    """The wall's element of area is the radius times the root of the squares of height and of growth outward at its angle."""
+    along, around = surface.cells
+    radius = np.linspace(surface.start[0], surface.end[0], along + 1)
+    places, weights = np.polynomial.legendre.leggauss(max(GAUSS // around, 8))
+    turn = np.pi * (2.0 * np.arange(around)[:, None] + 1.0 + places) / around
+    (dx, dy), (wide, high) = surface.lean, surface.rise
+    wall = np.hypot(high, wide + dx * np.cos(turn) + dy * np.sin(turn)) @ weights * np.pi / around
+    return np.outer((radius[:-1] + radius[1:]) / (2.0 * along), wall).ravel()
+
+
+@areas.register
 def _(surface: FlatPiece) -> np.ndarray:
     up, across, _ = _plane(surface)
     corners = np.array(surface.corners)
@@ -93,7 +116,12 @@ def _(surface: LevelPiece) -> np.ndarray:
 
 
 def uprightness(surface: Any, roof: bool = False) -> tuple[float, float]:
-    """Vertical components (1) of the normal towards the solid, and of the upward direction along the surface."""
+    """Vertical components (1) of the normal towards the solid, and of the upward direction along the surface.
+
+    An eccentric cone has no single ones: its load is recorded.
+    """
+    if isinstance(surface, EccentricCone):
+        return nan, nan
     if isinstance(surface, TurnedLine):
         (r0, z0), (r1, z1) = surface.start, surface.end
         length = float(np.hypot(r1 - r0, z1 - z0))

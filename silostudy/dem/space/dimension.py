@@ -2,8 +2,8 @@
 
 from silostudy.dem.arrays import Spheres
 from silostudy.dem.dimension import Dimension
-from silostudy.dem.space.felt import TORQUE as FELT_TORQUE
 from silostudy.dem.space.felt import (
+    components,
     force_of,
     gather_moving_walls,
     gather_walls,
@@ -64,7 +64,7 @@ SPACE = Dimension(
     lanes=(1, (OLD + HISTORIES) * STRETCH),
     forces=(1, (NEW + HISTORIES) * STRETCH),
     components=3,
-    felt=(FELT_TORQUE, FELT_TORQUE + 1),
+    felt=components,
     gather=lambda apart: gather if apart else gather_rolling,
     gather_walls=lambda moving: gather_moving_walls if moving else gather_walls,
     scatter=lambda apart: scatter if apart else scatter_rolling,

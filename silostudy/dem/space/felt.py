@@ -6,6 +6,7 @@ from numba import njit
 from numba.extending import register_jitable
 
 from silostudy.dem.cache import OPTIONS
+from silostudy.dem.space.eccentric import eccentric_frame, eccentric_normal
 from silostudy.dem.space.flat import piece_of
 from silostudy.dem.space.lanes import (
     APART_P,
@@ -33,6 +34,7 @@ from silostudy.dem.space.rows import (
     AXIS_X,
     AXIS_Y,
     BELT,
+    ECCENTRIC,
     FLAT,
     LENGTH,
     NORMAL,
@@ -48,7 +50,15 @@ from silostudy.dem.space.surfaces import nearest
 STRAIGHT = 1.0 - 1e-9  # cosine between a contact's normal and its surface's: below it an edge pushes
 
 force_of = three(FORCE_X)  # N, on the sphere
-TORQUE = 3  # of what a wall feels where walls move: about the axis x = y = 0 (N m)
+# of what a wall feels, besides forces across and along it
+TORQUE = 3  # where walls move: about the axis x = y = 0 (N m)
+LOAD = 4  # in silos with an eccentric cone, whose normal leans differently all around: downward (N)
+
+
+def components(model) -> int:
+    """Number of components of what the walls of a model feel."""
+    eccentric = any(surface.shape[0] == ECCENTRIC for surface in model.walls)
+    return LOAD + 1 if eccentric else TORQUE + int(model.moving)
 
 
 @register_jitable
@@ -164,7 +174,7 @@ def note_walls(rows, walls, near, start, count, force, record, part):
     """Note each wall contact's force: pressing, along the wall upward (carrying positive), and across both.
 
     An edge's force is taken apart as the surface stands there, so that a surface's three tell its load.  Where walls move, also
-    its torque about the axis on the wall.
+    its torque about the axis on the wall; beside an eccentric cone that and its load.
     """
     for k in range(count):
         i, q, slot = near.first[start + k], near.second[start + k], start + k
@@ -176,6 +186,9 @@ def note_walls(rows, walls, near, start, count, force, record, part):
         if walls.shape[q, 0] == TURNED:
             mx, my, mz = turned_normal(walls.shape, q, px, py)
             share, turn, (ux, uy, uz) = turned_frame(walls.shape, q, px, py, pz)
+        elif walls.shape[q, 0] == ECCENTRIC:
+            mx, my, mz = eccentric_normal(walls.shape, q, px, py, pz)
+            share, turn, (ux, uy, uz) = eccentric_frame(walls.shape, q, px, py, pz)
         else:
             q = piece_of(walls.shape, q, x, y, z) if walls.shape[q, 0] == FLAT else q
             mx, my, mz = flat_normal(walls.shape, q)
@@ -196,6 +209,8 @@ def note_walls(rows, walls, near, start, count, force, record, part):
             lever = near.arm[slot if near.arm.size > 1 else 0]
             spin = force[0, (FIRST_X + 2) * STRETCH + k] - lever * (fx * ny - fy * nx)
             record.force[part, slot, TORQUE] = py * fx - px * fy - spin
+        if record.force.shape[2] > LOAD:
+            record.force[part, slot, LOAD] = fz
         along, around = walls.cells[q, 1], walls.cells[q, 2]
         first = walls.cells[q, 0] + (walls.cells[q, 3] if sign < 0.0 else 0)
         record.cell[part, slot] = first + cell_of_share(share, along) * around + cell_of_share(turn, around)

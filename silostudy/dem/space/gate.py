@@ -12,6 +12,7 @@ from silostudy.dem.space.rows import (
     AXIS_Y,
     CIRCLE,
     COUNT,
+    ECCENTRIC,
     FLAT,
     FULL,
     GROWTH,
@@ -68,7 +69,7 @@ def hold_edges(shape, gate, held):
     A held edge meets a surface that is on all sides of it.
     """
     for q in range(shape.shape[0]):
-        if shape[q, 0] == TURNED and rings(shape, gate, q):
+        if shape[q, 0] in (TURNED, ECCENTRIC) and rings(shape, gate, q):
             hold_edge(shape, q, START_END, START_WAY, 2, held)
         elif shape[q, 0] == FLAT:
             for k in range(int(shape[q, COUNT])):
@@ -89,7 +90,7 @@ def hold_edge(shape, wall, kind, way, ways, held):
 
 @njit(**OPTIONS)
 def rings(shape, gate, wall):
-    """Whether a turned line starts at a gate's rim as it will be."""
+    """Whether a turned line or an eccentric cone starts at a gate's rim as it will be."""
     middle = shape[wall, AXIS_X] == shape[gate, OUTLINE + 1] and shape[wall, AXIS_Y] == shape[gate, OUTLINE + 2]
     along = shape[wall, START_R] == shape[gate, OUTLINE + 3] and shape[wall, START_Z] == shape[gate, HEIGHT]
     return shape[gate, OUTLINE] == CIRCLE and middle and along

@@ -4,6 +4,7 @@
 TURNED = 0.0
 FLAT = 1.0
 LEVEL = 2.0
+ECCENTRIC = 3.0
 # kinds of sides and ends besides free ones, 0
 JOINED = 1.0  # it does not push
 MEETS = 2.0  # an edge of two that meet at an angle: it pushes what is over neither
@@ -11,6 +12,10 @@ OUT_OF_REACH = 1e30  # m: component of a vector to what does not push
 AXIS_X, AXIS_Y, START_R, START_Z, ALONG_R, ALONG_Z, LENGTH, START_END, END_END = range(1, 10)  # columns of a turned line
 START_WAY = 10  # unit vector (r, z) into what its start meets
 END_WAY = 12  # the same at its end
+# columns of an eccentric cone besides those of a turned line: its start is a circle about the axis, ALONG_R and ALONG_Z are the
+# whole growth of its radius and its height (m)
+LEAN_X = 14  # x and y (m) of the middle of its end from that of its start
+LEAN_Y = 15
 # columns of a flat piece
 COUNT = 1  # corners
 NORMAL = 2  # unit normal

@@ -1,5 +1,5 @@
-"""Walls of space: surfaces of a straight line turned about an upright axis, flat pieces, and level pieces with holes; a sphere
-is pushed from their nearest point.
+"""Walls of space: surfaces of a straight line turned about an upright axis, eccentric cones, flat pieces, and level pieces with
+holes; a sphere is pushed from their nearest point.
 
 A turned line is a cylinder, a cone, a ring or a disc by where it stands; its ends are circles, which push in any direction
 that they are touched from.  Flat pieces are convex polygons; those that meet in one plane are one sheet, which pushes a sphere
@@ -18,6 +18,7 @@ from numba import njit
 from numba.extending import register_jitable
 
 from silostudy.dem.cache import OPTIONS
+from silostudy.dem.space.eccentric import apart_from_eccentric, nearest_eccentric
 from silostudy.dem.space.flat import apart_from, nearest_flat, piece_of
 from silostudy.dem.space.rows import (
     ALONG_R,
@@ -26,6 +27,7 @@ from silostudy.dem.space.rows import (
     AXIS_Y,
     BELT,
     CIRCLE,
+    ECCENTRIC,
     END_END,
     END_WAY,
     FLAT,
@@ -61,6 +63,8 @@ def nearest(shape, wall, x, y, z):
     """
     if shape[wall, 0] == TURNED:
         return nearest_turned(shape, wall, x, y, z)
+    if shape[wall, 0] == ECCENTRIC:
+        return nearest_eccentric(shape, wall, x, y, z)
     if shape[wall, 0] == FLAT:
         dx, dy, dz = nearest_flat(shape, piece_of(shape, wall, x, y, z), x, y, z)
     else:
@@ -77,6 +81,8 @@ def square_apart(shape, wall, x, y, z):
     """
     if shape[wall, 0] == TURNED:
         return apart_from_turned(shape, wall, x, y, z)
+    if shape[wall, 0] == ECCENTRIC:
+        return apart_from_eccentric(shape, wall, x, y, z)
     if shape[wall, 0] == FLAT:
         if shape[wall, FOLLOWS] == 1.0:
             return np.inf
