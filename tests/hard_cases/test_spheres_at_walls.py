@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from silostudy.dem.engine import Engine
+from silostudy.dem.space.cones import EccentricCone
 from silostudy.dem.space.level import Hole, LevelPiece, Outline
 from silostudy.dem.space.walls import FlatPiece, TurnedLine
 from silostudy.scene.silo import Hopper, Silo
@@ -57,6 +58,22 @@ def test_sphere_wedged_between_two_planes(half_angle):
     assert RADIUS - z * sin(theta) == pytest.approx(sunk(push), rel=1e-5)
     assert np.abs([x, y]).max() < 1e-12 * RADIUS
     assert np.abs(moving).max() < 1e-6
+
+
+@pytest.mark.parametrize("side", [-1.0, 1.0])
+def test_sphere_slides_down_an_eccentric_cone(side):
+    """Without friction it goes by g sin along the line of the wall in the plane of symmetry, pressed by m g cos on the way."""
+    low, top, aside, high = 0.02, 0.1, 0.05, 0.12
+    cone = EccentricCone(name="hopper", start=(low, 0.0), end=(top, high), foot=(aside, 0.0), head=(0.0, 0.0))
+    way = np.array([side * top - (aside + side * low), 0.0, high])
+    along, inward = way / np.linalg.norm(way), np.array([-side * high, 0.0, abs(way[0])]) / np.linalg.norm(way)
+    place = np.array([aside + side * low, 0.0, 0.0]) + 0.8 * way + (RADIUS - sunk(WEIGHT * inward[2])) * inward
+    steps, dt = 40_000, 2e-6
+    engine = settle([place], (cone,), (0.0, 0.0, -GRAVITY), steps)
+    gone = rows(engine)[0, :3] - place
+    assert gone @ along == pytest.approx(-0.5 * GRAVITY * along[2] * (steps * dt) ** 2, rel=1e-4)
+    assert abs(gone @ inward) < 1e-3 * RADIUS
+    assert abs(gone[1]) < 1e-12 * RADIUS
 
 
 @pytest.mark.parametrize("half_angle", [5.0, 30.0, 60.0])
