@@ -1,7 +1,7 @@
 """Small pieces that every configuration model shares: strict frozen models, units, and lists of values."""
 
 from collections.abc import Iterator
-from functools import reduce
+from functools import cache, reduce
 from operator import or_
 from types import NoneType
 from typing import Annotated, Any, Literal, get_args, get_origin
@@ -40,13 +40,19 @@ class Strict(BaseModel):
     def _switches_are_no_numbers(cls, content: Any) -> Any:
         """Refuse true and false where numbers are asked for, and numbers where they are, which they would be taken as: 1, 0."""
         for name, value in content.items() if isinstance(content, dict) else ():
-            kinds = kinds_in(cls.model_fields[name].annotation) if name in cls.model_fields else set()
+            kinds = kinds_of_fields(cls).get(name, set())
             if {int, float} & kinds and bool not in kinds:
                 for key in switches(value, name):
                     raise KeyMistake(key, "must be a number")
             if kinds in ({bool}, {bool, NoneType}) and isinstance(value, int | float) and not isinstance(value, bool):
                 raise KeyMistake(name, "must be true or false")
         return content
+
+
+@cache
+def kinds_of_fields(model: type[BaseModel]) -> dict[str, set[Any]]:
+    """The plain types of each field of a model, and of its items."""
+    return {name: kinds_in(field.annotation) for name, field in model.model_fields.items()}
 
 
 def kinds_in(annotation: Any) -> set[Any]:
