@@ -112,9 +112,12 @@ def seconds_of_parts(expansion) -> float:
 
 def time_of_parts(expansion) -> list[str]:
     """About what a sweep costs, in words."""
-    from silostudy.scene.costs import rains, told_time
+    from silostudy.scene.costs import OF_MEAN, rains, told_time
 
     study, seconds = expansion.study, seconds_of_parts(expansion)
+    if getattr(study, "of_fillings", ()) and not study.case_s:
+        told = f"about {told_time(seconds)} of one core were it {OF_MEAN} fillings a case: as many are computed as the accuracy"
+        return [f"{told} asked takes, a kernel's compiling apart"]
     rained = not study.case_s and any(
         rains(case.scene.config) for case in expansion.cases if hasattr(case.scene.config, "events")
     )

@@ -114,7 +114,7 @@ def scene_checked(path: Path) -> tuple[list[str], float]:
     scene, choice = load(path)
     model = scene_model(scene, path.parent, str(path))
     task = run_of(scene, model, str(path))  # tells too what is impossible by the step alone
-    seconds = cost(SceneCase(scene, path.parent))
+    seconds = cost(SceneCase(scene, path.parent), model.step)
     run = f"{len(model.x)} {model.space.body}s, {steps_ahead(task)}: about {told_time(seconds)} of one core"
     told = [run, *told_before(scene, model, path.parent), *chosen_for(promises([choice] if choice else []))]
     return [f"{path}: {scene.title}", *(f"  {line}" for line in told)], seconds

@@ -18,10 +18,13 @@ def run(chosen) -> None:
     from silostudy.files import replacing
     from silostudy.scene.facets import facets_of, read_triangles
 
-    inserts = facets_of(read_triangles(chosen.mesh), chosen.name, chosen.unit, str(chosen.mesh))
+    triangles = read_triangles(chosen.mesh)
+    inserts = facets_of(triangles, chosen.name, chosen.unit, str(chosen.mesh))
+    flat = len(triangles) - len(inserts)
     lines = [
         f"  - {yaml.safe_dump(insert, default_flow_style=True, sort_keys=False, width=1000).strip()}" for insert in inserts
     ]
     with replacing(chosen.output) as temporary:
         temporary.write_text("\n".join(["inserts:", *lines, ""]), encoding="utf-8")
-    print(f"{chosen.mesh}: {len(inserts)} facets -> {chosen.output}")
+    left_out = f", {flat} triangles without an area left out" if flat else ""
+    print(f"{chosen.mesh}: {len(inserts)} facets{left_out} -> {chosen.output}")

@@ -41,22 +41,26 @@ def run_merge(chosen) -> None:
 
     cases, lost = merge(chosen.study, chosen.folder, chosen.output)
     print(f"{chosen.study.stem}: {cases} case(s), {lost} failed -> {chosen.output}")
-    for line in _certificates(chosen.output):
+    for line in certificate_lines(chosen.output):
         print(f"  {line}")
 
 
-def _certificates(cube: Path):
+def certificate_lines(cube: Path):
     """Says of each quantity whose accuracy was asked for how many cases met it, the worst error kept, and what it took."""
     import xarray as xr
 
+    from silostudy.cube.certificates import step_unsure
+
     with xr.open_dataset(cube) as held:
-        for name in map(str, held.get("asked_quantity", ())):
-            of = held.sel(asked_quantity=name.encode() if held["asked_quantity"].dtype.kind == "S" else name)
+        for number, name in enumerate(held["asked_quantity"].values.astype(str) if "asked_quantity" in held else ()):
+            of = held.isel(asked_quantity=number)
+            unsure = int(step_unsure(of).sum())
             met, bound, asked = of["error_met"], float(of["error_bound"].max()), float(of["error_asked"].min())
             yield (
                 f"{name}: asked {100 * asked:.3g} % and more, met in {int((met == 1).sum())} of {met.size} case(s), the worst "
                 f"{100 * bound:.2g} %; {int(of['fillings_computed'].sum())} fillings, {float(of['cpu_time'].sum()):.3g} CPU s, "
                 f"of which {float(of['cpu_time_on_step'].sum()):.2g} on the step"
+                f"{f', whose error is not known to that in {unsure}' if unsure else ''}"
             )
 
 

@@ -14,11 +14,11 @@ import numpy as np
 from silostudy.choice.means import enough, mean_bound
 from silostudy.compute.scenes_windows import Numbers, Swept
 from silostudy.config.grain_scenes import AnyScene
+from silostudy.cube.certificates import SURE
 from silostudy.errors import BadInput
 
 PAIRED = 8  # fillings for one that is computed at half the step too
 HALVINGS = 4  # of the step, at most
-SURE = 2.0  # standard errors that a change must exceed to be none of chance
 
 Compute = Callable[[AnyScene], Numbers]
 

@@ -18,8 +18,9 @@ class Asked(Strict):
 
     fronts: ClassVar[tuple[str, ...]]  # the measured fronts whose quantities it may ask for
 
-    accuracy: dict[str, Annotated[float, Field(gt=0)]] | None = described(
-        "largest relative error by quantity, in place of the settings that decide it: the cheapest measured ones are chosen",
+    accuracy: dict[str, Annotated[float, Field(gt=0, lt=1)]] | None = described(
+        "largest relative error by quantity (0.05: 5 %), in place of the settings that decide it: the cheapest measured are "
+        "chosen",
         default=None,
     )
     kind: str
@@ -42,7 +43,7 @@ class Asked(Strict):
         known = quantities(cls.fronts)
         for name in asked or ():
             if name not in known:
-                raise KeyMistake(name, f"is unknown; known: {', '.join(known)}")
+                raise KeyMistake(name, f"unknown; known: {', '.join(known)}")
         return asked
 
     @model_validator(mode="after")

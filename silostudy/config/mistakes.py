@@ -11,7 +11,7 @@ WORDS = {  # type of a mistake -> what is said of it
     "tuple_type": "must be a list", "list_type": "must be a list", "string_type": "must be text",
     "dict_type": SECTION, "model_type": SECTION, "model_attributes_type": SECTION,
     "float_type": NUMBER, "float_parsing": NUMBER, "bool_type": SWITCH, "bool_parsing": SWITCH,
-    "int_type": WHOLE, "int_parsing": WHOLE, "int_from_float": WHOLE,
+    "string_too_short": "must not be empty", "int_type": WHOLE, "int_parsing": WHOLE, "int_from_float": WHOLE,
 }  # fmt: skip
 
 

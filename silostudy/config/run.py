@@ -15,6 +15,8 @@ from silostudy.dem.outcomes import OUTCOMES
 from silostudy.dem.rest import REST
 from silostudy.tables.asked import quantities
 
+FLOWS = ("open_slit", "open_outlet", "feed")  # events that let grains out of an outlet
+
 CriterionKey: TypeAlias = Literal[tuple(REST)]  # type: ignore[valid-type]
 TriggerKey: TypeAlias = Literal[tuple(TRIGGERS)]  # type: ignore[valid-type]
 IntegratorKey: TypeAlias = Literal[tuple(INTEGRATORS)]  # type: ignore[valid-type]
@@ -44,6 +46,12 @@ class MarchConfig(Strict):
     )
     beyond_stability: bool = described("take a step_s beyond the stability bound all the same", "", default=False)
     limit_s: float = described("time at which the run ends at the latest", "s", gt=0)
+
+    @model_validator(mode="after")
+    def _one_step(self) -> Self:
+        if self.step_s is not None and "step_factor" in self.model_fields_set and self.step_factor not in (None, 1.0):
+            raise KeyMistake("step_factor", "does nothing beside step_s: leave one of both out")
+        return self
 
     @model_validator(mode="after")
     def _follows_alone(self) -> Self:
@@ -203,8 +211,14 @@ class GrainScene(OwnMethods):
 
     @model_validator(mode="after")
     def _records_what_means_are_of(self) -> Self:
-        if self.of_fillings and not self.record.wall_force_window_s:
+        window, first = self.record.wall_force_window_s, self.events[0]
+        if self.of_fillings and not window:
             raise KeyMistake("accuracy", f"{', '.join(self.of_fillings)} needs record.wall_force_window_s")
+        if "mean_outflow" in self.of_fillings and not any(event.do in FLOWS for event in self.events):
+            raise KeyMistake("accuracy.mean_outflow", f"no event lets grains out, as {', '.join(FLOWS)} do")
+        if "mean_wall_force" in self.of_fillings and window and first.when == "time" and first.value < window:
+            told = f"is of the last window before the first event, which comes at {first.value:g} s, before any is whole"
+            raise KeyMistake("accuracy.mean_wall_force", told)
         return self
 
     @model_validator(mode="after")

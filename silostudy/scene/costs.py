@@ -44,11 +44,14 @@ class Costs:
     look: float
 
 
-def cost(case: SceneCase) -> float:
-    """About how long (s) a case computes: bodies times steps to its end, at most; of a rain, to a rest soon after it."""
+def cost(case: SceneCase, step: float | None = None) -> float:
+    """About how long (s) a case computes: bodies times steps to its end, at most; of a rain, to a rest soon after it.
+
+    step: of the built model (s); None: what is usual.
+    """
     scene, folder = case.config, case.folder
     costs = COSTS[scene.grains]
-    step = scene.march.step_s or costs.step(scene)
+    step = step or scene.march.step_s or costs.step(scene) * (scene.march.step_factor or 1.0)
     whole, full = until_end(scene)
     once = START + (whole * costs.look + full * costs.count(scene, folder) * costs.body) / step
     return OF_MEAN * once if scene.of_fillings else once
@@ -97,7 +100,7 @@ def _discs(scene: DemScene, folder: Path) -> float:
 
 def _disc_step(scene: DemScene) -> float:
     mass = scene.density_kg_m3 * pi * scene.radius_m**2
-    stiffness = (scene.walls or scene.discs).normal_stiffness_N_m2 or scene.discs.normal_stiffness_N_m2
+    stiffness = max((contact and contact.normal_stiffness_N_m2) or 0.0 for contact in (scene.discs, scene.walls))
     return 0.4 * sqrt(mass / stiffness) if stiffness else 2e-5
 
 

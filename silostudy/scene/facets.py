@@ -21,6 +21,8 @@ def read_triangles(path: Path) -> np.ndarray:
         raise BadInput("mesh", str(path), "needs a reader of meshes: uv sync --group meshes") from None
     if not path.is_file():
         raise BadInput("mesh", str(path), "is not there")
+    if path.suffix.lower() == ".stl":
+        require_whole(path)
     try:
         mesh = trimesh.load_mesh(path)
         return np.asarray(mesh.triangles, float)
@@ -28,11 +30,25 @@ def read_triangles(path: Path) -> np.ndarray:
         raise BadInput("mesh", str(path), f"is no mesh that can be read: {error}") from None
 
 
+def require_whole(path: Path) -> None:
+    """BadInput for an STL file that is cut off, which readers take as an empty one."""
+    content = path.read_bytes()
+    said, held = int.from_bytes(content[80:84], "little"), (len(content) - 84) / 50
+    if len(content) >= 84 and held == said:
+        return
+    if not content.lstrip().startswith(b"solid"):
+        raise BadInput("mesh", str(path), "is no STL file, or cut off: its length is not that of the triangles it says it has")
+    if b"endsolid" not in content[-200:]:
+        raise BadInput("mesh", str(path), "is cut off: an STL file in words ends with endsolid")
+
+
 def facets_of(triangles: np.ndarray, name: str, unit: str, where: str = "") -> list[dict[str, Any]]:
     """Entries of a scene's `inserts`; BadInput for an unknown unit, or for more or fewer triangles than a sheet may have."""
     if unit not in UNITS:
         raise BadInput("--unit", unit, f"unknown; known: {', '.join(UNITS)}")
     corners = np.round(np.asarray(triangles) * UNITS[unit], ROUND) + 0.0
+    if len(wrong := np.flatnonzero(~np.isfinite(corners).all(axis=(1, 2)))):
+        raise BadInput("mesh", f"triangle {wrong[0] + 1}", "has a corner that is no finite number", where)
     across = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     corners = corners[0.5 * np.linalg.norm(across, axis=1) > LEAST]
     if not 1 <= len(corners) <= MOST:

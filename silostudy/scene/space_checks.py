@@ -114,6 +114,8 @@ def require_outlet(space: SpaceSilo, field: str, outlet: Outlet) -> None:
     if not room > 0.0:
         key = "silo.outlet_eccentricity_m" if outlet.middle is None else f"{field}.middle_m"
         allowed = f"the outlet must not leave the floor, and stands out by {-room:g} m"
+        if room > -FLATTEST * space.silo.diameter:
+            allowed = "the outlet touches the wall: all of it must lie inside the floor"
         raise BadInput(key, opening.middle[0] if outlet.middle is None else outlet.middle, allowed)
 
 

@@ -2,8 +2,10 @@
 
 import pytest
 
+from silostudy.choice.dem import load
 from silostudy.choice.expand import expand_file
-from silostudy.scene.costs import SETTLES, cost, told_time, until_end
+from silostudy.scene.costs import SETTLES, START, cost, told_time, until_end
+from silostudy.scene.scenes import SceneCase
 from tests.conftest import ROOT
 
 
@@ -29,3 +31,13 @@ def test_a_scene_without_a_rain_may_take_to_its_limit():
     case = expand_file(ROOT / "config/studies/discharge-slit.yaml").cases[0].scene
     assert len(set(until_end(case.config))) == 1
     assert cost(case) > 0.0
+
+
+@pytest.mark.parametrize("name", ["kiyama-17-18", "wheat-bin"])
+def test_a_time_goes_with_the_step(name):
+    """With the step that a scene's model has where it is known, else with the share of the usual one that is asked for."""
+    scene, _ = load(ROOT / f"config/scenes/{name}.yaml")
+    fine = scene.model_copy(update={"march": scene.march.model_copy(update={"step_factor": 0.01})})
+    whole, longer = (SceneCase(of, ROOT / "config/scenes") for of in (scene, fine))
+    assert cost(longer) - START == pytest.approx(100.0 * (cost(whole) - START))
+    assert cost(whole, 1e-7) - START == pytest.approx(10.0 * (cost(whole, 1e-6) - START))

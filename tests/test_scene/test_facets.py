@@ -1,5 +1,6 @@
 """Meshes as inserts: a curved sheet pushes as the surface that it stands for, once, and its corners as corners do."""
 
+from contextlib import nullcontext
 from math import cos, pi, sin
 
 import numpy as np
@@ -13,7 +14,7 @@ from silostudy.dem.space.rows import FLAT, LAST
 from silostudy.dem.space.surfaces import square_apart
 from silostudy.dem.space.walls import TurnedLine, walls_of
 from silostudy.errors import BadInput
-from silostudy.scene.facets import MOST, facets_of
+from silostudy.scene.facets import MOST, facets_of, require_whole
 from tests.test_scene.spaces import BALL, PRESSED, push, vectors
 
 WIDE, HIGH, SIDES = 0.05, 0.1, 48
@@ -101,6 +102,27 @@ def test_what_cannot_be_a_sheet():
         facets_of(cylinder(501), "mesh", "m")
     with pytest.raises(BadInput, match=r"a\.stl: mesh = '0 triangles': .*none in the file has an area"):
         facets_of(np.zeros((3, 3, 3)), "mesh", "m", "a.stl")
+
+    lost = cylinder(4)
+    lost[2, 0, 1] = np.nan
+    with pytest.raises(BadInput, match=r"mesh = 'triangle 3': has a corner that is no finite number"):
+        facets_of(lost, "mesh", "m")
+
+
+@pytest.mark.parametrize(
+    ("content", "told"),
+    [
+        (b"solid part\nfacet normal 0 0 1\nouter loop", "is cut off: an STL file in words ends with endsolid"),
+        (b"no mesh", "is no STL file, or cut off"),
+        (bytes(80) + (3).to_bytes(4, "little") + bytes(120), "is no STL file, or cut off"),
+        (b"solid in a header".ljust(80) + (2).to_bytes(4, "little") + bytes(100), None),
+        (b"solid part\nendsolid part\n", None),
+    ],
+)
+def test_a_file_that_is_cut_off_is_told(content, told, tmp_path):
+    (path := tmp_path / "part.stl").write_bytes(content)
+    with pytest.raises(BadInput, match=told) if told else nullcontext():
+        require_whole(path)
 
 
 @pytest.mark.long

@@ -8,6 +8,7 @@ from silostudy.compute.dem import run_of, scene_model
 from silostudy.errors import BadInput
 from tests.test_spheres.small import scene_of
 
+STOP = {"when": "after", "value": 0.1, "do": "stop"}
 TAKEN = [{"when": "rest", "do": "take_away", "surfaces": ["wall"]}, {"when": "after", "value": 0.1, "do": "stop"}]
 RING = {"kind": "disc", "name": "ring", "radius_m": 0.01, "hole_radius_m": 0.02, "height_m": 0.05}
 WIDE = {"silo__diameter_m": 60.0, "silo__hopper": None, "filling": {"kind": "loose", "count": 150}, "events": TAKEN[1:]}
@@ -26,6 +27,26 @@ def test_it_is_told(changes, told):
     scene = scene_of(**changes)
     with pytest.raises(BadInput, match=told):
         run_of(scene, scene_model(scene, Path(), "small.yaml"))
+
+
+@pytest.mark.parametrize(
+    ("changes", "told"),
+    [
+        ({"accuracy": {"mean_outflow": 0.1}, "events": [STOP]}, r"accuracy\.mean_outflow = 0\.1: no event lets grains out"),
+        (
+            {"accuracy": {"mean_wall_force": 0.1}, "events": [{"when": "time", "value": 0.01, "do": "open_outlet"}, STOP]},
+            r"accuracy\.mean_wall_force = 0\.1: is of the last window before the first event, which comes at 0\.01 s",
+        ),
+        ({"accuracy": {"mean_outflow": 5}}, r"accuracy\.mean_outflow = 5: must be less than 1"),
+        (
+            {"march": {"limit_s": 1.0, "step_s": 1e-6, "step_factor": 0.5}},
+            r"march\.step_factor = 0\.5: does nothing",
+        ),
+    ],
+)
+def test_what_cannot_be_kept_is_told_before_anything_runs(changes, told):
+    with pytest.raises(BadInput, match=told):
+        scene_of(**changes)
 
 
 @pytest.mark.parametrize(
