@@ -1,4 +1,4 @@
-"""What a cube of means over fillings tells of the accuracy that was asked of them."""
+"""Readings of a cube of means over fillings: the accuracy that was asked of them, and kept."""
 
 from typing import Any
 
@@ -8,7 +8,7 @@ SURE = 2.0  # standard errors that a change must exceed to be none of chance
 
 
 def step_unsure(certificate: Any) -> Any:
-    """Where half the step may change a mean by more than was asked of it: by its change and SURE standard errors of that.
+    """Mask of the means that half the step may change by more than was asked: by their change and SURE standard errors of it.
 
     certificate: a cube or a table with error_asked, error_met, step_change and step_change_deviation; nothing is known of a
     step that no filling was halved for.

@@ -29,6 +29,7 @@ SOFTEST = 1e-3  # of the largest stiffness: a slow mode
 SAFETY = 0.5  # of the bound, when the engine chooses the step: flow makes contacts that the start does not have
 DENSEST = 0.8  # of the bound of six contacts a disc: the most that a start without contacts will come to
 HOPELESS = 1e-4  # of the step that undamped springs bear with an integrator that keeps their energy
+FAMILIES = ("normal", "tangential", "rolling", "twisting")  # of laws that may hold springs, in their order
 OVERDAMPED = 0.1  # of what an explicit dashpot alone bears, as the order of it: damping times the bound
 NEAR = 0.05  # of a radius: gaps smaller than this count as contacts, since they close at once
 
@@ -126,14 +127,14 @@ def _undamped(model: Model) -> list[str]:
 
 
 def _strongest_dashpot(model: Model) -> tuple[str, str]:
-    """Which dashpot of lone contacts brings its bodies to rest first: its section and family, and its law."""
-    found = []
+    """Section and family, and law, of the dashpot that brings the bodies of a lone contact to rest first."""
+    dashpots = []
     for contact, body, other in _lone(model):
-        rates = _ways(model, body, other) * [float(np.ravel(one)[0]) for one in damping_of(contact, model, body, other, 0.0)]
+        strengths = [float(np.ravel(strength)[0]) for strength in damping_of(contact, model, body, other, 0.0)]
         section = "walls" if other is None else f"{model.space.body}s"
-        rows = zip(("normal", "tangential", "rolling", "twisting"), springs(contact.rows), rates, strict=True)
-        found += [(float(rate), f"{section}.{family}", row.key) for family, row, rate in rows]
-    _, section, law = max(found)
+        rows = zip(FAMILIES, springs(contact.rows), _ways(model, body, other) * strengths, strict=True)
+        dashpots += [(float(rate), f"{section}.{family}", row.key) for family, row, rate in rows]
+    _, section, law = max(dashpots)
     return section, law
 
 
