@@ -10,6 +10,7 @@ from silostudy.scene.clinging import deep_pulls
 from silostudy.scene.dem import plane_silo_of
 from silostudy.scene.idle import powerless, untaken
 from silostudy.scene.outflow import narrow
+from silostudy.scene.pressed import soft_springs
 from silostudy.scene.raining import rain_warnings, spread
 from silostudy.scene.spheres import space_silo_of
 from silostudy.scene.stiff import shortened_steps
@@ -36,6 +37,7 @@ def notes(scene: Any, model: Model) -> list[str]:
         untaken(scene),
         powerless(model, kinds),
         deep_pulls(model, kinds),
+        soft_springs(model, kinds, silo.silo.area if isinstance(scene, SphereScene) else silo.width),
         shortened_steps(model, kinds),
     )
     lines = [f"note: {text}" for texts in (*told, short_records(scene, model)) for text in texts]
