@@ -52,7 +52,7 @@ def _looks(body: str, count: int) -> Callable[[], Work]:
             engine = Engine(model)
             engine.step_to(APART)
             for _ in range(count):
-                follow(engine, [])
+                follow(engine, [], filling=False)
 
         return work
 

@@ -107,10 +107,11 @@ def run_one(chosen, scene, choice, output: Path) -> None:
         carry_through(task, scene, checkpoint_of(scene, output), tell)
     keep(task, scene, choice, output)
     print(f"{scene.title}: {steps_made(task)} steps of {mean_step(task):.3g} s, {where_discs_are(task)} -> {output}")
-    for verdict in verdicts(task, scene):
+    for verdict in () if task.recording.explosion else verdicts(task, scene):
         print(f"  {verdict}")
     if task.trouble:
-        key, value = ("march.limit_s", scene.march.limit_s) if task.recording.waiting else ("march.step_s", model.step)
+        stepped = ("march.step", "follow") if model.pace.share else ("march.step_s", model.step)
+        key, value = ("march.limit_s", scene.march.limit_s) if task.recording.waiting else stepped
         if task.recording.buried:
             key, value = "filling.count", len(model.x)
         raise BadInput(key, value, f"{task.trouble}; what was recorded is in {output}", str(chosen.scene))

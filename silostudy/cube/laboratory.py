@@ -29,7 +29,8 @@ class Scatter:
         """Scatter over the fillings that were computed; BadInput for fewer than two."""
         known = values.values[np.isfinite(values.values)]
         if len(known) < 2:
-            raise BadInput("filling", len(known), "filling(s) of a cell were computed: a scatter needs two")
+            told = f"{len(known)} of {values.size} fillings of a cell show it: a scatter needs two"
+            raise BadInput(str(values.name), values.values.tolist(), told)
         return cls(float(known.mean()), float(known.std(ddof=1)), len(known))
 
     @property

@@ -13,7 +13,7 @@ class Explosion(RuntimeError):
 
     def __init__(self, disc: int, step: int, dt: float, cause: str, body: str = "disc"):
         self.disc, self.step, self.time, self.cause = disc, step, step * dt, cause
-        super().__init__(f"{body} {disc} ran away at t = {step * dt:.6g} s (step {step}): {cause}")
+        super().__init__(f"{body} {disc} ran away at t = {step * dt:.6g} s: {cause}")
 
 
 def explosion_of(engine) -> Explosion:

@@ -7,12 +7,15 @@ from silostudy.dem.stable_now import stable_now
 EVERY = 20  # looks at rest from one look at the contacts to the next
 
 
-def follow(engine, steps: list[tuple[int, int]]) -> None:
-    """Let an engine's steps follow what its contacts bear now, and keep the tick and the ticks of a step where they change."""
+def follow(engine, steps: list[tuple[int, int]], filling: bool) -> None:
+    """Let an engine's steps follow what its contacts bear now, and keep the tick and the ticks of a step where they change.
+
+    filling: whether bodies are still to come in.
+    """
     pace = engine.model.pace
     if not pace.share or not engine.n:
         return
-    ticks = pace.after(engine.ticks, stable_now(engine) / engine.model.dt)
+    ticks = pace.after(engine.ticks, stable_now(engine) / engine.model.dt, filling)
     if ticks != engine.ticks:
         engine.take_steps_of(ticks)
         steps.append((engine.step, ticks))

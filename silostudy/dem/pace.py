@@ -26,9 +26,12 @@ class Pace:
         """Step over that which follows freely (1); 0: steps stay."""
         return self.share / SHARE
 
-    def after(self, ticks: int, borne: float) -> int:
-        """Ticks of the steps that follow on steps of so many, where the contacts bear a step of `borne` ticks."""
-        allowed = min(self.longest, max(1, int(self.share * borne)))
+    def after(self, ticks: int, borne: float, filling: bool = False) -> int:
+        """Ticks of the steps that follow on steps of so many, where the contacts bear a step of `borne` ticks.
+
+        No longer than the first while a silo is filled: what comes in makes other contacts before they are looked at anew.
+        """
+        allowed = min(self.ticks if filling else self.longest, max(1, int(self.share * borne)))
         return allowed if allowed < ticks or allowed >= RISE * ticks else ticks
 
 

@@ -102,7 +102,9 @@ class Run:
             self.recording.snapshots.append(snapshot(self.engine))
         self._act_where_due(checks=self.began > 0 and self.began % self.check == 0)
         if self.began and self.began % (EVERY * self.check) < self.engine.ticks and not self.done:
-            follow(self.engine, self.recording.steps)  # the run that it goes on from ended at this look, before it
+            follow(
+                self.engine, self.recording.steps, self.come < self.engine.most
+            )  # the run that it goes on from ended at this look, before it
 
     @property
     def trouble(self) -> str:
@@ -146,10 +148,13 @@ class Run:
         if checks and step < self.last and self.rest.criterion.looks_back:
             self.looked = Look(step, self.engine.places)
         if after(before, EVERY * self.check) <= step and not self.done:
-            follow(self.engine, self.recording.steps)
+            self._follow()
         if step >= self.last and not self.done:
             self.recording.happened.append((self.engine.time, "limit", "stop"))
             self.recording.waiting = self.events[self.next_event]
+
+    def _follow(self) -> None:
+        follow(self.engine, self.recording.steps, filling=self.come < self.engine.most)
 
     def _act_where_due(self, *, checks: bool) -> None:
         while not self.done and self._triggered(self.events[self.next_event], checks):

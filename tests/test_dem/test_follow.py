@@ -68,6 +68,7 @@ def test_a_step_is_shortened_at_once_and_lengthened_by_a_twentieth_at_least():
     assert pace.after(20, 41.9) == 20
     assert pace.after(20, 42.0) == 21
     assert pace.after(20, 1e3) == 40
+    assert pace.after(30, 1e3, filling=True) == 20
     assert pace.after(20, 1.0) == 1
     assert following(0.5).share == 0.5 * following().share
 
