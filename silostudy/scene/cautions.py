@@ -6,12 +6,13 @@ from typing import Any
 
 from pydantic import BaseModel
 
+from silostudy.config.run import FLOWS
 from silostudy.dem.outcomes import OUTCOMES
 from silostudy.scene.laboratory_cell_discs import DiscCase
 from silostudy.tables.ranges import PLAUSIBLE
 
 OPENS = ("open_slit", "open_outlet")
-LETS_OUT = (*OPENS, "feed", "take_away", "remove_disc", "remove_sphere")  # what events do that grains leave by
+LETS_OUT = (*FLOWS, "take_away", "remove_disc", "remove_sphere")  # what events do that grains leave by
 HIGH_FRICTION = 1.5  # beyond any row of this package's tables, whose largest is below 1
 DEEP = 0.05  # of a radius: an overlap beyond which contacts are too soft for what they bear
 FRICTIONS = ("sliding_friction", "wall_friction", "disc_friction", "sphere_friction")  # keys of sliding friction
