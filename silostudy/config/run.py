@@ -215,10 +215,10 @@ class GrainScene(OwnMethods):
         if self.of_fillings and not window:
             raise KeyMistake("accuracy", f"{', '.join(self.of_fillings)} needs record.wall_force_window_s")
         if "mean_outflow" in self.of_fillings and not any(event.do in FLOWS for event in self.events):
-            raise KeyMistake("accuracy.mean_outflow", f"no event lets grains out, as {', '.join(FLOWS)} do")
+            raise KeyMistake("accuracy", f"mean_outflow: no event lets grains out, as {', '.join(FLOWS)} do")
         if "mean_wall_force" in self.of_fillings and window and first.when == "time" and first.value < window:
-            told = f"is of the last window before the first event, which comes at {first.value:g} s, before any is whole"
-            raise KeyMistake("accuracy.mean_wall_force", told)
+            told = "mean_wall_force: is of the last window before the first event, which comes at"
+            raise KeyMistake("accuracy", f"{told} {first.value:g} s, before any is whole")
         return self
 
     @model_validator(mode="after")

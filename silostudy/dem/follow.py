@@ -21,6 +21,11 @@ def follow(engine, steps: list[tuple[int, int]], filling: bool) -> None:
         steps.append((engine.step, ticks))
 
 
+def follow_in(run) -> None:
+    """Let the steps of a run follow what its contacts bear now."""
+    follow(run.engine, run.recording.steps, filling=run.come < run.engine.most)
+
+
 def steps_made(run) -> int:
     """Number of steps that a run has made."""
     tick, ticks = np.array([*run.recording.steps, (run.engine.step, 1)]).T

@@ -11,7 +11,7 @@ from silostudy.dem.engine import Engine
 from silostudy.dem.events import TRIGGERS, Event
 from silostudy.dem.explosion import Explosion
 from silostudy.dem.feeder import Feeder
-from silostudy.dem.follow import EVERY, follow
+from silostudy.dem.follow import EVERY, follow_in
 from silostudy.dem.leaving import DISCHARGED, REMOVED, SPILT, OutletAt, Over, below, drawn, lowest, number_of, passing
 from silostudy.dem.ledger import ENTRIES, carry_out, change_gravity, take_springs
 from silostudy.dem.moves import MOVES, OF_LID, lid_meets
@@ -102,9 +102,7 @@ class Run:
             self.recording.snapshots.append(snapshot(self.engine))
         self._act_where_due(checks=self.began > 0 and self.began % self.check == 0)
         if self.began and self.began % (EVERY * self.check) < self.engine.ticks and not self.done:
-            follow(
-                self.engine, self.recording.steps, self.come < self.engine.most
-            )  # the run that it goes on from ended at this look, before it
+            follow_in(self)  # the run that it goes on from ended at this look, before it
 
     @property
     def trouble(self) -> str:
@@ -148,13 +146,10 @@ class Run:
         if checks and step < self.last and self.rest.criterion.looks_back:
             self.looked = Look(step, self.engine.places)
         if after(before, EVERY * self.check) <= step and not self.done:
-            self._follow()
+            follow_in(self)
         if step >= self.last and not self.done:
             self.recording.happened.append((self.engine.time, "limit", "stop"))
             self.recording.waiting = self.events[self.next_event]
-
-    def _follow(self) -> None:
-        follow(self.engine, self.recording.steps, filling=self.come < self.engine.most)
 
     def _act_where_due(self, *, checks: bool) -> None:
         while not self.done and self._triggered(self.events[self.next_event], checks):
