@@ -41,7 +41,7 @@ def require_surfaces(space: SpaceSilo) -> None:
 
 
 def require_hopper(space: SpaceSilo) -> None:
-    """BadInput for a hopper without a height, an outlet that leaves it, or a wall that is neither flat nor turned."""
+    """BadInput for a hopper without a height, an outlet that leaves it, or a wall next to upright."""
     silo, hopper = space.silo, space.silo.hopper
     assert hopper is not None
     if space.outlets:
@@ -64,10 +64,10 @@ def require_hopper(space: SpaceSilo) -> None:
     if space.plan.room_for(opening) < -1e-12 * silo.diameter:
         allowed = f"must not be above {most:g} m: the outlet must not leave the floor"
         raise BadInput("silo.outlet_eccentricity_m", silo.outlet_eccentricity, allowed)
-    turn, round_ = shallowest_joint(space), space.plan.sides == CIRCLE
-    if turn < SHALLOWEST and (round_ or turn > 0.0):  # flat faces may go on in the wall's plane
+    turn, is_cone = shallowest_joint(space), space.plan.sides == CIRCLE
+    if turn < SHALLOWEST and (is_cone or turn > 0.0):  # flat faces may go on in the wall's plane
         allowed = f"the hopper's wall stands {round(degrees(turn), 6):.2g} degrees off the wall above it: at least 5"
-        allowed += " all around a cone" if round_ else ", or none at all"
+        allowed += " all around a cone" if is_cone else ", or none at all"
         if silo.outlet_eccentricity:
             raise BadInput("silo.outlet_eccentricity_m", silo.outlet_eccentricity, allowed)
         raise BadInput("silo.hopper.half_angle_deg", angle, allowed)

@@ -182,14 +182,6 @@ def level(name: str, outline: Outline, height: float, cells: tuple[int, int], ho
     return LevelPiece(name=name, height=height, outline=outline, holes=holes, cells=cells)
 
 
-def eccentric_cone(
-    name: str, low: Outline, z: float, high: Outline, top: float, cells: tuple[int, int], joined: tuple[bool, bool]
-) -> EccentricCone:
-    """The surface from one circle to another above it, about another axis."""
-    start, end = (low.half[0], z), (high.half[0], top)
-    return EccentricCone(name=name, start=start, end=end, foot=low.middle, head=high.middle, joined=joined, cells=cells)
-
-
 def sides_between(
     name: str, low: Outline, z: float, high: Outline, top: float, cells: tuple[int, int], below: bool, above: bool
 ) -> tuple[Surface, ...]:
@@ -197,7 +189,10 @@ def sides_between(
     if low.sides == CIRCLE:
         start, end = (low.half[0], z), (high.half[0], top)
         if low.middle != high.middle:
-            return (eccentric_cone(name, low, z, high, top, cells, (below, above)),)
+            off = EccentricCone(
+                name=name, start=start, end=end, foot=low.middle, head=high.middle, joined=(below, above), cells=cells
+            )
+            return (off,)
         return (TurnedLine(name=name, start=start, end=end, joined=(below, above), cells=cells),)
     faces = []
     for k in range(low.sides):
