@@ -20,7 +20,7 @@ LEVER = 8.0  # expected error of the run that another is held against, over that
 MARGIN = {"certificate": 2.0, "front then certificate": 0.9}  # times Richardson's estimate: where 95 % keep what was asked
 START = 3  # rung at which a certificate begins that knows nothing beforehand
 ASKED = 8  # errors asked of each filling
-LEAST = min(fronts_dem.COARSE[fronts_dem.VERLET.key])  # factor of the step: shorter ones cost more than all others together
+LEAST = min(fronts_dem.STEPS)  # factor of the step: shorter ones cost more than all others together
 ROWS = sorted(
     (row for row in rows_for(["dem"], ["wall_force"]) if row.given["march.step_factor"] >= LEAST), key=lambda row: -row.error
 )

@@ -115,7 +115,8 @@ def scene_checked(path: Path) -> tuple[list[str], float]:
     model = scene_model(scene, path.parent, str(path))
     task = run_of(scene, model, str(path))  # tells too what is impossible by the step alone
     seconds = cost(SceneCase(scene, path.parent), model.step)
-    run = f"{len(model.x)} {model.space.body}s, {steps_ahead(task)}: about {told_time(seconds)} of one core"
+    about = "at most about" if model.pace.lively else "about"
+    run = f"{len(model.x)} {model.space.body}s, {steps_ahead(task)}: {about} {told_time(seconds)} of one core"
     told = [run, *told_before(scene, model, path.parent), *chosen_for(promises([choice] if choice else []))]
     return [f"{path}: {scene.title}", *(f"  {line}" for line in told)], seconds
 
@@ -124,7 +125,7 @@ def steps_ahead(task) -> str:
     """Steps of a run to its limit, and how long they are."""
     model = task.engine.model
     told = f"at most {(task.last - task.began) // model.pace.ticks:,} steps of {model.step:.3g} s"
-    return f"{told}, were they all as long as the first" if model.pace.share else told
+    return f"{told}, were they all as long as the first" if model.pace.changes else told
 
 
 def told_before(scene, model, folder: Path) -> list[str]:

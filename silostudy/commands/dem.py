@@ -110,7 +110,7 @@ def run_one(chosen, scene, choice, output: Path) -> None:
     for verdict in () if task.recording.explosion else verdicts(task, scene):
         print(f"  {verdict}")
     if task.trouble:
-        stepped = ("march.step", "follow") if model.pace.share else ("march.step_s", model.step)
+        stepped = ("march.step", model.pace.kind) if model.pace.changes else ("march.step_s", model.step)
         key, value = ("march.limit_s", scene.march.limit_s) if task.recording.waiting else stepped
         if task.recording.buried:
             key, value = "filling.count", len(model.x)

@@ -68,8 +68,8 @@ def begun(run: Run) -> dict[str, float]:
 
 
 def steps_of(run: Run) -> dict[str, np.ndarray]:
-    """Arrays by name of the steps of a run that follow the contacts; none of one whose step stays."""
-    if not run.engine.model.pace.share:
+    """Arrays by name of the steps of a run whose steps change; none of one whose step stays."""
+    if not run.engine.model.pace.changes:
         return {}
     tick, ticks = np.array(run.recording.steps).T
     return {"step_time": tick * run.engine.model.dt, "step_from_then": ticks * run.engine.model.dt}

@@ -38,9 +38,10 @@ class MarchConfig(Strict):
     step_factor: float | None = described(
         "time step over the one that the engine chooses where step_s is null; null: for the accuracy", gt=0, le=1, default=1.0
     )
-    step: Literal["fixed", "follow"] = described(
+    step: Literal["fixed", "follow", "longer_at_rest"] | None = described(
         "fixed: one time step throughout; follow: as long as the contacts bear that there are, looked at every so often, from "
-        "a 16th to four times the step that is chosen for the start",
+        "a 16th to four times the step that is chosen for the start; longer_at_rest: step_factor holds while grains move, and "
+        "the slower the fastest, the longer are steps, up to the one that is chosen; null: for the accuracy",
         "",
         default="fixed",
     )
@@ -54,13 +55,11 @@ class MarchConfig(Strict):
         return self
 
     @model_validator(mode="after")
-    def _follows_alone(self) -> Self:
-        if self.step == "follow":
+    def _changes_alone(self) -> Self:
+        if self.step in ("follow", "longer_at_rest"):
             for name in ("step_s", "beyond_stability"):
                 if getattr(self, name):
-                    raise KeyMistake(name, "must be left out: step: follow chooses the time step")
-            if self.step_factor is None:
-                raise KeyMistake("step", "give either accuracy or this, and not both: none is measured for steps that change")
+                    raise KeyMistake(name, f"must be left out: step: {self.step} chooses the time step")
         return self
 
 

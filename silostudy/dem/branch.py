@@ -32,6 +32,7 @@ def end_of(run) -> dict[str, Any]:
         "came": run.came,
         "gone": run.gone + run.dropped,
         "looked": run.looked,
+        "largest": run.largest,
         "apart": isinstance(model.wall_contact, Varied),  # whether some walls have frictions of their own
         "over": run.over,
         "fed": run.feeder.stand if run.feeder else None,
@@ -74,7 +75,7 @@ def go_on(run, end: Mapping[str, Any]) -> None:
     """Let a run that has not begun go on from an end of a model that agrees with its own."""
     engine = run.engine
     restore(engine, end["engine"] | _here(engine, end))
-    run.come, run.came, run.gone, run.looked = (end[name] for name in ("come", "came", "gone", "looked"))
+    run.come, run.came, run.gone, run.looked, run.largest = (end[name] for name in ("come", "came", "gone", "looked", "largest"))
     run.over = copy.deepcopy(end["over"])  # one end may have several branches
     run.began = run.since = run.opened = engine.step
     if run.feeder and end["fed"]:

@@ -5,6 +5,7 @@ from collections.abc import Callable
 import numpy as np
 
 from silostudy.dem.branch import go_on
+from silostudy.dem.calm import calm_down, wake, watch_after
 from silostudy.dem.change import keep_discs, not_open, open_holes, set_friction, swap_walls, take_walls
 from silostudy.dem.checkpoint import checkpoint, restore
 from silostudy.dem.engine import Engine
@@ -23,7 +24,7 @@ from silostudy.dem.snapshot import held_energy, snapshot
 from silostudy.dem.trouble import trouble_of
 from silostudy.errors import BadInput
 
-CHECK_EVERY = 200  # first steps between looks at rest, discharge and drop-outs: counted from the start, so chunks do not matter
+CHECK_EVERY = 200  # usual steps between looks at rest, discharge and drop-outs: counted from the start, so chunks do not matter
 
 
 class Run:
@@ -54,13 +55,14 @@ class Run:
             raise BadInput("events", [event.action for event in events], "the last event must be a stop")
         self.engine, self.events, self.window, self.snapshots = engine, events, window, snapshots
         self.observers, self.rest, self.rain, self.feeder = observers, rest, rain, feeder
-        self.outlet_at, self.check = outlet_at, CHECK_EVERY * engine.model.pace.ticks
+        self.outlet_at, self.check = outlet_at, CHECK_EVERY * engine.model.pace.usual
         self.recording, self.last = Recording(), round(limit / engine.model.dt)
         self.next_event, self.since, self.opened = 0, 0, engine.step
         self.full = float(engine.model.mass.sum())
         self.come, self.came = engine.n, engine.step  # how many bodies have come in, and when the last of them did
         self.began, self.gone = engine.step, 0.0  # a branch goes on with the clock; mass (kg/m) that had left before
         self.looked: Look | None = None  # where bodies were when rest was last looked for
+        self.largest = 0.0  # speed of a body since the last event, over that of a fall, where steps are longer at rest
         self.floor, self.over = lowest(engine.model, engine.model.walls), Over(engine)
         if engine.model.end is not None:
             go_on(self, engine.model.end)
@@ -115,9 +117,7 @@ class Run:
 
     def _next_stop(self, until: int | None) -> int:
         step = self.engine.step
-        stops = [after(step, self.check)]
-        if self.window:
-            stops.append(after(step, self.window))
+        stops = [watch_after(self, step), *([after(step, self.window)] if self.window else [])]
         stops += [snapshot for snapshot in self.snapshots if snapshot > step]
         stops += [observer.after(step) for observer in self.observers]
         stops += [self.due()] if self.due() > step else []
@@ -142,6 +142,7 @@ class Run:
             self._drop()
             self._feed()
             self._pour()
+        calm_down(self, before)
         self._act_where_due(checks=checks)
         if checks and step < self.last and self.rest.criterion.looks_back:
             self.looked = Look(step, self.engine.places)
@@ -211,6 +212,7 @@ class Run:
         self.since = engine.step
         if action != "stop":  # after which a branch may look on
             self.looked = None
+            wake(self)
         self.next_event += 1
 
     def _remove(self, what: tuple) -> str:
@@ -285,7 +287,7 @@ class Run:
 
     def checkpoint(self) -> dict:
         """Everything that going on depends on: the engine's arrays, where the events stand, and what was recorded."""
-        stand = {name: getattr(self, name) for name in ("next_event", "since", "opened", "come", "came", "looked", "over")}
+        stand = {name: getattr(self, name) for name in ("next_event", "since", "opened", "come", "came", "looked", "largest", "over")}
         fed = self.feeder.stand if self.feeder else None
         return {"engine": checkpoint(self.engine), "stand": stand, "recording": self.recording, "fed": fed}
 

@@ -8,7 +8,7 @@ import numpy as np
 from silostudy.config.dem import DemScene
 from silostudy.config.grain_scenes import AnyScene
 from silostudy.dem.model import Model, Wall
-from silostudy.dem.pace import FIXED, following
+from silostudy.dem.pace import FIXED, Pace, following, longer_at_rest
 from silostudy.dem.stability import chosen_step, packed_bound
 from silostudy.errors import BadInput, within
 from silostudy.packing import PACKINGS
@@ -74,12 +74,20 @@ def unshaken_scene_model(scene: DemScene, discs, where: str = "") -> Model:
 
 def stepped(scene: AnyScene, model: M, where: str) -> M:
     """A model with the clock and the pace that its scene asks for."""
-    pace = following(scene.march.step_factor or 1.0) if scene.march.step == "follow" else FIXED
+    pace = pace_of(scene)
     step = step_of(scene, model, where)
     if scene.march.limit_s / step > COUNTED:
         allowed = f"takes more steps of {step:.3g} s than can be counted, {COUNTED:.2g}"
         raise BadInput("march.limit_s", scene.march.limit_s, allowed, where)
     return replace(model, dt=step / pace.ticks, pace=pace)
+
+
+def pace_of(scene: AnyScene) -> Pace:
+    """How the steps of a scene change."""
+    factor = scene.march.step_factor or 1.0
+    if scene.march.step == "longer_at_rest":
+        return longer_at_rest(factor)
+    return following(factor) if scene.march.step == "follow" else FIXED
 
 
 def step_of(scene: AnyScene, model: Model, where: str) -> float:

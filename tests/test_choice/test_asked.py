@@ -132,7 +132,8 @@ def test_a_scene_gets_integrator_and_step(tmp_path):
     assert scene.march.integrator == settings["march.integrator"]
     assert scene.march.step_factor == settings["march.step_factor"]
     model = scene_model(scene, tmp_path)
-    assert model.dt == pytest.approx(settings["march.step_factor"] * chosen_step(model))
+    assert scene.march.step == model.pace.kind == settings["march.step"]
+    assert model.step == pytest.approx(settings["march.step_factor"] * chosen_step(model))
     assert choice.asked == {"wall_force": 0.1}
     assert 0.01 < choice.expected["wall_force"] <= 0.1
 

@@ -181,7 +181,7 @@ def test_a_window_weighs_forces_by_their_steps():
     [
         ({"step_s": 1e-5}, {}, "march.step_s = .*: must be left out: step: follow chooses the time step"),
         ({"beyond_stability": True}, {}, "march.beyond_stability = True: must be left out: step: follow chooses"),
-        ({"step": "follows"}, {}, "'fixed' or 'follow'"),
+        ({"step": "follows"}, {}, "'fixed', 'follow' or 'longer_at_rest'"),
         ({}, {"accuracy": {"wall_force": 0.1}}, "march.step = 'follow': give either accuracy or this"),
     ],
 )
