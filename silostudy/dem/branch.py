@@ -21,6 +21,8 @@ from silostudy.dem.model import Model
 from silostudy.dem.neighbours import LOW, SHIFT
 from silostudy.dem.varied import Varied
 
+CARRIED = ("come", "came", "looked", "largest")  # of where a run stands
+
 
 def end_of(run) -> dict[str, Any]:
     """End of a run: its state, and those parts of its model that a run which goes on from there must share or may change."""
@@ -28,11 +30,8 @@ def end_of(run) -> dict[str, Any]:
     return {
         "engine": checkpoint(engine),
         "body": model.space.body,
-        "come": run.come,
-        "came": run.came,
         "gone": run.gone + run.dropped,
-        "looked": run.looked,
-        "largest": run.largest,
+        **{name: getattr(run, name) for name in CARRIED},
         "apart": isinstance(model.wall_contact, Varied),  # whether some walls have frictions of their own
         "over": run.over,
         "fed": run.feeder.stand if run.feeder else None,
@@ -75,7 +74,7 @@ def go_on(run, end: Mapping[str, Any]) -> None:
     """Let a run that has not begun go on from an end of a model that agrees with its own."""
     engine = run.engine
     restore(engine, end["engine"] | _here(engine, end))
-    run.come, run.came, run.gone, run.looked, run.largest = (end[name] for name in ("come", "came", "gone", "looked", "largest"))
+    vars(run).update({name: end[name] for name in (*CARRIED, "gone")})
     run.over = copy.deepcopy(end["over"])  # one end may have several branches
     run.began = run.since = run.opened = engine.step
     if run.feeder and end["fed"]:

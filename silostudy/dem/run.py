@@ -4,7 +4,7 @@ from collections.abc import Callable
 
 import numpy as np
 
-from silostudy.dem.branch import go_on
+from silostudy.dem.branch import CARRIED, go_on
 from silostudy.dem.calm import calm_down, wake, watch_after
 from silostudy.dem.change import keep_discs, not_open, open_holes, set_friction, swap_walls, take_walls
 from silostudy.dem.checkpoint import checkpoint, restore
@@ -287,7 +287,7 @@ class Run:
 
     def checkpoint(self) -> dict:
         """Everything that going on depends on: the engine's arrays, where the events stand, and what was recorded."""
-        stand = {name: getattr(self, name) for name in ("next_event", "since", "opened", "come", "came", "looked", "largest", "over")}
+        stand = {name: getattr(self, name) for name in ("next_event", "since", "opened", "over", *CARRIED)}
         fed = self.feeder.stand if self.feeder else None
         return {"engine": checkpoint(self.engine), "stand": stand, "recording": self.recording, "fed": fed}
 

@@ -1,4 +1,4 @@
-"""Steps that are longer at rest: short ones while discs move, the same forces, fewer steps, the same bits however carried out."""
+"""Steps that are longer at rest: short ones while discs move, fewer in all, the same bits however carried out."""
 
 import pickle
 from pathlib import Path
