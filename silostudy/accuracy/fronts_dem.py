@@ -30,12 +30,11 @@ FINE = {PLAIN.key: (2.0**-6, 2.0**-7)}  # on fewer fillings
 # factors of the references' steps, by velocity Verlet; a trial's errs by far less than what is asked there
 FINEST = {"coarse": 2.0**-6, "fine": 2.0**-7.5, "trial": 2.0**-4}
 SHARE = 0.95  # of fillings that keep an error
-# traits that errors go with; those of smoothed increments grow less, being large
-SCALES = {VERLET.key: "restlessness", PLAIN.key: "restlessness", SMOOTHED.key: "restlessness_root"}
-KEPT = 0.94  # share of all fillings of all silos that a row keeps; a step chosen is finer: more keep it
+LARGE = 0.5  # factor of the step from which on errors of smoothed increments, being large, go with the root of the trait
+KEPT = 0.92  # share of all fillings of all silos that a row keeps; a step chosen is finer: more keep it
 REST = 0.25  # s to rest
 PARTS = 6  # of a wall
-MEASURED = 16  # silos that the front is measured on
+MEASURED = 40  # silos that the front is measured on
 UNSEEN = 20  # other silos that the choice is tried on
 FILLINGS = 8  # of each silo that is measured
 FINE_FILLINGS = 4  # of them, at the steps of FINE
@@ -52,7 +51,7 @@ Setting = tuple[str, float]  # integrator, factor of the step while discs move
 
 @dataclass(frozen=True)
 class Found:
-    """Errors of a silo's fillings, and the CPU seconds of one filling, by setting."""
+    """Errors of a silo's fillings, and the CPU seconds of one filling, its model's making with it, by setting."""
 
     error: dict[Setting, np.ndarray]
     cost: dict[Setting, float]
@@ -95,11 +94,17 @@ def measured(content: dict[str, Any], ladders: Mapping[str, tuple[float, ...]], 
     return Found(dict(zip(settings, errors, strict=True)), dict(zip(settings, cost.tolist(), strict=True)))
 
 
+def scale_of(setting: Setting) -> str:
+    """Trait that the errors of a setting go with."""
+    integrator, factor = setting
+    return "restlessness_root" if integrator == SMOOTHED.key and factor >= LARGE else "restlessness"
+
+
 def forces(content: dict[str, Any], setting: Setting, seed: int) -> tuple[np.ndarray, float]:
     """Force (N/m) on the parts of both walls of a filling at rest, and CPU seconds; infinite where the discs run away."""
     scene = DemScene.model_validate(content | {"march": content["march"] | march_of(setting), "seed": seed})
-    run = run_of(scene, unshaken_scene_model(scene, placed(scene)))
     start = time.process_time()
+    run = run_of(scene, unshaken_scene_model(scene, placed(scene)))
     if run.go().explosion:
         return np.array(np.inf), np.inf
     spent = time.process_time() - start
@@ -127,7 +132,7 @@ def measured_fronts(tell: Callable[[str], None]) -> list[dict]:
     spans["restlessness_root"] = (0.0, float(f"{1.05 * spans['restlessness'][1] ** 0.5:.2g}"))
     rows = []
     for setting in dict.fromkeys(setting for _, measures in errors for setting in measures.error):
-        scale = SCALES[setting[0]]
+        scale = scale_of(setting)
         over = np.concatenate(
             [measures.error[setting] / traits[scale] for traits, measures in errors if setting in measures.error]
         )
