@@ -8,7 +8,7 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 from silostudy.accuracy.optional_parts import OptionalPart, Work, ready
-from silostudy.accuracy.optional_scenes import look, ran
+from silostudy.accuracy.optional_scenes import changing_steps, look, ran
 from silostudy.accuracy.profile import profile_cube
 from silostudy.accuracy.stability import stability_cube
 from silostudy.compute.dem_cube import cube_of
@@ -75,9 +75,7 @@ def _exported(run, scene) -> None:
 
 SCENES = (
     look("disc", ROOM),
-    OptionalPart(
-        "steps that follow the contacts", ROOM, ran(SCENE | {"march": SCENE["march"] | {"step": "follow"}}), ran(SCENE)
-    ),
+    *changing_steps(SCENE, ROOM),
     OptionalPart("49 snapshots", ROOM, recorded(snapshots_s=TIMES), recorded()),
     OptionalPart(
         "49 snapshots also for ParaView",

@@ -39,6 +39,21 @@ def _nothing(step: int) -> None:
     pass
 
 
+def changing_steps(content: dict, room: str, note: str = "") -> tuple[OptionalPart, ...]:
+    """Time steps of a scene that change, beside those that stay."""
+
+    def stepped(**march) -> Callable[[], Work]:
+        return ran(content | {"march": content["march"] | march})
+
+    short = {"step_factor": 0.25}
+    return (
+        OptionalPart(f"steps that follow the contacts{note}", room, stepped(step="follow"), stepped()),
+        OptionalPart(
+            f"steps of a quarter that are longer at rest{note}", room, stepped(step="longer_at_rest", **short), stepped(**short)
+        ),
+    )
+
+
 def look(body: str, room: str, note: str = "") -> OptionalPart:
     """A look at the contacts of bodies near rest whose step follows them, beside the steps from one look to the next."""
     return OptionalPart(f"a look at the contacts in {APART} steps{note}", room, _looks(body, 1), _looks(body, 0))

@@ -7,7 +7,7 @@ asked for.
 from typing import Any
 
 from silostudy.accuracy.optional_parts import OptionalPart
-from silostudy.accuracy.optional_scenes import look, ran
+from silostudy.accuracy.optional_scenes import changing_steps, look, ran
 from silostudy.accuracy.priced_effects import SPHERES
 
 ROOM = "scenes of spheres"
@@ -41,10 +41,7 @@ def _recorded(name: str, *, beside: dict | None = None, **record: Any) -> Option
 
 PARTS = (
     look("sphere", ROOM, SPHERES),
-    OptionalPart(
-        f"steps that follow the contacts{SPHERES}", ROOM,
-        ran(SCENE | {"march": SCENE["march"] | {"step": "follow"}}), ran(SCENE),
-    ),
+    *changing_steps(SCENE, ROOM, SPHERES),
     _recorded("wall pressures in 1 by 1 cells, 25 windows", pressure_cells=[1, 1], **WINDOW),
     _recorded("pressure map of 10 by 12 cells", beside=WINDOW | {"pressure_cells": [1, 1]}, pressure_cells=[10, 12], **WINDOW),
     _recorded("49 snapshots", snapshots_s=TIMES),
