@@ -6,13 +6,15 @@ import numpy as np
 import pytest
 
 from silostudy.commands.progress import progress
+from silostudy.dem.pace import FIXED, following
 from silostudy.say import say
 
 
 @pytest.fixture
 def task():
     """A run of ten spheres over 1000 steps."""
-    engine = SimpleNamespace(model=SimpleNamespace(x=np.zeros(10)), time=0.1, n=10, space=SimpleNamespace(body="sphere"))
+    model = SimpleNamespace(x=np.zeros(10), dt=1e-3, pace=FIXED)
+    engine = SimpleNamespace(model=model, time=0.1, n=10, space=SimpleNamespace(body="sphere"))
     return SimpleNamespace(engine=engine, began=0, last=1000)
 
 
@@ -25,6 +27,16 @@ def test_the_clock_starts_after_the_compiling(task, capsys):
         assert (shown.bar.n, shown.bar.initial, shown.bar.total) == (2000, 2000, 10000)
         tell(400)
     assert shown.bar.n == 4000
+
+
+def test_steps_that_change_are_counted_in_model_time(task, capsys):
+    task.engine.model.pace = following()
+    shown = progress(task)
+    with shown as tell:
+        tell(200)
+        tell(400)
+    assert shown.bar.n == pytest.approx(0.4)
+    assert shown.bar.unit == " s"
 
 
 def test_a_run_that_stops_before_its_limit_is_done(task, capsys):
