@@ -21,7 +21,7 @@ from silostudy.dem.model import Model
 from silostudy.dem.neighbours import LOW, SHIFT
 from silostudy.dem.varied import Varied
 
-CARRIED = ("come", "came", "looked", "largest")  # of where a run stands
+CARRIED = ("come", "came", "looked", "top_speed")  # of where a run stands
 
 
 def end_of(run) -> dict[str, Any]:

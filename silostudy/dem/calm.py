@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from silostudy.dem.follow import change_steps
 from silostudy.dem.observer import after
 
 WATCHES = 4  # of the speed of bodies from one look at rest to the next, while steps are not the longest
@@ -18,15 +19,16 @@ def calm_down(run, before: int) -> None:
     """Let a run whose steps are longer at rest make steps as long as its bodies are slow, where it is time to look."""
     if run.engine.model.pace.lively and watch_after(run, before) <= run.engine.step:
         speed = liveliness(run)
-        run.largest = max(run.largest, speed) if np.isfinite(speed) else 0.0
-        change_steps(run, run.engine.model.pace.at(run.engine.ticks, speed, run.largest))
+        run.top_speed = max(run.top_speed, speed) if np.isfinite(speed) else 0.0
+        ticks = run.engine.model.pace.at_speed(run.engine.ticks, speed, run.top_speed)
+        change_steps(run.engine, run.recording.steps, ticks)
 
 
 def wake(run) -> None:
     """Let a run whose steps are longer at rest make the first again: an event may set bodies in motion."""
     if run.engine.model.pace.lively:
-        run.largest = 0.0
-        change_steps(run, run.engine.model.pace.ticks)
+        run.top_speed = 0.0
+        change_steps(run.engine, run.recording.steps, run.engine.model.pace.ticks)
 
 
 def liveliness(run) -> float:
@@ -44,8 +46,7 @@ def fastest(engine) -> float:
     return float(np.sqrt(((moving + turning) / fall).max(initial=0.0))) if fall.all() else np.inf
 
 
-def change_steps(run, ticks: int) -> None:
-    """Make steps of so many ticks from now on, and keep when."""
-    if ticks != run.engine.ticks:
-        run.engine.take_steps_of(ticks)
-        run.recording.steps.append((run.engine.step, ticks))
+def acted_at(run) -> int:
+    """Tick from which the next event counts: when this one was due, where a step went over it, so that times add up."""
+    due, step = run.due(), run.engine.step
+    return due if due > step - run.engine.past else step

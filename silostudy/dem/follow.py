@@ -16,9 +16,17 @@ def follow(engine, steps: list[tuple[int, int]], filling: bool) -> None:
     if not pace.share or not engine.n:
         return
     ticks = pace.after(engine.ticks, stable_now(engine) / engine.model.dt, filling)
-    if ticks != engine.ticks:
-        engine.take_steps_of(ticks)
-        steps.append((engine.step, ticks))
+    change_steps(engine, steps, ticks)
+
+
+def change_steps(engine, steps: list[tuple[int, int]], ticks: int) -> None:
+    """Let an engine make steps of so many ticks from now on, and keep the tick and the ticks of a step where they change."""
+    if ticks == engine.ticks:
+        return
+    engine.take_steps_of(ticks)
+    if steps and steps[-1][0] == engine.step:
+        steps.pop()
+    steps.append((engine.step, ticks))
 
 
 def follow_in(run) -> None:

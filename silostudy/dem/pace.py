@@ -51,7 +51,7 @@ class Pace:
         allowed = min(self.ticks if filling else self.longest, max(1, int(self.share * borne)))
         return _changed(ticks, allowed)
 
-    def at(self, ticks: int, speed: float, largest: float) -> int:
+    def at_speed(self, ticks: int, speed: float, largest: float) -> int:
         """Ticks of the steps that follow on steps of so many, where the fastest body has this speed over that of a fall (1).
 
         It moves no further in a step than in the first step at the speed `lively`, or at a share of the largest since an event.

@@ -5,7 +5,7 @@ from collections.abc import Callable
 import numpy as np
 
 from silostudy.dem.branch import CARRIED, go_on
-from silostudy.dem.calm import calm_down, wake, watch_after
+from silostudy.dem.calm import acted_at, calm_down, wake, watch_after
 from silostudy.dem.change import keep_discs, not_open, open_holes, set_friction, swap_walls, take_walls
 from silostudy.dem.checkpoint import checkpoint, restore
 from silostudy.dem.engine import Engine
@@ -61,8 +61,8 @@ class Run:
         self.full = float(engine.model.mass.sum())
         self.come, self.came = engine.n, engine.step  # how many bodies have come in, and when the last of them did
         self.began, self.gone = engine.step, 0.0  # a branch goes on with the clock; mass (kg/m) that had left before
+        self.top_speed = 0.0  # of a body since the last event, over that of a fall, where steps are longer at rest
         self.looked: Look | None = None  # where bodies were when rest was last looked for
-        self.largest = 0.0  # speed of a body since the last event, over that of a fall, where steps are longer at rest
         self.floor, self.over = lowest(engine.model, engine.model.walls), Over(engine)
         if engine.model.end is not None:
             go_on(self, engine.model.end)
@@ -209,7 +209,7 @@ class Run:
         elif action in MOVES:
             MOVES[action](engine, *event.what)
         self.recording.happened.append((engine.time, event.trigger, told))
-        self.since = engine.step
+        self.since = acted_at(self)
         if action != "stop":  # after which a branch may look on
             self.looked = None
             wake(self)

@@ -83,7 +83,7 @@ def stepped(scene: AnyScene, model: M, where: str) -> M:
 
 
 def pace_of(scene: AnyScene) -> Pace:
-    """How the steps of a scene change."""
+    """Pace that a scene asks for: whether and how its time steps change."""
     factor = scene.march.step_factor or 1.0
     if scene.march.step == "longer_at_rest":
         return longer_at_rest(factor)

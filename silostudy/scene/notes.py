@@ -39,6 +39,7 @@ def notes(scene: Any, model: Model) -> list[str]:
         deep_pulls(model, kinds),
         soft_springs(model, kinds, silo.silo.area if isinstance(scene, SphereScene) else silo.width),
         shortened_steps(model, kinds),
+        never_longer(model),
     )
     lines = [f"note: {text}" for texts in (*told, short_records(scene, model)) for text in texts]
     return lines + [f"warning: {text}" for text in warned]
@@ -47,6 +48,18 @@ def notes(scene: Any, model: Model) -> list[str]:
 def lidded(scene: Any) -> bool:
     """Whether a lid closes the top of a scene's silo."""
     return bool(scene.lid if isinstance(scene, SphereScene) else scene.silo.lid)
+
+
+def never_longer(model: Model) -> Iterator[str]:
+    """A note on steps that would be longer at rest, where nothing lets them."""
+    if not model.pace.lively:
+        return
+    if model.pace.longest == model.pace.ticks:
+        yield "march.step: longer_at_rest makes no step longer without a march.step_factor below 1"
+    elif model.quake is not None:
+        yield "march.step: longer_at_rest makes no step longer in this scene, since its base may shake"
+    elif model.moving:
+        yield "march.step: longer_at_rest makes no step longer in this scene, since a wall of it moves (lid, belt, slow outlet)"
 
 
 def short_records(scene: Any, model: Model) -> Iterator[str]:

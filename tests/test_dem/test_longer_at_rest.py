@@ -15,6 +15,7 @@ from silostudy.dem.follow import steps_made
 from silostudy.dem.lanes import V, W
 from silostudy.dem.pace import LIVELY, TICKS, Pace, longer_at_rest
 from silostudy.errors import BadInput
+from silostudy.scene.notes import notes
 
 from .branches import PLAIN, branched, ended, same_motion, stop
 from .scenes import free
@@ -22,6 +23,7 @@ from .small import carried, scene_of
 
 EIGHTH = {"step": "longer_at_rest", "step_factor": 0.125, "step_s": None}
 RESTS = [stop(0.3)]
+LOWERED = [{"when": "time", "value": 0.15, "do": "lower_lid"}, stop(0.15)]
 OPENS = [{"when": "time", "value": 0.25, "do": "open_slit"}, stop(0.4)]
 
 
@@ -99,8 +101,7 @@ def test_what_is_moved_keeps_the_short_step(tmp_path):
     file = tmp_path / "base.csv"
     np.savetxt(file, [[0.0, 0.0, 0.0], [0.5, 0.0, 0.0]], delimiter=",", header="time_s,x_m_s2,y_m_s2", comments="")
     shaken = scene_of(march=EIGHTH | {"limit_s": 1.0}, events=[stop(0.15)], quake={"file": str(file)}, record={})
-    lowered = [{"when": "time", "value": 0.15, "do": "lower_lid"}, stop(0.15)]
-    closed = scene_of(march=EIGHTH | {"limit_s": 1.0}, events=lowered, silo__lid=True, silo__slit_width_m=0.0, record={})
+    closed = scene_of(march=EIGHTH | {"limit_s": 1.0}, events=LOWERED, silo__lid=True, silo__slit_width_m=0.0, record={})
     for scene in (shaken, closed):
         run = carried(scene)
         assert run.recording.steps == [(0, TICKS)]
@@ -121,11 +122,11 @@ def test_the_fastest_body_counts_with_its_spin():
 
 def test_the_fastest_body_moves_no_further_in_a_longer_step():
     pace = Pace(ticks=16, longest=64, lively=0.1)
-    assert [pace.at(16, speed, 1.0) for speed in (np.inf, 1.0, 0.1, 0.05, 0.026, 0.01, 0.0)] == [16, 16, 16, 32, 61, 64, 64]
-    assert [pace.at(16, speed, 0.1) for speed in (0.1, 0.03, 0.01)] == [16, 16, 48]  # three tenths of the largest count
-    assert pace.at(31, 0.05, 1.0) == 31  # less than a twentieth more
-    assert pace.at(63, 0.001, 1.0) == 64
-    assert pace.at(64, 0.2, 1.0) == 16
+    assert [pace.at_speed(16, speed, 1.0) for speed in (np.inf, 0.1, 0.05, 0.026, 0.01, 0.0)] == [16, 16, 32, 61, 64, 64]
+    assert [pace.at_speed(16, speed, 0.1) for speed in (0.1, 0.03, 0.01)] == [16, 16, 48]  # three tenths of the largest count
+    assert pace.at_speed(31, 0.05, 1.0) == 31  # less than a twentieth more
+    assert pace.at_speed(63, 0.001, 1.0) == 64
+    assert pace.at_speed(64, 0.2, 1.0) == 16
     pace = longer_at_rest(0.7)
     assert (pace.ticks, pace.longest, pace.usual, pace.kind) == (16, 22, 22, "longer_at_rest")
     assert longer_at_rest(0.125).factor == 0.125
@@ -142,3 +143,37 @@ def test_the_fastest_body_moves_no_further_in_a_longer_step():
 def test_what_does_not_go_with_it_is_refused(changes, said):
     with pytest.raises(BadInput, match=said):
         scene_of(**{"march": {"step": "longer_at_rest", "limit_s": 1.0}} | changes)
+
+
+def test_times_after_events_add_up_to_the_limit():
+    """Events come up to a step late, and count from when they were due."""
+    events = [{"when": "after", "value": 0.05, "do": "set_friction", "wall_friction": 0.2} for _ in range(3)]
+    march = EIGHTH | {"limit_s": 0.2}
+    run = carried(scene_of(march=march, events=[*events, {"when": "after", "value": 0.05, "do": "stop"}], **PLAIN))
+    assert not run.trouble
+    assert [time for time, *_ in run.recording.happened] == pytest.approx([0.05, 0.1, 0.15, 0.2], abs=run.engine.model.step * 8)
+    assert [time for time, *_ in run.recording.happened][-1] >= 0.2
+
+
+def test_a_tick_has_one_step(tmp_path):
+    """A branch that begins with an event makes the first step again where the longest was to come."""
+    march = {f"march__{key}": value for key, value in EIGHTH.items()}
+    ended(tmp_path, stop(0.2), **march)
+    branch = branched(tmp_path, {"when": "after", "value": 0.0, "do": "open_slit"}, stop(0.21), **march)
+    since = [tick for tick, _ in branch.recording.steps]
+    assert len(since) == len(set(since))
+
+
+@pytest.mark.parametrize(
+    ("changes", "said"),
+    [
+        ({"march__step_factor": 1.0}, "without a march.step_factor below 1"),
+        ({"silo__lid": True, "silo__slit_width_m": 0.0, "events": LOWERED}, "a wall of it moves"),
+        ({}, ""),
+    ],
+)  # fmt: skip
+def test_check_says_where_no_step_gets_longer(changes, said):
+    scene = scene_of(**{"march": EIGHTH | {"limit_s": 1.0}, "record": {}} | changes)
+    told = " ".join(notes(scene, scene_model(scene, Path())))
+    assert ("longer_at_rest" in told) == bool(said)
+    assert said in told
