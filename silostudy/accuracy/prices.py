@@ -14,6 +14,7 @@ import numpy as np
 
 from silostudy.dem.engine import Engine
 from silostudy.dem.model import Contact, Model
+from silostudy.dem.pace import FIXED
 from silostudy.dem.pieces import Laws
 from silostudy.dem.varied import Varied
 
@@ -75,7 +76,8 @@ def _bare(contact: Contact) -> Contact:
 
 
 def still(model: Model) -> Model:
-    """The model near rest, with a step in which nothing moves."""
+    """The model near rest, with a step in which nothing moves, and which stays."""
+    model = replace(model, dt=model.step, pace=FIXED)
     engine = Engine(replace(model, booked=False))
     engine.step_to(max(1, int(SETTLING / len(model.x))))
     columns = model.columns

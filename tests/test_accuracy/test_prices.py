@@ -15,6 +15,7 @@ from silostudy.accuracy.silo import silo_of_rows
 from silostudy.commands.explain_scene import listed
 from silostudy.contact import SPHERE_LAWS
 from silostudy.dem.engine import Engine
+from silostudy.dem.pace import FIXED, longer_at_rest
 from silostudy.scene.spheres_about import sphere_effects
 from silostudy.tables.effect_prices import EFFECT_PRICES
 from silostudy.tables.kiyama_1983 import ACTIVE
@@ -53,6 +54,13 @@ def test_spheres_by_hand_give_the_same_bits(name):
         engine.step_to(20_000)
         assert engine.parts[0].pairs.begin.max() > 2 * engine.n  # they have fallen together
     check_bits(*pair.values())
+
+
+def test_what_is_priced_is_a_step_and_no_tick():
+    model, _ = silo_of_rows(4, 3)
+    changing = still(replace(model, dt=model.dt / 16.0, pace=longer_at_rest(0.25)))
+    assert changing.pace is FIXED
+    assert np.array_equal(changing.x, still(model).x)
 
 
 @pytest.mark.long
