@@ -44,9 +44,3 @@ def fastest(engine) -> float:
     turning = sum((engine.radius * engine.column(lane)) ** 2 for lane in space.spin) / space.inverse_inertia
     fall = 2.0 * np.hypot.reduce(engine.gravity) * engine.radius
     return float(np.sqrt(((moving + turning) / fall).max(initial=0.0))) if fall.all() else np.inf
-
-
-def acted_at(run) -> int:
-    """Tick from which the next event counts: when this one was due, where a step went over it, so that times add up."""
-    due, step = run.due(), run.engine.step
-    return due if due > step - run.engine.past else step

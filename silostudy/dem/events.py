@@ -83,3 +83,9 @@ class Event:
         if on:
             does = f"{does.partition(' ')[0] if self.said else does} {on}"
         return f"{does}: {values}" if values else does
+
+
+def acted_at(run) -> int:
+    """Tick from which the next event counts: when this one was due, where a step went over it, so that times add up."""
+    due, step = run.due(), run.engine.step
+    return due if due > step - run.engine.past else step

@@ -7,8 +7,8 @@ TICKS = 16  # in the step that a run begins with whose steps change
 LONGEST = 4  # times that step, of steps that follow the contacts
 SHARE = 0.9  # of what the contacts bear: they may be a fifth stiffer before they are looked at anew
 RISE = 1.05  # a step grows by a twentieth at least, so that it does not change at every look
-LIVELY = 0.1  # fastest body over the speed of a fall by its radius: slower ones add little to errors of forces at rest,
-OF_LARGEST = 0.3  # and those that are slower by so much than the fastest since the last event
+LIVELY = 0.1  # fastest body over the speed of a fall by its radius: while it is slower, little error of forces at rest comes in
+OF_LARGEST = 0.3  # fastest body over the fastest since the last event: the same, where small gaps let none fall far
 
 
 @dataclass(frozen=True)

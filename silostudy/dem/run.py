@@ -5,11 +5,11 @@ from collections.abc import Callable
 import numpy as np
 
 from silostudy.dem.branch import CARRIED, go_on
-from silostudy.dem.calm import acted_at, calm_down, wake, watch_after
+from silostudy.dem.calm import calm_down, wake, watch_after
 from silostudy.dem.change import keep_discs, not_open, open_holes, set_friction, swap_walls, take_walls
 from silostudy.dem.checkpoint import checkpoint, restore
 from silostudy.dem.engine import Engine
-from silostudy.dem.events import TRIGGERS, Event
+from silostudy.dem.events import TRIGGERS, Event, acted_at
 from silostudy.dem.explosion import Explosion
 from silostudy.dem.feeder import Feeder
 from silostudy.dem.follow import EVERY, follow_in

@@ -2,6 +2,7 @@
 
 from itertools import pairwise
 
+import numpy as np
 import pytest
 
 from silostudy.accuracy import fronts_dem
@@ -49,6 +50,22 @@ def test_errors_come_from_fillings_and_fall_with_the_step(small):
     means = [found.error["17-18", factor].mean() for factor in (1.0, 0.25)]
     assert means[1] < 0.6 * means[0]
     assert found.error_kept(("17-18", 1.0)) <= found.error["17-18", 1.0].max()
+
+
+@pytest.mark.long
+def test_steps_that_are_longer_at_rest_err_as_short_ones_do(monkeypatch):
+    """In a silo whose small gaps let no disc fall far; so may a reference's steps be longer at rest."""
+    content, short, fine = next(fronts_dem.silos(0, 1)), ("17-19", 1 / 16), ("velocity-verlet", fronts_dem.FINEST["trial"])
+    longer = [[fronts_dem.forces(content, one, seed)[0] for seed in range(5)] for one in (short, fine)]
+    plain = fronts_dem.march_of
+    monkeypatch.setattr(fronts_dem, "march_of", lambda setting: plain(setting) | {"step": "fixed"})
+    fixed = [[fronts_dem.forces(content, one, seed)[0] for seed in range(5)] for one in (short, fine)]
+    error, error_fixed, of_reference = (
+        np.mean([np.abs(a - b).max() / b.max() for a, b in zip(forces, fixed[1], strict=True)])
+        for forces in (longer[0], fixed[0], longer[1])
+    )
+    assert error < 1.5 * error_fixed
+    assert of_reference < 0.002
 
 
 @pytest.mark.long
